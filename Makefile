@@ -1,0 +1,110 @@
+# Needs Python 3.11 or later, git and make; everything else goes into .venv (and, for the benchmarks, .venv-bench).
+#   make PYTHON=python3.12 test    uses that interpreter instead of the first suitable one on the path
+
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+.DEFAULT_GOAL := help
+
+PYTHON ?=
+VENV := .venv
+BENCH_VENV := .venv-bench
+BIN := $(VENV)/bin
+DEMO := build/demo
+# Quiet twice: errors only.
+PIP_QUIET := --disable-pip-version-check --quiet --quiet
+
+# The stamp is older than pyproject.toml when the dependencies may have changed. An interpreter that was asked for
+# by name has a stamp of its own, so that asking for another one takes effect.
+ready = $(1)/.ready$(if $(PYTHON),-$(subst /,_,$(PYTHON)))
+READY := $(call ready,$(VENV))
+BENCH_READY := $(call ready,$(BENCH_VENV))
+
+# An environment whose interpreter is gone is made anew.
+runs = $(shell $(1)/bin/python -c 'print("yes")' 2>/dev/null)
+ifneq ($(call runs,$(VENV)),yes)
+.PHONY: $(READY)
+endif
+ifneq ($(call runs,$(BENCH_VENV)),yes)
+.PHONY: $(BENCH_READY)
+endif
+
+.PHONY: help
+help: ## list the targets
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 16
+
+.PHONY: demo
+demo: $(READY) ## analyse the octahedral platform, every stage, and write its report
+	$(BIN)/gcrules analyze "ab af cb cd ed ef"
+	@mkdir -p $(DEMO)
+	$(BIN)/gcrules report examples/octahedral.yaml -o $(DEMO)/octahedral.html
+	@echo
+	@echo "The report is in $(CURDIR)/$(DEMO)/octahedral.html"
+
+.PHONY: test
+test: $(READY) ## run the tests and doctests with branch coverage; ends with what was left out
+	$(BIN)/python -m pytest --cov --cov-branch --cov-report=term
+
+.PHONY: check
+check: $(READY) ## lint, formatting, types, documentation
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/python tools/check_docs.py
+
+.PHONY: docs
+docs: $(READY) ## write the generated pages of docs/ and check every link
+	$(BIN)/python tools/check_docs.py --write
+
+.PHONY: bench
+bench: $(BENCH_READY) ## run the benchmarks beside naive forms and peers, in an environment of their own
+	$(BENCH_VENV)/bin/python -m pytest benchmarks
+
+.PHONY: clean
+clean: ## remove the environments and everything generated
+	rm -rf $(VENV) $(BENCH_VENV) build dist .coverage .coverage.* .benchmarks .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+$(READY): pyproject.toml
+	@$(call make-venv,$(VENV))
+	@echo "make: installing into $(VENV); this takes a minute or so"
+	@$(BIN)/python -m pip $(PIP_QUIET) install --editable ".[dev]"
+	@touch $@
+
+$(BENCH_READY): pyproject.toml benchmarks/peers.txt
+	@$(call make-venv,$(BENCH_VENV))
+	@echo "make: installing into $(BENCH_VENV); this takes a minute or so"
+	@$(BENCH_VENV)/bin/python -m pip $(PIP_QUIET) install --editable ".[bench]"
+	@grep -v '^ *\(#\|$$\)' benchmarks/peers.txt | while read -r peer; do \
+	  $(BENCH_VENV)/bin/python -m pip $(PIP_QUIET) install "$$peer" < /dev/null \
+	    || echo "make: the peer $$peer does not install here; its benchmarks go without it" >&2; \
+	done
+	@touch $@
+
+# Make the environment $(1) unless it is there, with the interpreter asked for, or else with the first on the path
+# that is new enough. Some distributions ship Python without the wheel of pip that venv copies; their own pip serves then.
+define make-venv
+new_enough='import sys; sys.exit(sys.version_info < (3, 11))'; \
+version='import sys; print("%d.%d" % sys.version_info[:2])'; \
+found=; \
+for python in $(or $(PYTHON),python3 python3.14 python3.13 python3.12 python3.11 python); do \
+  if "$$python" -c "$$new_enough" > /dev/null 2>&1; then found=$$python; break; fi; \
+done; \
+if [ -z "$$found" ]; then \
+  echo "make: gcrules needs Python 3.11 or later, but $(or $(PYTHON),python3) is" \
+    "$$($(or $(PYTHON),python3) -c "$$version" 2>/dev/null || echo missing)." >&2; \
+  echo "make: name an interpreter that is new enough: make PYTHON=/path/to/python3.11 ..." >&2; \
+  exit 1; \
+fi; \
+have=$$($(1)/bin/python -c "$$version" 2> /dev/null || echo none); \
+if ! $(1)/bin/python -c "$$new_enough" > /dev/null 2>&1 || ! $(1)/bin/python -m pip --version > /dev/null 2>&1 \
+    || { [ -n "$(PYTHON)" ] && [ "$$have" != "$$("$$found" -c "$$version")" ]; }; then \
+  echo "make: $(1) with $$("$$found" --version)"; \
+  "$$found" -m venv --clear $(1) 2> /dev/null || { \
+    "$$found" -m venv --clear --without-pip $(1) && "$$found" -m pip --python $(1)/bin/python $(PIP_QUIET) install pip; \
+  } || { \
+    rm -rf $(1); \
+    echo "make: $$found cannot make a virtual environment (Debian and Ubuntu: install python3-venv)." >&2; \
+    exit 1; \
+  }; \
+fi; \
+rm -f $(1)/.ready*
+endef

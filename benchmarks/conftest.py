@@ -1,0 +1,172 @@
+"""The fixtures ``ratio`` and ``peer``: a function timed beside its naive form and its peers in the same run."""
+
+from __future__ import annotations
+
+import importlib
+import math
+import os
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+STRICT = os.environ.get("GCRULES_BENCH_STRICT") == "1"
+SHORTEST_SAMPLE = 0.002  # seconds; shorter calls are timed in a loop
+
+
+@dataclass
+class Measurement:
+    """Best times in seconds of one benchmark; ``None`` for a peer that is not there."""
+
+    name: str
+    seconds: float
+    others: Mapping[str, float | None]
+    within: float | None = None
+    at_least: Mapping[str, float] = field(default_factory=dict)
+
+    def ratio(self, other: str) -> float | None:
+        """How many times longer the other form takes."""
+        seconds = self.others[other]
+        return None if seconds is None else seconds / self.seconds
+
+    def missed(self) -> list[str]:
+        """The goals that were not reached, in words."""
+        found = []
+        if self.within is not None and self.seconds > self.within:
+            found.append(f"{show(self.seconds)} is over the goal of {show(self.within)}")
+        for other, goal in self.at_least.items():
+            reached = self.ratio(other)
+            if reached is not None and reached < goal:
+                found.append(f"{reached:.3g} times faster than {other}, the goal is {goal:g}")
+        return found
+
+
+MEASUREMENTS = pytest.StashKey[list[Measurement]]()
+MISSING_PEERS = pytest.StashKey[set[str]]()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.stash[MEASUREMENTS] = []
+    config.stash[MISSING_PEERS] = set()
+
+
+def calls_per_sample(function: Callable[[], Any]) -> int:
+    """How often to call the function so that one sample is long enough to be timed; calls it at least once."""
+    calls = 1
+    while (spent := sample(function, calls)) < SHORTEST_SAMPLE:
+        calls = max(2 * calls, math.ceil(calls * SHORTEST_SAMPLE / max(spent, 1e-9)))
+    return calls
+
+
+def sample(function: Callable[[], Any], calls: int) -> float:
+    """Seconds that this many calls take together."""
+    start = time.perf_counter()
+    for _ in range(calls):
+        function()
+    return time.perf_counter() - start
+
+
+@pytest.fixture
+def peer(request: pytest.FixtureRequest) -> Callable[[str], ModuleType | None]:
+    """``peer("clifford")``: that module, or ``None`` (and a line at the end of the run) when it is not installed."""
+
+    def find(name: str) -> ModuleType | None:
+        try:
+            return importlib.import_module(name)
+        except ImportError:
+            request.config.stash[MISSING_PEERS].add(name)
+            return None
+
+    return find
+
+
+@pytest.fixture
+def ratio(request: pytest.FixtureRequest, benchmark: Any) -> Callable[..., Measurement]:
+    """``ratio(function, {"naive": slow, "clifford": None}, ...)``: time the function beside the others.
+
+    All are called without arguments, in turn, ``rounds`` times; the best time of each counts, so that a disturbance
+    hits all alike. One whose value is ``None`` (a peer that is not installed) is reported as missing.
+
+    agree     called with the function's result and each other's result; the benchmark fails when it is false, since
+              a faster wrong answer is no gain. Without it results are not compared.
+    within    goal for the function, in seconds
+    at_least  goals for the ratios, such as ``{"naive": 10}``
+    rounds    rounds of the comparison, and of the statistics that pytest-benchmark prints
+    others_rounds
+              in how many of these rounds the other forms run, for forms that take long; all by default
+
+    Goals that are missed are marked in the table at the end; with ``GCRULES_BENCH_STRICT=1`` they fail the run.
+    The numbers go into ``extra_info`` too, hence into ``--benchmark-json``.
+    """
+
+    def measure(
+        function: Callable[[], Any],
+        others: Mapping[str, Callable[[], Any] | None],
+        *,
+        agree: Callable[[Any, Any], bool] | None = None,
+        within: float | None = None,
+        at_least: Mapping[str, float] | None = None,
+        rounds: int = 5,
+        others_rounds: int | None = None,
+    ) -> Measurement:
+        present = {name: other for name, other in others.items() if other is not None}
+        if agree is not None:
+            mine = function()
+            for name, other in present.items():
+                assert agree(mine, other()), f"the result differs from that of {name}"
+        calls = {name: calls_per_sample(other) for name, other in present.items()}
+        my_calls = calls_per_sample(function)
+        best = math.inf
+        best_others = dict.fromkeys(present, math.inf)
+        for turn in range(rounds):
+            best = min(best, sample(function, my_calls) / my_calls)
+            if others_rounds is None or turn < others_rounds:
+                for name, other in present.items():
+                    best_others[name] = min(best_others[name], sample(other, calls[name]) / calls[name])
+        benchmark.pedantic(function, rounds=rounds, iterations=my_calls)
+
+        result = Measurement(request.node.name, best, dict.fromkeys(others) | best_others, within, at_least or {})
+        benchmark.extra_info["best"] = best
+        benchmark.extra_info["others"] = dict(result.others)
+        benchmark.extra_info["ratio"] = {name: result.ratio(name) for name in others}
+        request.config.stash[MEASUREMENTS].append(result)
+        if STRICT:
+            assert result.missed() == []
+        return result
+
+    return measure
+
+
+def show(seconds: float | None) -> str:
+    """A time in a unit that suits it."""
+    if seconds is None:
+        return "not installed"
+    for unit, size in (("s", 1), ("ms", 1e-3), ("us", 1e-6)):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds / 1e-9:.3g} ns"
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """The table: each benchmark beside its naive form and its peers, and the goals that were missed."""
+    measurements = config.stash[MEASUREMENTS]
+    if measurements:
+        terminalreporter.section("beside other forms, best times")
+        width = max(len(m.name) for m in measurements)
+        for m in measurements:
+            line = f"{m.name:<{width}}  {show(m.seconds):>9}"
+            if m.within is not None:
+                line += f"  (goal {show(m.within)})"
+            terminalreporter.line(line)
+            for other, seconds in m.others.items():
+                reached = m.ratio(other)
+                times = "" if reached is None else f"  x {reached:.3g}"
+                terminalreporter.line(f"{'':<{width}}  {show(seconds):>9}{times}  {other}")
+            for missed in m.missed():
+                terminalreporter.line(f"{'':<{width}}  MISSED: {missed}")
+    for name in sorted(config.stash[MISSING_PEERS]):
+        terminalreporter.line(f"the peer {name} is not installed; the comparisons with it were left out")

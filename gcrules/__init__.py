@@ -1,0 +1,69 @@
+r"""gcrules: when, and why, is a parallel robot singular? Grassmann–Cayley algebra with proofs.
+
+    >>> import gcrules as gc
+    >>> print(gc.expand(r"ab /\ cde"))
+    -[bcde] * a + [acde] * b
+    >>> gc.prove(r"ab /\ cd == [abcd]").verdict
+    'proved'
+
+The names below load what they need when they are first used.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from gcrules.api import (
+        Analysis,
+        BracketPolynomial,
+        Expr,
+        ExtensorPolynomial,
+        GcrulesError,
+        Platform,
+        Proof,
+        analyze,
+        evaluate,
+        expand,
+        load_platform,
+        parse,
+        prove,
+        report,
+        shortest,
+        straighten,
+        superbracket,
+    )
+
+__all__ = [
+    "Analysis",
+    "BracketPolynomial",
+    "Expr",
+    "ExtensorPolynomial",
+    "GcrulesError",
+    "Platform",
+    "Proof",
+    "__version__",
+    "analyze",
+    "evaluate",
+    "expand",
+    "load_platform",
+    "parse",
+    "prove",
+    "report",
+    "shortest",
+    "straighten",
+    "superbracket",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in __all__:
+        return getattr(import_module("gcrules.api"), name)
+    raise AttributeError(f"module 'gcrules' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1,0 +1,254 @@
+r"""Bracket polynomials and extensor polynomials as frozen values.
+
+A bracket is the increasing tuple of the indices of its points in the tableau order, a monomial the sorted tuple of
+its brackets; signs and vanishing brackets are dealt with when a term is made. Two polynomials are equal as values if
+they have the same terms; whether they are equal as functions (modulo syzygies) is decided by their normal forms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import groupby
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.text import text
+
+if TYPE_CHECKING:
+    import sympy
+
+__all__ = [
+    "BracketPolynomial",
+    "Coefficient",
+    "ExtensorPolynomial",
+    "Monomial",
+    "Row",
+    "Terms",
+    "sorted_row",
+    "tableau_order",
+]
+
+Coefficient = int | Fraction
+Row = tuple[int, ...]
+Monomial = tuple[Row, ...]
+Terms = dict[Monomial, Coefficient]
+
+
+def tableau_order(names: Iterable[str], declared: Iterable[str] = (), ideal: Iterable[str] = ()) -> tuple[str, ...]:
+    """Points in tableau order: points at infinity first, then declared ones as declared, then the others sorted.
+
+    >>> tableau_order(["b", "p10", "p2", "a", "i"], declared=["b"], ideal=["i"])
+    ('i', 'b', 'a', 'p2', 'p10')
+    """
+    present = dict.fromkeys(names)
+    at_infinity = [n for n in dict.fromkeys(ideal) if n in present]
+    first = [n for n in dict.fromkeys(declared) if n in present and n not in at_infinity]
+    rest = sorted((n for n in present if n not in at_infinity and n not in first), key=ex.point_key)
+    return (*at_infinity, *first, *rest)
+
+
+def sorted_row(indices: Iterable[int]) -> tuple[int, Row]:
+    """Sign and increasing order of a bracket's points; sign 0 if a point is repeated.
+
+    >>> sorted_row([2, 0, 1]), sorted_row([1, 0, 1])
+    ((1, (0, 1, 2)), (0, (0, 1, 1)))
+    """
+    row = list(indices)
+    sign = 1
+    for i in range(1, len(row)):
+        j = i
+        while j and row[j - 1] > row[j]:
+            row[j - 1], row[j] = row[j], row[j - 1]
+            sign = -sign
+            j -= 1
+    if any(row[i] == row[i + 1] for i in range(len(row) - 1)):
+        sign = 0
+    return sign, tuple(row)
+
+
+def _nonzero(terms: Mapping[Monomial, Coefficient]) -> Terms:
+    return {
+        m: (c.numerator if isinstance(c, Fraction) and c.denominator == 1 else c) for m, c in sorted(terms.items()) if c
+    }
+
+
+@dataclass(frozen=True)
+class BracketPolynomial:
+    """Σ coefficient · monomial in brackets of the given rank over `points`; the first `ideal` of them lie at infinity."""
+
+    rank: int
+    points: tuple[str, ...]
+    terms: Mapping[Monomial, Coefficient]
+    ideal: int = 0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "terms", MappingProxyType(_nonzero(self.terms)))
+
+    def __hash__(self) -> int:
+        return hash((self.rank, self.points, tuple(self.terms.items())))
+
+    def __len__(self) -> int:
+        return len(self.terms)
+
+    def __bool__(self) -> bool:
+        return bool(self.terms)
+
+    @property
+    def step(self) -> int:
+        return 0
+
+    def with_terms(self, terms: Mapping[Monomial, Coefficient]) -> BracketPolynomial:
+        """The polynomial over the same points with other terms."""
+        return BracketPolynomial(self.rank, self.points, terms, self.ideal)
+
+    def __neg__(self) -> BracketPolynomial:
+        return self.with_terms({m: -c for m, c in self.terms.items()})
+
+    def __add__(self, other: BracketPolynomial) -> BracketPolynomial:
+        a, b = self._aligned(other)
+        terms = dict(a.terms)
+        for m, c in b.terms.items():
+            terms[m] = terms.get(m, 0) + c
+        return a.with_terms(terms)
+
+    def __sub__(self, other: BracketPolynomial) -> BracketPolynomial:
+        return self + -other
+
+    def __mul__(self, other: BracketPolynomial | int | Fraction) -> BracketPolynomial:
+        if not isinstance(other, BracketPolynomial):
+            return self.with_terms({m: c * other for m, c in self.terms.items()})
+        a, b = self._aligned(other)
+        terms: Terms = {}
+        for m, c in a.terms.items():
+            for n, k in b.terms.items():
+                product = tuple(sorted(m + n))
+                terms[product] = terms.get(product, 0) + c * k
+        return a.with_terms(terms)
+
+    __rmul__ = __mul__
+
+    def _aligned(self, other: BracketPolynomial) -> tuple[BracketPolynomial, BracketPolynomial]:
+        if self.points == other.points and self.ideal == other.ideal:
+            return self, other
+        ideal = dict.fromkeys((*self.points[: self.ideal], *other.points[: other.ideal]))
+        order = tableau_order((*self.points, *other.points), self.points, ideal)
+        return self.over(order, len(ideal)), other.over(order, len(ideal))
+
+    def over(self, points: tuple[str, ...], ideal: int = 0) -> BracketPolynomial:
+        """The same polynomial written over another tuple of points (which must hold all that occur)."""
+        index = {n: i for i, n in enumerate(points)}
+        moved = [index.get(n, -1) for n in self.points]
+        terms: Terms = {}
+        for m, c in self.terms.items():
+            sign, rows = 1, []
+            for row in m:
+                s, r = sorted_row(moved[i] for i in row)
+                sign *= s
+                rows.append(r)
+            key = tuple(sorted(rows))
+            terms[key] = terms.get(key, 0) + sign * c
+        return BracketPolynomial(self.rank, points, terms, ideal)
+
+    def degrees(self) -> dict[str, int] | None:
+        """How often each point occurs in every monomial; None if that differs from one monomial to another."""
+        counts = {tuple(sorted(i for row in m for i in row)) for m in self.terms}
+        if len(counts) > 1:
+            return None
+        return {self.points[i]: len(list(g)) for c in counts for i, g in groupby(c)}
+
+    def named(self) -> Iterator[tuple[Coefficient, tuple[tuple[str, ...], ...]]]:
+        """The terms with their brackets as tuples of names."""
+        for m, c in self.terms.items():
+            yield c, tuple(tuple(self.points[i] for i in row) for row in m)
+
+    def to_expr(self) -> Expr:
+        """The polynomial as an expression of the language."""
+        return ex.add(
+            *(
+                ex.mul(ex.Number(c), *(ex.Bracket(tuple(map(ex.Point, row))) for row in rows))
+                for c, rows in self.named()
+            ),
+            rank=self.rank,
+        )
+
+    def __str__(self) -> str:
+        return text(self.to_expr(), names=self.points)
+
+    def _repr_latex_(self) -> str:
+        return self.to_expr()._repr_latex_()
+
+    def to_json(self) -> dict[str, Any]:
+        """`{"polynomial": text, "terms": number of monomials, "step": 0}`."""
+        return {"polynomial": str(self), "terms": len(self), "step": 0}
+
+    def to_sympy(self) -> sympy.Expr:
+        """A sympy expression with one symbol for each bracket, named as in the text ("[abcd]")."""
+        import sympy
+
+        def symbol(row: tuple[str, ...]) -> sympy.Symbol:
+            return sympy.Symbol(text(ex.Bracket(tuple(map(ex.Point, row))), names=self.points))
+
+        terms = [sympy.Mul(sympy.Rational(c), *map(symbol, rows)) for c, rows in self.named()]
+        return sympy.Add(*terms)
+
+
+@dataclass(frozen=True)
+class ExtensorPolynomial:
+    """Σ (bracket polynomial) · extensor for extensors of one positive step, each an increasing tuple of points."""
+
+    rank: int
+    points: tuple[str, ...]
+    step: int
+    parts: Mapping[Row, BracketPolynomial]
+    ideal: int = 0
+
+    def __post_init__(self) -> None:
+        parts = {r: p for r, p in sorted(self.parts.items()) if p}
+        object.__setattr__(self, "parts", MappingProxyType(parts))
+
+    def __hash__(self) -> int:
+        return hash((self.rank, self.points, self.step, tuple(self.parts.items())))
+
+    def __len__(self) -> int:
+        return sum(map(len, self.parts.values()))
+
+    def __bool__(self) -> bool:
+        return bool(self.parts)
+
+    def __sub__(self, other: ExtensorPolynomial) -> ExtensorPolynomial:
+        """The difference; both must be written over the same points."""
+        zero = BracketPolynomial(self.rank, self.points, {}, self.ideal)
+        rows = dict.fromkeys((*self.parts, *other.parts))
+        parts = {r: self.parts.get(r, zero) - other.parts.get(r, zero) for r in rows}
+        return ExtensorPolynomial(self.rank, self.points, self.step, parts, self.ideal)
+
+    def to_expr(self) -> Expr:
+        """The polynomial as an expression of the language."""
+        return ex.add(
+            *(
+                ex.mul(p.to_expr(), ex.join(*(ex.Point(self.points[i]) for i in row), rank=self.rank))
+                for row, p in self.parts.items()
+            ),
+            rank=self.rank,
+        )
+
+    def __str__(self) -> str:
+        return text(self.to_expr(), names=self.points)
+
+    def _repr_latex_(self) -> str:
+        return self.to_expr()._repr_latex_()
+
+    def to_json(self) -> dict[str, Any]:
+        """`{"polynomial": text, "terms": number of terms, "step": step}`."""
+        return {"polynomial": str(self), "terms": len(self), "step": self.step}
+
+    def to_sympy(self) -> dict[str, sympy.Expr]:
+        """The coefficient of each extensor (named by its points) as a sympy expression."""
+        return {
+            text(ex.join(*(ex.Point(self.points[i]) for i in row), rank=self.rank), names=self.points): p.to_sympy()
+            for row, p in self.parts.items()
+        }

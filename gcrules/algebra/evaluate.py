@@ -1,0 +1,227 @@
+r"""The exact oracle: the value of an expression at given points, computed from coordinates alone.
+
+It shares no code with expansion or straightening, so that it can refute them. An extensor of step k in rank d is
+the list of its C(d, k) Plücker coordinates, indexed by the k-subsets of the rows in lexicographic order (for lines in
+rank 4: 12, 13, 14, 23, 24, 34); the bracket is the determinant with the points as columns.
+
+    >>> corner = {"a": (0, 0, 0, 1), "b": (1, 0, 0, 1), "c": (0, 1, 0, 1), "d": (0, 0, 1, 1)}
+    >>> from gcrules.algebra.syntax import parse
+    >>> evaluate(parse("[abcd]"), corner)       # minus six times the oriented volume
+    -1
+    >>> evaluate(parse("ab"), corner)
+    (0, 0, -1, 0, 0, 0)
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
+from functools import cache, reduce
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+from gcrules.algebra.expr import (
+    Bracket,
+    Dotted,
+    Expr,
+    Join,
+    Meet,
+    Number,
+    Point,
+    Power,
+    Product,
+    Sum,
+    Superbracket,
+    permutation_sign,
+    points_of,
+)
+from gcrules.errors import InputError
+
+if TYPE_CHECKING:
+    import numpy as np
+
+__all__ = ["PRIME", "evaluate", "plucker", "random_points", "random_rational_points", "vanishes"]
+
+PRIME = 2**31 - 1
+"""Modulus of the oracle: products of two residues fit into 64 bits."""
+
+_Values = list[Any]  # Plücker coordinates: numbers of any ring, or arrays of them (one entry for each sample)
+_Reduce = Callable[[Any], Any]
+
+
+def evaluate(e: Expr, points: Mapping[str, Any], *, modulus: int | None = None) -> Any:
+    """The value of an expression: a number for a scalar, a tuple of Plücker coordinates for an extensor.
+
+    `points` gives each point's homogeneous coordinates as its last axis of length d: a sequence of integers or
+    Fractions (exact), an array of floats of shape (…, d) (vectorised over the leading axes), or, with `modulus`
+    (a prime below 2³¹), an array of int64 residues. Numbers come back in the same kind. Raises InputError for a point
+    without coordinates or of unequal length.
+    """
+    missing = [n for n in points_of(e) if n not in points]
+    if missing:
+        raise InputError(f"no coordinates given for {', '.join(missing)}")
+    coordinates = {n: _coordinates(points[n]) for n in points_of(e)}
+    ranks = {len(c) for c in coordinates.values()}
+    if len(ranks) > 1:
+        raise InputError(f"points with unlike numbers of coordinates: {sorted(ranks)}")
+    rank = ranks.pop() if ranks else 4
+    reduced: _Reduce = (lambda x: x % modulus) if modulus else (lambda x: x)
+    values = _Oracle(coordinates, rank, reduced, modulus).value(e)
+    return tuple(values) if e.step else values[0]
+
+
+def plucker(e: Expr, points: Mapping[str, Any]) -> tuple[Any, ...]:
+    """The Plücker coordinates of an extensor of step 1 or more, in lexicographic order of rows."""
+    if e.step == 0:
+        raise InputError("a scalar has no Plücker coordinates")
+    return tuple(evaluate(e, points))
+
+
+def _coordinates(value: Any) -> _Values:
+    shape = getattr(value, "shape", None)
+    if shape is not None and len(shape) > 1:
+        return [value[..., i] for i in range(shape[-1])]
+    return list(value)
+
+
+class _Oracle:
+    def __init__(self, points: Mapping[str, _Values], rank: int, reduced: _Reduce, modulus: int | None) -> None:
+        self.points = points
+        self.rank = rank
+        self.reduced = reduced
+        self.modulus = modulus
+        self.known: dict[Expr, _Values] = {}
+
+    def value(self, e: Expr) -> _Values:
+        if e not in self.known:
+            self.known[e] = self._value(e)
+        return self.known[e]
+
+    def _value(self, e: Expr) -> _Values:
+        match e:
+            case Number(value=value):
+                return [self._number(value)]
+            case Point(name=name):
+                return [self.reduced(c) for c in self.points[name]]
+            case Join(args=args) | Bracket(args=args):
+                return self._joined(args, self.rank)
+            case Meet(args=args):
+                return self._met(args)
+            case Superbracket(lines=lines):
+                rows = [self.value(line) for line in lines]
+                return reduce(lambda a, i: self._wedge(a, i, rows[i], 1, 6), range(1, 6), rows[0])
+            case Sum(terms=terms):
+                return [self.reduced(sum(cs[1:], cs[0])) for cs in zip(*map(self.value, terms), strict=True)]
+            case Product(factors=factors):
+                scalar: Any = 1
+                rest: _Values = [1]
+                for f in factors:
+                    if f.step:
+                        rest = self.value(f)
+                    else:
+                        scalar = self.reduced(scalar * self.value(f)[0])
+                return [self.reduced(scalar * c) for c in rest]
+            case Power(base=base, exponent=n):
+                return [reduce(lambda a, b: self.reduced(a * b), [self.value(base)[0]] * n)]
+            case Dotted():
+                return self.value(e.written_out())
+        raise TypeError(f"not an expression: {e!r}")
+
+    def _number(self, value: int | Fraction) -> int | Fraction:
+        if not self.modulus:
+            return value
+        return value.numerator * pow(value.denominator, -1, self.modulus) % self.modulus
+
+    def _joined(self, args: Sequence[Expr], rank: int) -> _Values:
+        values, step = self.value(args[0]), args[0].step
+        for a in args[1:]:
+            values = self._wedge(values, step, self.value(a), a.step, rank)
+            step += a.step
+        return values
+
+    def _wedge(self, a: _Values, k: int, b: _Values, h: int, rank: int) -> _Values:
+        return self._combine(a, b, _join_table(rank, k, h))
+
+    def _met(self, args: Sequence[Expr]) -> _Values:
+        values, step = self.value(args[0]), args[0].step
+        for a in args[1:]:
+            values = self._combine(values, self.value(a), _meet_table(self.rank, step, a.step))
+            step += a.step - self.rank
+        return values
+
+    def _combine(self, a: _Values, b: _Values, table: tuple[tuple[tuple[int, int, int], ...], ...]) -> _Values:
+        return [self.reduced(sum(s * self.reduced(a[i] * b[j]) for i, j, s in row)) for row in table]
+
+
+_Table = tuple[tuple[tuple[int, int, int], ...], ...]
+
+
+@cache
+def _join_table(rank: int, k: int, h: int) -> _Table:
+    """For each coordinate of a join of steps k and h: the (i, j, sign) whose products add up to it."""
+    left, right = _index(rank, k), _index(rank, h)
+    return tuple(
+        tuple(
+            (left[i], right[j], permutation_sign(i + j))
+            for i in combinations(rows, k)
+            for j in [tuple(r for r in rows if r not in i)]
+        )
+        for rows in combinations(range(rank), k + h)
+    )
+
+
+@cache
+def _meet_table(rank: int, k: int, h: int) -> _Table:
+    """The same for a meet: e_I ∧ e_J = Σ over shuffles (I1, I2) of I of sgn · [e_I1 e_J] e_I2, nonzero for one I1."""
+    left, right = _index(rank, k), _index(rank, h)
+    table: dict[tuple[int, ...], list[tuple[int, int, int]]] = {r: [] for r in combinations(range(rank), k + h - rank)}
+    for i in left:
+        for j in right:
+            only_i = tuple(r for r in i if r not in j)
+            both = tuple(r for r in i if r in j)
+            if len(only_i) == rank - h:
+                sign = permutation_sign(only_i + both) * permutation_sign(only_i + j)
+                table[both].append((left[i], right[j], sign))
+    return tuple(map(tuple, table.values()))
+
+
+@cache
+def _index(rank: int, step: int) -> dict[tuple[int, ...], int]:
+    return {rows: n for n, rows in enumerate(combinations(range(rank), step))}
+
+
+def random_points(
+    names: Iterable[str], *, rank: int = 4, ideal: Iterable[str] = (), samples: int = 8, seed: int = 0
+) -> dict[str, np.ndarray[Any, Any]]:
+    """Random residues modulo `PRIME` for each point, shape (samples, rank); ideal points have last coordinate 0."""
+    import numpy as np
+
+    rng = np.random.default_rng(seed)
+    at_infinity = set(ideal)
+    found = {}
+    for name in names:
+        found[name] = rng.integers(0, PRIME, size=(samples, rank), dtype=np.int64)
+        if name in at_infinity:
+            found[name][:, -1] = 0
+    return found
+
+
+def random_rational_points(
+    names: Iterable[str], *, rank: int = 4, ideal: Iterable[str] = (), seed: int = 0, size: int = 9
+) -> dict[str, tuple[int, ...]]:
+    """Small random whole coordinates, finite points with last coordinate 1 and ideal points with 0."""
+    rng = random.Random(seed)
+    at_infinity = set(ideal)
+    return {
+        name: (*(rng.randint(-size, size) for _ in range(rank - 1)), 0 if name in at_infinity else 1) for name in names
+    }
+
+
+def vanishes(e: Expr, *, rank: int = 4, ideal: Iterable[str] = (), samples: int = 4, seed: int = 0) -> bool:
+    """Whether an expression is zero at random points modulo `PRIME`.
+
+    False is certain. True is wrong with probability at most (D / p)^samples, D the degree in the coordinates.
+    """
+    value = evaluate(e, random_points(points_of(e), rank=rank, ideal=ideal, samples=samples, seed=seed), modulus=PRIME)
+    return not any((c % PRIME).any() if hasattr(c, "any") else c % PRIME for c in (value if e.step else (value,)))

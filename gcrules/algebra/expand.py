@@ -1,0 +1,218 @@
+r"""Expansion: any expression of joins, meets, brackets and superbrackets as a polynomial in brackets of points.
+
+>>> from gcrules.algebra.syntax import parse
+>>> print(expand(parse("ab /\\ cde")))
+[acde] * b - [bcde] * a
+>>> print(expand(parse("abf /\\ ace /\\ edf /\\ cbd")))
+-[abcf][acde][bdef] - [abce][abdf][cdef]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import cache, reduce
+from itertools import combinations, product
+from math import comb
+
+from gcrules.algebra.bracket import (
+    BracketPolynomial,
+    Coefficient,
+    ExtensorPolynomial,
+    Monomial,
+    Row,
+    Terms,
+    sorted_row,
+    tableau_order,
+)
+from gcrules.algebra.expr import (
+    Bracket,
+    Dotted,
+    Expr,
+    Join,
+    Meet,
+    Number,
+    Point,
+    Power,
+    Product,
+    Sum,
+    Superbracket,
+    permutation_sign,
+    points_of,
+    rank_of,
+)
+from gcrules.algebra.superbracket import form_terms
+from gcrules.errors import LimitReached
+
+__all__ = ["MAX_TERMS", "expand"]
+
+MAX_TERMS = 200_000
+
+_Multivector = dict[Row, Terms]  # extensor (increasing points; () for a scalar) -> its coefficient
+
+
+def expand(
+    e: Expr,
+    *,
+    points: Iterable[str] = (),
+    ideal: Iterable[str] = (),
+    rank: int | None = None,
+    limit: int = MAX_TERMS,
+) -> BracketPolynomial | ExtensorPolynomial:
+    """Expand an expression: a BracketPolynomial for step 0, an ExtensorPolynomial for any other step.
+
+    `points` declares the tableau order (else sorted), `ideal` the points at infinity, whose brackets among themselves
+    are 0. Every meet is expanded by its definition over shuffles. Raises LimitReached where more than `limit` terms
+    (or twenty times as many products of terms) would be made.
+    """
+    rank = rank or rank_of(e) or 4
+    at_infinity = tuple(dict.fromkeys(ideal))
+    order = tableau_order(points_of(e), points, at_infinity)
+    ideal_count = sum(n in at_infinity for n in order)
+    parts = _Expander(order, rank, ideal_count, limit).value(e)
+    if e.step == 0:
+        return BracketPolynomial(rank, order, parts.get((), {}), ideal_count)
+    polynomials = {row: BracketPolynomial(rank, order, terms, ideal_count) for row, terms in parts.items()}
+    return ExtensorPolynomial(rank, order, e.step, polynomials, ideal_count)
+
+
+class _Expander:
+    def __init__(self, order: Sequence[str], rank: int, ideal: int, limit: int) -> None:
+        self.index = {n: i for i, n in enumerate(order)}
+        self.rank = rank
+        self.ideal = ideal
+        self.limit = limit
+        self.work = 0
+        self.known: dict[Expr, _Multivector] = {}
+
+    def value(self, e: Expr) -> _Multivector:
+        if e not in self.known:
+            self.known[e] = self._value(e)
+        return self.known[e]
+
+    def _value(self, e: Expr) -> _Multivector:
+        match e:
+            case Number(value=value):
+                return {(): {(): value}} if value else {}
+            case Point(name=name):
+                return {(self.index[name],): {(): 1}}
+            case Join(args=args):
+                return reduce(self._join, map(self.value, args))
+            case Bracket(args=args):
+                return self._closed(reduce(self._join, map(self.value, args)))
+            case Meet(args=args):
+                return reduce(self._meet, map(self.value, args))
+            case Superbracket(lines=lines):
+                return self._superbracket([self.value(line) for line in lines])
+            case Sum(terms=terms):
+                total: _Multivector = {}
+                for t in terms:
+                    for row, coefficients in self.value(t).items():
+                        self._add(total, row, coefficients, 1)
+                return total
+            case Product(factors=factors):
+                return reduce(self._join, map(self.value, factors))
+            case Power(base=base, exponent=n):
+                return reduce(self._join, [self.value(base)] * n)
+            case Dotted():
+                return self.value(e.written_out())
+        raise TypeError(f"not an expression: {e!r}")
+
+    def _join(self, a: _Multivector, b: _Multivector) -> _Multivector:
+        out: _Multivector = {}
+        for r, p in a.items():
+            for s, q in b.items():
+                sign, row = sorted_row(r + s)
+                if sign:
+                    self._add(out, row, self._times(p, q), sign)
+        return out
+
+    def _closed(self, a: _Multivector) -> _Multivector:
+        """Extensors of full step become brackets."""
+        out: _Multivector = {}
+        for row, p in a.items():
+            self._add(out, (), self._times_bracket(p, row), 1)
+        return out
+
+    def _meet(self, a: _Multivector, b: _Multivector) -> _Multivector:
+        out: _Multivector = {}
+        for r, p in a.items():
+            for s, q in b.items():
+                coefficient = self._times(p, q)
+                for sign, bracket, rest in _meet_rows(self.rank, r, s):
+                    self._add(out, rest, self._times_bracket(coefficient, bracket), sign)
+        return out
+
+    def _superbracket(self, lines: list[_Multivector]) -> _Multivector:
+        out: _Multivector = {}
+        for choice in product(*(line.items() for line in lines)):
+            ends = [i for row, _ in choice for i in row]
+            coefficient = reduce(self._times, (p for _, p in choice))
+            for sign, brackets in form_terms(24):
+                rows = [sorted_row(ends[i] for i in b) for b in brackets]
+                for s, _ in rows:
+                    sign *= s
+                if sign:
+                    monomial: Terms = {tuple(sorted(r for _, r in rows)): sign}
+                    if not any(self._at_infinity(r) for _, r in rows):
+                        self._add(out, (), self._times(coefficient, monomial), 1)
+        return out
+
+    def _at_infinity(self, row: Row) -> bool:
+        return row[-1] < self.ideal
+
+    def _times_bracket(self, terms: Terms, row: Row) -> Terms:
+        return {} if self._at_infinity(row) else self._times(terms, {(row,): 1})
+
+    def _times(self, a: Terms, b: Terms) -> Terms:
+        self.work += len(a) * len(b)
+        if self.work > 20 * self.limit:
+            self._too_large()
+        if len(b) == 1 and () in b:
+            return a if b[()] == 1 else {m: c * b[()] for m, c in a.items()}
+        out: Terms = {}
+        for m, c in a.items():
+            for n, k in b.items():
+                key: Monomial = tuple(sorted(m + n)) if m and n else m or n
+                value: Coefficient = out.get(key, 0) + c * k
+                out[key] = value
+        return out
+
+    def _add(self, total: _Multivector, row: Row, terms: Terms, sign: int) -> None:
+        into = total.setdefault(row, {})
+        for m, c in terms.items():
+            value = into.get(m, 0) + sign * c
+            if value:
+                into[m] = value
+            else:
+                into.pop(m, None)
+        self.work += len(terms)
+        if len(into) > self.limit:
+            self._too_large()
+
+    def _too_large(self) -> None:
+        raise LimitReached(f"the expansion has more than {self.limit:,} terms", hint="raise the limit with --limit")
+
+
+@cache
+def _shuffles(step: int, first: int) -> tuple[tuple[int, Row, Row], ...]:
+    """Sign and positions of every split of `step` places into `first` places and the rest, both increasing."""
+    found = []
+    for chosen in combinations(range(step), first):
+        rest = tuple(i for i in range(step) if i not in chosen)
+        found.append((permutation_sign(chosen + rest), chosen, rest))
+    return tuple(found)
+
+
+def _meet_rows(rank: int, a: Row, b: Row) -> list[tuple[int, Row, Row]]:
+    """The terms sign · [bracket] rest of the meet of two joins of points, split on the side that has fewer terms."""
+    k, h = len(a), len(b)
+    split, whole, outer = a, b, 1
+    if comb(h, rank - k) < comb(k, rank - h):
+        split, whole = b, a
+        outer = -1 if (rank - k) * (rank - h) % 2 else 1
+    found = []
+    for sign, first, rest in _shuffles(len(split), rank - len(whole)):
+        s, bracket = sorted_row((*(split[i] for i in first), *whole))
+        if s:
+            found.append((outer * sign * s, bracket, tuple(split[i] for i in rest)))
+    return found

@@ -1,0 +1,513 @@
+r"""Expressions of Grassmann–Cayley algebra as frozen values, built by functions that check the steps.
+
+The *step* (grade) of an extensor is the number of points whose join it is; scalars have step 0. In rank d the join of
+steps k and h has step k + h (at most d), their meet k + h − d (at least 0). Building an expression normalises it:
+joins, meets, sums and products are flat, a join with a scalar is a product, numbers are folded together. So two texts
+with the same structure give equal values, and `parse(str(e)) == e`.
+
+    >>> a, b, c, d, e = (Point(n) for n in "abcde")
+    >>> line, plane = join(a, b), join(c, d, e)
+    >>> meet(line, plane).step
+    1
+    >>> print(join(meet(line, plane), a))
+    (ab /\ cde) \/ a
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import chain, permutations
+
+from gcrules.errors import InputError, LimitReached, StepError
+
+__all__ = [
+    "ZERO",
+    "Bracket",
+    "Dotted",
+    "Expr",
+    "Join",
+    "Meet",
+    "Number",
+    "Point",
+    "Power",
+    "Product",
+    "Sum",
+    "Superbracket",
+    "add",
+    "bracket",
+    "dotted",
+    "join",
+    "meet",
+    "mul",
+    "neg",
+    "number",
+    "permutation_sign",
+    "point_key",
+    "points_of",
+    "power",
+    "rank_of",
+    "step_name",
+    "sub",
+    "subexpressions",
+    "substitute",
+    "superbracket",
+]
+
+MAX_EXPONENT = 64
+MAX_COEFFICIENT_BITS = 10_000
+
+
+@dataclass(frozen=True, slots=True)
+class Expr:
+    """Base of all expressions; `step` is the step of the value (0 for scalars)."""
+
+    step: int = field(init=False, repr=False, compare=False)
+
+    @property
+    def children(self) -> tuple[Expr, ...]:
+        return ()
+
+    def __str__(self) -> str:
+        from gcrules.algebra.text import text  # the renderer needs the classes below
+
+        return text(self)
+
+    def _repr_latex_(self) -> str:
+        from gcrules.render.latex import latex
+
+        return f"$\\displaystyle {latex(self)}$"
+
+    def __or__(self, other: Expr) -> Expr:
+        return join(self, other)
+
+    def __and__(self, other: Expr) -> Expr:
+        return meet(self, other)
+
+    def __add__(self, other: Expr) -> Expr:
+        return add(self, other)
+
+    def __sub__(self, other: Expr) -> Expr:
+        return sub(self, other)
+
+    def __neg__(self) -> Expr:
+        return neg(self)
+
+    def __mul__(self, other: Expr | int | Fraction) -> Expr:
+        return mul(self, other if isinstance(other, Expr) else Number(other))
+
+    def __rmul__(self, other: int | Fraction) -> Expr:
+        return mul(Number(other), self)
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Expr):
+    """A rational constant. Zero counts as an extensor of every step."""
+
+    value: int | Fraction
+
+    def __post_init__(self) -> None:
+        value = self.value
+        if isinstance(value, Fraction) and value.denominator == 1:
+            object.__setattr__(self, "value", value.numerator)
+        object.__setattr__(self, "step", 0)
+        if max(abs(value.numerator), value.denominator).bit_length() > MAX_COEFFICIENT_BITS:
+            raise InputError(f"a coefficient has more than {MAX_COEFFICIENT_BITS} bits")
+
+
+@dataclass(frozen=True, slots=True)
+class Point(Expr):
+    """A point (extensor of step 1) given by its name."""
+
+    name: str
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "step", 1)
+
+
+@dataclass(frozen=True, slots=True)
+class Join(Expr):
+    """A join of at least two extensors of positive step, none of them a join. Build with `join`."""
+
+    args: tuple[Expr, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "step", sum(a.step for a in self.args))
+
+    @property
+    def children(self) -> tuple[Expr, ...]:
+        return self.args
+
+
+@dataclass(frozen=True, slots=True)
+class Meet(Expr):
+    """A meet in a space of the given rank, none of its arguments a meet. Build with `meet`."""
+
+    args: tuple[Expr, ...]
+    rank: int
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "step", sum(a.step for a in self.args) - self.rank * (len(self.args) - 1))
+
+    @property
+    def children(self) -> tuple[Expr, ...]:
+        return self.args
+
+
+@dataclass(frozen=True, slots=True)
+class Bracket(Expr):
+    """The bracket [A B …] = determinant of extensors whose steps add up to the rank. Build with `bracket`."""
+
+    args: tuple[Expr, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "step", 0)
+
+    @property
+    def children(self) -> tuple[Expr, ...]:
+        return self.args
+
+
+@dataclass(frozen=True, slots=True)
+class Dotted(Expr):
+    """A product of brackets with dotted points: the signed sum over all ways to share the dotted points out among
+    the dotted places, counting rearrangements within one bracket once. Entries are (name, dotted?). Build with `dotted`.
+    """
+
+    brackets: tuple[tuple[tuple[str, bool], ...], ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "step", 0)
+
+    def written_out(self) -> Expr:
+        """The sum that the dots stand for."""
+        names = [n for entries in self.brackets for n, d in entries if d]
+        home = [i for i, entries in enumerate(self.brackets) for _, d in entries if d]
+        terms = []
+        for order in permutations(range(len(names))):
+            if any(home[i] == home[i + 1] and order[i] > order[i + 1] for i in range(len(order) - 1)):
+                continue
+            moved = iter(names[i] for i in order)
+            factors = [Bracket(tuple(Point(next(moved) if d else n) for n, d in entries)) for entries in self.brackets]
+            terms.append(mul(Number(permutation_sign(order)), *factors))
+        return add(*terms, rank=len(self.brackets[0]))
+
+
+@dataclass(frozen=True, slots=True)
+class Superbracket(Expr):
+    """The determinant of the 6×6 matrix whose rows are the Plücker coordinates of six lines (rank 4)."""
+
+    lines: tuple[Expr, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "step", 0)
+
+    @property
+    def children(self) -> tuple[Expr, ...]:
+        return self.lines
+
+
+@dataclass(frozen=True, slots=True)
+class Sum(Expr):
+    """A sum of at least two expressions of equal step. Build with `add`."""
+
+    terms: tuple[Expr, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "step", self.terms[0].step)
+
+    @property
+    def children(self) -> tuple[Expr, ...]:
+        return self.terms
+
+
+@dataclass(frozen=True, slots=True)
+class Product(Expr):
+    """A product of scalars and at most one extensor; a number, if any, comes first. Build with `mul`."""
+
+    factors: tuple[Expr, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "step", max(f.step for f in self.factors))
+
+    @property
+    def children(self) -> tuple[Expr, ...]:
+        return self.factors
+
+
+@dataclass(frozen=True, slots=True)
+class Power(Expr):
+    """A power of a scalar with exponent 2 or more. Build with `power`."""
+
+    base: Expr
+    exponent: int
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "step", 0)
+
+    @property
+    def children(self) -> tuple[Expr, ...]:
+        return (self.base,)
+
+
+ZERO = Number(0)
+
+
+def permutation_sign(order: Sequence[int]) -> int:
+    """+1 for an even arrangement of distinct numbers, −1 for an odd one."""
+    inversions = sum(order[i] > order[j] for i in range(len(order)) for j in range(i + 1, len(order)))
+    return -1 if inversions % 2 else 1
+
+
+_STEP_NAMES = {1: "a point", 2: "a line", 3: "a plane"}
+
+
+def step_name(step: int, rank: int = 4) -> str:
+    """What an extensor of this step is called: "a scalar", "a line (step 2)", …
+
+    >>> step_name(2), step_name(3, rank=3)
+    ('a line (step 2)', 'the whole space (step 3)')
+    """
+    if step == 0:
+        return "a scalar (step 0)"
+    if step == rank:
+        return f"the whole space (step {step})"
+    return f"{_STEP_NAMES.get(step, 'an extensor')} (step {step})"
+
+
+def number(value: int | Fraction | str) -> Number:
+    """A rational constant from an integer, a fraction or text such as "-3/4"."""
+    return Number(Fraction(value) if isinstance(value, str) else value)
+
+
+def join(*args: Expr, rank: int = 4) -> Expr:
+    """The join A ∨ B ∨ …; scalars among the arguments multiply. Raises StepError beyond the rank."""
+    if any(a == ZERO for a in args):
+        return ZERO
+    scalars = [a for a in args if a.step == 0]
+    flat = list(chain.from_iterable(a.args if isinstance(a, Join) else (a,) for a in args if a.step))
+    total = sum(a.step for a in flat)
+    if total > rank:
+        found = " and ".join(str(a.step) for a in args if a.step)
+        raise StepError(
+            f"this join has step {total}, beyond the rank {rank} (steps found: {found})",
+            hint=f"a join of more than {rank} points is always zero in rank {rank}; did you mean a meet /\\ ?",
+        )
+    if not flat:
+        return mul(*scalars)
+    joined = flat[0] if len(flat) == 1 else Join(tuple(flat))
+    return mul(*scalars, joined) if scalars else joined
+
+
+def meet(*args: Expr, rank: int = 4) -> Expr:
+    """The meet A ∧ B ∧ … in the given rank. Raises StepError where two steps add up to less than the rank."""
+    if any(a == ZERO for a in args):
+        return ZERO
+    flat = list(chain.from_iterable(a.args if isinstance(a, Meet) else (a,) for a in args))
+    step = flat[0].step
+    for a in flat[1:]:
+        if isinstance(a, Number):
+            raise StepError(
+                "a meet with a number; `^` is the meet here", hint="write powers with **, for example [abcd]**2"
+            )
+        if a.step == 0 or step == 0:
+            raise StepError("a meet with a scalar (step 0)", hint="multiply scalars with * or a space")
+        if step + a.step < rank:
+            raise StepError(
+                f"{step_name(step, rank)} and {step_name(a.step, rank)} are too small to meet in rank {rank}: "
+                f"their steps add up to {step + a.step}, expected at least {rank}",
+                hint="did you mean a join \\/ ?",
+            )
+        step += a.step - rank
+    return flat[0] if len(flat) == 1 else Meet(tuple(flat), rank)
+
+
+def bracket(*args: Expr, rank: int = 4) -> Expr:
+    """The bracket [A B …] of extensors whose steps add up to the rank. Raises StepError for any other size."""
+    if any(a == ZERO for a in args):
+        return ZERO
+    flat = tuple(chain.from_iterable(a.args if isinstance(a, Join) else (a,) for a in args))
+    total = sum(a.step for a in flat)
+    if total != rank or any(a.step == 0 for a in flat):
+        what = (
+            f"{total} point{'' if total == 1 else 's'}" if all(isinstance(a, Point) for a in flat) else f"step {total}"
+        )
+        raise StepError(
+            f"a bracket of {what}, expected {rank} in rank {rank}",
+            hint=None
+            if total == rank
+            else f"for another rank say so: `rank {total}` in a file, --rank {total} in the shell",
+        )
+    return Bracket(flat)
+
+
+def dotted(*brackets: Sequence[tuple[str, bool]], rank: int = 4) -> Expr:
+    """A product of brackets of points, each (name, dotted?). Without any dot this is the plain product."""
+    for entries in brackets:
+        if len(entries) != rank:
+            raise StepError(f"a bracket of {len(entries)} points, expected {rank} in rank {rank}")
+    plain = [b for b in brackets if not any(d for _, d in b)]
+    with_dots = tuple(tuple(b) for b in brackets if any(d for _, d in b))
+    factors = [bracket(*(Point(n) for n, _ in entries), rank=rank) for entries in plain]
+    return mul(*factors, Dotted(with_dots)) if with_dots else mul(*factors)
+
+
+def superbracket(*lines: Expr, rank: int = 4) -> Expr:
+    """The superbracket [[ab, cd, ef, gh, ij, kl]] of six lines in rank 4."""
+    if rank != 4:
+        raise StepError(f"the superbracket is defined in rank 4, found rank {rank}")
+    if len(lines) != 6:
+        raise StepError(f"a superbracket of {len(lines)} lines, expected 6")
+    if any(a == ZERO for a in lines):
+        return ZERO
+    for i, a in enumerate(lines, 1):
+        if a.step != 2:
+            raise StepError(f"entry {i} of the superbracket is {step_name(a.step)}, expected a line (step 2)")
+    return Superbracket(tuple(lines))
+
+
+def add(*terms: Expr, rank: int = 4) -> Expr:
+    """The sum of expressions of equal step. Raises StepError for unlike steps."""
+    flat = list(chain.from_iterable(t.terms if isinstance(t, Sum) else (t,) for t in terms))
+    rest = [t for t in flat if not isinstance(t, Number)]
+    constant = Number(sum((t.value for t in flat if isinstance(t, Number)), 0))
+    if constant != ZERO:
+        rest.append(constant)
+    for t in rest[1:]:
+        if t.step != rest[0].step:
+            raise StepError(f"cannot add {step_name(t.step, rank)} to {step_name(rest[0].step, rank)}")
+    if not rest:
+        return ZERO
+    return rest[0] if len(rest) == 1 else Sum(tuple(rest))
+
+
+def neg(e: Expr) -> Expr:
+    """−e; a sum is negated term by term."""
+    return add(*(neg(t) for t in e.terms)) if isinstance(e, Sum) else mul(Number(-1), e)
+
+
+def sub(a: Expr, b: Expr, rank: int = 4) -> Expr:
+    """a − b."""
+    return add(a, neg(b), rank=rank)
+
+
+def mul(*factors: Expr) -> Expr:
+    """The product of scalars and at most one extensor. Raises StepError for two extensors."""
+    flat = list(chain.from_iterable(f.factors if isinstance(f, Product) else (f,) for f in factors))
+    if sum(f.step > 0 for f in flat) > 1:
+        raise StepError(
+            "a product of two extensors", hint="write their join as A \\/ B (or side by side), their meet as A /\\ B"
+        )
+    coefficient: int | Fraction = 1
+    rest = []
+    for f in flat:
+        if isinstance(f, Number):
+            coefficient = Number(coefficient * f.value).value
+        else:
+            rest.append(f)
+    if coefficient == 0:
+        return ZERO
+    if coefficient != 1 or not rest:
+        rest.insert(0, Number(coefficient))
+    return rest[0] if len(rest) == 1 else Product(tuple(rest))
+
+
+def power(base: Expr, exponent: int, rank: int = 4) -> Expr:
+    """base ** exponent for a scalar and a non-negative integer exponent of at most 64."""
+    if base.step != 0:
+        raise StepError(f"a power of {step_name(base.step, rank)}; only scalars have powers")
+    if exponent > MAX_EXPONENT:
+        raise LimitReached(f"exponent {exponent} is above the limit {MAX_EXPONENT}")
+    if exponent == 0:
+        return Number(1)
+    if exponent == 1:
+        return base
+    if isinstance(base, Number):
+        return Number(base.value**exponent)
+    return Power(base, exponent)
+
+
+def subexpressions(e: Expr) -> Iterator[Expr]:
+    """The expression and all its parts, parents first."""
+    stack = [e]
+    while stack:
+        top = stack.pop()
+        yield top
+        stack.extend(reversed(top.children))
+
+
+def points_of(*exprs: Expr) -> tuple[str, ...]:
+    """The names of all points that occur, in the order of first occurrence."""
+    names: dict[str, None] = {}
+    for e in exprs:
+        for part in subexpressions(e):
+            if isinstance(part, Point):
+                names[part.name] = None
+            elif isinstance(part, Dotted):
+                names.update((n, None) for entries in part.brackets for n, _ in entries)
+    return tuple(names)
+
+
+def rank_of(e: Expr) -> int | None:
+    """The rank that the brackets and meets of an expression are written in; None if it holds neither."""
+    for part in subexpressions(e):
+        match part:
+            case Meet(rank=rank):
+                return rank
+            case Bracket(args=args):
+                return sum(a.step for a in args)
+            case Superbracket():
+                return 4
+            case Dotted(brackets=brackets):
+                return len(brackets[0])
+    return None
+
+
+def substitute(e: Expr, names: dict[str, Expr], rank: int = 4) -> Expr:
+    """Replace points by expressions (usually other points). Raises StepError where the steps do not fit."""
+
+    def walk(x: Expr) -> Expr:
+        match x:
+            case Point(name=name):
+                return names.get(name, x)
+            case Number():
+                return x
+            case Join(args=args):
+                return join(*map(walk, args), rank=rank)
+            case Meet(args=args, rank=r):
+                return meet(*map(walk, args), rank=r)
+            case Bracket(args=args):
+                return bracket(*map(walk, args), rank=rank)
+            case Superbracket(lines=lines):
+                return superbracket(*map(walk, lines))
+            case Sum(terms=terms):
+                return add(*map(walk, terms), rank=rank)
+            case Product(factors=factors):
+                return mul(*map(walk, factors))
+            case Power(base=base, exponent=n):
+                return power(walk(base), n)
+            case Dotted(brackets=brackets):
+                return dotted(*([(_name_of(names, n), d) for n, d in entries] for entries in brackets), rank=rank)
+        raise TypeError(f"not an expression: {x!r}")
+
+    return walk(e)
+
+
+def _name_of(names: dict[str, Expr], name: str) -> str:
+    target = names.get(name, Point(name))
+    if not isinstance(target, Point):
+        raise InputError(f"a dotted bracket can only hold points; {name} stands for something else")
+    return target.name
+
+
+def point_key(name: str) -> tuple[str, int, int]:
+    """Sort key of point names: letters first, then the numeric suffix, then primes.
+
+    >>> sorted(["p10", "p2", "a'", "B", "a"], key=point_key)
+    ['B', 'a', "a'", 'p2', 'p10']
+    """
+    stem = name.rstrip("'")
+    letters = stem.rstrip("0123456789")
+    digits = stem[len(letters) :]
+    return letters.rstrip("_"), int(digits) if digits else -1, len(name) - len(stem)

@@ -1,0 +1,485 @@
+r"""From text to expressions and scripts; every fault carries its place.
+
+>>> parse(r"(ab /\ cde) f").step
+2
+>>> parse("[.a d e f][.b g h i]") == parse("[ȧdef][ḃghi]")
+True
+>>> parse("[abc]")
+Traceback (most recent call last):
+gcrules.errors.StepError: <input>:1:1: a bracket of 3 points, expected 4 in rank 4
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.text import SHORT_NAME
+from gcrules.errors import GcrulesError, InputError, LimitReached, Span, StepError, SyntaxFault
+
+if TYPE_CHECKING:
+    from lark import Lark
+
+_T = TypeVar("_T")
+_Node = Any  # a lark Tree or Token; lark loads when text is read
+
+__all__ = ["Claim", "Context", "Script", "Show", "parse", "parse_equation", "parse_script"]
+
+MAX_TEXT = 250_000
+MAX_NESTING = 100
+MAX_NODES = 200_000
+MAX_DIGITS = 2_000
+RANKS = range(2, 9)
+
+
+@dataclass(frozen=True, slots=True)
+class Context:
+    """What names mean: the rank, declared points in tableau order, points at infinity, and names bound by `let`."""
+
+    rank: int = 4
+    points: tuple[str, ...] = ()
+    ideal: tuple[str, ...] = ()
+    bound: Mapping[str, Expr] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.rank not in RANKS:
+            raise InputError(f"rank {self.rank} is outside the supported ranks {RANKS[0]} to {RANKS[-1]}")
+
+    def declared(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys((*self.points, *self.ideal, *self.bound)))
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """`claim LHS == RHS` of a script, with its line and the context it was made in."""
+
+    left: Expr
+    right: Expr
+    label: str
+    line: int
+    context: Context
+
+
+@dataclass(frozen=True, slots=True)
+class Show:
+    """`show EXPR` of a script."""
+
+    expr: Expr
+    label: str
+    line: int
+    context: Context
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """The statements of a file that ask for an answer, and the context at its end."""
+
+    statements: tuple[Claim | Show, ...]
+    context: Context
+
+
+def parse(text: str, *, rank: int = 4, points: Iterable[str] = (), context: Context | None = None) -> Expr:
+    """Read one expression.
+
+    `points` declares names of several letters (and the tableau order). Raises SyntaxFault, StepError or LimitReached
+    with line, column and caret.
+    """
+    context = context or Context(rank, tuple(points))
+    return _read(text, "expression", "<input>", lambda tree: _Builder(context).value(tree.children[0]))
+
+
+def parse_equation(
+    text: str, *, rank: int = 4, points: Iterable[str] = (), context: Context | None = None
+) -> tuple[Expr, Expr]:
+    """Read `LHS == RHS`."""
+    context = context or Context(rank, tuple(points))
+    return _read(text, "equation", "<input>", lambda tree: _Builder(context).equation(tree))
+
+
+def parse_script(text: str, filename: str = "<input>") -> Script:
+    """Read the statements of a `.gca` file: rank, points, ideal, let, claim, show."""
+    return _read(text, "script", filename, lambda tree: _script(tree, text))
+
+
+def _read(text: str, start: str, filename: str, build: Callable[[_Node], _T]) -> _T:
+    try:
+        _check_size(text)
+        return build(_tree(text, start))
+    except GcrulesError as fault:
+        raise fault.located(text, filename) from None
+
+
+@cache
+def _grammar() -> Lark:
+    from lark import Lark
+
+    source = files("gcrules").joinpath("grammar.lark").read_text(encoding="utf-8")
+    return Lark(
+        source,
+        parser="lalr",
+        start=["expression", "equation", "script"],
+        propagate_positions=True,
+        maybe_placeholders=True,
+    )
+
+
+def _check_size(text: str) -> None:
+    if len(text) > MAX_TEXT:
+        raise SyntaxFault(f"the input has {len(text):,} characters; the limit is {MAX_TEXT:,}")
+    depth = 0
+    for match in re.finditer(r"#[^\n]*|[(\[]|[)\]]", text):
+        depth += {"(": 1, "[": 1, ")": -1, "]": -1}.get(match[0], 0)
+        if depth > MAX_NESTING:
+            raise SyntaxFault(
+                f"nested more than {MAX_NESTING} deep",
+                span=Span(*match.span()),
+                hint="name a part with `let` in a file",
+            )
+
+
+# --- syntax faults -------------------------------------------------------------------------------------------------
+
+_TERMINALS = {
+    "WORD": "a point",
+    "NUMBER": "a number",
+    "STRING": "a label in quotes",
+    "LPAR": "(",
+    "RPAR": ")",
+    "LSQB": "[",
+    "RSQB": "]",
+    "__ANON_2": "[[",
+    "_MEET": "/\\",
+    "_JOIN": "\\/",
+    "PLUS": "+",
+    "MINUS": "-",
+    "STAR": "*",
+    "_TIMES": "*",
+    "COMMA": ",",
+    "EQUAL": "=",
+    "DOT": ".",
+    "$END": "the end",
+}
+_STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT"}
+_HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
+    (re.compile(r"=(?!=)"), "equality is written =="),
+    (re.compile(r"given\b|rule\b"), "the words `given` and `rule` are reserved for assumptions and rule definitions"),
+    (re.compile(r"\\(?!/)"), "join is \\/ (or ∨, \\vee), meet is /\\ (or ∧, ^, \\wedge)"),
+    (re.compile(r"/(?!\\)"), "meet is /\\ ; fractions are written 1/2 without spaces"),
+    (re.compile(r"[|&]"), "join is \\/ , meet is /\\"),
+    (re.compile(r"[{}]"), "group with ( ) ; brackets of points are [ ]"),
+    (re.compile(r"==|!=|<|>"), "only `prove` and `claim` compare two expressions, with =="),
+)
+
+
+def _tree(text: str, start: str) -> _Node:
+    from lark.exceptions import UnexpectedInput
+
+    try:
+        return _grammar().parse(text, start=start)
+    except UnexpectedInput as found:
+        raise _syntax_fault(found, text) from None
+
+
+def _syntax_fault(found: object, text: str) -> SyntaxFault:
+    from lark.exceptions import UnexpectedCharacters, UnexpectedToken
+
+    if isinstance(found, UnexpectedToken) and found.token.type != "$END":
+        start: int = found.token.start_pos or 0
+        span = Span(start, start + len(found.token))
+        accepted = set(found.accepts or ())
+        what = f"unexpected {str(found.token)!r}"
+    elif isinstance(found, UnexpectedCharacters):
+        span = Span(found.pos_in_stream, found.pos_in_stream + 1)
+        accepted = set(found.allowed or ())
+        what = f"unexpected character {text[span.start]!r}"
+    else:
+        span = Span(len(text.rstrip()), len(text.rstrip()))
+        accepted = set(getattr(found, "accepts", None) or ())
+        what = "the input ends too early" if text.strip() else "the input is empty"
+    hint = next((h for pattern, h in _HINTS if pattern.match(text, span.start)), None)
+    if hint is None and "RPAR" in accepted and _unclosed(text[: span.start], "()"):
+        hint = "a parenthesis is not closed"
+    elif hint is None and "RSQB" in accepted and _unclosed(text[: span.start], "[]"):
+        hint = "a bracket is not closed"
+    return SyntaxFault(f"{what}; expected {_expected(accepted)}", span=span, hint=hint)
+
+
+def _unclosed(text: str, pair: str) -> bool:
+    return text.count(pair[0]) > text.count(pair[1])
+
+
+def _expected(accepted: set[str]) -> str:
+    """The accepted terminals in words; the many ways to begin an expression become one."""
+    names = []
+    if accepted >= _STARTERS:
+        names.append("an expression")
+        accepted = accepted - _STARTERS - {"__ANON_2", "LSQB", "PLUS", "MINUS"}
+    names += sorted({_TERMINALS.get(t, _literal(t)) for t in accepted})
+    return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "nothing more"
+
+
+@cache
+def _literals() -> dict[str, str]:
+    return {t.name: t.pattern.value for t in _grammar().terminals}
+
+
+def _literal(terminal: str) -> str:
+    return _literals().get(terminal, terminal.lower())
+
+
+# --- from the tree to values ---------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _DottedRun:
+    """Points written side by side, at least one of them dotted; has a meaning only directly inside a bracket."""
+
+    points: tuple[tuple[str, bool], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _DottedBracket:
+    points: tuple[tuple[str, bool], ...]
+
+
+_Value = Expr | _DottedRun | _DottedBracket
+
+
+class _Builder:
+    """Turns a parse tree into an expression: one short method for each rule of the grammar."""
+
+    def __init__(self, context: Context) -> None:
+        self.context = context
+        self.rank = context.rank
+        self.long_names = sorted(
+            (n for n in context.declared() if not SHORT_NAME.fullmatch(n)), key=lambda n: (-len(n), n)
+        )
+
+    def value(self, tree: _Node) -> Expr:
+        """The expression of a subtree; dots that are not inside a bracket of points are faults here."""
+        return self._plain(self.any(tree), tree)
+
+    def _plain(self, found: _Value, tree: _Node) -> Expr:
+        if isinstance(found, _DottedBracket):
+            return ex.dotted(found.points, rank=self.rank)
+        if isinstance(found, _DottedRun):
+            raise SyntaxFault(
+                "a dot outside a bracket", span=_span(tree), hint="dots mark points of brackets: [.a b c d]"
+            )
+        return found
+
+    def any(self, tree: _Node) -> _Value:
+        try:
+            found: _Value = getattr(self, tree.data)(tree)
+            return found
+        except GcrulesError as fault:
+            fault.span = fault.span or _span(tree)
+            raise
+
+    def equation(self, tree: _Node) -> tuple[Expr, Expr]:
+        left, right = map(self.value, tree.children)
+        if left.step != right.step and ex.ZERO not in (left, right):
+            names = (ex.step_name(left.step, self.rank), ex.step_name(right.step, self.rank))
+            raise StepError(f"{names[0]} cannot equal {names[1]}", span=_span(tree))
+        return left, right
+
+    def sum(self, tree: _Node) -> Expr:
+        first, *rest = tree.children
+        terms = [self.value(first)]
+        for sign, term in zip(rest[::2], rest[1::2], strict=True):
+            terms.append(ex.neg(self.value(term)) if sign.type == "MINUS" else self.value(term))
+            if terms[-1].step != terms[0].step and ex.ZERO not in (terms[-1], terms[0]):
+                names = (ex.step_name(terms[-1].step, self.rank), ex.step_name(terms[0].step, self.rank))
+                raise StepError(
+                    f"cannot add {names[0]} to {names[1]}",
+                    span=_span(term),
+                    hint="terms of a sum must have equal steps",
+                )
+        return ex.add(*terms, rank=self.rank)
+
+    def signed(self, tree: _Node) -> Expr:
+        *signs, operand = tree.children
+        negative = sum(s.type == "MINUS" for s in signs) % 2
+        return ex.neg(self.value(operand)) if negative else self.value(operand)
+
+    def product(self, tree: _Node) -> Expr:
+        return ex.mul(*map(self.value, tree.children))
+
+    def meet(self, tree: _Node) -> Expr:
+        return ex.meet(*map(self.value, tree.children), rank=self.rank)
+
+    def join(self, tree: _Node) -> Expr:
+        return ex.join(*map(self.value, tree.children), rank=self.rank)
+
+    def juxtaposition(self, tree: _Node) -> _Value:
+        parts = [self.any(t) for t in tree.children]
+        if any(isinstance(p, _DottedRun) for p in parts):
+            return _DottedRun(
+                tuple(entry for p, t in zip(parts, tree.children, strict=True) for entry in self._entries(p, t))
+            )
+        dotted = [p.points for p in parts if isinstance(p, _DottedBracket)]
+        plain = [p for p in parts if isinstance(p, Expr)]
+        return ex.join(*plain, *([ex.dotted(*dotted, rank=self.rank)] if dotted else []), rank=self.rank)
+
+    def _entries(self, part: _Value, tree: _Node) -> tuple[tuple[str, bool], ...]:
+        match part:
+            case _DottedRun(points=points):
+                return points
+            case ex.Point(name=name):
+                return ((name, False),)
+            case ex.Join(args=args) if all(isinstance(a, ex.Point) for a in args):
+                return tuple((str(a), False) for a in args)
+        raise SyntaxFault("a dotted bracket can only hold points", span=_span(tree))
+
+    def power(self, tree: _Node) -> Expr:
+        base, exponent = tree.children
+        if "/" in exponent:
+            raise SyntaxFault("an exponent must be a whole number", span=_span(exponent))
+        return ex.power(self.value(base), int(_digits(exponent)), rank=self.rank)
+
+    def word(self, tree: _Node) -> _Value:
+        entries = self._split(tree.children[0])
+        if any(d for _, d in entries):
+            return _DottedRun(tuple(entries))
+        return ex.join(*(self._named(n) for n, _ in entries), rank=self.rank)
+
+    def dotted_word(self, tree: _Node) -> _DottedRun:
+        (first, _), *rest = self._split(tree.children[0])
+        return _DottedRun(((first, True), *rest))
+
+    def number(self, tree: _Node) -> Expr:
+        token = tree.children[0]
+        try:
+            return ex.Number(Fraction(_digits(token)))
+        except ZeroDivisionError:
+            raise SyntaxFault("division by zero", span=_span(token)) from None
+
+    def bracket(self, tree: _Node) -> _Value:
+        parts = [self.any(t) for t in tree.children]
+        if any(isinstance(p, _DottedRun) for p in parts):
+            entries = [e for p, t in zip(parts, tree.children, strict=True) for e in self._entries(p, t)]
+            if len(entries) != self.rank:
+                raise StepError(f"a bracket of {len(entries)} points, expected {self.rank} in rank {self.rank}")
+            return _DottedBracket(tuple(entries))
+        return ex.bracket(*map(self._plain, parts, tree.children), rank=self.rank)
+
+    def superbracket(self, tree: _Node) -> Expr:
+        return ex.superbracket(*map(self.value, tree.children), rank=self.rank)
+
+    def _named(self, name: str) -> Expr:
+        return self.context.bound.get(name) or ex.Point(name)
+
+    def _split(self, token: _Node) -> list[tuple[str, bool]]:
+        """Points of a word: a declared name, else declared long names and short names from left to right."""
+        if str(token) in self.long_names:
+            return [(str(token), False)]
+        word = unicodedata.normalize("NFD", token)
+        entries, at = [], 0
+        while at < len(word):
+            name = next((n for n in self.long_names if word.startswith(n, at)), None)
+            match = SHORT_NAME.match(word, at)
+            if name is None and match is None:
+                hint = "points are a letter with digits or primes: a, S1, S_2, A'"
+                raise SyntaxFault(f"{str(token)!r} is not made of point names", span=_span(token), hint=hint)
+            name = name or (match[0] if match else "")
+            at += len(name)
+            dotted = word[at : at + 1] == "\u0307"
+            if dotted:
+                suffix = re.compile(r"(?:_?[0-9]+)?'*").match(word, at + 1)
+                name += suffix[0] if suffix else ""
+                at += 1 + (len(suffix[0]) if suffix else 0)
+            entries.append((name, dotted))
+        return entries
+
+
+def _span(item: _Node) -> Span:
+    meta: Any = getattr(item, "meta", item)
+    return Span(meta.start_pos or 0, meta.end_pos or 0)
+
+
+def _digits(token: _Node) -> str:
+    if len(token) > MAX_DIGITS:
+        raise LimitReached(f"a number of {len(token):,} characters; the limit is {MAX_DIGITS:,}", span=_span(token))
+    return str(token)
+
+
+def _script(tree: _Node, text: str) -> Script:
+    context = Context()
+    statements: list[Claim | Show] = []
+    for item in tree.children:
+        builder = _Builder(context)
+        span = _span(item)
+        try:
+            match item.data:
+                case "rank":
+                    if statements or context != Context():
+                        raise InputError("`rank` must come before every other statement")
+                    context = replace(context, rank=int(Fraction(_digits(item.children[0]))))
+                case "points" | "ideal":
+                    context = _declare(context, item)
+                case "let":
+                    context = _bind(context, item, builder)
+                case "claim":
+                    left, right = builder.equation(item.children[1])
+                    label = str(item.children[0] or "").strip('"') or _source(item.children[1], text)
+                    statements.append(Claim(left, right, label, span.line_column(text)[0], context))
+                case "show":
+                    shown = builder.value(item.children[0])
+                    statements.append(Show(shown, _source(item.children[0], text), span.line_column(text)[0], context))
+        except GcrulesError as fault:
+            fault.span = fault.span or span
+            raise
+    return Script(tuple(statements), context)
+
+
+def _source(tree: _Node, text: str) -> str:
+    span = _span(tree)
+    return " ".join(text[span.start : span.end].split())
+
+
+def _declare(context: Context, item: _Node) -> Context:
+    """`points …` and `ideal …`: a word that is no single name and no declared one is split, as everywhere."""
+    field_name = str(item.data)
+    names: list[str] = []
+    for token in item.children[0].children:
+        name = str(token)
+        if name in context.bound:
+            raise InputError(f"{name} is already bound by `let`", span=_span(token))
+        names.append(name)
+    values = tuple(dict.fromkeys((*getattr(context, field_name), *names)))
+    return replace(context, points=values) if field_name == "points" else replace(context, ideal=values)
+
+
+def _bind(context: Context, item: _Node, builder: _Builder) -> Context:
+    token, body = item.children
+    name = str(token)
+    if name in context.points or name in context.ideal or name in context.bound:
+        raise InputError(f"{name} is already declared", span=_span(token), hint="choose another name")
+    value = builder.value(body)
+    size, depth = _measure(value)
+    if size > MAX_NODES or depth > MAX_NESTING:
+        raise LimitReached(
+            f"{name} stands for an expression of {size:,} parts, {depth} deep; limits {MAX_NODES:,}, {MAX_NESTING}"
+        )
+    return replace(context, bound={**context.bound, name: value})
+
+
+def _measure(e: Expr) -> tuple[int, int]:
+    """Number of parts (shared ones counted each time they occur) and depth of an expression."""
+    known: dict[int, tuple[int, int]] = {}
+
+    def walk(x: Expr) -> tuple[int, int]:
+        if id(x) not in known:
+            parts = [walk(c) for c in x.children]
+            known[id(x)] = (1 + sum(s for s, _ in parts), 1 + max((d for _, d in parts), default=0))
+        return known[id(x)]
+
+    return walk(e)

@@ -1,0 +1,111 @@
+"""What all tests share: hypothesis profiles, the browser, and the list of what was left out."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from collections import defaultdict
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, settings
+
+# "ci" draws the same examples every time, so that a red run is red again; "dev" goes on searching.
+settings.register_profile("ci", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.register_profile("dev", deadline=None)
+settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci" if os.environ.get("CI") else "dev"))
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+
+
+def find_browser() -> str | None:
+    """The path of Chromium: ``$GCRULES_BROWSER``, else the first of the usual names on the path."""
+    chosen = os.environ.get("GCRULES_BROWSER")
+    names = (chosen,) if chosen else BROWSERS
+    return next((path for name in names if (path := shutil.which(name))), None)
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Leave out what needs a missing program; with ``GCRULES_REQUIRE_BROWSER=1`` fail it instead."""
+    missing = [
+        program for marker in item.iter_markers("needs") for program in marker.args if shutil.which(program) is None
+    ]
+    if item.get_closest_marker("browser") and find_browser() is None:
+        missing.append("chromium")
+    if not missing:
+        return
+    reason = f"needs {', '.join(missing)}, not found"
+    if os.environ.get("GCRULES_REQUIRE_BROWSER") == "1":
+        pytest.fail(f"{reason}, and GCRULES_REQUIRE_BROWSER=1", pytrace=False)
+    pytest.skip(reason)
+
+
+@pytest.fixture(scope="session")
+def root() -> Path:
+    """The root of the checkout."""
+    return Path(__file__).resolve().parent.parent
+
+
+@pytest.fixture
+def browser() -> str:
+    """The path of Chromium, for tests marked ``browser``."""
+    path = find_browser()
+    assert path is not None, "mark the test with pytest.mark.browser"
+    return path
+
+
+@pytest.fixture
+def run_browser(browser: str, tmp_path: Path) -> Callable[..., str]:
+    """``run_browser(page, *flags)``: open a page (a path or an address) headless; what Chromium prints.
+
+    Without flags that is the document after its scripts ran (``--dump-dom``); ``f"--screenshot={png}"`` takes a
+    picture. Chromium is given ten seconds of virtual time, so that scripts and timers come to rest.
+    """
+
+    def run(page: str | Path, *flags: str, timeout: float = 60) -> str:
+        address = page.resolve().as_uri() if isinstance(page, Path) else page
+        command = [
+            browser,
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--disable-dev-shm-usage",
+            "--hide-scrollbars",
+            "--virtual-time-budget=10000",
+            f"--user-data-dir={tmp_path / 'chromium'}",
+            *(flags or ("--dump-dom",)),
+            address,
+        ]
+        done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=timeout)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    return run
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """List what this run left out, by reason, so that a green line is not taken for more than it is."""
+    left_out = dict(_left_out(terminalreporter))
+    terminalreporter.section("left out")
+    for reason, tests in sorted(left_out.items()):
+        terminalreporter.line(f"{len(tests)} x {reason}")
+        for test in tests:
+            terminalreporter.line(f"    {test}")
+    if not left_out:
+        terminalreporter.line("nothing")
+
+
+def _left_out(reporter: pytest.TerminalReporter) -> Iterator[tuple[str, list[str]]]:
+    reasons: defaultdict[str, list[str]] = defaultdict(list)
+    for report in reporter.getreports("skipped"):
+        longrepr = report.longrepr
+        text = longrepr[2] if isinstance(longrepr, tuple) else str(longrepr)
+        reasons[text.removeprefix("Skipped: ")].append(report.nodeid)
+    for report in reporter.getreports("xfailed"):
+        reasons[f"expected to fail: {getattr(report, 'wasxfail', '')}"].append(report.nodeid)
+    for item in reporter.stats.get("deselected", ()):
+        reasons["deselected on the command line"].append(item.nodeid)
+    yield from reasons.items()

@@ -1,0 +1,133 @@
+"""The project as a whole: versions, what an import loads, what a wheel carries, what no file may mention."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tomllib
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import yaml
+
+import gcrules
+
+SHIPPED = {"gcrules": "gcrules", "plugins": "gcrules/_plugins", "examples": "gcrules/_examples"}
+LOADED_WHEN_USED = {"sympy", "scipy", "networkx", "matplotlib", "colorama", "rich"}
+
+
+def files_of(root: Path, *patterns: str) -> list[Path]:
+    """The files that git tracks or would add, relative to the root; skips the test outside a checkout."""
+    command = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", *patterns]
+    try:
+        listing = subprocess.run(command, cwd=root, capture_output=True, check=True).stdout
+    except (FileNotFoundError, subprocess.CalledProcessError):
+        pytest.skip("needs git and a git checkout")
+    names = [Path(name) for name in listing.decode().split("\0") if name]
+    return sorted(name for name in names if (root / name).is_file())
+
+
+def test_one_version(root: Path) -> None:
+    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    citation = yaml.safe_load((root / "CITATION.cff").read_text(encoding="utf-8"))
+    assert gcrules.__version__ == project["version"] == str(citation["version"])
+    assert citation["license"] == project["license"]
+
+
+def test_requirements_are_bounded(root: Path) -> None:
+    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    extras = project["optional-dependencies"].values()
+    requirements = [*project["dependencies"], *(requirement for extra in extras for requirement in extra)]
+    assert requirements
+    unbounded = [r for r in requirements if not r.startswith("gcrules[") and not re.search(r">=[\d.]+,<[\d.]+$", r)]
+    assert unbounded == []
+
+
+def test_import_loads_no_heavy_library() -> None:
+    code = "import sys; before = set(sys.modules); import gcrules; print(*sorted(set(sys.modules) - before))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = {name.partition(".")[0] for name in done.stdout.split()}
+    assert "gcrules" in loaded
+    assert loaded & LOADED_WHEN_USED == set()
+
+
+def test_no_file_mentions_a_machine(root: Path) -> None:
+    """Paths of the machine that a file was written on mean nothing to anybody else."""
+    machine_path = re.compile(rf"(^|[^A-Za-z0-9_.])/({'|'.join(('work', 'farm'))})/", re.MULTILINE)
+    assert machine_path.search("see /{}/x".format("work"))
+    files = files_of(root)
+    assert Path("pyproject.toml") in files
+    found = [
+        f"{name}:{text.count(chr(10), 0, match.start()) + 1}"
+        for name in files
+        for text in [(root / name).read_text(encoding="utf-8", errors="replace")]
+        for match in machine_path.finditer(text)
+    ]
+    assert found == []
+
+
+@pytest.fixture(scope="module")
+def wheel(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel, built from the checkout without a network."""
+    pytest.importorskip("hatchling", reason="needs hatchling to build the wheel (pip install -e '.[dev]')")
+    out = tmp_path_factory.mktemp("wheel")
+    pip(root, "wheel", "--no-deps", "--no-build-isolation", "--no-index", "--wheel-dir", str(out), ".")
+    (built,) = out.glob("gcrules-*.whl")
+    return built
+
+
+def pip(cwd: Path, *arguments: str) -> None:
+    command = [sys.executable, "-m", "pip", "--quiet", "--disable-pip-version-check", *arguments]
+    done = subprocess.run(command, cwd=cwd, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def expected_files(root: Path) -> set[str]:
+    """Where the wheel has to carry each file of the package, the plugins and the examples."""
+    return {
+        (Path(target) / name.relative_to(folder)).as_posix()
+        for folder, target in SHIPPED.items()
+        for name in files_of(root, folder)
+    }
+
+
+def test_wheel_carries_every_file(root: Path, wheel: Path) -> None:
+    names = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith("gcrules/")}
+    expected = expected_files(root)
+    assert "gcrules/py.typed" in expected
+    assert names == expected
+
+
+def test_installed_wheel_finds_its_files(root: Path, wheel: Path, tmp_path: Path) -> None:
+    target = tmp_path / "installed"
+    pip(tmp_path, "install", "--no-deps", "--no-index", "--target", str(target), str(wheel))
+    code = (
+        "import json, gcrules; from importlib.resources import files; from pathlib import Path; "
+        "top = Path(str(files('gcrules'))); "
+        "print(json.dumps([gcrules.__file__, gcrules.__version__, "
+        "[p.relative_to(top.parent).as_posix() for p in top.rglob('*') if p.is_file()]]))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-B", "-c", code],
+        cwd=tmp_path,
+        env=os.environ | {"PYTHONPATH": str(target)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    where, version, found = json.loads(done.stdout)
+    assert Path(where).is_relative_to(target)
+    assert version == gcrules.__version__
+    assert {name for name in found if not name.endswith(".pyc")} == expected_files(root)
+
+
+@pytest.mark.browser
+def test_browser_runs_scripts(run_browser: Callable[..., str], tmp_path: Path) -> None:
+    page = tmp_path / "page.html"
+    page.write_text("<p id=x></p><script>x.textContent = [1, 2, 3].map(i => i * i).join('-')</script>")
+    assert '<p id="x">1-4-9</p>' in run_browser(page)
