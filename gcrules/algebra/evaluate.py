@@ -19,7 +19,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, reduce
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from gcrules.algebra.expr import (
     Bracket,
@@ -38,13 +38,10 @@ from gcrules.algebra.expr import (
 )
 from gcrules.errors import InputError
 
-if TYPE_CHECKING:
-    import numpy as np
+__all__ = ["PRIME", "Evaluator", "evaluate", "plucker", "random_points", "random_rational_points", "vanishes"]
 
-__all__ = ["PRIME", "evaluate", "plucker", "random_points", "random_rational_points", "vanishes"]
-
-PRIME = 2**31 - 1
-"""Modulus of the oracle: products of two residues fit into 64 bits."""
+PRIME = 2**61 - 1
+"""Modulus of the oracle's random points."""
 
 _Values = list[Any]  # Plücker coordinates: numbers of any ring, or arrays of them (one entry for each sample)
 _Reduce = Callable[[Any], Any]
@@ -54,20 +51,17 @@ def evaluate(e: Expr, points: Mapping[str, Any], *, modulus: int | None = None) 
     """The value of an expression: a number for a scalar, a tuple of Plücker coordinates for an extensor.
 
     `points` gives each point's homogeneous coordinates as its last axis of length d: a sequence of integers or
-    Fractions (exact), an array of floats of shape (…, d) (vectorised over the leading axes), or, with `modulus`
-    (a prime below 2³¹), an array of int64 residues. Numbers come back in the same kind. Raises InputError for a point
+    Fractions (exact), an array of floats of shape (…, d) (vectorised over the leading axes), or, with `modulus`,
+    residues modulo that prime (for arrays of int64 it must be below 2³¹, so that products fit). Numbers come back in the same kind. Raises InputError for a point
     without coordinates or of unequal length.
     """
     missing = [n for n in points_of(e) if n not in points]
     if missing:
         raise InputError(f"no coordinates given for {', '.join(missing)}")
-    coordinates = {n: _coordinates(points[n]) for n in points_of(e)}
-    ranks = {len(c) for c in coordinates.values()}
+    ranks = {_length(points[n]) for n in points_of(e)}
     if len(ranks) > 1:
         raise InputError(f"points with unlike numbers of coordinates: {sorted(ranks)}")
-    rank = ranks.pop() if ranks else 4
-    reduced: _Reduce = (lambda x: x % modulus) if modulus else (lambda x: x)
-    values = _Oracle(coordinates, rank, reduced, modulus).value(e)
+    values = Evaluator(points, ranks.pop() if ranks else 4, modulus).value(e)
     return tuple(values) if e.step else values[0]
 
 
@@ -85,11 +79,20 @@ def _coordinates(value: Any) -> _Values:
     return list(value)
 
 
-class _Oracle:
-    def __init__(self, points: Mapping[str, _Values], rank: int, reduced: _Reduce, modulus: int | None) -> None:
+def _length(value: Any) -> int:
+    return int(value.shape[-1]) if hasattr(value, "shape") else len(value)
+
+
+class Evaluator:
+    """Values of expressions at fixed points; parts that occur again are computed once.
+
+    Arguments as for `evaluate`; `value` returns the list of Plücker coordinates (of length 1 for a scalar).
+    """
+
+    def __init__(self, points: Mapping[str, Any], rank: int = 4, modulus: int | None = None) -> None:
         self.points = points
         self.rank = rank
-        self.reduced = reduced
+        self.reduced: _Reduce = (lambda x: x % modulus) if modulus else (lambda x: x)
         self.modulus = modulus
         self.known: dict[Expr, _Values] = {}
 
@@ -103,7 +106,7 @@ class _Oracle:
             case Number(value=value):
                 return [self._number(value)]
             case Point(name=name):
-                return [self.reduced(c) for c in self.points[name]]
+                return [self.reduced(c) for c in _coordinates(self.points[name])]
             case Join(args=args) | Bracket(args=args):
                 return self._joined(args, self.rank)
             case Meet(args=args):
@@ -192,19 +195,15 @@ def _index(rank: int, step: int) -> dict[tuple[int, ...], int]:
 
 
 def random_points(
-    names: Iterable[str], *, rank: int = 4, ideal: Iterable[str] = (), samples: int = 8, seed: int = 0
-) -> dict[str, np.ndarray[Any, Any]]:
-    """Random residues modulo `PRIME` for each point, shape (samples, rank); ideal points have last coordinate 0."""
-    import numpy as np
-
-    rng = np.random.default_rng(seed)
+    names: Iterable[str], *, rank: int = 4, ideal: Iterable[str] = (), seed: int = 0
+) -> dict[str, tuple[int, ...]]:
+    """Random residues modulo `PRIME` as homogeneous coordinates; points in `ideal` have last coordinate 0."""
+    rng = random.Random(seed)
     at_infinity = set(ideal)
-    found = {}
-    for name in names:
-        found[name] = rng.integers(0, PRIME, size=(samples, rank), dtype=np.int64)
-        if name in at_infinity:
-            found[name][:, -1] = 0
-    return found
+    return {
+        name: (*(rng.randrange(PRIME) for _ in range(rank - 1)), 0 if name in at_infinity else rng.randrange(PRIME))
+        for name in names
+    }
 
 
 def random_rational_points(
@@ -218,10 +217,14 @@ def random_rational_points(
     }
 
 
-def vanishes(e: Expr, *, rank: int = 4, ideal: Iterable[str] = (), samples: int = 4, seed: int = 0) -> bool:
+def vanishes(e: Expr, *, rank: int = 4, ideal: Iterable[str] = (), samples: int = 2, seed: int = 0) -> bool:
     """Whether an expression is zero at random points modulo `PRIME`.
 
-    False is certain. True is wrong with probability at most (D / p)^samples, D the degree in the coordinates.
+    False is certain. True is wrong with probability at most (D / PRIME)^samples, D the degree in the coordinates.
     """
-    value = evaluate(e, random_points(points_of(e), rank=rank, ideal=ideal, samples=samples, seed=seed), modulus=PRIME)
-    return not any((c % PRIME).any() if hasattr(c, "any") else c % PRIME for c in (value if e.step else (value,)))
+    names, at_infinity = points_of(e), tuple(ideal)
+    for n in range(samples):
+        points = random_points(names, rank=rank, ideal=at_infinity, seed=seed + n)
+        if any(Evaluator(points, rank, PRIME).value(e)):
+            return False
+    return True

@@ -1,0 +1,169 @@
+r"""The shortest superbracket over all orders of the six lines and both forms.
+
+The superbracket of the same six lines has many bracket forms: the 24-term and the 16-term form, each written for any of
+the 720 orders of the lines. Repeated points make brackets vanish and terms cancel; the fewest terms tell most.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache, lru_cache
+from itertools import permutations
+from typing import TYPE_CHECKING, Any
+
+from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms, sorted_row, tableau_order
+from gcrules.algebra.expr import permutation_sign
+from gcrules.algebra.superbracket import FORMS, form_terms
+
+if TYPE_CHECKING:
+    import numpy as np
+
+__all__ = ["SuperbracketForm", "counts", "shortest_forms", "superbracket_form"]
+
+Line = tuple[str, str]
+
+
+@dataclass(frozen=True)
+class SuperbracketForm:
+    """The superbracket of `lines` taken in `order` (positions from 0), written in the 24-term or 16-term form.
+
+    The polynomial equals `sign` (the sign of the order) times the superbracket of the lines as given.
+    """
+
+    form: int
+    order: tuple[int, ...]
+    polynomial: BracketPolynomial
+
+    @property
+    def sign(self) -> int:
+        return permutation_sign(self.order)
+
+    def to_json(self) -> dict[str, Any]:
+        """`{form, order, terms, polynomial}`; `order` holds positions of the lines as typed, from 0."""
+        return {
+            "form": self.form,
+            "order": list(self.order),
+            "terms": len(self.polynomial),
+            "polynomial": str(self.polynomial),
+        }
+
+
+def superbracket_form(
+    lines: Sequence[Line],
+    order: Sequence[int] = range(6),
+    form: int = 24,
+    *,
+    points: Sequence[str] = (),
+    ideal: Sequence[str] = (),
+) -> SuperbracketForm:
+    """The form with repeated points removed and like terms collected, for lines given by two points each."""
+    names = tableau_order((p for line in lines for p in line), points, ideal)
+    index = {n: i for i, n in enumerate(names)}
+    at_infinity = sum(n in set(ideal) for n in names)
+    ends = [index[p] for i in order for p in lines[i]]
+    terms: Terms = {}
+    for sign, brackets in form_terms(form):
+        rows = []
+        for b in brackets:
+            s, row = sorted_row(ends[i] for i in b)
+            sign *= s if row[-1] >= at_infinity else 0
+            rows.append(row)
+        if sign:
+            key: Monomial = tuple(sorted(rows))
+            terms[key] = terms.get(key, 0) + sign
+    return SuperbracketForm(form, tuple(order), BracketPolynomial(4, names, terms, at_infinity))
+
+
+def shortest_forms(
+    lines: Sequence[Line], *, points: Sequence[str] = (), ideal: Sequence[str] = ()
+) -> tuple[SuperbracketForm, ...]:
+    """All different polynomials with the fewest terms, up to sign; the first is *the* shortest form.
+
+    Deterministic: the 24-term form comes before the 16-term form, then orders in lexicographic sequence.
+    """
+    tables = _tables(lines, points, ideal)
+    least = min(int(t.counts.min()) for t in tables.values())
+    found: dict[Any, SuperbracketForm] = {}
+    for form, table in tables.items():
+        for i in table.representatives(least):
+            candidate = superbracket_form(lines, _orders()[i], form, points=points, ideal=ideal)
+            terms = candidate.polynomial.terms
+            lead = next(iter(terms.values()), 1)
+            found.setdefault(tuple((m, c * lead) for m, c in terms.items()), candidate)
+    return tuple(found.values())
+
+
+def counts(
+    lines: Sequence[Line], *, points: Sequence[str] = (), ideal: Sequence[str] = ()
+) -> dict[int, np.ndarray[Any, Any]]:
+    """For both forms the numbers of terms left for the 720 orders of the lines (in lexicographic sequence)."""
+    return {form: table.counts for form, table in _tables(lines, points, ideal).items()}
+
+
+@cache
+def _orders() -> tuple[tuple[int, ...], ...]:
+    return tuple(permutations(range(6)))
+
+
+def _tables(lines: Sequence[Line], points: Sequence[str], ideal: Sequence[str]) -> dict[int, _Table]:
+    names = tableau_order((p for line in lines for p in line), points, ideal)
+    index = {n: i for i, n in enumerate(names)}
+    at_infinity = sum(n in set(ideal) for n in names)
+    ends = tuple(index[p] for line in lines for p in line)
+    return {form: _table(ends, form, at_infinity) for form in FORMS}
+
+
+@dataclass(frozen=True)
+class _Table:
+    """The terms left for each order: `rows` (which order), `keys` (which monomial), `sums` (coefficient), sorted by row."""
+
+    rows: np.ndarray[Any, Any]
+    keys: np.ndarray[Any, Any]
+    sums: np.ndarray[Any, Any]
+    counts: np.ndarray[Any, Any]
+
+    def representatives(self, terms: int) -> list[int]:
+        """The first order of each different polynomial (up to sign) with this number of terms."""
+        import numpy as np
+
+        if terms == 0:
+            return [int(np.flatnonzero(self.counts == 0)[0])] if (self.counts == 0).any() else []
+        chosen = self.counts[self.rows] == terms
+        keys, sums = self.keys[chosen].reshape(-1, terms), self.sums[chosen].reshape(-1, terms)
+        if not len(keys):
+            return []
+        _, first = np.unique(np.hstack([keys, sums * sums[:, :1]]), axis=0, return_index=True)
+        orders = self.rows[chosen].reshape(-1, terms)[:, 0]
+        return sorted(int(orders[i]) for i in first)
+
+
+@lru_cache(maxsize=256)
+def _table(line_ends: tuple[int, ...], form: int, ideal: int) -> _Table:
+    """All 720 orders at once.
+
+    A bracket becomes a code of four points with four bits each, a monomial the code of its three sorted brackets, so
+    like terms are equal numbers within a row.
+    """
+    import numpy as np
+
+    orders = np.array(_orders())
+    ends = np.array(line_ends, dtype=np.int64).reshape(6, 2)[orders].reshape(len(orders), 12)
+    terms = form_terms(form)
+    letters = ends[:, np.array([m for _, m in terms])]  # (orders, terms, 3, 4)
+    signs = np.broadcast_to(np.array([s for s, _ in terms]), letters.shape[:2]).copy()
+    inversions = sum((letters[..., i] > letters[..., j]).astype(np.int64) for i in range(4) for j in range(i + 1, 4))
+    letters = np.sort(letters, axis=-1)
+    dead = (letters[..., 1:] == letters[..., :-1]).any(-1) | (letters[..., -1] < ideal)
+    signs *= 1 - 2 * (np.asarray(inversions).sum(-1) % 2)
+    signs[dead.any(-1)] = 0
+    keys = np.sort(letters @ np.array([1 << 12, 1 << 8, 1 << 4, 1]), axis=-1) @ np.array([1 << 32, 1 << 16, 1])
+    at = np.argsort(keys, axis=-1, kind="stable")
+    keys = np.take_along_axis(keys, at, -1)
+    signs = np.take_along_axis(signs, at, -1)
+    first = np.ones(keys.shape, dtype=bool)
+    first[:, 1:] = keys[:, 1:] != keys[:, :-1]
+    sums = np.add.reduceat(signs.ravel(), np.flatnonzero(first))
+    live = sums != 0
+    rows = np.nonzero(first)[0][live]
+    return _Table(rows, keys[first][live], sums[live], np.bincount(rows, minlength=len(orders)))

@@ -1,0 +1,180 @@
+r"""Structure: six legs as a graph between base and platform joints.
+
+    >>> s = read_legs("ab af cb cd ed ef")
+    >>> s.base, s.platform
+    (('a', 'c', 'e'), ('b', 'd', 'f'))
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from gcrules.algebra.bracket import tableau_order
+from gcrules.algebra.expr import Expr, Join, Point, join, superbracket
+from gcrules.algebra.syntax import Context, parse
+from gcrules.errors import GcrulesError, InputError, Span
+
+__all__ = ["Leg", "Structure", "read_legs", "read_order"]
+
+Leg = tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Structure:
+    """Six legs exactly as typed, and what follows from their graph alone.
+
+    Each connected part of the graph that is free of odd cycles has two sides. Which of them is the base is read from
+    the written order of most of its legs (of its first leg where they balance). In `oriented` a leg that was written
+    the other way round is turned; legs in parts with an odd cycle stay as typed and their joints have no side.
+    """
+
+    legs: tuple[Leg, ...]
+    points: tuple[str, ...] = ()
+    ideal: tuple[str, ...] = ()
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """All joints in tableau order."""
+        return tableau_order((p for leg in self.legs for p in leg), self.points, self.ideal)
+
+    @cached_property
+    def sides(self) -> dict[str, str]:
+        """"base" or "platform" for every joint that has a side."""
+        found: dict[str, str] = {}
+        for part in self._parts():
+            colour = self._colouring(part)
+            if colour is None:
+                continue
+            votes = sum(1 if colour[a] == 0 else -1 for a, _ in part)
+            first = colour[part[0][0]] if votes == 0 else 0 if votes > 0 else 1
+            found |= {n: "base" if c == first else "platform" for n, c in colour.items()}
+        return found
+
+    def _parts(self) -> Iterator[list[Leg]]:
+        """The connected parts of the graph, each as its legs in typed order."""
+        left = list(self.legs)
+        while left:
+            joints, part = set(left[0]), []
+            while grown := [leg for leg in left if joints & set(leg)]:
+                part += grown
+                left = [leg for leg in left if leg not in grown]
+                joints.update(n for leg in grown for n in leg)
+            yield sorted(part, key=self.legs.index)
+
+    @staticmethod
+    def _colouring(part: Sequence[Leg]) -> dict[str, int] | None:
+        colour = {part[0][0]: 0}
+        for _ in part:
+            for a, b in part:
+                if a in colour:
+                    colour.setdefault(b, 1 - colour[a])
+                if b in colour:
+                    colour.setdefault(a, 1 - colour[b])
+        return None if any(colour[a] == colour[b] for a, b in part) else colour
+
+    @cached_property
+    def base(self) -> tuple[str, ...]:
+        return tuple(n for n in self.names if self.sides.get(n) == "base")
+
+    @cached_property
+    def platform(self) -> tuple[str, ...]:
+        return tuple(n for n in self.names if self.sides.get(n) == "platform")
+
+    @cached_property
+    def oriented(self) -> tuple[Leg, ...]:
+        """The legs with the base joint first, as far as sides are known."""
+        return tuple((b, a) if self.sides.get(a) == "platform" else (a, b) for a, b in self.legs)
+
+    @cached_property
+    def sign(self) -> int:
+        """superbracket(legs) = sign · superbracket(oriented)."""
+        return (-1) ** sum(x != y for x, y in zip(self.legs, self.oriented, strict=True))
+
+    @cached_property
+    def superbracket(self) -> Expr:
+        """The superbracket of the legs as typed."""
+        return superbracket(*(join(Point(a), Point(b)) for a, b in self.legs))
+
+    def legs_at(self, name: str) -> tuple[Leg, ...]:
+        return tuple(leg for leg in self.oriented if name in leg)
+
+
+def read_legs(
+    legs: str | Iterable[str | Sequence[str]], *, points: Sequence[str] = (), ideal: Sequence[str] = ()
+) -> Structure:
+    """Six legs from text ("ab af cb cd ed ef", "S1A1, S2A2, …", "left top, right top, …") or pairs of names.
+
+    Raises InputError (with its place in the text) for anything but six legs between two different points each.
+    """
+    if isinstance(legs, str):
+        found = tuple(_read_text(legs, points))
+        source: str | None = legs
+    else:
+        found = tuple(_read_item(item, points) for item in legs)
+        source = None
+    if len(found) != 6:
+        hint = "each leg is two points written together: ab, S1A1"
+        if len(found) == 3:
+            hint = "three lines in the plane are rank 3; platforms in space have six legs"
+        fault = InputError(f"{len(found)} leg{'s' * (len(found) != 1)}, expected six", hint=hint)
+        raise fault.located(source, span=Span(0, len(source))) if source is not None else fault
+    return Structure(found, tuple(points), tuple(n for n in ideal))
+
+
+def _read_text(text: str, points: Sequence[str]) -> Iterator[Leg]:
+    pattern = r"[^,;]+" if re.search(r"[,;]", text) else r"\S+"
+    for match in re.finditer(pattern, text):
+        word = match[0].strip()
+        if not word:
+            continue
+        start = match.start() + len(match[0]) - len(match[0].lstrip())
+        try:
+            yield _two_points(re.sub(r"(?<=\w)\s*[-–]\s*(?=\w)", " ", word), points)
+        except GcrulesError as fault:
+            inner = InputError(f"{word!r} is not a leg: {fault.message}", hint=fault.hint)
+            raise inner.located(text, span=Span(start, start + len(word))) from None
+
+
+def _read_item(item: str | Sequence[str], points: Sequence[str]) -> Leg:
+    if isinstance(item, str):
+        return _two_points(item, points)
+    if len(item) != 2 or not all(isinstance(n, str) for n in item):
+        raise InputError(f"{item!r} is not a leg; expected two points")
+    return _two_points(" ".join(item), (*points, *item))
+
+
+def _two_points(text: str, points: Sequence[str]) -> Leg:
+    hint = "a leg is two points written together: ab, S1A1; longer names need --points"
+    found = parse(text, context=Context(8, tuple(points)))
+    names = tuple(a.name for a in (found.args if isinstance(found, Join) else (found,)) if isinstance(a, Point))
+    if len(names) != 2 or found.step != 2:
+        raise InputError(f"expected two points, found {found.step if len(names) == found.step else text!r}", hint=hint)
+    if names[0] == names[1]:
+        raise InputError(f"both ends are {names[0]}", hint="a leg joins two different points")
+    return names[0], names[1]
+
+
+def read_order(text: str | Sequence[int | str], structure: Structure) -> tuple[int, ...]:
+    """An order of the legs: numbers "2 1 3 4 6 5" counted from 1, or the legs themselves "af ab cb cd ed ef".
+
+    Integers in a sequence are positions counted from 0. Raises InputError unless every leg occurs once.
+    """
+    words = text.replace(",", " ").split() if isinstance(text, str) else list(text)
+    names = {frozenset(leg): i for i, leg in enumerate(structure.legs)}
+    order = []
+    for word in words:
+        if isinstance(word, int):
+            order.append(word)
+        elif word.isdigit():
+            order.append(int(word) - 1)
+        else:
+            leg = frozenset(_two_points(word, structure.points))
+            if leg not in names:
+                raise InputError(f"{word} is not one of the legs")
+            order.append(names[leg])
+    if sorted(order) != list(range(len(structure.legs))):
+        raise InputError("an order names each of the six legs once", hint='for example --order "2 1 3 4 5 6"')
+    return tuple(order)
