@@ -15,6 +15,7 @@ from functools import cached_property
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.expr import Expr, Join, Point, join, superbracket
 from gcrules.algebra.syntax import Context, parse
+from gcrules.algebra.text import SHORT_NAME
 from gcrules.errors import GcrulesError, InputError, Span
 
 __all__ = ["Leg", "Structure", "read_legs", "read_order"]
@@ -148,13 +149,23 @@ def _read_item(item: str | Sequence[str], points: Sequence[str]) -> Leg:
 
 def _two_points(text: str, points: Sequence[str]) -> Leg:
     hint = "a leg is two points written together: ab, S1A1; longer names need --points"
+    short = _SHORT_LEG.fullmatch(text)
+    if short and not any(len(n) > 1 and not SHORT_NAME.fullmatch(n) for n in points):
+        return _different(short[1], short[2])
     found = parse(text, context=Context(8, tuple(points)))
     names = tuple(a.name for a in (found.args if isinstance(found, Join) else (found,)) if isinstance(a, Point))
     if len(names) != 2 or found.step != 2:
         raise InputError(f"expected two points, found {found.step if len(names) == found.step else text!r}", hint=hint)
-    if names[0] == names[1]:
-        raise InputError(f"both ends are {names[0]}", hint="a leg joins two different points")
-    return names[0], names[1]
+    return _different(*names)
+
+
+_SHORT_LEG = re.compile(f"({SHORT_NAME.pattern}) *({SHORT_NAME.pattern})")
+
+
+def _different(a: str, b: str) -> Leg:
+    if a == b:
+        raise InputError(f"both ends are {a}", hint="a leg joins two different points")
+    return a, b
 
 
 def read_order(text: str | Sequence[int | str], structure: Structure) -> tuple[int, ...]:

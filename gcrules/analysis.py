@@ -1,0 +1,258 @@
+r"""The pipeline: six legs -> superbracket -> shortest form -> entities -> condition -> statement -> certificate.
+
+    >>> a = analyze("ab af cb cd ed ef")
+    >>> a.match.entry.id, a.group
+    ('3-3.3', 'c')
+    >>> print(a.condition.expression)
+    abf /\ ace /\ bcd /\ def
+    >>> print(a.condition.statement)
+    The robot is singular exactly when the four planes abf, ace, bcd and def meet in a point (possibly at infinity).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import Any
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.shortest import SuperbracketForm, shortest_forms, superbracket_form
+from gcrules.algebra.text import text
+from gcrules.catalog import Catalog, Match, load
+from gcrules.condition import GROUPS, Certificate, Condition, Entity, starred
+from gcrules.robots.structure import Structure, read_legs, read_order
+from gcrules.rules.conditions import PROVED, best_first, describe, prove_identity
+from gcrules.rules.degenerate import Degeneracy, explain
+from gcrules.rules.derivation import Derivation, Step
+from gcrules.rules.incidence import Claim, Oracle, claims
+
+__all__ = ["Analysis", "analyze"]
+
+_MOST_READINGS = 3  # of the kind of the condition itself
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """All stages of the analysis of six legs, as frozen values.
+
+    `typed` is the superbracket of the legs in the order given, `shortest` its shortest form; `match` the class of the
+    catalog; `condition` the reading with the smallest cofactor and `readings` the others, each of them an identity
+    cofactor · superbracket = coefficient · expression; `derivation` the steps that lead to the condition.
+    """
+
+    structure: Structure
+    typed: SuperbracketForm
+    shortest: SuperbracketForm
+    match: Match | None
+    condition: Condition
+    readings: tuple[Condition, ...]
+    derivation: Derivation
+    claim: Claim | None = None
+    degeneracy: Degeneracy | None = None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def entities(self) -> tuple[Entity, ...]:
+        return self.condition.entities
+
+    @property
+    def group(self) -> str | None:
+        """The published group of entities, a … g; None where the procedure does not reach."""
+        return GROUPS.get(self.condition.kind)
+
+    def to_json(self) -> dict[str, Any]:
+        """The interface's JSON object, schema 1."""
+        names = self.structure.names
+        return {
+            "schema": 1,
+            "legs": [list(leg) for leg in self.structure.legs],
+            "class": self.match.entry.id if self.match else None,
+            "mapping": dict(self.match.mapping) if self.match else None,
+            "points": list(names),
+            "base": list(self.structure.base),
+            "platform": list(self.structure.platform),
+            "superbracket": self.typed.to_json(),
+            "shortest": self.shortest.to_json(),
+            "entities": [e.to_json() for e in self.entities],
+            "group": self.group,
+            "condition": self.condition.to_json(names),
+            "readings": [r.to_json(names) for r in self.readings],
+            "certificate": self.condition.certificate.to_json(),
+            "derivation": [s.to_json(names) for s in self.derivation],
+            "notes": list(self.notes),
+        }
+
+    def text(self, *, unicode: bool = False) -> str:
+        """Every stage as plain text."""
+        from gcrules.render.stages import as_text
+
+        return as_text(self, unicode=unicode)
+
+    def latex(self) -> str:
+        """Every stage as a LaTeX document that compiles with the article class and amsmath."""
+        from gcrules.render.stages import as_latex
+
+        return as_latex(self)
+
+    def __str__(self) -> str:
+        return self.text(unicode=True)
+
+    def _repr_html_(self) -> str:
+        from gcrules.render.report import fragment
+
+        return fragment(self)
+
+    def _repr_latex_(self) -> str:
+        return self.condition.expression._repr_latex_()
+
+
+def analyze(
+    legs: str | Iterable[str | Sequence[str]] | Structure,
+    *,
+    order: str | Sequence[int | str] | None = None,
+    points: Sequence[str] = (),
+    ideal: Sequence[str] = (),
+    catalogs: Iterable[str | PathLike[str]] = (),
+    recheck: bool = False,
+) -> Analysis:
+    """Analyse six legs: when is the platform singular, and why.
+
+    `legs` is text ("ab af cb cd ed ef") or pairs of names, a leg written with one body's joint first throughout;
+    `order` keeps the user's own order of legs instead of the shortest one; `points` declares long names, `ideal` the
+    points at infinity; `catalogs` adds files of the user's own. With `recheck` readings that are instances of catalog
+    identities are proved from scratch. Raises InputError for anything but six legs between different points.
+    """
+    structure = legs if isinstance(legs, Structure) else read_legs(legs, points=points, ideal=ideal)
+    catalog = load(catalogs)
+    typed = superbracket_form(structure.legs, points=structure.points, ideal=structure.ideal)
+    chosen = None if order is None else read_order(order, structure)
+    forms = _shortest(structure) if chosen is None else _in_order(structure, chosen)
+    match = catalog.match(structure)
+    start = Derivation((_superbracket_step(structure, typed),), structure.ideal)
+    if not forms[0].polynomial:
+        return _always_singular(structure, typed, forms[0], match, start, catalog)
+    notes: list[str] = []
+    oracle = Oracle(structure)
+    found = best_first(claims(forms, structure, oracle), structure, oracle)
+    if not found and chosen is not None:
+        forms = _shortest(structure)
+        found = best_first(claims(forms, structure, oracle), structure, oracle)
+        notes.append("the order given shows no entities; the shortest order was used instead")
+    conditions = [
+        _proved(describe(c, structure, oracle, catalog.statements, PROVED), structure) for c in found[: 1 + _MOST_READINGS]
+    ]
+    claim = found[0] if found else None
+    shortest = claim.state.form if claim else forms[0]
+    known = catalog.readings(structure, match, oracle, recheck=recheck) if match else []
+    conditions += [r for r in known if str(r.expression) not in {str(c.expression) for c in conditions}]
+    conditions.append(_linear_complex(structure, catalog))
+    derivation = _derivation(start, structure, shortest, claim, conditions[0])
+    shown = SuperbracketForm(shortest.form, shortest.order, shortest.polynomial * structure.sign)
+    return Analysis(
+        structure, typed, shown, match, conditions[0], tuple(conditions[1:]), derivation, claim, notes=tuple(notes)
+    )
+
+
+def _shortest(structure: Structure) -> tuple[SuperbracketForm, ...]:
+    return shortest_forms(structure.oriented, points=structure.points, ideal=structure.ideal)
+
+
+def _in_order(structure: Structure, order: tuple[int, ...]) -> tuple[SuperbracketForm, ...]:
+    """Both forms in the user's own order, the shorter one first."""
+    forms = (
+        superbracket_form(structure.oriented, order, form, points=structure.points, ideal=structure.ideal)
+        for form in (24, 16)
+    )
+    return tuple(sorted(forms, key=lambda f: len(f.polynomial)))
+
+
+def _proved(condition: Condition, structure: Structure) -> Condition:
+    assert prove_identity(condition, structure), f"not an identity: {condition.expression}"
+    return condition
+
+
+def _superbracket_step(structure: Structure, typed: SuperbracketForm) -> Step:
+    why = (
+        "the 24-term form of the superbracket; brackets with a repeated point are zero, like terms are collected: "
+        f"{_terms(len(typed.polynomial))} left"
+    )
+    return Step("superbracket", structure.superbracket, typed.polynomial.to_expr(), why)
+
+
+def _always_singular(
+    structure: Structure,
+    typed: SuperbracketForm,
+    shortest: SuperbracketForm,
+    match: Match | None,
+    start: Derivation,
+    catalog: Catalog,
+) -> Analysis:
+    why = explain(structure)
+    entities = starred([("line", tuple(str(p) for p in why.line.children))]) if isinstance(why.line, ex.Join) else ()
+    parts = (("reason", why.reason), *((("line", text(why.line)),) if why.line is not None else ()))
+    condition = Condition(
+        kind="always-singular",
+        expression=ex.ZERO,
+        statement=catalog.statements["always-singular"].format(reason=why.reason),
+        certificate=Certificate("normal-form", "proved: the normal form of the superbracket is 0"),
+        entities=entities,
+        parts=parts,
+    )
+    if typed.polynomial:
+        start = start.then("shortest-form", ex.ZERO, f"the legs in the order {_order(shortest)} leave no term")
+    return Analysis(structure, typed, shortest, match, condition, (), start, degeneracy=why)
+
+
+def _linear_complex(structure: Structure, catalog: Catalog) -> Condition:
+    return Condition(
+        kind="linear-complex",
+        expression=structure.superbracket,
+        statement=catalog.statements["linear-complex"],
+        certificate=Certificate("normal-form", "holds by definition of the superbracket"),
+    )
+
+
+def _terms(n: int) -> str:
+    return "1 term" if n == 1 else f"{n} terms"
+
+
+def _order(form: SuperbracketForm) -> str:
+    return " ".join(str(i + 1) for i in form.order)
+
+
+def _derivation(
+    start: Derivation, structure: Structure, form: SuperbracketForm, claim: Claim | None, condition: Condition
+) -> Derivation:
+    """superbracket = ± shortest form = ± tetrahedra · (brackets that begin with their entities) = ± expression."""
+    sign = ex.Number(form.sign * structure.sign)
+    why = f"the {form.form}-term form with the legs in the order {_order(form)} has {_terms(len(form.polynomial))}"
+    steps = start.then("shortest-form", ex.mul(sign, form.polynomial.to_expr()), why)
+    if claim is None:
+        return steps
+    state = claim.state
+    if state.tetrahedra:
+        names = ", ".join(state.label(row) for row in state.tetrahedra)
+        why = f"brackets common to all terms are tetrahedra: {names}"
+        outer = [ex.bracket(*map(ex.Point, state.named(row))) for row in state.tetrahedra]
+        steps = steps.then("tetrahedra", ex.mul(sign, *outer, state.rest.to_expr()), why)
+    if state.planes or state.lines:
+        planes = ", ".join(state.label(row) for row in state.planes)
+        lines = ", ".join(state.label(row) for row in state.lines)
+        both = "; ".join(f"{word} {names}" for word, names in (("planes", planes), ("lines", lines)) if names)
+        why = f"points that stay together in one bracket of every term: {both}"
+        steps = steps.then("planes" if planes else "lines", ex.mul(sign, state.collected()), why)
+    after = ex.mul(ex.Number(condition.coefficient), condition.expression)
+    if after == steps.steps[-1].after:
+        return steps
+    return steps.then("incidence", after, f"left-over points {_left(claim)}; the expansion equals the line above")
+
+
+def _left(claim: Claim) -> str:
+    names = claim.state.named(claim.state.left)
+    if claim.single:
+        pairs = " and ".join("".join(leg) for leg in claim.single)
+        tests = [claim.state.swapped_sum(*(claim.state.form.polynomial.points.index(n) for n in leg)) for leg in claim.single]
+        shown = "P(x,y) + P(y,x) = 0" if all(tests) else "found by trial, as repeated points hide terms"
+        return f"{', '.join(names)} as the lines {pairs} ({shown})"
+    return ", ".join(names)

@@ -1,0 +1,365 @@
+r"""The catalog of six-legged platforms: loading, matching a structure to its class, instances of its identities.
+
+The file's own header describes its format; `catalog_check` proves what it says.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
+from importlib.resources import files
+from itertools import islice
+from os import PathLike, fspath
+from typing import Any
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr, Point, points_of, substitute
+from gcrules.algebra.syntax import Context, parse
+from gcrules.condition import Certificate, Condition
+from gcrules.errors import FileError, GcrulesError
+from gcrules.robots.structure import Leg, Structure, read_legs
+from gcrules.rules.conditions import PROVED, prove_identity
+from gcrules.rules.incidence import Oracle
+from gcrules.yamlfile import Document, Node
+
+__all__ = ["SHIPPED", "Catalog", "Entry", "Match", "Reading", "load", "load_file"]
+
+SHIPPED = "gcrules/catalog.yaml"
+
+
+@dataclass(frozen=True)
+class Reading:
+    """An identity of a class in its own labels: cofactor · superbracket = coefficient · expression."""
+
+    kind: str
+    expression_text: str
+    cofactor_text: str
+    coefficient: int
+    statement: str | None
+
+    @cached_property
+    def expression(self) -> Expr:
+        return parse(self.expression_text)
+
+    @cached_property
+    def cofactor(self) -> Expr:
+        return parse(self.cofactor_text)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One class of platforms: its legs (base joint first) and what is known about them."""
+
+    id: str
+    legs: tuple[Leg, ...]
+    degrees: tuple[tuple[int, ...], tuple[int, ...]]
+    terms: Mapping[int, int]
+    factors: tuple[tuple[str, ...], ...]
+    group: str | None
+    status: str
+    sources: tuple[str, ...]
+    condition: Reading
+    readings: tuple[Reading, ...]
+    name: str | None
+    note: str | None
+    owner: str
+    place: str
+
+    @property
+    def structure(self) -> Structure:
+        return Structure(self.legs)
+
+    def to_json(self) -> dict[str, Any]:
+        def reading(r: Reading) -> dict[str, Any]:
+            return {
+                "kind": r.kind,
+                "expression": r.expression_text,
+                "cofactor": r.cofactor_text,
+                "coefficient": r.coefficient,
+                "statement": r.statement,
+            }
+
+        return {
+            "id": self.id,
+            "legs": ["".join(leg) for leg in self.legs],
+            "name": self.name,
+            "degrees": [list(d) for d in self.degrees],
+            "terms": {str(k): v for k, v in self.terms.items()},
+            "factors": ["".join(f) for f in self.factors],
+            "group": self.group,
+            "status": self.status,
+            "sources": list(self.sources),
+            "condition": reading(self.condition),
+            "readings": [reading(r) for r in self.readings],
+            "note": self.note,
+            "owner": self.owner,
+        }
+
+
+@dataclass(frozen=True)
+class Match:
+    """A structure found in the catalog; `mapping` takes the class's labels to the structure's."""
+
+    entry: Entry
+    mapping: Mapping[str, str]
+
+    def sign(self, structure: Structure) -> int:
+        """superbracket(structure) = sign · superbracket(class) with the labels mapped."""
+        position = {frozenset(leg): i for i, leg in enumerate(structure.legs)}
+        order, turned = [], 0
+        for a, b in self.entry.legs:
+            image = (self.mapping[a], self.mapping[b])
+            order.append(position[frozenset(image)])
+            turned += structure.legs[order[-1]] != image
+        return ex.permutation_sign(order) * (-1) ** turned
+
+
+@dataclass(frozen=True)
+class Catalog:
+    """Entries of one or several files, and the templates of statements by kind of condition."""
+
+    entries: tuple[Entry, ...]
+    statements: Mapping[str, str]
+
+    def __getitem__(self, class_id: str) -> Entry:
+        """Raises KeyError for an id that is not there."""
+        return next((e for e in self.entries if e.id == class_id), None) or _missing(class_id)
+
+    def match(self, structure: Structure) -> Match | None:
+        """The class whose graph is isomorphic to the structure's, sides kept or exchanged as wholes."""
+        if len({frozenset(leg) for leg in structure.legs}) < len(structure.legs) or structure.ideal:
+            return None
+        degrees = _degrees(structure)
+        for entry in self.entries:
+            if _degrees(entry.structure) == degrees:
+                mapping = _isomorphism(entry.structure, structure)
+                if mapping:
+                    return Match(entry, mapping)
+        return None
+
+    def readings(self, structure: Structure, match: Match, oracle: Oracle, *, recheck: bool = False) -> list[Condition]:
+        """The identities of the matched class in the structure's labels, each checked afresh at exact random points
+        (proved from scratch with `recheck`). The condition itself comes first unless a rule of the engine finds it.
+        """
+        entry, sign = match.entry, match.sign(structure)
+        own = entry.condition
+        found = []
+        for reading in ([own] if own.kind in _FROM_CATALOG else []) + list(entry.readings):
+            names = {a: Point(b) for a, b in match.mapping.items()}
+            expression, cofactor = (substitute(e, dict(names)) for e in (reading.expression, reading.cofactor))
+            data = {"class": entry.id, "mapping": dict(match.mapping), "points": 2}
+            detail = (
+                f"instance of an identity of class {entry.id}, proved by `gcrules catalog check`; "
+                "holds at 2 fresh exact random points, error below 1e-33"
+            )
+            condition = Condition(
+                kind=reading.kind,
+                expression=expression,
+                cofactor=cofactor,
+                coefficient=sign * reading.coefficient,
+                statement=_relabelled(reading.statement or self.statements[reading.kind], match.mapping),
+                certificate=Certificate("catalog-instance", detail, data),  # type: ignore[arg-type]
+            )
+            if oracle.coefficient(expression, cofactor) != condition.coefficient:
+                raise FileError(
+                    f"the reading {reading.expression} of class {entry.id} is not an identity",
+                    filename=entry.place,
+                    hint="run `gcrules catalog check`",
+                )
+            if recheck:
+                assert prove_identity(condition, structure)
+                condition = Condition(**{**vars(condition), "certificate": PROVED})
+            found.append(condition)
+        return found
+
+
+_FROM_CATALOG = ("transversals",)
+_MOST_ISOMORPHISMS = 100
+
+
+def _missing(class_id: str) -> Entry:
+    raise KeyError(class_id)
+
+
+def _relabelled(statement: str, mapping: Mapping[str, str]) -> str:
+    """Replace `{Aab}` in a statement by the images of its points."""
+    spaced = any(len(n) > 1 for n in mapping.values())
+
+    def image(match: re.Match[str]) -> str:
+        names = [n for n in points_of(parse(match[1], rank=8))]
+        return str(ex.join(*(Point(mapping[n]) for n in names), rank=8)) if spaced or names else match[0]
+
+    return re.sub(r"\{(\w+)\}", image, statement)
+
+
+def _degrees(structure: Structure) -> list[int]:
+    return sorted(Counter(n for leg in structure.legs for n in leg).values())
+
+
+def _isomorphism(a: Structure, b: Structure) -> dict[str, str] | None:
+    """An isomorphism of the leg graphs, base to base or else base to platform, the first in the order of labels."""
+    from networkx.algorithms.isomorphism import GraphMatcher
+
+    exchanged = {"base": "platform", "platform": "base", "": ""}
+    for exchange in (False, True):
+        graphs = _graph(a, exchanged if exchange else None), _graph(b, None)
+        matcher = GraphMatcher(*graphs, node_match=lambda x, y: x["side"] == y["side"])
+        found = list(islice(matcher.isomorphisms_iter(), _MOST_ISOMORPHISMS))
+        if found:
+            first = min(found, key=lambda m: [b.names.index(m[n]) for n in a.names])
+            return {n: first[n] for n in a.names}
+    return None
+
+
+def _graph(structure: Structure, exchanged: Mapping[str, str] | None) -> Any:
+    from networkx import Graph
+
+    graph = Graph()
+    for n in structure.names:
+        side = structure.sides.get(n, "")
+        graph.add_node(n, side=exchanged[side] if exchanged else side)
+    graph.add_edges_from(structure.legs)
+    return graph
+
+
+# --- files ---------------------------------------------------------------------------------------------------------
+
+
+def load(own: Iterable[str | PathLike[str]] = ()) -> Catalog:
+    """The shipped catalog with the user's own files. Raises FileError with all faults of a file, or for clashing ids."""
+    shipped = _shipped()
+    entries, statements = list(shipped.entries), dict(shipped.statements)
+    for path in own:
+        more = load_file(path)
+        for entry in more.entries:
+            clash = next((e for e in entries if e.id == entry.id), None)
+            if clash:
+                raise FileError(f"class {entry.id} stands in {clash.place} and in {entry.place}", filename=entry.owner)
+        entries = [*more.entries, *entries]
+        statements |= more.statements
+    return Catalog(tuple(entries), statements)
+
+
+@cache
+def _shipped() -> Catalog:
+    source = files("gcrules").joinpath("catalog.yaml").read_text(encoding="utf-8")
+    return _read(Document.parse(source, SHIPPED), SHIPPED)
+
+
+def load_file(path: str | PathLike[str]) -> Catalog:
+    """A catalog file of its own. Raises FileError with line and column of every fault, all at once."""
+    return _read(Document.load(path), fspath(path))
+
+
+def _read(document: Document, owner: str) -> Catalog:
+    top = document.root.mapping(required={"classes"}, optional={"statements"})
+    statements = {}
+    if "statements" in top:
+        for key, value in top["statements"].entries():
+            statements[key.string() or ""] = value.string() or ""
+    entries = []
+    if "classes" in top:
+        for node in top["classes"].sequence():
+            entry = _Reader(node, owner).entry()
+            if entry and any(e.id == entry.id for e in entries):
+                node.fault(f"class {entry.id} stands here a second time")
+            elif entry:
+                entries.append(entry)
+    document.check()
+    return Catalog(tuple(entries), statements)
+
+
+_REQUIRED = {"id", "legs", "degrees", "terms", "factors", "group", "status", "sources", "condition"}
+_OPTIONAL = {"name", "note", "readings"}
+STATUSES = ("inferred", "added", "always-singular")
+KINDS = (
+    "three-tetrahedra",
+    "tetrahedron-planes-line",
+    "tetrahedron-four-lines",
+    "four-planes",
+    "two-planes-three-lines",
+    "transversals",
+    "one-incidence",
+    "linear-complex",
+    "always-singular",
+)
+
+
+class _Reader:
+    """Reads one entry; faults are recorded at their nodes."""
+
+    def __init__(self, node: Node, owner: str) -> None:
+        self.node = node
+        self.owner = owner
+
+    def entry(self) -> Entry | None:
+        top = self.node.mapping(required=_REQUIRED, optional=_OPTIONAL)
+        if not top.keys() >= _REQUIRED:
+            return None
+        legs = self._legs(top["legs"])
+        group = top["group"].choice(("b", "c", "d", "e", "g", "none"))
+        condition = self._reading(top["condition"])
+        readings = [self._reading(n) for n in top["readings"].sequence()] if "readings" in top else []
+        degrees = [tuple(n.integer() or 0 for n in side.sequence()) for side in top["degrees"].sequence(2)]
+        terms = top["terms"].mapping(required={"24", "16"})
+        found = {int(k): n.integer() or 0 for k, n in terms.items()}
+        factors = tuple(self._points(n) for n in top["factors"].sequence())
+        entry_id = top["id"].string()
+        status = top["status"].choice(STATUSES)
+        sources = tuple(n.string() or "" for n in top["sources"].sequence())
+        if not legs or not condition or len(degrees) != 2 or entry_id is None or status is None or group is None:
+            return None
+        return Entry(
+            id=entry_id,
+            legs=legs,
+            degrees=(degrees[0], degrees[1]),
+            terms=found,
+            factors=factors,
+            group=None if group == "none" else group,
+            status=status,
+            sources=sources,
+            condition=condition,
+            readings=tuple(r for r in readings if r),
+            name=top["name"].string() if "name" in top else None,
+            note=top["note"].string() if "note" in top else None,
+            owner=self.owner,
+            place=top["id"].place,
+        )
+
+    def _legs(self, node: Node) -> tuple[Leg, ...] | None:
+        return self._parsed(node, lambda words: read_legs(words).legs)
+
+    def _points(self, node: Node) -> tuple[str, ...]:
+        return self._parsed(node, lambda word: points_of(parse(word, context=Context(8)))) or ()
+
+    def _reading(self, node: Node) -> Reading | None:
+        top = node.mapping(required={"kind", "expression"}, optional={"cofactor", "coefficient", "statement"})
+        if "kind" not in top or "expression" not in top:
+            return None
+        kind = top["kind"].choice(KINDS)
+        texts = {key: top[key].string() if key in top else "1" for key in ("expression", "cofactor")}
+        coefficient = top["coefficient"].integer() if "coefficient" in top else 1
+        if self.owner != SHIPPED:  # the shipped file is proved by its tests; its expressions are parsed when used
+            for key in texts.keys() & top.keys():
+                e = self._parsed(top[key], parse)
+                if e is not None and e.step != 0:
+                    top[key].fault(f"an expression of step {e.step}, expected a scalar (step 0)")
+        expression, cofactor = texts["expression"], texts["cofactor"]
+        if kind is None or expression is None or cofactor is None or coefficient is None:
+            return None
+        return Reading(kind, expression, cofactor, coefficient, top["statement"].string() if "statement" in top else None)
+
+    def _parsed(self, node: Node, read: Any) -> Any:
+        word = node.string()
+        if word is None:
+            return None
+        try:
+            return read(word)
+        except GcrulesError as fault:
+            node.fault(fault.message, fault.hint)
+            return None
+
+

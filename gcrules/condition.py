@@ -1,0 +1,95 @@
+r"""Conditions: what the superbracket of a structure equals, in geometric terms, and how sure that is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any
+
+from gcrules.algebra.expr import Expr, Number, mul, sub
+from gcrules.algebra.text import text
+
+__all__ = ["GROUPS", "ONE", "Certificate", "Condition", "Entity", "starred"]
+
+ONE = Number(1)
+
+GROUPS = {
+    "three-tetrahedra": "g",
+    "tetrahedron-planes-line": "d",
+    "tetrahedron-four-lines": "e",
+    "four-planes": "c",
+    "two-planes-three-lines": "b",
+}
+"""The groups of entities of the published procedure, by kind of condition."""
+
+
+@dataclass(frozen=True)
+class Entity:
+    """A tetrahedron, plane, line or point given by its points; `starred` tells repeated points apart (a, a*, a**)."""
+
+    kind: str
+    points: tuple[str, ...]
+    starred: tuple[str, ...]
+
+    def __str__(self) -> str:
+        return f"{self.kind} {' '.join(self.starred)}"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"kind": self.kind, "points": list(self.points), "starred": list(self.starred)}
+
+
+def starred(kinds_and_points: list[tuple[str, tuple[str, ...]]]) -> tuple[Entity, ...]:
+    """Entities in sequence, the n-th occurrence of a point bearing n − 1 stars."""
+    seen: dict[str, int] = {}
+    found = []
+    for kind, points in kinds_and_points:
+        names = []
+        for n in points:
+            names.append(n + "*" * seen.get(n, 0))
+            seen[n] = seen.get(n, 0) + 1
+        found.append(Entity(kind, points, tuple(names)))
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """How sure a condition is: `method` is normal-form | catalog-instance | random-points; `detail` says it in words."""
+
+    method: str
+    detail: str
+    data: MappingProxyType[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+
+    def to_json(self) -> dict[str, Any]:
+        return {"method": self.method, "detail": self.detail, **self.data}
+
+
+@dataclass(frozen=True)
+class Condition:
+    """cofactor · superbracket = coefficient · expression, for the legs exactly as typed.
+
+    `parts` names the geometric objects of the expression in words (roles of the statement's template).
+    """
+
+    kind: str
+    expression: Expr
+    statement: str
+    certificate: Certificate
+    cofactor: Expr = ONE
+    coefficient: int = 1
+    entities: tuple[Entity, ...] = ()
+    parts: tuple[tuple[str, str], ...] = ()
+
+    def identity(self, superbracket: Expr) -> Expr:
+        """The expression that must vanish identically."""
+        return sub(mul(self.cofactor, superbracket), mul(Number(self.coefficient), self.expression))
+
+    def to_json(self, names: tuple[str, ...] = ()) -> dict[str, Any]:
+        """The interface's object: kind, expression, cofactor, coefficient, statement, certificate."""
+        return {
+            "kind": self.kind,
+            "expression": text(self.expression, names=names),
+            "cofactor": text(self.cofactor, names=names),
+            "coefficient": self.coefficient,
+            "statement": self.statement,
+            "certificate": self.certificate.to_json(),
+        }

@@ -1,0 +1,128 @@
+r"""From claims to conditions: the most telling claim is chosen, described in words, and proved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr, Join, Meet, Point
+from gcrules.algebra.straighten import straighten
+from gcrules.condition import Certificate, Condition, Entity, starred
+from gcrules.robots.structure import Leg, Structure
+from gcrules.rules.incidence import Claim, Oracle
+from gcrules.rules.state import extensor
+
+__all__ = ["PROVED", "best_first", "describe", "entities_of", "prove_identity"]
+
+PROVED = Certificate("normal-form", "proved: both sides have the same normal form of standard tableaux")
+
+
+def best_first(claims: Sequence[Claim], structure: Structure, oracle: Oracle) -> list[Claim]:
+    """Claims by how much they tell: lines that all other legs meet, planes of legs and of the two bodies, then text."""
+
+    def key(claim: Claim) -> tuple[int, int, int, str]:
+        planes = [claim.state.named(row) for row in claim.state.planes]
+        left = claim.state.named(claim.state.left)
+        if claim.kind == "four-planes":
+            planes.append(left)
+        legs = -sum(_legs_in(plane, structure) for plane in planes)
+        return (-turns(claim, structure, oracle), legs, -claim.coefficient, str(claim.expression))
+
+    distinct = {str(c.expression): c for c in sorted(claims, key=key)}
+    return list(distinct.values())
+
+
+def _legs_in(plane: tuple[str, ...], structure: Structure) -> int:
+    """Legs in a plane of three joints; the plane of three joints of one body counts as one."""
+    legs = sum(set(leg) <= set(plane) for leg in structure.legs)
+    return legs or len({structure.sides.get(n) for n in plane}) == 1
+
+
+def turns(claim: Claim, structure: Structure, oracle: Oracle) -> bool:
+    """Whether p and q of a claim meet all legs but g and h, which are legs, so that the platform could turn about them."""
+    if claim.pencils is None or claim.single is None:
+        return False
+    singles = [frozenset(leg) for leg in claim.single]
+    legs = [frozenset(leg) for leg in structure.legs]
+    if not all(g in legs for g in singles):
+        return False
+    others = [extensor(leg) for leg in structure.legs if frozenset(leg) not in singles]
+    return all(oracle.zero(ex.meet(line, leg)) for line in claim.pencils for leg in others)
+
+
+def entities_of(claim: Claim) -> tuple[Entity, ...]:
+    """The entities of a claim: tetrahedra, planes, lines, and what the left-over points make."""
+    named = claim.state.named
+    found = [("tetrahedron", named(row)) for row in claim.state.tetrahedra]
+    found += [("plane", named(row)) for row in claim.state.planes]
+    found += [("line", named(row)) for row in claim.state.lines]
+    if claim.kind == "four-planes":
+        found.append(("plane", named(claim.state.left)))
+    elif claim.kind == "tetrahedron-planes-line":
+        found.append(("line", named(claim.state.left)))
+    elif claim.single is not None:
+        found += [("line", leg) for leg in claim.single]
+    return starred(found)
+
+
+def describe(
+    claim: Claim, structure: Structure, oracle: Oracle, statements: Mapping[str, str], certificate: Certificate
+) -> Condition:
+    """The condition of a claim with its statement, from the template of its kind."""
+    turning = turns(claim, structure, oracle)
+    kind = claim.kind
+    template = statements[f"{kind}/no-turn" if claim.pencils and not turning else kind]
+    entities = entities_of(claim)
+    tetrahedra = [e for e in entities if e.kind == "tetrahedron"]
+    planes = [e for e in entities if e.kind == "plane"]
+    parts = {
+        "tetrahedra": _listed([_tetrahedron(e) for e in tetrahedra]),
+        "planes": _listed([str(extensor(e.points)) for e in planes]),
+    }
+    if kind == "three-tetrahedra" and len(set(map(_tetrahedron, tetrahedra))) == 1:
+        template = statements["three-tetrahedra/one"]
+    if kind == "tetrahedron-planes-line":
+        parts["line"] = str(extensor(entities[-1].points))
+    if claim.pencils and claim.single:
+        parts |= {name: line_in_words(line, structure) for name, line in zip("pq", claim.pencils, strict=True)}
+        parts |= {name: str(extensor(leg)) for name, leg in zip("gh", claim.single, strict=True)}
+    return Condition(
+        kind=kind,
+        expression=claim.expression,
+        coefficient=claim.coefficient,
+        statement=template.format(**parts),
+        certificate=certificate,
+        entities=entities,
+        parts=tuple((k, v) for k, v in parts.items() if v),
+    )
+
+
+def _tetrahedron(entity: Entity) -> str:
+    return str(extensor(entity.points))
+
+
+def _listed(names: Sequence[str]) -> str:
+    names = list(dict.fromkeys(names))
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def line_in_words(line: Expr, structure: Structure) -> str:
+    """ "the line AB through the joints A and B", "the common line of the leg planes Aab and Bcd"."""
+    match line:
+        case Join(args=(Point(name=a), Point(name=b))):
+            return f"the line {line} through the joints {a} and {b}"
+        case Meet(args=(Join() as x, Join() as y)):
+            names = [tuple(str(p) for p in plane.args) for plane in (x, y)]
+            word = "leg planes" if all(sum(set(g) <= set(n) for g in structure.legs) > 1 for n in names) else "planes"
+            return f"the common line of the {word} {x} and {y}"
+    return f"the line {line}"
+
+
+def prove_identity(condition: Condition, structure: Structure) -> bool:
+    """Whether cofactor · superbracket − coefficient · expression has the normal form 0."""
+    identity = condition.identity(structure.superbracket)
+    return not straighten(identity, points=structure.points, ideal=structure.ideal, rank=4)
+
+
+def leg_text(leg: Leg) -> str:
+    return str(extensor(leg))
