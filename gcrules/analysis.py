@@ -1,12 +1,12 @@
 r"""The pipeline: six legs -> superbracket -> shortest form -> entities -> condition -> statement -> certificate.
 
-    >>> a = analyze("ab af cb cd ed ef")
-    >>> a.match.entry.id, a.group
-    ('3-3.3', 'c')
-    >>> print(a.condition.expression)
-    abf /\ ace /\ bcd /\ def
-    >>> print(a.condition.statement)
-    The robot is singular exactly when the four planes abf, ace, bcd and def meet in a point (possibly at infinity).
+>>> a = analyze("ab af cb cd ed ef")
+>>> a.match.entry.id, a.group
+('3-3.3', 'c')
+>>> print(a.condition.expression)
+abf /\ ace /\ bcd /\ def
+>>> print(a.condition.statement)
+The robot is singular exactly when the four planes abf, ace, bcd and def meet in a point (possibly at infinity).
 """
 
 from __future__ import annotations
@@ -140,7 +140,8 @@ def analyze(
         found = best_first(claims(forms, structure, oracle), structure, oracle)
         notes.append("the order given shows no entities; the shortest order was used instead")
     conditions = [
-        _proved(describe(c, structure, oracle, catalog.statements, PROVED), structure) for c in found[: 1 + _MOST_READINGS]
+        _proved(describe(c, structure, oracle, catalog.statements, PROVED), structure)
+        for c in found[: 1 + _MOST_READINGS]
     ]
     claim = found[0] if found else None
     shortest = claim.state.form if claim else forms[0]
@@ -252,7 +253,9 @@ def _left(claim: Claim) -> str:
     names = claim.state.named(claim.state.left)
     if claim.single:
         pairs = " and ".join("".join(leg) for leg in claim.single)
-        tests = [claim.state.swapped_sum(*(claim.state.form.polynomial.points.index(n) for n in leg)) for leg in claim.single]
+        tests = [
+            claim.state.swapped_sum(*(claim.state.form.polynomial.points.index(n) for n in leg)) for leg in claim.single
+        ]
         shown = "P(x,y) + P(y,x) = 0" if all(tests) else "found by trial, as repeated points hide terms"
         return f"{', '.join(names)} as the lines {pairs} ({shown})"
     return ", ".join(names)

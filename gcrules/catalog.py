@@ -114,7 +114,7 @@ class Match:
             image = (self.mapping[a], self.mapping[b])
             order.append(position[frozenset(image)])
             turned += structure.legs[order[-1]] != image
-        return ex.permutation_sign(order) * (-1) ** turned
+        return -ex.permutation_sign(order) if turned % 2 else ex.permutation_sign(order)
 
 
 @dataclass(frozen=True)
@@ -189,7 +189,7 @@ def _relabelled(statement: str, mapping: Mapping[str, str]) -> str:
     spaced = any(len(n) > 1 for n in mapping.values())
 
     def image(match: re.Match[str]) -> str:
-        names = [n for n in points_of(parse(match[1], rank=8))]
+        names = points_of(parse(match[1], rank=8))
         return str(ex.join(*(Point(mapping[n]) for n in names), rank=8)) if spaced or names else match[0]
 
     return re.sub(r"\{(\w+)\}", image, statement)
@@ -217,7 +217,7 @@ def _isomorphism(a: Structure, b: Structure) -> dict[str, str] | None:
 def _graph(structure: Structure, exchanged: Mapping[str, str] | None) -> Any:
     from networkx import Graph
 
-    graph = Graph()
+    graph: Any = Graph()
     for n in structure.names:
         side = structure.sides.get(n, "")
         graph.add_node(n, side=exchanged[side] if exchanged else side)
@@ -229,7 +229,7 @@ def _graph(structure: Structure, exchanged: Mapping[str, str] | None) -> Any:
 
 
 def load(own: Iterable[str | PathLike[str]] = ()) -> Catalog:
-    """The shipped catalog with the user's own files. Raises FileError with all faults of a file, or for clashing ids."""
+    """The shipped catalog with the user's own files. Raises FileError for faults and for ids that clash."""
     shipped = _shipped()
     entries, statements = list(shipped.entries), dict(shipped.statements)
     for path in own:
@@ -260,7 +260,7 @@ def _read(document: Document, owner: str) -> Catalog:
     if "statements" in top:
         for key, value in top["statements"].entries():
             statements[key.string() or ""] = value.string() or ""
-    entries = []
+    entries: list[Entry] = []
     if "classes" in top:
         for node in top["classes"].sequence():
             entry = _Reader(node, owner).entry()
@@ -330,7 +330,8 @@ class _Reader:
         )
 
     def _legs(self, node: Node) -> tuple[Leg, ...] | None:
-        return self._parsed(node, lambda words: read_legs(words).legs)
+        legs: tuple[Leg, ...] | None = self._parsed(node, lambda words: read_legs(words).legs)
+        return legs
 
     def _points(self, node: Node) -> tuple[str, ...]:
         return self._parsed(node, lambda word: points_of(parse(word, context=Context(8)))) or ()
@@ -350,7 +351,9 @@ class _Reader:
         expression, cofactor = texts["expression"], texts["cofactor"]
         if kind is None or expression is None or cofactor is None or coefficient is None:
             return None
-        return Reading(kind, expression, cofactor, coefficient, top["statement"].string() if "statement" in top else None)
+        return Reading(
+            kind, expression, cofactor, coefficient, top["statement"].string() if "statement" in top else None
+        )
 
     def _parsed(self, node: Node, read: Any) -> Any:
         word = node.string()
@@ -361,5 +364,3 @@ class _Reader:
         except GcrulesError as fault:
             node.fault(fault.message, fault.hint)
             return None
-
-

@@ -53,7 +53,7 @@ def starred(kinds_and_points: list[tuple[str, tuple[str, ...]]]) -> tuple[Entity
 
 @dataclass(frozen=True)
 class Certificate:
-    """How sure a condition is: `method` is normal-form | catalog-instance | random-points; `detail` says it in words."""
+    """How sure a condition is: `method` is normal-form | catalog-instance | random-points, `detail` in words."""
 
     method: str
     detail: str

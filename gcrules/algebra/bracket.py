@@ -78,7 +78,7 @@ def _nonzero(terms: Mapping[Monomial, Coefficient]) -> Terms:
 
 @dataclass(frozen=True)
 class BracketPolynomial:
-    """Σ coefficient · monomial in brackets of the given rank over `points`; the first `ideal` of them lie at infinity."""
+    """Σ coefficient · monomial in brackets of the given rank over `points`, the first `ideal` at infinity."""
 
     rank: int
     points: tuple[str, ...]

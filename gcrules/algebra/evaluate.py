@@ -52,8 +52,8 @@ def evaluate(e: Expr, points: Mapping[str, Any], *, modulus: int | None = None) 
 
     `points` gives each point's homogeneous coordinates as its last axis of length d: a sequence of integers or
     Fractions (exact), an array of floats of shape (…, d) (vectorised over the leading axes), or, with `modulus`,
-    residues modulo that prime (for arrays of int64 it must be below 2³¹, so that products fit). Numbers come back in the same kind. Raises InputError for a point
-    without coordinates or of unequal length.
+    residues modulo that prime (for arrays of int64 it must be below 2³¹, so that products fit). Numbers come back in
+    the same kind. Raises InputError for a point without coordinates or of unequal length.
     """
     missing = [n for n in points_of(e) if n not in points]
     if missing:

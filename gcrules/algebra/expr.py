@@ -172,7 +172,7 @@ class Bracket(Expr):
 @dataclass(frozen=True, slots=True)
 class Dotted(Expr):
     """A product of brackets with dotted points: the signed sum over all ways to share the dotted points out among
-    the dotted places, counting rearrangements within one bracket once. Entries are (name, dotted?). Build with `dotted`.
+    the dotted places, counting rearrangements within one bracket once. Entries: (name, dotted?). Build with `dotted`.
     """
 
     brackets: tuple[tuple[tuple[str, bool], ...], ...]
@@ -383,8 +383,8 @@ def add(*terms: Expr, rank: int = 4) -> Expr:
 
 
 def neg(e: Expr) -> Expr:
-    """−e; a sum is negated term by term."""
-    return add(*(neg(t) for t in e.terms)) if isinstance(e, Sum) else mul(Number(-1), e)
+    """−e."""
+    return mul(Number(-1), e)
 
 
 def sub(a: Expr, b: Expr, rank: int = 4) -> Expr:

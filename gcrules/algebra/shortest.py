@@ -116,7 +116,7 @@ def _tables(lines: Sequence[Line], points: Sequence[str], ideal: Sequence[str]) 
 
 @dataclass(frozen=True)
 class _Table:
-    """The terms left for each order: `rows` (which order), `keys` (which monomial), `sums` (coefficient), sorted by row."""
+    """The terms left for each order: `rows` (which order), `keys` (which monomial), `sums` (coefficients)."""
 
     rows: np.ndarray[Any, Any]
     keys: np.ndarray[Any, Any]

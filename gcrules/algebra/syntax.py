@@ -192,8 +192,8 @@ def _syntax_fault(found: object, text: str) -> SyntaxFault:
     from lark.exceptions import UnexpectedCharacters, UnexpectedToken
 
     if isinstance(found, UnexpectedToken) and found.token.type != "$END":
-        start: int = found.token.start_pos or 0
-        span = Span(start, start + len(found.token))
+        token: Any = found.token
+        span = Span(token.start_pos or 0, (token.start_pos or 0) + len(token))
         accepted = set(found.accepts or ())
         what = f"unexpected {str(found.token)!r}"
     elif isinstance(found, UnexpectedCharacters):

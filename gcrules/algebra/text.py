@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import groupby
 
 from gcrules.algebra.expr import (
     Bracket,
@@ -62,7 +63,7 @@ def _text(e: Expr, style: _Style) -> str:
         case Join(args=args):
             if all(isinstance(a, Point) for a in args):
                 return _points([_text(a, style) for a in args], style)
-            return style.join.join(_wrapped(a, style, Point) for a in args)
+            return style.join.join(_runs(args, style))
         case Meet(args=args):
             return style.meet.join(_wrapped(a, style, Point, *([Join] if _plain(a) else [])) for a in args)
         case Bracket(args=args):
@@ -81,7 +82,7 @@ def _text(e: Expr, style: _Style) -> str:
         case Sum(terms=terms):
             out = _text(terms[0], style)
             for t in terms[1:]:
-                out += f" {style.minus} {_text(neg(t), style)}" if _negative(t) else f" + {_text(t, style)}"
+                out += f" {style.minus} {_wrapped_sum(neg(t), style)}" if _negative(t) else f" + {_text(t, style)}"
             return out
     raise TypeError(f"not an expression: {e!r}")
 
@@ -89,6 +90,15 @@ def _text(e: Expr, style: _Style) -> str:
 def _points(names: list[str], style: _Style) -> str:
     spaced = style.spaced or not all(SHORT_NAME.fullmatch(n) for n in names)
     return (" " if spaced else "").join(names)
+
+
+def _runs(args: tuple[Expr, ...], style: _Style) -> list[str]:
+    """Arguments of a join as text, neighbouring points side by side."""
+    found = []
+    for is_point, run in groupby(args, lambda a: isinstance(a, Point)):
+        words = [_text(a, style) if is_point else f"({_text(a, style)})" for a in run]
+        found += [_points(words, style)] if is_point else words
+    return found
 
 
 def _plain(e: Expr) -> bool:
@@ -99,31 +109,31 @@ def _wrapped(e: Expr, style: _Style, *bare: type[Expr]) -> str:
     return _text(e, style) if isinstance(e, bare) else f"({_text(e, style)})"
 
 
+def _wrapped_sum(e: Expr, style: _Style) -> str:
+    return f"({_text(e, style)})" if isinstance(e, Sum) else _text(e, style)
+
+
 def _negative(e: Expr) -> bool:
     first = e.factors[0] if isinstance(e, Product) else e
-    return isinstance(first, Number) and first.value < 0 and not isinstance(neg(e), Sum)
+    return isinstance(first, Number) and first.value < 0
 
 
 def _product(factors: tuple[Expr, ...], style: _Style) -> str:
     """Brackets stand side by side, a number in front of them; anything else is set apart by a product sign."""
     out = ""
     previous: Expr | None = None
-    bare_minus = factors[0] == Number(-1) and not isinstance(factors[1], Sum)  # a minus sign would be distributed
     for f in factors:
         match f:
-            case Number() if bare_minus:
-                piece = style.minus
-            case Number():
-                piece = _text(f, style)
+            case Number(value=value):
+                piece = style.minus if value == -1 else _text(f, style)
             case Bracket() | Superbracket() | Dotted() | Power() | Point():
                 piece = _text(f, style)
             case Join() if _plain(f):
                 piece = _text(f, style)
             case _:
                 piece = f"({_text(f, style)})"
-        tight = previous is None or (bare_minus and isinstance(previous, Number))
+        tight = previous is None or previous == Number(-1)
         tight = tight or (isinstance(f, (Bracket, Superbracket, Meet, Sum)) and _closed(previous) and f.step == 0)
-        tight = tight and not (previous == Number(-1) and not bare_minus)
         out += piece if tight else style.times + piece
         previous = f
     return out

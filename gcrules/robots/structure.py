@@ -1,8 +1,8 @@
 r"""Structure: six legs as a graph between base and platform joints.
 
-    >>> s = read_legs("ab af cb cd ed ef")
-    >>> s.base, s.platform
-    (('a', 'c', 'e'), ('b', 'd', 'f'))
+>>> s = read_legs("ab af cb cd ed ef")
+>>> s.base, s.platform
+(('a', 'c', 'e'), ('b', 'd', 'f'))
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Structure:
 
     @cached_property
     def sides(self) -> dict[str, str]:
-        """"base" or "platform" for every joint that has a side."""
+        """ "base" or "platform" for every joint that has a side."""
         found: dict[str, str] = {}
         for part in self._parts():
             colour = self._colouring(part)
@@ -92,7 +92,7 @@ class Structure:
     @cached_property
     def sign(self) -> int:
         """superbracket(legs) = sign · superbracket(oriented)."""
-        return (-1) ** sum(x != y for x, y in zip(self.legs, self.oriented, strict=True))
+        return -1 if sum(x != y for x, y in zip(self.legs, self.oriented, strict=True)) % 2 else 1
 
     @cached_property
     def superbracket(self) -> Expr:

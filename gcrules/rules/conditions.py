@@ -20,13 +20,14 @@ PROVED = Certificate("normal-form", "proved: both sides have the same normal for
 def best_first(claims: Sequence[Claim], structure: Structure, oracle: Oracle) -> list[Claim]:
     """Claims by how much they tell: lines that all other legs meet, planes of legs and of the two bodies, then text."""
 
-    def key(claim: Claim) -> tuple[int, int, int, str]:
+    def key(claim: Claim) -> tuple[int, int, int, int, str]:
         planes = [claim.state.named(row) for row in claim.state.planes]
         left = claim.state.named(claim.state.left)
         if claim.kind == "four-planes":
             planes.append(left)
         legs = -sum(_legs_in(plane, structure) for plane in planes)
-        return (-turns(claim, structure, oracle), legs, -claim.coefficient, str(claim.expression))
+        base = -sum(set(plane) <= set(structure.base) for plane in planes)
+        return (-turns(claim, structure, oracle), legs, base, -claim.coefficient, str(claim.expression))
 
     distinct = {str(c.expression): c for c in sorted(claims, key=key)}
     return list(distinct.values())
@@ -39,7 +40,7 @@ def _legs_in(plane: tuple[str, ...], structure: Structure) -> int:
 
 
 def turns(claim: Claim, structure: Structure, oracle: Oracle) -> bool:
-    """Whether p and q of a claim meet all legs but g and h, which are legs, so that the platform could turn about them."""
+    """Whether g and h are legs and p and q meet all the others, so that the platform could turn about p and q."""
     if claim.pencils is None or claim.single is None:
         return False
     singles = [frozenset(leg) for leg in claim.single]

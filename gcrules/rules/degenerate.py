@@ -39,7 +39,7 @@ def _equal_legs(s: Structure) -> Degeneracy | None:
     for i, j in combinations(range(len(s.legs)), 2):
         if set(s.legs[i]) == set(s.legs[j]):
             reason = (
-                f"legs {i + 1} and {j + 1} lie on one line {_leg(s.legs[i])}, so at most five of the six are independent"
+                f"legs {i + 1} and {j + 1} lie on one line {_leg(s.legs[i])}, so at most five of six are independent"
             )
             return Degeneracy(reason, (s.legs[i], s.legs[j]))
     return None

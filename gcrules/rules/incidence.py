@@ -1,7 +1,7 @@
 r"""Rules that turn entities into an incidence and check it against the superbracket.
 
-A rule yields claims superbracket = coefficient · expression. A claim is tested on the exact oracle as soon as it is made;
-the one that is chosen is then proved by normal forms, so a wrong guess can never become an answer.
+A rule yields claims superbracket = coefficient · expression. A claim is tested on the exact oracle as soon as it is
+made; the one that is chosen is then proved by normal forms, so a wrong guess can never become an answer.
 """
 
 from __future__ import annotations
@@ -116,7 +116,7 @@ def _four_planes(state: State) -> Iterator[_Found]:
     """Three planes, and the three left-over points as the fourth: X ∧ Y ∧ Z ∧ xyz."""
     for found in planes(state, 3):
         if len(set(found.left)) == 3:
-            parts = [extensor(found.named(row)) for row in (*found.planes, found.left)]
+            parts = sorted((extensor(found.named(row)) for row in (*found.planes, found.left)), key=str)
             yield "four-planes", found, meet(*parts), None, None
 
 

@@ -1,0 +1,200 @@
+r"""Proof of everything the catalog says, from scratch, and the derivation of the list of classes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.resources import files
+from itertools import combinations
+from typing import Any
+
+from gcrules.algebra.evaluate import PRIME, evaluate, random_points
+from gcrules.algebra.expr import ZERO
+from gcrules.algebra.prove import prove
+from gcrules.algebra.shortest import counts, shortest_forms
+from gcrules.analysis import analyze
+from gcrules.catalog import Catalog, Entry, Reading
+from gcrules.condition import Condition
+from gcrules.robots.structure import Leg, Structure
+from gcrules.rules.conditions import PROVED
+
+__all__ = ["CheckResult", "check_catalog", "check_entry", "enumerate_classes", "source_keys"]
+
+LEGS = 6
+MOST_AT_A_JOINT = 3
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """What was found for one entry: `faults` is empty where everything holds; `proved` counts proved identities."""
+
+    id: str
+    place: str
+    proved: int
+    faults: tuple[str, ...]
+
+    @property
+    def ok(self) -> bool:
+        return not self.faults
+
+    def to_json(self) -> dict[str, Any]:
+        return {"id": self.id, "place": self.place, "proved": self.proved, "faults": list(self.faults)}
+
+
+def check_catalog(catalog: Catalog) -> Iterator[CheckResult]:
+    """Check every entry, one after the other."""
+    return map(check_entry, catalog.entries)
+
+
+def check_entry(entry: Entry) -> CheckResult:
+    """Compute and prove what an entry says: degrees, numbers of terms, factors, group, status, sources, condition and
+    readings (by normal forms), and that the rules of the engine arrive at a condition of the same kind.
+    """
+    structure = entry.structure
+    faults = [*_facts(entry, structure)]
+    proved = 0
+    for reading in (entry.condition, *entry.readings):
+        fault = _proved(reading, structure)
+        faults += fault
+        proved += not fault
+    found = analyze(structure)
+    if found.group != entry.group:
+        faults.append(f"group {entry.group}, but the rules find {found.group}")
+    if not found.derivation.check():
+        faults.append("a derivation that does not replay")
+    return CheckResult(entry.id, entry.place, proved, tuple(faults))
+
+
+def _facts(entry: Entry, structure: Structure) -> Iterator[str]:
+    degrees = tuple(
+        tuple(sorted((len(structure.legs_at(n)) for n in side), reverse=True))
+        for side in (structure.base, structure.platform)
+    )
+    if degrees != entry.degrees:
+        yield f"degrees {entry.degrees}, computed {degrees}"
+    terms = {form: int(n.min()) for form, n in counts(structure.legs).items()}
+    if terms != dict(entry.terms):
+        yield f"terms {dict(entry.terms)}, computed {terms}"
+    regular = bool(shortest_forms(structure.legs)[0].polynomial)
+    if regular == (entry.status == "always-singular"):
+        yield f"status {entry.status}, but the superbracket is {'not ' * regular}identically zero"
+    factors = sorted(_factors(structure)) if regular else []
+    if factors != sorted(tuple(sorted(f)) for f in entry.factors):
+        yield f"factors {entry.factors}, computed {factors}"
+    for key in entry.sources:
+        if key not in source_keys():
+            yield f"the source {key} is not in references.bib"
+
+
+def _factors(structure: Structure) -> Iterator[tuple[str, ...]]:
+    """Brackets that divide the superbracket: those on whose zeros (a point moved into the plane of the other three,
+    at exact random points) it vanishes too.
+    """
+    for four in combinations(structure.names, 4):
+        points = random_points(structure.names, seed=5)
+        weights = random_points(four[:3], seed=6)
+        points[four[3]] = tuple(
+            sum(weights[n][0] * points[n][i] for n in four[:3]) % PRIME for i in range(len(points[four[0]]))
+        )
+        if evaluate(structure.superbracket, points, modulus=PRIME) == 0:
+            yield tuple(sorted(four))
+
+
+def _proved(reading: Reading, structure: Structure) -> list[str]:
+    statement = reading.statement or ""
+    condition = Condition(reading.kind, reading.expression, statement, PROVED, reading.cofactor, reading.coefficient)
+    answer = prove(condition.identity(structure.superbracket), ZERO)
+    if answer:
+        return []
+    points = answer.counterexample or {}
+    at = ", ".join(f"{n} = {c[:-1]}" for n, c in points.items())
+    return [
+        f"{answer.verdict}: {reading.cofactor_text} * superbracket = {reading.coefficient} * {reading.expression_text}"
+        + (f" fails at {at}" if at else f" ({answer.reason})")
+    ]
+
+
+def source_keys() -> frozenset[str]:
+    """The keys of the bibliography."""
+    source = files("gcrules").joinpath("references.bib").read_text(encoding="utf-8")
+    return frozenset(re.findall(r"^@\w+\{([^,]+),", source, flags=re.MULTILINE))
+
+
+def enumerate_classes() -> tuple[tuple[Leg, ...], ...]:
+    """All bipartite graphs of six legs, no two alike and at most three at a joint, up to exchanging the bodies.
+
+    Grown leg by leg, keeping one of each kind (networkx decides which are alike). Base joints are A, B, …, platform
+    joints a, b, …; the body with more joints is the base.
+    """
+    kinds: list[frozenset[tuple[int, int]]] = [frozenset()]
+    for _ in range(LEGS):
+        grown: list[frozenset[tuple[int, int]]] = []
+        buckets: dict[Any, list[Any]] = {}
+        for legs in kinds:
+            for leg in _additions(legs):
+                new = legs | {leg}
+                graph = _graph(new)
+                bucket = buckets.setdefault(_signature(new), [])
+                if not any(_alike(graph, other) for other in bucket):
+                    bucket.append(graph)
+                    grown.append(new)
+        kinds = grown
+    return tuple(sorted((_lettered(legs) for legs in kinds), key=_sort_key))
+
+
+def _additions(legs: frozenset[tuple[int, int]]) -> Iterator[tuple[int, int]]:
+    base, platform = ({leg[side] for leg in legs} for side in (0, 1))
+    for b in range(len(base) + 1):
+        for p in range(len(platform) + 1):
+            full = any(sum(leg[side] == n for leg in legs) >= MOST_AT_A_JOINT for side, n in ((0, b), (1, p)))
+            if (b, p) not in legs and not full:
+                yield b, p
+
+
+def _degrees(legs: frozenset[tuple[int, int]], side: int) -> tuple[int, ...]:
+    joints = {leg[side] for leg in legs}
+    return tuple(sorted((sum(leg[side] == n for leg in legs) for n in joints), reverse=True))
+
+
+def _signature(legs: frozenset[tuple[int, int]]) -> tuple[tuple[int, ...], ...]:
+    return tuple(sorted((_degrees(legs, 0), _degrees(legs, 1))))
+
+
+def _graph(legs: frozenset[tuple[int, int]]) -> Any:
+    from networkx import Graph
+
+    graph: Any = Graph()
+    for b, p in legs:
+        graph.add_node(("base", b), side="base")
+        graph.add_node(("platform", p), side="platform")
+        graph.add_edge(("base", b), ("platform", p))
+    return graph
+
+
+def _alike(a: Any, b: Any) -> bool:
+    from networkx import is_isomorphic
+
+    same = is_isomorphic(a, b, node_match=lambda x, y: x["side"] == y["side"])
+    return same or is_isomorphic(a, b, node_match=lambda x, y: x["side"] != y["side"])
+
+
+def _lettered(legs: frozenset[tuple[int, int]]) -> tuple[Leg, ...]:
+    """Letters for the joints, those with most legs first; the body with more joints is the base."""
+    keys = [(-len(_degrees(legs, side)), _degrees(legs, side)) for side in (0, 1)]
+    sides = (0, 1) if keys[0] <= keys[1] else (1, 0)
+    pairs = {(leg[sides[0]], leg[sides[1]]) for leg in legs}
+    upper, lower = (
+        {n: chr(ord(first) + i) for i, n in enumerate(_by_degree(pairs, side))} for side, first in ((0, "A"), (1, "a"))
+    )
+    return tuple(sorted((upper[b], lower[p]) for b, p in pairs))
+
+
+def _by_degree(pairs: set[tuple[int, int]], side: int) -> list[int]:
+    joints = {leg[side] for leg in pairs}
+    return sorted(joints, key=lambda n: (-sum(leg[side] == n for leg in pairs), n))
+
+
+def _sort_key(legs: tuple[Leg, ...]) -> tuple[int, int, tuple[Leg, ...]]:
+    base, platform = ({leg[side] for leg in legs} for side in (0, 1))
+    return (-len(base), -len(platform), legs)
