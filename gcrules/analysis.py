@@ -18,7 +18,6 @@ from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.shortest import SuperbracketForm, shortest_forms, superbracket_form
-from gcrules.algebra.text import text
 from gcrules.catalog import Catalog, Match, load
 from gcrules.condition import GROUPS, Certificate, Condition, Entity, starred
 from gcrules.robots.structure import Structure, read_legs, read_order
@@ -191,14 +190,13 @@ def _always_singular(
 ) -> Analysis:
     why = explain(structure)
     entities = starred([("line", tuple(str(p) for p in why.line.children))]) if isinstance(why.line, ex.Join) else ()
-    parts = (("reason", why.reason), *((("line", text(why.line)),) if why.line is not None else ()))
     condition = Condition(
         kind="always-singular",
         expression=ex.ZERO,
         statement=catalog.statements["always-singular"].format(reason=why.reason),
         certificate=Certificate("normal-form", "proved: the normal form of the superbracket is 0"),
         entities=entities,
-        parts=parts,
+        lines=(("", why.line),) if isinstance(why.line, ex.Meet) else (),
     )
     if typed.polynomial:
         start = start.then("shortest-form", ex.ZERO, f"the legs in the order {_order(shortest)} leave no term")
@@ -243,7 +241,7 @@ def _derivation(
         both = "; ".join(f"{word} {names}" for word, names in (("planes", planes), ("lines", lines)) if names)
         why = f"points that stay together in one bracket of every term: {both}"
         steps = steps.then("planes" if planes else "lines", ex.mul(sign, state.collected()), why)
-    after = ex.mul(ex.Number(condition.coefficient), condition.expression)
+    after = condition.right_side
     if after == steps.steps[-1].after:
         return steps
     return steps.then("incidence", after, f"left-over points {_left(claim)}; the expansion equals the line above")

@@ -39,6 +39,11 @@ class Reading:
     cofactor_text: str
     coefficient: int
     statement: str | None
+    line_texts: tuple[tuple[str, str], ...] = ()
+
+    @cached_property
+    def lines(self) -> tuple[tuple[str, Expr], ...]:
+        return tuple((name, parse(line)) for name, line in self.line_texts)
 
     @cached_property
     def expression(self) -> Expr:
@@ -162,6 +167,7 @@ class Catalog:
                 coefficient=sign * reading.coefficient,
                 statement=_relabelled(reading.statement or self.statements[reading.kind], match.mapping),
                 certificate=Certificate("catalog-instance", detail, data),  # type: ignore[arg-type]
+                lines=tuple((name, substitute(e, dict(names))) for name, e in reading.lines),
             )
             if oracle.coefficient(expression, cofactor) != condition.coefficient:
                 raise FileError(
@@ -337,7 +343,7 @@ class _Reader:
         return self._parsed(node, lambda word: points_of(parse(word, context=Context(8)))) or ()
 
     def _reading(self, node: Node) -> Reading | None:
-        top = node.mapping(required={"kind", "expression"}, optional={"cofactor", "coefficient", "statement"})
+        top = node.mapping(required={"kind", "expression"}, optional={"cofactor", "coefficient", "statement", "lines"})
         if "kind" not in top or "expression" not in top:
             return None
         kind = top["kind"].choice(KINDS)
@@ -351,9 +357,14 @@ class _Reader:
         expression, cofactor = texts["expression"], texts["cofactor"]
         if kind is None or expression is None or cofactor is None or coefficient is None:
             return None
-        return Reading(
-            kind, expression, cofactor, coefficient, top["statement"].string() if "statement" in top else None
-        )
+        lines = [(k.string() or "", v) for k, v in top["lines"].entries()] if "lines" in top else []
+        for _, node in lines if self.owner != SHIPPED else ():
+            line = self._parsed(node, parse)
+            if line is not None and line.step != 2:
+                node.fault(f"an expression of step {line.step}, expected a line (step 2)")
+        statement = top["statement"].string() if "statement" in top else None
+        texts_of_lines = tuple((name, node.text) for name, node in lines)
+        return Reading(kind, expression, cofactor, coefficient, statement, texts_of_lines)
 
     def _parsed(self, node: Node, read: Any) -> Any:
         word = node.string()

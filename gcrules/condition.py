@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any
 
-from gcrules.algebra.expr import Expr, Number, mul, sub
+from gcrules.algebra.expr import Expr, Number, Sum, add, mul, neg, sub
 from gcrules.algebra.text import text
 
 __all__ = ["GROUPS", "ONE", "Certificate", "Condition", "Entity", "starred"]
@@ -67,7 +67,7 @@ class Certificate:
 class Condition:
     """cofactor · superbracket = coefficient · expression, for the legs exactly as typed.
 
-    `parts` names the geometric objects of the expression in words (roles of the statement's template).
+    `lines` are the lines that the statement names (p and q, about which the platform could turn).
     """
 
     kind: str
@@ -77,7 +77,14 @@ class Condition:
     cofactor: Expr = ONE
     coefficient: int = 1
     entities: tuple[Entity, ...] = ()
-    parts: tuple[tuple[str, str], ...] = ()
+    lines: tuple[tuple[str, Expr], ...] = ()
+
+    @property
+    def right_side(self) -> Expr:
+        """coefficient · expression, a minus sign written into the terms of a sum."""
+        if self.coefficient == -1 and isinstance(self.expression, Sum):
+            return add(*map(neg, self.expression.terms))
+        return mul(Number(self.coefficient), self.expression)
 
     def identity(self, superbracket: Expr) -> Expr:
         """The expression that must vanish identically."""

@@ -69,7 +69,7 @@ def read_text(path: str | PathLike[str], *, limit: int = MAX_BYTES) -> str:
 
 def near(word: str, words: Collection[str]) -> str | None:
     """A hint that names the words like this one, or None: "did you mean legs?"."""
-    found = get_close_matches(word, sorted(words), n=2, cutoff=0.6)
+    found = get_close_matches(word, sorted(words), n=2, cutoff=0.5 if len(word) < 4 else 0.6)
     found = found or [w for w in sorted(words) if w.casefold() == word.casefold()][:2]
     return f"did you mean {' or '.join(found)}?" if found else None
 

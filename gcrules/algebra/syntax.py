@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import SHORT_NAME
-from gcrules.errors import GcrulesError, InputError, LimitReached, Span, StepError, SyntaxFault
+from gcrules.errors import GcrulesError, InputError, Span, StepError, SyntaxFault
 
 if TYPE_CHECKING:
     from lark import Lark
@@ -35,9 +35,16 @@ __all__ = ["Claim", "Context", "Script", "Show", "parse", "parse_equation", "par
 
 MAX_TEXT = 250_000
 MAX_NESTING = 100
-MAX_NODES = 200_000
+MAX_DEPTH = 100
+MAX_NODES = 50_000
 MAX_DIGITS = 2_000
+MAX_WORD = 1_000
+MAX_NAMES = 500
 RANKS = range(2, 9)
+_SHOWN = 40  # characters of a word in a message
+
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*")
+_NAMES_HINT = "names begin with a letter and go on with letters, digits or _, then primes: left, S1, A'"
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +59,11 @@ class Context:
     def __post_init__(self) -> None:
         if self.rank not in RANKS:
             raise InputError(f"rank {self.rank} is outside the supported ranks {RANKS[0]} to {RANKS[-1]}")
+        for n in (*self.points, *self.ideal):
+            if not _NAME.fullmatch(n):
+                raise InputError(f"{_short(n)!r} cannot name a point", hint=_NAMES_HINT)
+        if len(self.declared()) > MAX_NAMES:
+            raise InputError(f"more than {MAX_NAMES} declared names")
 
     def declared(self) -> tuple[str, ...]:
         return tuple(dict.fromkeys((*self.points, *self.ideal, *self.bound)))
@@ -89,7 +101,7 @@ class Script:
 def parse(text: str, *, rank: int = 4, points: Iterable[str] = (), context: Context | None = None) -> Expr:
     """Read one expression.
 
-    `points` declares names of several letters (and the tableau order). Raises SyntaxFault, StepError or LimitReached
+    `points` declares names of several letters (and the tableau order). Raises SyntaxFault or StepError
     with line, column and caret.
     """
     context = context or Context(rank, tuple(points))
@@ -135,7 +147,7 @@ def _check_size(text: str) -> None:
     if len(text) > MAX_TEXT:
         raise SyntaxFault(f"the input has {len(text):,} characters; the limit is {MAX_TEXT:,}")
     depth = 0
-    for match in re.finditer(r"#[^\n]*|[(\[]|[)\]]", text):
+    for match in re.finditer(r'#[^\n]*|"[^"\n]*"|[(\[]|[)\]]', text):
         depth += {"(": 1, "[": 1, ")": -1, "]": -1}.get(match[0], 0)
         if depth > MAX_NESTING:
             raise SyntaxFault(
@@ -175,6 +187,7 @@ _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"/(?!\\)"), "meet is /\\ ; fractions are written 1/2 without spaces"),
     (re.compile(r"[|&]"), "join is \\/ , meet is /\\"),
     (re.compile(r"[{}]"), "group with ( ) ; brackets of points are [ ]"),
+    (re.compile(r"(?<=[0-9]\.)[0-9]"), "fractions are written 3/2"),
     (re.compile(r"==|!=|<|>"), "only `prove` and `claim` compare two expressions, with =="),
 )
 
@@ -195,9 +208,10 @@ def _syntax_fault(found: object, text: str) -> SyntaxFault:
         token: Any = found.token
         span = Span(token.start_pos or 0, (token.start_pos or 0) + len(token))
         accepted = set(found.accepts or ())
-        what = f"unexpected {str(found.token)!r}"
+        what = f"unexpected {_short(found.token)!r}"
     elif isinstance(found, UnexpectedCharacters):
-        span = Span(found.pos_in_stream, found.pos_in_stream + 1)
+        at: Any = found.pos_in_stream
+        span = Span(at, at + 1)
         accepted = set(found.allowed or ())
         what = f"unexpected character {text[span.start]!r}"
     else:
@@ -259,6 +273,9 @@ class _Builder:
     def __init__(self, context: Context) -> None:
         self.context = context
         self.rank = context.rank
+        self.level = 0
+        self.parts = 0  # size of the names bound by `let` that were written out
+        self.sizes: dict[str, tuple[int, int]] = {}
         self.long_names = sorted(
             (n for n in context.declared() if not SHORT_NAME.fullmatch(n)), key=lambda n: (-len(n), n)
         )
@@ -277,12 +294,17 @@ class _Builder:
         return found
 
     def any(self, tree: _Node) -> _Value:
+        self.level += 1
         try:
+            if self.level > MAX_DEPTH:
+                raise SyntaxFault(f"more than {MAX_DEPTH} operations inside each other")
             found: _Value = getattr(self, tree.data)(tree)
             return found
         except GcrulesError as fault:
             fault.span = fault.span or _span(tree)
             raise
+        finally:
+            self.level -= 1
 
     def equation(self, tree: _Node) -> tuple[Expr, Expr]:
         left, right = map(self.value, tree.children)
@@ -341,9 +363,10 @@ class _Builder:
 
     def power(self, tree: _Node) -> Expr:
         base, exponent = tree.children
-        if "/" in exponent:
-            raise SyntaxFault("an exponent must be a whole number", span=_span(exponent))
-        return ex.power(self.value(base), int(_digits(exponent)), rank=self.rank)
+        n = _whole(exponent, "an exponent")
+        if n > ex.MAX_EXPONENT:
+            raise SyntaxFault(f"an exponent above the limit {ex.MAX_EXPONENT}", span=_span(exponent))
+        return ex.power(self.value(base), n, rank=self.rank)
 
     def word(self, tree: _Node) -> _Value:
         entries = self._split(tree.children[0])
@@ -375,10 +398,23 @@ class _Builder:
         return ex.superbracket(*map(self.value, tree.children), rank=self.rank)
 
     def _named(self, name: str) -> Expr:
-        return self.context.bound.get(name) or ex.Point(name)
+        bound = self.context.bound.get(name)
+        if bound is None:
+            return ex.Point(name)
+        if name not in self.sizes:
+            self.sizes[name] = _measure(bound)
+        size, depth = self.sizes[name]
+        self.parts += size
+        if self.parts > MAX_NODES:
+            raise SyntaxFault(f"names bound by `let` stand for more than {MAX_NODES:,} parts here")
+        if self.level + depth > MAX_DEPTH:
+            raise SyntaxFault(f"with {_short(name)} written out this is more than {MAX_DEPTH} operations deep")
+        return bound
 
     def _split(self, token: _Node) -> list[tuple[str, bool]]:
         """Points of a word: a declared name, else declared long names and short names from left to right."""
+        if len(token) > MAX_WORD:
+            raise SyntaxFault(f"a word of {len(token):,} characters; the limit is {MAX_WORD:,}", span=_span(token))
         if str(token) in self.long_names:
             return [(str(token), False)]
         word = unicodedata.normalize("NFD", token)
@@ -388,7 +424,7 @@ class _Builder:
             match = SHORT_NAME.match(word, at)
             if name is None and match is None:
                 hint = "points are a letter with digits or primes: a, S1, S_2, A'"
-                raise SyntaxFault(f"{str(token)!r} is not made of point names", span=_span(token), hint=hint)
+                raise SyntaxFault(f"{_short(token)!r} is not made of point names", span=_span(token), hint=hint)
             name = name or (match[0] if match else "")
             at += len(name)
             dotted = word[at : at + 1] == "\u0307"
@@ -407,8 +443,18 @@ def _span(item: _Node) -> Span:
 
 def _digits(token: _Node) -> str:
     if len(token) > MAX_DIGITS:
-        raise LimitReached(f"a number of {len(token):,} characters; the limit is {MAX_DIGITS:,}", span=_span(token))
+        raise SyntaxFault(f"a number of {len(token):,} characters; the limit is {MAX_DIGITS:,}", span=_span(token))
     return str(token)
+
+
+def _whole(token: _Node, what: str) -> int:
+    if "/" in token:
+        raise SyntaxFault(f"{what} must be a whole number", span=_span(token))
+    return int(_digits(token))
+
+
+def _short(word: str) -> str:
+    return str(word) if len(word) <= _SHOWN else f"{word[:_SHOWN]}…"
 
 
 def _script(tree: _Node, text: str) -> Script:
@@ -422,7 +468,7 @@ def _script(tree: _Node, text: str) -> Script:
                 case "rank":
                     if statements or context != Context():
                         raise InputError("`rank` must come before every other statement")
-                    context = replace(context, rank=int(Fraction(_digits(item.children[0]))))
+                    context = replace(context, rank=_whole(item.children[0], "a rank"))
                 case "points" | "ideal":
                     context = _declare(context, item)
                 case "let":
@@ -446,13 +492,15 @@ def _source(tree: _Node, text: str) -> str:
 
 
 def _declare(context: Context, item: _Node) -> Context:
-    """`points …` and `ideal …`: a word that is no single name and no declared one is split, as everywhere."""
+    """`points …` and `ideal …`: every word is one name."""
     field_name = str(item.data)
     names: list[str] = []
     for token in item.children[0].children:
         name = str(token)
         if name in context.bound:
-            raise InputError(f"{name} is already bound by `let`", span=_span(token))
+            raise InputError(f"{_short(name)} is already bound by `let`", span=_span(token))
+        if not _NAME.fullmatch(name):
+            raise InputError(f"{_short(name)!r} cannot name a point", span=_span(token), hint=_NAMES_HINT)
         names.append(name)
     values = tuple(dict.fromkeys((*getattr(context, field_name), *names)))
     return replace(context, points=values) if field_name == "points" else replace(context, ideal=values)
@@ -462,14 +510,10 @@ def _bind(context: Context, item: _Node, builder: _Builder) -> Context:
     token, body = item.children
     name = str(token)
     if name in context.points or name in context.ideal or name in context.bound:
-        raise InputError(f"{name} is already declared", span=_span(token), hint="choose another name")
-    value = builder.value(body)
-    size, depth = _measure(value)
-    if size > MAX_NODES or depth > MAX_NESTING:
-        raise LimitReached(
-            f"{name} stands for an expression of {size:,} parts, {depth} deep; limits {MAX_NODES:,}, {MAX_NESTING}"
-        )
-    return replace(context, bound={**context.bound, name: value})
+        raise InputError(f"{_short(name)} is already declared", span=_span(token), hint="choose another name")
+    if not _NAME.fullmatch(name):
+        raise InputError(f"{_short(name)!r} cannot be bound", span=_span(token), hint=_NAMES_HINT)
+    return replace(context, bound={**context.bound, name: builder.value(body)})
 
 
 def _measure(e: Expr) -> tuple[int, int]:

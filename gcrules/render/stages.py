@@ -102,7 +102,7 @@ def _entity_stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
     yield "Planes", why, [", ".join(planes) or "none"]
     items: list[Item] = [", ".join(lines) or "none"]
     if state.planes or state.lines:
-        items.append(Formula(None, ex.mul(ex.Number(a.structure.sign), state.collected())))
+        items += ["with the entities in front:", Formula(None, ex.mul(ex.Number(a.structure.sign), state.collected()))]
     yield "Lines", "Pairs of points that stay together in one bracket of every term.", items
     if state.left:
         left = ", ".join(state.named(state.left))
@@ -115,7 +115,7 @@ def _condition(condition: Condition, a: Analysis) -> list[Item]:
     left = ex.mul(condition.cofactor, a.structure.superbracket)
     if condition.kind == "always-singular":
         return [Formula(a.structure.superbracket, ex.ZERO)]
-    return [Formula(left, ex.mul(ex.Number(condition.coefficient), condition.expression))]
+    return [Formula(left, condition.right_side)]
 
 
 def _replay(a: Analysis) -> list[Item]:

@@ -94,7 +94,7 @@ def describe(
         statement=template.format(**parts),
         certificate=certificate,
         entities=entities,
-        parts=tuple((k, v) for k, v in parts.items() if v),
+        lines=tuple(zip("pq", claim.pencils, strict=True)) if claim.pencils else (),
     )
 
 

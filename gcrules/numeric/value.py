@@ -1,0 +1,100 @@
+r"""Numbers for a robot in a given pose: the exact value of the condition and a dimensionless measure of closeness."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from gcrules.algebra.evaluate import evaluate
+from gcrules.condition import Condition
+from gcrules.robots.structure import Leg, Structure
+
+__all__ = ["CLOSE", "PoseValue", "line_points", "measure", "pose_value"]
+
+CLOSE = 1e-3
+"""Below this measure a pose is called close to singular (an example; choose your own for a real robot)."""
+
+XYZ = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class PoseValue:
+    """`superbracket`, `condition` and `cofactor` are exact (units: length³ times the degree of the cofactor's brackets);
+    `measure` is dimensionless in [0, 1] and independent of frame and unit; `verdict` is singular | close | regular and
+    comes from the superbracket, never from the condition alone.
+    """
+
+    superbracket: Fraction
+    condition: Fraction
+    cofactor: Fraction
+    measure: float
+    verdict: str
+
+    def to_json(self) -> dict[str, Any]:
+        """Exact numbers as text, the measure as a float."""
+        return {
+            "superbracket": str(self.superbracket),
+            "condition": str(self.condition),
+            "cofactor": str(self.cofactor),
+            "measure": self.measure,
+            "verdict": self.verdict,
+        }
+
+
+def pose_value(
+    structure: Structure, condition: Condition, points: Mapping[str, Sequence[Fraction]], close: float = CLOSE
+) -> PoseValue:
+    """Evaluate at exact homogeneous coordinates (x, y, z, 1) of every joint."""
+    value = Fraction(evaluate(structure.superbracket, points))
+    expression, cofactor = (Fraction(evaluate(e, points)) for e in (condition.expression, condition.cofactor))
+    size = measure(structure.legs, {n: (float(c[0]), float(c[1]), float(c[2])) for n, c in points.items()})
+    verdict = "singular" if value == 0 else "close" if size < close else "regular"
+    return PoseValue(value, expression, cofactor, size if value else 0.0, verdict)
+
+
+def measure(legs: Sequence[Leg], points: Mapping[str, XYZ]) -> float:
+    """|det| of the six unit lines over the product of their rows' lengths (Hadamard's bound), in [0, 1].
+
+    The moments are taken about the centroid of the joints and divided by their root-mean-square distance from it, so
+    that neither the frame nor the unit matters. Derived here.
+    """
+    import numpy as np
+
+    names = sorted({n for leg in legs for n in leg})
+    xyz = np.array([points[n] for n in names])
+    xyz = xyz - xyz.mean(axis=0)
+    radius = np.sqrt((xyz**2).sum(axis=1).mean())
+    at = dict(zip(names, xyz / radius if radius else xyz, strict=True))
+    rows = []
+    for a, b in legs:
+        force = at[b] - at[a]
+        length = np.linalg.norm(force)
+        if not length:
+            return 0.0
+        rows.append(np.concatenate([force, np.cross(at[a], force)]) / length)
+    sizes = np.linalg.norm(rows, axis=1)
+    return float(abs(np.linalg.det(np.array(rows) / sizes[:, None])))
+
+
+def line_points(plucker: Sequence[float], centre: XYZ, reach: float) -> tuple[XYZ, XYZ] | None:
+    """Two points of a line given by Plücker coordinates (12, 13, 14, 23, 24, 34), `reach` to either side of the point
+    nearest to `centre`; None for a line at infinity.
+    """
+    p12, p13, p14, p23, p24, p34 = map(float, plucker)
+    d = (-p14, -p24, -p34)
+    length = sum(c * c for c in d) ** 0.5
+    scale = max(map(abs, (p12, p13, p14, p23, p24, p34)), default=0.0)
+    if length <= 1e-12 * scale or not scale:
+        return None
+    unit = tuple(c / length for c in d)
+    moment = (p23 / length, -p13 / length, p12 / length)  # about the origin: a × unit direction
+    foot = _cross(unit, moment)
+    along = sum((c - f) * u for c, f, u in zip(centre, foot, unit, strict=True))
+    first, last = (tuple(f + (along + s * reach) * u for f, u in zip(foot, unit, strict=True)) for s in (-1, 1))
+    return (first[0], first[1], first[2]), (last[0], last[1], last[2])
+
+
+def _cross(a: Sequence[float], b: Sequence[float]) -> XYZ:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

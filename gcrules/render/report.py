@@ -1,0 +1,147 @@
+r"""The report: one self-contained HTML page with every stage, formulas as MathML, figures as SVG."""
+
+from __future__ import annotations
+
+from html import escape
+from importlib.resources import files
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr
+from gcrules.analysis import Analysis
+from gcrules.numeric.value import CLOSE, PoseValue, pose_value
+from gcrules.render.figures import graph_figure, robot_figure
+from gcrules.render.mathml import mathml_terms
+from gcrules.render.stages import Formula, Item, Stage, stages
+from gcrules.robots.geometry import Platform
+
+__all__ = ["fragment", "report"]
+
+
+def report(analysis: Analysis, platform: Platform | None = None) -> str:
+    """The HTML page of an analysis; with a platform's coordinates also the robot in its pose and the numbers there."""
+    legs = " ".join("".join(leg) for leg in analysis.structure.legs)
+    title = (platform.title if platform and platform.title else None) or f"Legs {legs}"
+    sections = [
+        _header(title, analysis, platform),
+        f'<section class="answer"><p>{escape(analysis.condition.statement)}</p>{_sure(analysis)}</section>',
+        _figures(analysis, platform),
+        *([_numbers(analysis, platform)] if platform else []),
+        "<h2>Step by step</h2>",
+        '<ol class="stages">',
+        *(_stage(s) for s in stages(analysis)),
+        "</ol>",
+        _derivation(analysis),
+        _footer(),
+    ]
+    head = f'<meta charset="utf-8"><title>{escape(title)} – gcrules</title>{_VIEWPORT}<style>{_css()}</style>'
+    return f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head><body><main>{"".join(sections)}</main></body></html>\n'
+
+
+def fragment(analysis: Analysis) -> str:
+    """The condition, statement and graph as an HTML fragment, for notebooks."""
+    graph = graph_figure(analysis).svg()
+    formula = _formula(Formula(*_identity(analysis)))
+    return f'<div class="gcrules"><p>{escape(analysis.condition.statement)}</p>{formula}{graph}</div>'
+
+
+def _identity(a: Analysis) -> tuple[Expr, Expr]:
+    c = a.condition
+    return ex.mul(c.cofactor, a.structure.superbracket), c.right_side
+
+
+def _header(title: str, a: Analysis, platform: Platform | None) -> str:
+    lines = []
+    if a.match:
+        name = f", {a.match.entry.name}" if a.match.entry.name else ""
+        lines.append(f"Class {a.match.entry.id}{name}")
+    lines.append("Legs " + " ".join("".join(leg) for leg in a.structure.legs))
+    note = f'<p class="note">{escape(platform.note)}</p>' if platform and platform.note else ""
+    return f'<header><h1>{escape(title)}</h1><p class="sub">{escape(" · ".join(lines))}</p>{note}</header>'
+
+
+def _sure(a: Analysis) -> str:
+    return f'<p class="sure">{escape(a.condition.certificate.detail)}.</p>'
+
+
+def _figures(a: Analysis, platform: Platform | None) -> str:
+    robot = robot_figure(a, platform.points if platform else None).svg()
+    caption = "The robot in the pose of the file" if platform else "A sample shape (no coordinates were given)"
+    return (
+        f'<div class="figures"><figure class="robot">{robot}<figcaption>{caption}, with the entities of the condition'
+        f"</figcaption></figure><figure>{graph_figure(a).svg()}"
+        "<figcaption>The legs as a graph</figcaption></figure></div>"
+    )
+
+
+def _numbers(a: Analysis, platform: Platform) -> str:
+    value = pose_value(a.structure, a.condition, platform.homogeneous())
+    unit = f"{platform.units}³" if platform.units else "length³"
+    rows = [
+        (
+            "Superbracket",
+            f"{float(value.superbracket):.6g} {unit}",
+            "the determinant of the six lines; 0 means singular",
+        ),
+        ("Condition's expression", f"{float(value.condition):.6g}", "zero exactly when the condition holds"),
+        (
+            "Closeness",
+            f"{value.measure:.4g}",
+            "dimensionless, 0 (singular) to 1, the same in every frame and unit",
+        ),
+    ]
+    if a.condition.cofactor != ex.Number(1):
+        rows.insert(2, ("Cofactor", f"{float(value.cofactor):.6g}", "the reading is not valid where this is 0"))
+    body = "".join(f"<tr><th>{n}</th><td>{v}</td><td>{escape(w)}</td></tr>" for n, v, w in rows)
+    head = f"<h2>In this pose</h2>{_verdict(value)}"
+    return f'<section class="numbers {value.verdict}">{head}<table>{body}</table></section>'
+
+
+def _verdict(value: PoseValue) -> str:
+    words = {
+        "singular": "Singular: the superbracket is exactly zero here.",
+        "close": f"Warning: close to singular (closeness below {CLOSE:g}).",
+        "regular": "Regular: the platform is controlled by its six legs here.",
+    }
+    return f'<p class="verdict">{words[value.verdict]}</p>'
+
+
+def _stage(stage: Stage) -> str:
+    why = f'<p class="why">{escape(stage.why)}</p>' if stage.why else ""
+    return f"<li><h3>{escape(stage.title)}</h3>{why}{''.join(map(_item, stage.items))}</li>"
+
+
+def _item(item: Item) -> str:
+    if isinstance(item, Formula):
+        return _formula(item)
+    key, gap, value = item.partition("  ")
+    if gap and " " not in key:
+        return f'<p><span class="key">{escape(key)}</span> {escape(value.strip())}</p>'
+    return f"<p>{escape(item)}</p>"
+
+
+def _formula(item: Formula) -> str:
+    left = [*mathml_terms(item.left), '<span class="gc-term"><math><mo>=</mo></math></span>'] if item.left else []
+    return f'<p class="formula">{" ".join([*left, *mathml_terms(item.right)])}</p>'
+
+
+def _derivation(a: Analysis) -> str:
+    rows = "".join(
+        f"<tr><th>{escape(step.rule)}</th><td>{escape(step.why)}{_formula(Formula(None, step.after))}</td></tr>"
+        for step in a.derivation
+    )
+    first = _formula(Formula(None, a.derivation.steps[0].before))
+    return f'<h2>Derivation</h2>{first}<table class="derivation">{rows}</table>'
+
+
+def _footer() -> str:
+    from gcrules import __version__
+
+    legend = "Brackets [abcd] are determinants of homogeneous points; ∨ is join, ∧ is meet."
+    return f"<footer>gcrules {__version__}. {legend}</footer>"
+
+
+def _css() -> str:
+    return files("gcrules.render").joinpath("report.css").read_text(encoding="utf-8")
+
+
+_VIEWPORT = '<meta name="viewport" content="width=device-width, initial-scale=1">'

@@ -1,0 +1,295 @@
+"""The robot in its pose, with the tetrahedra, planes and lines that decide whether it is singular."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import dist, isfinite
+
+from gcrules.errors import InputError
+from gcrules.render.bsp import XYZ, Piece, crossing, dot, minus, painted
+from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs
+from gcrules.render.labels import Label, place_labels
+from gcrules.render.legend import ROW, EntityLike, LegendEntry, entity_entries, legend, legend_width
+from gcrules.render.palette import entity_role
+from gcrules.render.sample import sample_coordinates
+from gcrules.render.solids import center, flat_normal, outline, patch, stretched, tetrahedron, through_ball
+from gcrules.render.view import View, choose_view
+
+__all__ = ["draw_platform", "sample_coordinates"]
+
+Legs = Sequence[tuple[str, str]]
+Coordinates = Mapping[str, Sequence[float | Fraction]]
+NamedLine = tuple[Sequence[float | Fraction], Sequence[float | Fraction], str]
+
+NamedPoint = tuple[Sequence[float | Fraction], str]
+
+_WIDTH, _HEIGHT = 470.0, 400.0
+_MARGIN = 34.0
+_JOINT = 5.0
+_CASING = 9.0
+_KEY_WIDTH = 118.0
+_REACH = 2.2
+
+
+@dataclass(frozen=True, slots=True)
+class _Look:
+    """How a piece is drawn: a fill with outline for areas, a width for strokes."""
+
+    role: str
+    fill: float = 0.0
+    edge: float = 0.0
+    width: float = 1.0
+    dash: tuple[float, float] | None = None
+    leg: int | None = None
+    line: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Frame:
+    """From space to the page."""
+
+    view: View
+    scale: float
+    shift: XY
+
+    def place(self, p: XYZ) -> XY:
+        x, y = self.view.flat(p)
+        return self.scale * x + self.shift[0], self.scale * y + self.shift[1]
+
+
+def draw_platform(
+    legs: Legs,
+    coordinates: Coordinates,
+    base: Sequence[str] = (),
+    platform: Sequence[str] = (),
+    entities: Sequence[EntityLike] = (),
+    lines: Sequence[NamedLine] = (),
+    marks: Sequence[NamedPoint] = (),
+) -> Drawing:
+    """The robot seen orthographically, the z axis upright, from a viewpoint chosen so that little is hidden.
+
+    `coordinates` gives (x, y, z) for each point in any one unit of length; `base` and `platform` name the points of the
+    two bodies, which are drawn as areas. Entities have a kind (tetrahedron, plane, line or point) and names of points.
+    `lines` are constructed lines, two points in space and a label such as p; `marks` are constructed points, for
+    example where planes meet. Those far outside the robot are left out of the picture but not of the legend. What lies
+    behind is drawn first, areas that intersect are split. Raises InputError for no legs, a point without three finite
+    coordinates and a leg of length zero.
+    """
+    if not legs:
+        raise InputError("there are no legs to draw")
+    points = _checked(legs, coordinates, entities)
+    joints = {name: points[name] for leg in legs for name in leg}
+    middle = center(list(joints.values()))
+    radius = max((dist(p, middle) for p in joints.values()), default=0.0) or 1.0
+    near = {label: xyz for p, label in marks if dist(xyz := _xyz(p, f"point {label}"), middle) <= _REACH * radius}
+    pieces = [
+        *_bodies(joints, base, platform),
+        *_entities(points, entities, list(near.values()), radius),
+        *_constructed(lines, len(entities), middle, radius),
+    ]
+    drawn = {frozenset(e.points): i for i, e in enumerate(entities) if e.kind == "line"}
+    for i, (a, b) in enumerate(legs):
+        role = entity_role(drawn[frozenset((a, b))]) if frozenset((a, b)) in drawn else "leg"
+        pieces.append(Piece((points[a], points[b]), _Look(role, width=3.2, leg=i)))
+    normals = [n for p in pieces if len(p.corners) > 2 and (n := flat_normal(p.corners))]
+    view = choose_view(joints, legs, normals)
+    entries = [*entity_entries(entities), *_constructed_entries(lines, marks, len(entities))]
+    frame = _framed(view, [*(c for p in pieces for c in p.corners), *near.values()])
+    shapes: list[Shape] = []
+    over = _crossings(legs, points, view.eye)
+    for piece in painted(pieces, view.eye, 1e-6 * radius):
+        shapes += _shapes(piece, frame, over)
+    shapes += _rings(points, entities, frame)
+    shapes += [
+        Circle(frame.place(p), _JOINT, "paper" if name in platform else "ink", "ink", 1.6)
+        for name, p in sorted(joints.items(), key=lambda item: dot(item[1], view.eye))
+    ]
+    strokes = [(frame.place(p.corners[0]), frame.place(p.corners[1])) for p in pieces if len(p.corners) == 2]
+    shapes += [Circle(frame.place(p), 4.0, "mark", "paper", 1.2) for p in near.values()]
+    labels = [*_joint_labels(joints, platform, frame), *_line_labels(pieces, lines, len(entities), frame)]
+    labels += [Label(name_runs(name), frame.place(p), (1.0, -1.0), 4.0, fill="mark") for name, p in near.items()]
+    shapes += place_labels(
+        labels,
+        discs=[(frame.place(p), _JOINT) for p in (*joints.values(), *near.values())],
+        strokes=strokes,
+        bounds=(4, 4, _WIDTH - 2, _HEIGHT - 4),
+    )
+    keyed = bool(base and platform)
+    side = max(legend_width(entries), _KEY_WIDTH if keyed else 0.0)
+    shapes += legend(entries, _WIDTH + 6, 14)
+    if keyed:
+        shapes += _key(_WIDTH + 6, max(14 + ROW * len(entries) + 10, _HEIGHT - 56))
+    height = max(_HEIGHT, ROW * len(entries) + 90)
+    width = _WIDTH + (side + 20 if side else 0)
+    return Drawing(width, height, tuple(shapes), "Robot with legs " + " ".join(a + b for a, b in legs))
+
+
+def _checked(legs: Legs, coordinates: Coordinates, entities: Sequence[EntityLike]) -> dict[str, XYZ]:
+    needed = dict.fromkeys([*(n for leg in legs for n in leg), *(n for e in entities for n in e.points)])
+    missing = [name for name in needed if name not in coordinates]
+    if missing:
+        raise InputError(f"no coordinates given for {', '.join(missing)}")
+    points = {name: _xyz(coordinates[name], f"point {name}") for name in needed}
+    for a, b in legs:
+        if points[a] == points[b]:
+            raise InputError(f"the leg {a}{b} has length zero")
+    return points
+
+
+def _xyz(values: Sequence[float | Fraction], what: str) -> XYZ:
+    numbers = tuple(float(v) for v in values)
+    if len(numbers) != 3 or not all(map(isfinite, numbers)):
+        raise InputError(f"{what} needs three finite coordinates")
+    return numbers[0], numbers[1], numbers[2]
+
+
+# --- what there is to draw -----------------------------------------------------------------------------------------
+
+
+def _bodies(joints: Mapping[str, XYZ], base: Sequence[str], platform: Sequence[str]) -> list[Piece[_Look]]:
+    pieces = []
+    for role, names in (("base", base), ("platform", platform)):
+        corners = [joints[name] for name in dict.fromkeys(names) if name in joints]
+        look = _Look(role, fill=0.16, edge=0.9, width=1.3)
+        pieces += [Piece(polygon, look, edges) for polygon, edges in outline(corners)]
+        if len(corners) == 2:
+            pieces.append(Piece((corners[0], corners[1]), _Look(role, width=1.3)))
+    return pieces
+
+
+def _entities(
+    points: Mapping[str, XYZ], entities: Sequence[EntityLike], marks: Sequence[XYZ], radius: float
+) -> list[Piece[_Look]]:
+    """A plane reaches to the constructed points that lie in it, so that planes are seen to meet there."""
+    pieces: list[Piece[_Look]] = []
+    for i, e in enumerate(entities):
+        corners = [points[name] for name in e.points]
+        role = entity_role(i)
+        if e.kind == "tetrahedron" and len(corners) == 4:
+            pieces += [Piece(face, _Look(role, fill=0.14, edge=0.75, width=1.2)) for face in tetrahedron(corners)]
+        elif e.kind == "plane" and len(corners) == 3:
+            polygon = patch(corners, 0.14 * radius, also=marks)
+            pieces += [Piece(polygon, _Look(role, fill=0.2, edge=0.85, width=1.4))] if polygon else []
+        elif e.kind == "line" and len(corners) == 2:
+            pieces.append(Piece(stretched(corners, 0.45 * radius), _Look(role, width=2.2, dash=(6, 4))))
+    return pieces
+
+
+def _constructed(lines: Sequence[NamedLine], first: int, middle: XYZ, radius: float) -> list[Piece[_Look]]:
+    """The parts of constructed lines inside a ball around the robot; a line that misses it is left out."""
+    pieces = []
+    for i, (start, end, label) in enumerate(lines):
+        ends = through_ball(_xyz(start, f"line {label}"), _xyz(end, f"line {label}"), middle, 1.3 * radius)
+        if ends:
+            pieces.append(Piece(ends, _Look(entity_role(first + i), width=2.4, dash=(9, 4), line=i)))
+    return pieces
+
+
+def _constructed_entries(lines: Sequence[NamedLine], marks: Sequence[NamedPoint], first: int) -> list[LegendEntry]:
+    return [
+        *((entity_role(first + i), (Run("line "), *name_runs(line[2])), "dashed") for i, line in enumerate(lines)),
+        *(("mark", (Run("point "), *name_runs(label)), "dot") for _, label in marks),
+    ]
+
+
+# --- onto the page -------------------------------------------------------------------------------------------------
+
+
+def _framed(view: View, corners: Sequence[XYZ]) -> _Frame:
+    flat = [view.flat(c) for c in corners]
+    left, right = min(x for x, _ in flat), max(x for x, _ in flat)
+    top, bottom = min(y for _, y in flat), max(y for _, y in flat)
+    room = (_WIDTH - 2 * _MARGIN, _HEIGHT - 2 * _MARGIN)
+    scale = min(room[0] / ((right - left) or 1e-9), room[1] / ((bottom - top) or 1e-9))
+    return _Frame(view, scale, (_WIDTH / 2 - scale * (left + right) / 2, _HEIGHT / 2 - scale * (top + bottom) / 2))
+
+
+def _crossings(legs: Legs, points: Mapping[str, XYZ], eye: XYZ) -> dict[int, list[XYZ]]:
+    """For each leg the places where it passes in front of another one."""
+    found: dict[int, list[XYZ]] = {}
+    ends = [(points[a], points[b]) for a, b in legs]
+    for i, first in enumerate(ends):
+        for j, second in enumerate(ends):
+            cross_at = crossing(first, second, eye)
+            if cross_at and cross_at[2] < 0 and i != j:
+                step = minus(first[1], first[0])
+                s = cross_at[0]
+                found.setdefault(i, []).append(
+                    (first[0][0] + s * step[0], first[0][1] + s * step[1], first[0][2] + s * step[2])
+                )
+    return found
+
+
+def _shapes(
+    piece: Piece[_Look],
+    frame: _Frame,
+    over: Mapping[int, Sequence[XYZ]],
+) -> list[Shape]:
+    look = piece.tag
+    at = [frame.place(c) for c in piece.corners]
+    if len(at) > 2:
+        edges = zip(at, [*at[1:], at[0]], piece.edges, strict=True)
+        return [
+            Polygon(tuple(at), look.role, fill_opacity=look.fill),
+            *(Line(a, b, look.role, look.width, look.edge) for a, b, original in edges if original),
+        ]
+    stroke = Line(at[0], at[1], look.role, look.width, dash=look.dash, round_ends=False)
+    if look.leg is None:
+        return [stroke]
+    gaps = (_gap(frame.place(p), at[0], at[1]) for p in over.get(look.leg, ()))
+    return [*(gap for gap in gaps if gap is not None), stroke]
+
+
+def _gap(place: XY, start: XY, end: XY) -> Line | None:
+    """A short clear stretch under a leg where it passes in front of another."""
+    length = dist(start, end)
+    if length < 1e-9:
+        return None
+    u = ((end[0] - start[0]) / length, (end[1] - start[1]) / length)
+    along = (place[0] - start[0]) * u[0] + (place[1] - start[1]) * u[1]
+    low, high = max(along - _CASING, 0.0), min(along + _CASING, length)
+    if high - low < 1.0:
+        return None
+    a, b = ((start[0] + t * u[0], start[1] + t * u[1]) for t in (low, high))
+    return Line(a, b, "paper", 7.0, round_ends=False)
+
+
+def _rings(points: Mapping[str, XYZ], entities: Sequence[EntityLike], frame: _Frame) -> list[Shape]:
+    return [
+        Circle(frame.place(points[name]), _JOINT + 5, "paper", entity_role(i), 2.0)
+        for i, e in enumerate(entities)
+        if e.kind == "point"
+        for name in e.points
+    ]
+
+
+def _joint_labels(joints: Mapping[str, XYZ], platform: Sequence[str], frame: _Frame) -> list[Label]:
+    """Names of joints, rather outwards; those of the platform rather above, the others below."""
+    at = {name: frame.place(p) for name, p in joints.items()}
+    x0, y0 = sum(x for x, _ in at.values()) / len(at), sum(y for _, y in at.values()) / len(at)
+    return [
+        Label(name_runs(name), (x, y), (x - x0, y - y0 + (-40 if name in platform else 40)), _JOINT)
+        for name, (x, y) in at.items()
+    ]
+
+
+def _line_labels(pieces: Sequence[Piece[_Look]], lines: Sequence[NamedLine], first: int, frame: _Frame) -> list[Label]:
+    """Names of constructed lines, at their upper ends."""
+    drawn = {p.tag.line: p.corners for p in pieces if p.tag.line is not None}
+    labels = []
+    for i, corners in drawn.items():
+        a, b = sorted((frame.place(c) for c in corners), key=lambda p: p[1])
+        labels.append(Label(name_runs(lines[i][2]), a, (a[0] - b[0], a[1] - b[1]), 1.0, fill=entity_role(first + i)))
+    return labels
+
+
+def _key(left: float, top: float) -> list[Shape]:
+    rows = (("platform joint", "paper"), ("base joint", "ink"))
+    shapes: list[Shape] = []
+    for i, (word, fill) in enumerate(rows):
+        y = top + ROW * i + ROW / 2
+        shapes.append(Circle((left + 9, y), _JOINT, fill, "ink", 1.6))
+        shapes.append(Text((left + 26, y + 4.5), (Run(word),), 12, fill="muted"))
+    return shapes
