@@ -16,8 +16,9 @@ from os import PathLike, fspath
 from typing import Any
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr, Point, points_of, substitute
-from gcrules.algebra.syntax import Context, parse
+from gcrules.algebra.expr import Expr, Point, substitute
+from gcrules.algebra.syntax import parse
+from gcrules.algebra.text import SHORT_NAME
 from gcrules.condition import Certificate, Condition
 from gcrules.errors import FileError, GcrulesError
 from gcrules.robots.structure import Leg, Structure, read_legs
@@ -192,13 +193,11 @@ def _missing(class_id: str) -> Entry:
 
 def _relabelled(statement: str, mapping: Mapping[str, str]) -> str:
     """Replace `{Aab}` in a statement by the images of its points."""
-    spaced = any(len(n) > 1 for n in mapping.values())
 
     def image(match: re.Match[str]) -> str:
-        names = points_of(parse(match[1], rank=8))
-        return str(ex.join(*(Point(mapping[n]) for n in names), rank=8)) if spaced or names else match[0]
+        return str(ex.join(*(Point(mapping[n]) for n in SHORT_NAME.findall(match[1])), rank=8))
 
-    return re.sub(r"\{(\w+)\}", image, statement)
+    return re.sub(r"\{([\w']+)\}", image, statement)
 
 
 def _degrees(structure: Structure) -> list[int]:
@@ -340,7 +339,11 @@ class _Reader:
         return legs
 
     def _points(self, node: Node) -> tuple[str, ...]:
-        return self._parsed(node, lambda word: points_of(parse(word, context=Context(8)))) or ()
+        word = node.string() or ""
+        names = tuple(SHORT_NAME.findall(word))
+        if "".join(names) != word:
+            node.fault(f"{word!r} is not made of points", "points are a letter with digits or primes: a, S1, A'")
+        return names
 
     def _reading(self, node: Node) -> Reading | None:
         top = node.mapping(required={"kind", "expression"}, optional={"cofactor", "coefficient", "statement", "lines"})

@@ -21,7 +21,7 @@ XYZ = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class PoseValue:
-    """`superbracket`, `condition` and `cofactor` are exact (units: length³ times the degree of the cofactor's brackets);
+    """`superbracket`, `condition` and `cofactor` are exact (the superbracket's unit is length³);
     `measure` is dimensionless in [0, 1] and independent of frame and unit; `verdict` is singular | close | regular and
     comes from the superbracket, never from the condition alone.
     """

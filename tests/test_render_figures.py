@@ -1,0 +1,335 @@
+"""Figures: well-formed, the same every time, legible for every class of platforms."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from itertools import combinations
+from math import dist
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from gcrules.errors import FileError, InputError
+from gcrules.render.drawing import Circle, Drawing, Line, Polygon, Run, Text, name_runs, save, text_width
+from gcrules.render.graph import count_crossings, draw_graph, layered_order
+from gcrules.render.labels import Label, label_box, overlap, place_labels
+from gcrules.render.legend import rounded
+from gcrules.render.palette import ROLES
+from gcrules.render.scene import draw_platform, sample_coordinates
+from gcrules.robots.geometry import Platform, load_platform
+
+CLASSES = {
+    "6-6": "Aa Bb Cc Dd Ee Ff",
+    "6-5": "Aa Ab Bc Cd De Ef",
+    "6-4.1": "Aa Ab Ac Bd Ce Df",
+    "6-4.2": "Aa Ab Bc Bd Ce Df",
+    "5-5.1": "Aa Ab Ba Cc Dd Ee",
+    "5-5.2": "Aa Ab Bc Cc Dd Ee",
+    "6-3.1": "Aa Ab Ac Bd Be Cf",
+    "6-3.2": "Aa Ab Bc Bd Ce Cf",
+    "5-4.1": "Aa Ab Ac Ba Cd De",
+    "5-4.2": "Aa Ab Ac Bd Cd De",
+    "5-4.3": "Aa Ab Ba Bc Cd De",
+    "5-4.4": "Aa Ab Bc Bd Ca De",
+    "5-4.5": "Aa Ab Bc Bd Ce De",
+    "5-3.1": "Aa Ab Ac Ba Bd Ce",
+    "5-3.2": "Aa Ab Ac Bd Be Ca",
+    "5-3.3": "Aa Ab Ac Bd Be Cd",
+    "5-3.4": "Aa Ab Ba Bc Cd Ce",
+    "4-4.1": "Aa Ab Ac Ba Ca Dd",
+    "4-4.2": "Aa Ab Ac Ba Cb Dd",
+    "4-4.3": "Aa Ab Ac Ba Cd Dd",
+    "4-4.4": "Aa Ab Ba Bb Cc Dd",
+    "4-4.5": "Aa Ab Ba Bc Cb Dd",
+    "4-4.6": "Aa Ab Ba Bc Cd Dd",
+    "4-4.7": "Aa Ab Bc Bd Ca Dc",
+    "4-3.1": "Aa Ab Ac Ba Bb Cd",
+    "4-3.2": "Aa Ab Ac Ba Bd Ca",
+    "4-3.3": "Aa Ab Ac Ba Bd Cb",
+    "4-3.4": "Aa Ab Ac Ba Bd Cd",
+    "4-3.5": "Aa Ab Ac Ba Cb Dc",
+    "4-3.6": "Aa Ab Ba Bb Cc Cd",
+    "4-3.7": "Aa Ab Ba Bc Cb Cd",
+    "3-3.1": "Aa Ab Ac Ba Bb Ca",
+    "3-3.2": "Aa Ab Ac Ba Bb Cc",
+    "3-3.3": "Aa Ab Ba Bc Cb Cc",
+    "6-2": "Aa Ba Ca Db Eb Fb",
+    "5-2": "Aa Ba Ca Ab Db Eb",
+    "4-2": "Aa Ba Ca Ab Bb Db",
+    "3-2": "Aa Ba Ca Ab Bb Cb",
+    "4-4.s": "Aa Ab Ac Bd Cd Dd",
+}
+
+
+class Entity(NamedTuple):
+    kind: str
+    points: tuple[str, ...]
+
+
+class Robot(NamedTuple):
+    legs: list[tuple[str, str]]
+    base: str
+    platform: str
+    entities: list[Entity]
+
+
+def robot(text: str) -> Robot:
+    """The legs of a class, with the planes of legs that meet in a base joint and the other legs as lines."""
+    legs = [(leg[0], leg[1]) for leg in text.split()]
+    base, platform = ("".join(dict.fromkeys(leg[i] for leg in legs)) for i in (0, 1))
+    pairs = [(p, q) for p, q in combinations(legs, 2) if p[0] == q[0]][:2]
+    planes = [Entity("plane", (p[0], p[1], q[1])) for p, q in pairs]
+    alone = [leg for leg in legs if not any(leg in pair for pair in pairs)][:2]
+    return Robot(legs, base, platform, [*planes, *(Entity("line", leg) for leg in alone)])
+
+
+def scene(r: Robot, lines: bool = False) -> Drawing:
+    at = sample_coordinates(r.legs, r.base, r.platform)
+    named = [(at[r.base[0]], at[r.base[1]], "p"), (at[r.platform[0]], at[r.platform[1]], "q")] if lines else []
+    return draw_platform(r.legs, at, r.base, r.platform, r.entities, named)
+
+
+def all_texts(drawing: Drawing) -> list[Text]:
+    return [shape for shape in drawing.shapes if isinstance(shape, Text)]
+
+
+every_class = pytest.mark.parametrize("name", CLASSES)
+
+
+@every_class
+@pytest.mark.parametrize("kind", ["graph", "scene", "scene with lines"])
+def test_labels_keep_clear(name: str, kind: str) -> None:
+    r = robot(CLASSES[name])
+    graph = kind == "graph"
+    drawing = draw_graph(r.legs, r.base, r.platform, r.entities) if graph else scene(r, lines=kind != "scene")
+    boxes = [label_box(t) for t in all_texts(drawing)]
+    assert len(boxes) >= len(r.base) + len(r.platform) + len(r.entities)
+    assert not [1 for a, b in combinations(boxes, 2) if overlap(a, b) > 0]
+    for left, top, right, bottom in boxes:
+        assert 0 <= left < right <= drawing.width
+        assert 0 <= top < bottom <= drawing.height
+    joints = [s for s in drawing.shapes if isinstance(s, Circle)]
+    for x, y, r2 in ((*c.center, c.radius) for c in joints):
+        assert not [1 for box in boxes if overlap(box, (x - r2, y - r2, x + r2, y + r2)) > 4]
+
+
+@every_class
+def test_joints_of_a_scene_stand_apart(name: str) -> None:
+    r = robot(CLASSES[name])
+    at = [s.center for s in scene(r).shapes if isinstance(s, Circle)][: len(r.base) + len(r.platform)]
+    assert min(dist(p, q) for p, q in combinations(at, 2)) > 12
+
+
+@every_class
+def test_svg_is_xml_and_the_same_twice(name: str) -> None:
+    r = robot(CLASSES[name])
+    for draw in (lambda: draw_graph(r.legs, r.base, r.platform, r.entities), lambda: scene(r)):
+        svg = draw().svg()
+        assert svg == draw().svg()
+        root = ET.fromstring(svg)
+        assert root.tag == "{http://www.w3.org/2000/svg}svg"
+        assert "nan" not in svg
+        assert "inf" not in svg
+        assert "prefers-color-scheme:dark" in svg
+
+
+@every_class
+def test_sample_coordinates_make_distinct_points(name: str) -> None:
+    r = robot(CLASSES[name])
+    at = sample_coordinates(r.legs, r.base, r.platform)
+    assert set(at) == set(r.base + r.platform)
+    assert at == sample_coordinates(r.legs, r.base, r.platform)
+    assert min(dist(p, q) for p, q in combinations(at.values(), 2)) > 0.2
+    assert max(at[p][2] for p in r.base) < min(at[p][2] for p in r.platform)
+
+
+@pytest.mark.parametrize(
+    ("legs", "crossings"),
+    [("Aa Bb Cc Dd Ee Ff", 0), ("Aa Ab Bc Bd Ce Df", 0), ("Af Bd Ca De Eb Fc", 0), ("ab af cb cd ed ef", 2)],
+)
+def test_order_of_the_rows(legs: str, crossings: int) -> None:
+    r = robot(legs)
+    assert count_crossings(r.legs, *layered_order(r.legs, r.base, r.platform)) == crossings
+    assert count_crossings(r.legs, *layered_order(r.legs, r.platform, r.base)) == crossings
+
+
+@pytest.mark.parametrize("sides", [("", ""), ("abc", "def")], ids=["unknown", "legs within a body"])
+def test_a_graph_without_two_sides_is_a_circle(sides: tuple[str, str]) -> None:
+    legs = [("a", "b"), ("b", "c"), ("c", "a"), ("d", "e"), ("e", "f"), ("f", "d")]
+    joints = [s.center for s in draw_graph(legs, *sides).shapes if isinstance(s, Circle)]
+    middle = (sum(x for x, _ in joints) / 6, sum(y for _, y in joints) / 6)
+    assert len(joints) == 6
+    assert max(dist(p, middle) for p in joints) == pytest.approx(min(dist(p, middle) for p in joints))
+    draw_platform(legs, sample_coordinates(legs, *sides), *sides).svg()
+
+
+def octahedral(root: Path, name: str = "octahedral") -> Platform:
+    return load_platform(root / "examples" / f"{name}.yaml")
+
+
+FACES = [Entity("plane", tuple(t)) for t in ("ace", "abf", "cbd", "edf")]
+
+
+def test_planes_reach_the_point_where_they_meet(root: Path) -> None:
+    platform = octahedral(root, "octahedral-singular")
+    meeting = (400, -500, 0)
+    with_point = draw_platform(platform.legs, platform.points, "ace", "bdf", FACES, marks=[(meeting, "Z")])
+    dot = next(s for s in with_point.shapes if isinstance(s, Circle) and s.fill == "mark")
+    inside = {s.fill for s in with_point.shapes if isinstance(s, Polygon) and _contains(s.points, dot.center)}
+    assert inside >= {"entity1", "entity2", "entity3", "entity4"}
+
+
+def _contains(polygon: tuple[tuple[float, float], ...], p: tuple[float, float]) -> bool:
+    turns = [
+        (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+        for a, b in zip(polygon, (*polygon[1:], polygon[0]), strict=True)
+    ]
+    return all(t >= -1e-6 for t in turns) or all(t <= 1e-6 for t in turns)
+
+
+def test_what_is_in_front_is_drawn_later(root: Path) -> None:
+    """Of two parallel planes seen from one side the nearer one covers the other; seen from the other side as well."""
+    legs = [("a", "d"), ("b", "e"), ("c", "f")]
+    at = {"a": (0, 0, 0), "b": (9, 0, 0), "c": (0, 9, 0), "d": (0, 0, 5), "e": (9, 0, 5), "f": (0, 9, 5)}
+    planes = [Entity("plane", ("d", "e", "f")), Entity("plane", ("a", "b", "c"))]
+    for entities in (planes, planes[::-1]):
+        drawn = [s.fill for s in draw_platform(legs, at, entities=entities).shapes if isinstance(s, Polygon)]
+        top = f"entity{1 + entities.index(planes[0])}"  # seen from above, so the upper plane is in front
+        below = f"entity{1 + entities.index(planes[1])}"
+        assert drawn.index(below) < drawn.index(top)
+
+
+@pytest.mark.parametrize(
+    ("legs", "at", "words"),
+    [
+        ([], {}, "no legs"),
+        ([("a", "b")], {"a": (0, 0, 0)}, "no coordinates given for b"),
+        ([("a", "b")], {"a": (0, 0, 0), "b": (0, 0, 0)}, "length zero"),
+        ([("a", "b")], {"a": (0, 0, float("nan")), "b": (1, 0, 0)}, "finite"),
+        ([("a", "b")], {"a": (0, 0), "b": (1, 0, 0)}, "three"),
+    ],
+)
+def test_faults_of_a_scene(legs: list[tuple[str, str]], at: dict[str, tuple[float, ...]], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        draw_platform(legs, at)
+
+
+DEGENERATE = {
+    "flat": {"a": (0, 0, 0), "b": (1, 0, 0), "c": (0, 1, 0), "d": (1, 1, 0)},
+    "in one line": {"a": (0, 0, 0), "b": (1, 0, 0), "c": (2, 0, 0), "d": (3, 0, 0)},
+    "upright line": {"a": (0, 0, 0), "b": (0, 0, 1), "c": (0, 0, 2), "d": (0, 0, 4)},
+    "joints coincide": {"a": (0, 0, 0), "b": (1, 0, 0), "c": (0, 0, 0), "d": (1, 0, 0)},
+    "huge": {"a": (0, 0, 0), "b": (1e12, 0, 0), "c": (0, 1e12, 0), "d": (0, 0, 1e12)},
+    "tiny": {"a": (0, 0, 0), "b": (1e-9, 0, 0), "c": (0, 1e-9, 0), "d": (0, 0, 1e-9)},
+    "far away": {"a": (1e6, 0, 0), "b": (1e6, 1, 0), "c": (1e6, 0, 1), "d": (1e6 + 1, 0, 0)},
+}
+
+
+@pytest.mark.parametrize("name", DEGENERATE)
+def test_degenerate_poses_are_drawn(name: str) -> None:
+    at = DEGENERATE[name]
+    entities = [
+        Entity("tetrahedron", tuple("abcd")),
+        Entity("plane", tuple("abc")),
+        Entity("line", tuple("ac")),
+        Entity("point", ("a",)),
+    ]
+    legs = [("a", "b"), ("c", "d")]
+    drawing = draw_platform(legs, at, "ac", "bd", entities, [(at["a"], at["d"], "p"), (at["a"], at["a"], "q")])
+    svg = drawing.svg()
+    ET.fromstring(svg)
+    assert "nan" not in svg
+
+
+def test_names_are_set_as_in_formulas() -> None:
+    assert name_runs("S_12'") == (Run("S", "italic"), Run("12", "subscript"), Run("′"))
+    assert text_width(Text((0, 0), name_runs("Aa"))) < text_width(Text((0, 0), name_runs("Aab")))
+
+
+def test_text_is_escaped() -> None:
+    svg = Drawing(10, 10, (Text((0, 0), (Run("<&>"),)),), title="a < b").svg()
+    assert [t.text for t in ET.fromstring(svg).iter("{http://www.w3.org/2000/svg}text")] == ["<&>"]
+
+
+def test_crowded_labels_find_places() -> None:
+    labels = [Label(name_runs(n), (100 + 9 * i, 100)) for i, n in enumerate("abcdef")]
+    boxes = [label_box(t) for t in place_labels(labels, discs=[(label.at, 5) for label in labels])]
+    assert not [1 for a, b in combinations(boxes, 2) if overlap(a, b) > 0]
+
+
+@pytest.mark.parametrize("points", [[(0, 0)], [(0, 0), (5, 0)], [(0, 0), (5, 0), (9, 0)], [(0, 0), (5, 0), (0, 5)]])
+def test_rounded_outlines_keep_their_distance(points: list[tuple[float, float]]) -> None:
+    outline = rounded(points, 2.0)
+    assert all(min(dist(p, q) for q in points) >= 2 - 1e-9 for p in outline)
+    assert all(min(dist(p, q) for q in points) <= 2 + 1e-9 for p in outline)
+
+
+def test_colours_have_both_values() -> None:
+    assert all(value.startswith("#") and len(value) == 7 for pair in ROLES.values() for value in pair)
+
+
+# --- files ---------------------------------------------------------------------------------------------------------
+
+SMALL = Drawing(
+    60,
+    40,
+    (
+        Polygon(((5, 5), (50, 5), (30, 30)), "entity1", "ink", 0.3),
+        Line((0, 0), (60, 40), dash=(4, 2)),
+        Circle((20, 20), 5),
+        Text((10, 30), name_runs("S1'", "a"), halo=True),
+    ),
+    "all shapes",
+)
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".SVG"])
+def test_saved_files_are_the_same_twice(tmp_path: Path, suffix: str) -> None:
+    first, second = tmp_path / f"one{suffix}", tmp_path / f"two{suffix}"
+    save(SMALL, first)
+    save(SMALL, str(second))
+    save(SMALL, second)
+    assert first.read_bytes() == second.read_bytes()
+    assert first.read_bytes().startswith(b"%PDF" if suffix == ".pdf" else b"<svg")
+    assert sorted(p.name for p in tmp_path.iterdir()) == sorted([first.name, second.name])
+
+
+@pytest.mark.parametrize(
+    ("name", "error", "words"),
+    [
+        ("x.png", InputError, "'.png' is no figure format"),
+        ("x", InputError, "without suffix"),
+        ("missing/x.svg", FileError, "cannot be written"),
+    ],
+)
+def test_faults_of_save(tmp_path: Path, name: str, error: type[Exception], words: str) -> None:
+    with pytest.raises(error, match=words):
+        save(SMALL, tmp_path / name)
+    assert not list(tmp_path.iterdir())
+
+
+def test_pdf_without_matplotlib(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(InputError, match="matplotlib") as found:
+        save(SMALL, tmp_path / "x.pdf")
+    assert found.value.hint == "pip install gcrules[figures]"
+
+
+def test_svg_needs_no_library() -> None:
+    code = (
+        "import sys; from gcrules.render.scene import draw_platform, sample_coordinates as at; "
+        "legs = [('a', 'b'), ('c', 'b')]; draw_platform(legs, at(legs, 'ac', 'b'), 'ac', 'b').svg(); "
+        "sys.exit(bool({'matplotlib', 'numpy', 'networkx', 'yaml', 'sympy'} & set(sys.modules)))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.mark.needs("rsvg-convert")
+def test_a_program_without_css_variables_draws_the_figure(tmp_path: Path, root: Path) -> None:
+    platform = octahedral(root)
+    save(draw_platform(platform.legs, platform.points, "ace", "bdf", FACES), tmp_path / "x.svg")
+    subprocess.run(["rsvg-convert", "x.svg", "-o", "x.png"], cwd=tmp_path, check=True)
+    assert (tmp_path / "x.png").stat().st_size > 5000
