@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import groupby
 
 from gcrules.algebra.expr import (
     Bracket,
@@ -96,7 +97,7 @@ def _signs(e: Expr) -> Iterator[Sign]:
             if _side_by_side(e):
                 yield from _points(args)
             else:
-                yield from _listed(args, Mark("∨"), bare=(Point,))
+                yield from _joined(args)
         case Meet(args=args):
             yield from _listed(args, Mark("∧"), bare=(Point,))
         case Bracket(args=args):
@@ -127,7 +128,10 @@ def _later_term(e: Expr) -> Iterator[Sign]:
     first = e.factors[0] if isinstance(e, Product) else e
     negative = isinstance(first, Number) and first.value < 0
     yield Mark("−" if negative else "+")
-    yield from _signs(neg(e) if negative else e)
+    yield from _wrapped(neg(e), _ALL_BUT_SUMS) if negative else _signs(e)
+
+
+_ALL_BUT_SUMS = (Number, Point, Join, Meet, Bracket, Dotted, Superbracket, Power, Product)
 
 
 def _product(factors: tuple[Expr, ...]) -> Iterator[Sign]:
@@ -139,6 +143,17 @@ def _product(factors: tuple[Expr, ...]) -> Iterator[Sign]:
         if (isinstance(f, Point) or _side_by_side(f)) and i and factors[i - 1] != Number(-1):
             yield Mark("space")
         yield from _wrapped(f, bare)
+
+
+def _joined(args: tuple[Expr, ...]) -> Iterator[Sign]:
+    """Neighbouring points side by side, everything else in parentheses."""
+    first = True
+    for is_point, run in groupby(args, lambda a: isinstance(a, Point)):
+        for part in [_points(tuple(run))] if is_point else [_wrapped(a, ()) for a in run]:
+            if not first:
+                yield Mark("∨")
+            yield from part
+            first = False
 
 
 def _listed(args: tuple[Expr, ...], mark: Mark, bare: tuple[type[Expr], ...]) -> Iterator[Sign]:
