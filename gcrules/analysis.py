@@ -147,7 +147,7 @@ def analyze(
     known = catalog.readings(structure, match, oracle, recheck=recheck) if match else []
     conditions += [r for r in known if str(r.expression) not in {str(c.expression) for c in conditions}]
     conditions.append(_linear_complex(structure, catalog))
-    derivation = _derivation(start, structure, shortest, claim, conditions[0])
+    derivation = _derivation(start, structure, shortest, claim, conditions[0], oracle)
     shown = SuperbracketForm(shortest.form, shortest.order, shortest.polynomial * structure.sign)
     return Analysis(
         structure, typed, shown, match, conditions[0], tuple(conditions[1:]), derivation, claim, notes=tuple(notes)
@@ -221,9 +221,14 @@ def _order(form: SuperbracketForm) -> str:
 
 
 def _derivation(
-    start: Derivation, structure: Structure, form: SuperbracketForm, claim: Claim | None, condition: Condition
+    start: Derivation,
+    structure: Structure,
+    form: SuperbracketForm,
+    claim: Claim | None,
+    condition: Condition,
+    oracle: Oracle,
 ) -> Derivation:
-    """superbracket = ± shortest form = ± tetrahedra · (brackets that begin with their entities) = ± expression."""
+    """superbracket = ± shortest form = ± tetrahedra · (brackets with entities first) = dotted form = ± expression."""
     sign = ex.Number(form.sign * structure.sign)
     why = f"the {form.form}-term form with the legs in the order {_order(form)} has {_terms(len(form.polynomial))}"
     steps = start.then("shortest-form", ex.mul(sign, form.polynomial.to_expr()), why)
@@ -241,6 +246,11 @@ def _derivation(
         both = "; ".join(f"{word} {names}" for word, names in (("planes", planes), ("lines", lines)) if names)
         why = f"points that stay together in one bracket of every term: {both}"
         steps = steps.then("planes" if planes else "lines", ex.mul(sign, state.collected()), why)
+    if len(state.planes) == len(state.left):
+        dotted = state.dotted()
+        why = f"the left-over points {', '.join(state.named(state.left))} are shared out among the planes' brackets"
+        factor = ex.Number(oracle.coefficient(dotted) or 0)
+        steps = steps.then("left-over", ex.mul(factor, dotted), why)
     after = condition.right_side
     if after == steps.steps[-1].after:
         return steps

@@ -3,6 +3,7 @@ r"""Expressions as text of the language, in plain ASCII (parses back to the same
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import groupby
@@ -72,7 +73,7 @@ def _text(e: Expr, style: _Style) -> str:
             inner = ", ".join(_text(a, style) for a in args)
             return f"[ {inner}]" if inner.startswith("[") else f"[{inner}]"  # [[ begins a superbracket
         case Dotted(brackets=brackets):
-            return "".join("[" + " ".join("." * d + n for n, d in entries) + "]" for entries in brackets)
+            return "".join(f"[{_dotted(entries, style)}]" for entries in brackets)
         case Superbracket(lines=lines):
             return f"[[{', '.join(_text(a, style) for a in lines)}]]"
         case Power(base=base, exponent=exponent):
@@ -103,6 +104,14 @@ def _runs(args: tuple[Expr, ...], style: _Style) -> list[str]:
 
 def _plain(e: Expr) -> bool:
     return isinstance(e, Join) and all(isinstance(a, Point) for a in e.args)
+
+
+def _dotted(entries: tuple[tuple[str, bool], ...], style: _Style) -> str:
+    """A dot before the letter, or above it in Unicode."""
+    if style.minus == "-" or not all(SHORT_NAME.fullmatch(n) for n, _ in entries):
+        return " ".join("." * d + n for n, d in entries)
+    words = [unicodedata.normalize("NFC", f"{n[0]}\u0307{n[1:]}") if d else n for n, d in entries]
+    return (" " if style.spaced else "").join(words)
 
 
 def _wrapped(e: Expr, style: _Style, *bare: type[Expr]) -> str:

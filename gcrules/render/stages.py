@@ -108,7 +108,9 @@ def _entity_stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
         left = ", ".join(state.named(state.left))
         what = f"as the plane {more_planes[0]}" if more_planes else f"as the line {' and the line '.join(more_lines)}"
         why = "The points that no plane and no line has taken make the last plane, or lines with P(x,y) + P(y,x) = 0."
-        yield "Left-over points", why, [f"{left}: taken {what}"]
+        items = [f"{left}: taken {what}"]
+        items += [Formula(None, step.after) for step in a.derivation if step.rule == "left-over"]
+        yield "Left-over points", why, items
 
 
 def _condition(condition: Condition, a: Analysis) -> list[Item]:
@@ -186,7 +188,7 @@ def as_latex(a: Analysis) -> str:
     for stage in stages(a):
         body.append(f"\\section*{{{_escaped(stage.title)}}}")
         if stage.why:
-            body.append(_escaped(stage.why))
+            body.append(_escaped(stage.why) + "\\par")
         for item in stage.items:
             body.append(_escaped(item) + "\\par" if isinstance(item, str) else _latex_formula(item))
     preamble = [

@@ -78,7 +78,7 @@ def describe(
     planes = [e for e in entities if e.kind == "plane"]
     parts = {
         "tetrahedra": _listed([_tetrahedron(e) for e in tetrahedra]),
-        "planes": _listed([str(extensor(e.points)) for e in planes]),
+        "planes": _listed(sorted(str(extensor(e.points)) for e in planes)),
     }
     if kind == "three-tetrahedra" and len(set(map(_tetrahedron, tetrahedra))) == 1:
         template = statements["three-tetrahedra/one"]

@@ -91,6 +91,14 @@ class State:
                 total[tuple(sorted(rows))] += sign  # type: ignore[assignment]
         return not any(total.values())
 
+    def dotted(self) -> Expr:
+        """Tetrahedra times the planes' brackets, each completed by a dotted left-over point: [X ẋ][Y ẏ] …"""
+        brackets = [
+            [*((n, False) for n in self.named(plane)), (self.named((point,))[0], True)]
+            for plane, point in zip(self.planes, self.left, strict=True)
+        ]
+        return ex.mul(*(ex.bracket(*map(Point, self.named(row))) for row in self.tetrahedra), ex.dotted(*brackets))
+
     def collected(self) -> Expr:
         """The form's polynomial with tetrahedra in front and each bracket beginning with its entity."""
         terms = []
