@@ -2,7 +2,7 @@ r"""gcrules: when, and why, is a parallel robot singular? Grassmann–Cayley alg
 
     >>> import gcrules as gc
     >>> print(gc.expand(r"ab /\ cde"))
-    -[bcde] * a + [acde] * b
+    [acde] * b - [bcde] * a
     >>> gc.prove(r"ab /\ cd == [abcd]").verdict
     'proved'
 

@@ -4,7 +4,7 @@ r"""The pipeline: six legs -> superbracket -> shortest form -> entities -> condi
 >>> a.match.entry.id, a.group
 ('3-3.3', 'c')
 >>> print(a.condition.expression)
-abf /\ ace /\ bcd /\ def
+abf /\ ace /\ def /\ bcd
 >>> print(a.condition.statement)
 The robot is singular exactly when the four planes abf, ace, bcd and def meet in a point (possibly at infinity).
 """

@@ -4,7 +4,7 @@ r"""Expansion: any expression of joins, meets, brackets and superbrackets as a p
 >>> print(expand(parse("ab /\\ cde")))
 [acde] * b - [bcde] * a
 >>> print(expand(parse("abf /\\ ace /\\ edf /\\ cbd")))
--[abcf][acde][bdef] - [abce][abdf][cdef]
+[abcd][acef][bdef] - [abce][adef][bcdf]
 """
 
 from __future__ import annotations

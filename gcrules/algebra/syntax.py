@@ -43,6 +43,8 @@ MAX_NAMES = 500
 RANKS = range(2, 9)
 _SHOWN = 40  # characters of a word in a message
 
+_RESERVED = re.compile(r"^[ \t]*(given|rule)(?![A-Za-z0-9_'])", re.MULTILINE)
+_RESERVED_HINT = "`given` will state assumptions and `rule` define rules; scripts cannot use them yet"
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*")
 _NAMES_HINT = "names begin with a letter and go on with letters, digits or _, then primes: left, S1, A'"
 
@@ -118,6 +120,10 @@ def parse_equation(
 
 def parse_script(text: str, filename: str = "<input>") -> Script:
     """Read the statements of a `.gca` file: rank, points, ideal, let, claim, show."""
+    reserved = _RESERVED.search(text[:MAX_TEXT])
+    if reserved:
+        fault = SyntaxFault(f"the word `{reserved[1]}` is reserved", span=Span(*reserved.span(1)), hint=_RESERVED_HINT)
+        raise fault.located(text, filename)
     return _read(text, "script", filename, lambda tree: _script(tree, text))
 
 
@@ -182,7 +188,6 @@ _TERMINALS = {
 _STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT"}
 _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"=(?!=)"), "equality is written =="),
-    (re.compile(r"given\b|rule\b"), "the words `given` and `rule` are reserved for assumptions and rule definitions"),
     (re.compile(r"\\(?!/)"), "join is \\/ (or ∨, \\vee), meet is /\\ (or ∧, ^, \\wedge)"),
     (re.compile(r"/(?!\\)"), "meet is /\\ ; fractions are written 1/2 without spaces"),
     (re.compile(r"[|&]"), "join is \\/ , meet is /\\"),
@@ -386,6 +391,9 @@ class _Builder:
             raise SyntaxFault("division by zero", span=_span(token)) from None
 
     def bracket(self, tree: _Node) -> _Value:
+        sizes = [self._size(t) for t in tree.children]
+        if None not in sizes and sum(n or 0 for n in sizes) > self.rank:
+            ex.bracket(*[ex.Point("a")] * sum(n or 0 for n in sizes), rank=self.rank)  # raises, naming the bracket
         parts = [self.any(t) for t in tree.children]
         if any(isinstance(p, _DottedRun) for p in parts):
             entries = [e for p, t in zip(parts, tree.children, strict=True) for e in self._entries(p, t)]
@@ -393,6 +401,14 @@ class _Builder:
                 raise StepError(f"a bracket of {len(entries)} points, expected {self.rank} in rank {self.rank}")
             return _DottedBracket(tuple(entries))
         return ex.bracket(*map(self._plain, parts, tree.children), rank=self.rank)
+
+    def _size(self, tree: _Node) -> int | None:
+        """The number of points if there are only points side by side."""
+        words = tree.children if tree.data == "juxtaposition" else [tree]
+        if any(w.data != "word" for w in words):
+            return None
+        names = [n for w in words for n, _ in self._split(w.children[0])]
+        return None if any(n in self.context.bound for n in names) else len(names)
 
     def superbracket(self, tree: _Node) -> Expr:
         return ex.superbracket(*map(self.value, tree.children), rank=self.rank)

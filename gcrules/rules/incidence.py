@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
-from gcrules.algebra.expr import Expr, Point, join, meet
+from gcrules.algebra.expr import Expr, Meet, Point, join, meet
 from gcrules.algebra.shortest import SuperbracketForm
 from gcrules.robots.structure import Leg, Structure
 from gcrules.rules.entities import left_over_lines, lines, planes, tetrahedra
@@ -75,11 +75,19 @@ def claims(forms: Sequence[SuperbracketForm], structure: Structure, oracle: Orac
             if state.degree == degree:
                 for kind, reached, expression, pencils, single in rule(state):
                     coefficient = oracle.coefficient(expression)
+                    if coefficient == -1 and kind == "four-planes":
+                        expression, coefficient = _last_two_exchanged(expression), 1
                     if coefficient is not None:
                         found.append(Claim(kind, reached, expression, coefficient, pencils, single))
         if found:
             return found
     return []
+
+
+def _last_two_exchanged(e: Expr) -> Expr:
+    """A meet of four planes with the opposite sign."""
+    assert isinstance(e, Meet)
+    return meet(*e.args[:2], e.args[3], e.args[2])
 
 
 _Found = tuple[str, State, Expr, tuple[Expr, Expr] | None, tuple[Leg, Leg] | None]

@@ -1,0 +1,59 @@
+"""The command line: `gcrules COMMAND …`; one module for each family of commands, loaded when it is used."""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from typing import NoReturn
+
+import click
+
+from gcrules import __version__
+from gcrules.cli.base import LazyGroup, colour_choice
+
+__all__ = ["main"]
+
+INTERNAL_FAULT = 70
+
+COMMANDS = {
+    "analyze": ("gcrules.cli.legs:analyze", "Tell when and why a robot with six legs is singular."),
+    "report": ("gcrules.cli.legs:report", "Write the analysis as a self-contained HTML page."),
+    "prove": ("gcrules.cli.algebra:prove", 'Decide an identity "LHS == RHS".'),
+    "expand": ("gcrules.cli.algebra:expand", "Expand an expression into brackets."),
+    "straighten": ("gcrules.cli.algebra:straighten", "Bring an expression into its normal form of standard tableaux."),
+    "run": ("gcrules.cli.algebra:run", "Run a script of statements and report every claim."),
+    "catalog": ("gcrules.cli.catalog:catalog", "List, show, check or enumerate the classes of platforms."),
+    "completion": ("gcrules.cli.completion:completion", "Print the script that completes commands in a shell."),
+}
+
+
+@click.group(
+    cls=LazyGroup,
+    table=COMMANDS,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    epilog="Exit codes: 0 done or proved, 1 a definite no, 2 the input is at fault, 3 not decided within a limit.",
+)
+@click.version_option(__version__, message="gcrules %(version)s")
+@click.pass_context
+def cli(ctx: click.Context) -> None:
+    """Tells when, and why, a parallel robot is singular.
+
+    \b
+    gcrules analyze "ab af cb cd ed ef"
+    gcrules prove "ab /\\ cd == [abcd]"
+    """
+    ctx.color = colour_choice()
+
+
+def main() -> NoReturn:
+    """The entry point. A fault of gcrules itself shows its traceback and ends with code 70, unlike any answer."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+    try:
+        cli(prog_name="gcrules")
+    except Exception:
+        traceback.print_exc()
+        click.echo("This is a fault of gcrules, not of your input; please report it with the lines above.", err=True)
+        sys.exit(INTERNAL_FAULT)
+    sys.exit(0)

@@ -1,0 +1,189 @@
+"""The commands of the algebra: prove, expand, straighten, run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import click
+
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
+from gcrules.algebra.expand import MAX_TERMS
+from gcrules.algebra.expand import expand as expanded
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.prove import prove as decide
+from gcrules.algebra.straighten import Straightening, straighten_steps
+from gcrules.algebra.straighten import straighten as straightened
+from gcrules.algebra.syntax import Context, parse, parse_equation, parse_script
+from gcrules.algebra.text import text
+from gcrules.cli.base import ExpressionCommand, Output, Space, output_options, space_options
+from gcrules.cli.files import read_stdin, working
+from gcrules.errors import InputError
+from gcrules.script import ClaimResult, ScriptResult, ShowResult, results
+from gcrules.yamlfile import read_text
+
+__all__ = ["expand", "prove", "run", "straighten"]
+
+EXIT_CODES = {"proved": 0, "refuted": 1, "undecided": 3}
+COLOURS = {"proved": "green", "refuted": "red", "undecided": "yellow"}
+
+_limit = click.option(
+    "--limit",
+    type=click.IntRange(min=1),
+    default=MAX_TERMS,
+    show_default=True,
+    metavar="N",
+    help="Give up beyond this many terms.",
+)
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("claim", metavar='"LHS == RHS"')
+@space_options()
+@_limit
+@output_options()
+@click.pass_context
+def prove(ctx: click.Context, claim: str, space: Space, limit: int, out: Output) -> None:
+    """Decide whether two expressions are equal for all positions of their points; "-" reads standard input.
+
+    \b
+    gcrules prove "ab /\\ cde == [acde] b - [bcde] a"
+    gcrules prove "[[Aa,Ab,Ac,Bd,Be,Cf]] == [Aabc][ABde][ABCf]" --json
+
+    Exit code 0: proved, by equal normal forms. 1: refuted; exact points at which the sides differ are shown.
+    3: not decided within the limit.
+    """
+    sides = parse_equation(_given(claim), context=_context(space))
+    with working("proving"):
+        proof = decide(*sides, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
+    if out.latex:
+        sign = "\\neq" if proof.verdict == "refuted" else "="
+        out.write(f"{_latex(sides[0])} {sign} {_latex(sides[1])}\n% {proof.verdict}: {proof.reason}")
+    else:
+        out.show(proof, _coloured(proof.verdict, proof.text(unicode=out.unicode)))
+    ctx.exit(EXIT_CODES[proof.verdict])
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("expression", metavar="EXPR")
+@space_options()
+@_limit
+@output_options()
+def expand(expression: str, space: Space, limit: int, out: Output) -> None:
+    """Expand an expression into brackets: a bracket polynomial, or a sum of extensors with such coefficients.
+
+    \b
+    gcrules expand "abf /\\ ace /\\ edf /\\ cbd"
+    gcrules expand "[[ab,af,cb,cd,ed,ef]]" --latex
+
+    "-" reads standard input. The result is text of the language again.
+    """
+    e = parse(_given(expression), context=_context(space))
+    with working("expanding"):
+        found = expanded(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
+    out.show(_Polynomial(found))
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("expression", metavar="EXPR")
+@click.option("--steps", is_flag=True, help="Show every syzygy that is used (scalars only).")
+@space_options()
+@_limit
+@output_options()
+def straighten(expression: str, steps: bool, space: Space, limit: int, out: Output) -> None:
+    """The normal form of an expression: its bracket monomials as standard tableaux.
+
+    \b
+    gcrules straighten "[p1p4p5][p1p5p6][p2p3p4]" --rank 3 --steps
+    gcrules straighten "[afgl][behk][cdij]"
+
+    The tableau order is that of --points, else sorted; points at infinity come first. "-" reads standard input.
+    """
+    e = parse(_given(expression), context=_context(space))
+    with working("straightening"):
+        found = expanded(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
+        if not steps:
+            out.show(_Polynomial(straightened(found, limit=limit)))
+            return
+        if not isinstance(found, BracketPolynomial):
+            raise InputError(f"--steps shows scalars only, this is an expression of step {found.step}")
+        normal, syzygies = straighten_steps(found)
+    out.show(_Polynomial(normal, syzygies))
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("file", metavar="FILE.gca")
+@_limit
+@output_options(latex=False)
+@click.pass_context
+def run(ctx: click.Context, file: str, limit: int, out: Output) -> None:
+    """Run a script and report every claim with its line; "-" reads standard input.
+
+    \b
+    gcrules run octahedron.gca
+    with the file
+        let s = [[ab, af, cb, cd, ed, ef]]
+        claim "alternate faces": s == ace /\\ abf /\\ cbd /\\ edf
+
+    Statements: rank, points, ideal, let, claim, show. Exit code 1 if any claim is refuted, 3 if any is undecided.
+    """
+    source, name = (read_stdin(), "<stdin>") if file == "-" else (read_text(file), file)
+    script = parse_script(source, name)
+    found: list[ClaimResult | ShowResult] = []
+    with working("running") as status:
+        for result in results(script, limit=limit):
+            found.append(result)
+            status.text = f"running: {len(found)} of {len(script.statements)}, past line {result.line}"
+    answer = ScriptResult(tuple(found))
+    lines = [_coloured(r.verdict, r.text(unicode=out.unicode)) for r in found]
+    out.show(answer, "\n".join([*lines, answer.text(unicode=out.unicode).rpartition("\n")[2]]))
+    ctx.exit(EXIT_CODES[answer.verdict])
+
+
+@dataclass(frozen=True)
+class _Polynomial:
+    """A polynomial with its steps, in the forms in which it is shown."""
+
+    value: BracketPolynomial | ExtensorPolynomial
+    steps: tuple[Straightening, ...] | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        found = self.value.to_json()
+        if self.steps is not None:
+            found["steps"] = [{"rule": "syzygy", "before": str(s.before), "after": str(s.after)} for s in self.steps]
+        return found
+
+    def text(self, *, unicode: bool = False) -> str:
+        def shown(p: BracketPolynomial | ExtensorPolynomial) -> str:
+            return text(p.to_expr(), unicode=unicode, names=p.points)
+
+        return "\n".join(self._lines(shown, "", " = "))
+
+    def latex(self) -> str:
+        return "\n".join(self._lines(lambda p: _latex(p.to_expr()), " \\\\", " = "))
+
+    def _lines(
+        self, shown: Callable[[BracketPolynomial | ExtensorPolynomial], str], end: str, equals: str
+    ) -> list[str]:
+        steps = [f"{shown(s.before)}{equals}{shown(s.after)}{end}" for s in self.steps or ()]
+        return [*steps, shown(self.value)]
+
+
+def _given(argument: str) -> str:
+    return read_stdin() if argument == "-" else argument
+
+
+def _context(space: Space) -> Context:
+    return Context(space.rank, space.points, space.ideal)
+
+
+def _latex(e: Expr) -> str:
+    from gcrules.render.latex import latex  # needed for --latex only
+
+    return latex(e)
+
+
+def _coloured(verdict: str, shown: str) -> str:
+    colour = COLOURS.get(verdict)
+    return shown.replace(verdict, click.style(verdict, fg=colour, bold=True), 1) if colour else shown

@@ -1,0 +1,241 @@
+"""What the commands share: groups that load commands when used, arguments that begin with a minus sign, options."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import wraps
+from importlib import import_module
+from typing import Any
+
+import click
+from click.shell_completion import CompletionItem
+
+from gcrules.cli.files import write_file
+from gcrules.errors import GcrulesError, InputError
+
+__all__ = ["ExpressionCommand", "LazyGroup", "Output", "Space", "colour_choice", "output_options", "space_options"]
+
+_Command = Callable[..., Any]
+
+INTERRUPTED = 130
+BROKEN_PIPE = 141
+
+
+def colour_choice() -> bool | None:
+    """False where NO_COLOR is set to anything (see no-color.org), else None: colour on a terminal only."""
+    return False if os.environ.get("NO_COLOR") else None
+
+
+class LazyGroup(click.Group):
+    """A group that imports the module of a command when the command is used, and turns faults into exit codes.
+
+    `table` maps each name to "module:attribute" and the line of help in the list of commands.
+    """
+
+    def __init__(self, *args: Any, table: Mapping[str, tuple[str, str]], **options: Any) -> None:
+        super().__init__(*args, **options)
+        self.table = table
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(self.table)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in self.table:
+            return None
+        module, attribute = self.table[cmd_name][0].split(":")
+        command: click.Command = getattr(import_module(module), attribute)
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, line) for name, (_, line) in self.table.items()])
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        names = [CompletionItem(n, help=line) for n, (_, line) in self.table.items() if n.startswith(incomplete)]
+        return names + click.Command.shell_complete(self, ctx, incomplete)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        name = args[0]
+        if name not in self.table and not name.startswith("-"):
+            near = get_close_matches(name, self.table, n=2, cutoff=0.5)
+            hint = f" Did you mean {' or '.join(near)}?" if near else f" There are {', '.join(self.table)}."
+            raise click.UsageError(f"No such command {name!r}.{hint}", ctx)
+        return super().resolve_command(ctx, args)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            result = super().invoke(ctx)
+            sys.stdout.flush()
+            return result
+        except GcrulesError as fault:
+            first, _, rest = fault.render().partition(":")
+            click.echo(f"{click.style(first, fg='red', bold=True)}:{rest}", err=True)
+            ctx.exit(fault.exit_code)
+        except MemoryError:
+            click.echo("error: there is not enough memory for this", err=True)
+            ctx.exit(3)
+        except KeyboardInterrupt:
+            ctx.exit(INTERRUPTED)
+        except BrokenPipeError:
+            # What is still buffered has no reader; without this the interpreter complains when it closes the stream.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+            ctx.exit(BROKEN_PIPE)
+
+
+class ExpressionCommand(click.Command):
+    """A command whose arguments may begin with a minus sign: only declared options, and words that look like a long
+    option (--json), are options; everything else is an argument. An option's value is a word of its own or follows =.
+    """
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        declared = {
+            name: not p.is_flag and not p.count
+            for p in self.get_params(ctx)
+            if isinstance(p, click.Option)
+            for name in (*p.opts, *p.secondary_opts)
+        }
+        options: list[str] = []
+        rest: list[str] = []
+        words = iter(args)
+        for word in words:
+            if word == "--":
+                rest += words
+            elif word in declared or _LONG_OPTION.fullmatch(word):
+                options.append(word)
+                if declared.get(word):
+                    options += [value for value in [next(words, None)] if value is not None]
+            else:
+                rest.append(word)
+        return super().parse_args(ctx, [*options, "--", *rest])
+
+
+_LONG_OPTION = re.compile(r"--[a-z][a-z-]+(=.*)?", re.DOTALL)
+
+
+# --- options -------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Output:
+    """Where an answer goes and in which form."""
+
+    json: bool = False
+    latex: bool = False
+    mathematics: bool | None = None
+    path: str | None = None
+
+    @property
+    def unicode(self) -> bool:
+        """Unicode mathematics unless the user says otherwise or the output cannot show it."""
+        if self.mathematics is not None:
+            return self.mathematics
+        try:
+            "∧∨−·→".encode("utf-8" if self.path else getattr(sys.stdout, "encoding", None) or "ascii")
+        except (UnicodeEncodeError, LookupError):
+            return False
+        return True
+
+    def show(self, answer: Any, text: str | None = None) -> None:
+        """Print an answer that has `to_json()`, `text(unicode=…)` and `latex()`; `text` replaces the plain text."""
+        if self.json:
+            self.write(json.dumps(answer.to_json(), indent=2))
+        elif self.latex:
+            self.write(answer.latex())
+        else:
+            self.write(answer.text(unicode=self.unicode) if text is None else text)
+
+    def write(self, text: str) -> None:
+        """Print, or write to the file of --output (complete or not at all)."""
+        if self.path:
+            write_file(self.path, click.unstyle(text).rstrip("\n") + "\n")
+        else:
+            click.echo(text.rstrip("\n"))
+
+
+def output_options(*, latex: bool = True) -> Callable[[_Command], _Command]:
+    """--json, --latex, --unicode/--ascii, --output; the command receives them as `out`."""
+
+    def decorate(command: _Command) -> _Command:
+        @wraps(command)
+        def with_output(**options: Any) -> Any:
+            out = Output(
+                options.pop("as_json"), options.pop("as_latex", False), options.pop("mathematics"), options.pop("path")
+            )
+            if out.json and out.latex:
+                raise click.UsageError("--json and --latex exclude each other.")
+            return command(out=out, **options)
+
+        decorators = [
+            click.option("--json", "as_json", is_flag=True, help="Print one JSON object."),
+            *([click.option("--latex", "as_latex", is_flag=True, help="Print LaTeX.")] if latex else []),
+            click.option(
+                "--unicode/--ascii",
+                " /--plain",
+                "mathematics",
+                default=None,
+                help="Unicode mathematics or plain ASCII; by default what the output can show.",
+            ),
+            click.option("-o", "--output", "path", metavar="FILE", help="Write to a file."),
+        ]
+        return _decorated(with_output, decorators)
+
+    return decorate
+
+
+@dataclass(frozen=True)
+class Space:
+    """The rank, the declared points and the points at infinity."""
+
+    rank: int
+    points: tuple[str, ...]
+    ideal: tuple[str, ...]
+
+
+def space_options(*, rank: bool = True) -> Callable[[_Command], _Command]:
+    """--rank, --points, --ideal; the command receives them as `space`."""
+
+    def decorate(command: _Command) -> _Command:
+        @wraps(command)
+        def with_space(**options: Any) -> Any:
+            points, ideal = (_names(options.pop(key)) for key in ("points", "ideal"))
+            return command(space=Space(options.pop("rank", 4), points, ideal), **options)
+
+        decorators = [
+            *(
+                [click.option("--rank", type=int, default=4, show_default=True, metavar="N", help="The rank, 2 to 8.")]
+                if rank
+                else []
+            ),
+            click.option(
+                "--points",
+                default="",
+                metavar="NAMES",
+                help='Names of points in tableau order; declares names of several letters: "left right top base".',
+            ),
+            click.option("--ideal", default="", metavar="NAMES", help='Points at infinity: "i j k".'),
+        ]
+        return _decorated(with_space, decorators)
+
+    return decorate
+
+
+def _names(text: str) -> tuple[str, ...]:
+    names = tuple(re.findall(r"[^\s,]+", text))
+    twice = next((n for i, n in enumerate(names) if n in names[:i]), None)
+    if twice is not None:
+        raise InputError(f"the point {twice} is declared twice")
+    return names
+
+
+def _decorated(command: _Command, decorators: Sequence[Callable[[_Command], _Command]]) -> _Command:
+    for decorator in reversed(decorators):
+        command = decorator(command)
+    return command

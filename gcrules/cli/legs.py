@@ -1,0 +1,125 @@
+"""The commands about six legs: analyze, report."""
+
+from __future__ import annotations
+
+import os
+import re
+
+import click
+
+from gcrules.analysis import Analysis
+from gcrules.analysis import analyze as analyzed
+from gcrules.cli.base import ExpressionCommand, Output, Space, output_options, space_options
+from gcrules.cli.files import read_stdin, working, write_file
+from gcrules.errors import InputError
+from gcrules.robots.geometry import Platform, load_platform, parse_platform
+
+__all__ = ["analyze", "report"]
+
+_order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
+_catalogs = click.option("--catalog", "catalogs", multiple=True, metavar="FILE", help="Add a catalog of your own.")
+_recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
+_legs = click.argument("legs", nargs=-1, required=True, metavar="LEGS|FILE.yaml")
+
+
+@click.command(cls=ExpressionCommand)
+@_legs
+@_order
+@_recheck
+@click.option("--figure", metavar="FILE", help="Draw the robot (FILE.yaml) or the graph of its legs: .svg or .pdf.")
+@_catalogs
+@space_options(rank=False)
+@output_options()
+def analyze(
+    legs: tuple[str, ...],
+    order: str | None,
+    recheck: bool,
+    figure: str | None,
+    catalogs: tuple[str, ...],
+    space: Space,
+    out: Output,
+) -> None:
+    """Tell when and why a robot with six legs is singular: every stage, the proved condition, a sentence.
+
+    \b
+    gcrules analyze "ab af cb cd ed ef"
+    gcrules analyze S1A1 S1B1 S1C1 S2A2 S3A3 S3B3 --json
+    gcrules analyze robot.yaml --figure robot.svg
+
+    A leg is a joint of one body and a joint of the other, in this sequence throughout; joints that legs share bear
+    one name. "-" reads legs or a geometry file from standard input.
+    """
+    analysis, platform = _analysis(legs, order, recheck, catalogs, space)
+    if figure:
+        _draw(analysis, platform, figure)
+    out.show(analysis)
+
+
+@click.command(cls=ExpressionCommand)
+@_legs
+@click.option("-o", "--output", "path", default="-", metavar="FILE.html", help="Write to a file.")
+@_order
+@_recheck
+@_catalogs
+@space_options(rank=False)
+def report(
+    legs: tuple[str, ...],
+    path: str,
+    order: str | None,
+    recheck: bool,
+    catalogs: tuple[str, ...],
+    space: Space,
+) -> None:
+    """Write the analysis as a self-contained HTML page: formulas, figures, and for a geometry file the numbers.
+
+    \b
+    gcrules report "ab af cb cd ed ef" -o octahedron.html
+    gcrules report robot.yaml -o robot.html
+    """
+    from gcrules.render.report import report as rendered  # not needed by analyze
+
+    analysis, platform = _analysis(legs, order, recheck, catalogs, space)
+    write_file(path, rendered(analysis, platform))
+
+
+def _analysis(
+    legs: tuple[str, ...], order: str | None, recheck: bool, catalogs: tuple[str, ...], space: Space
+) -> tuple[Analysis, Platform | None]:
+    found = _platform_or_legs(legs)
+    platform = found if isinstance(found, Platform) else None
+    for warning in platform.warnings if platform else ():
+        click.echo(f"warning: {warning}", err=True)
+    with working("analysing"):
+        analysis = analyzed(
+            found.legs if isinstance(found, Platform) else found,
+            order=order,
+            points=space.points,
+            ideal=space.ideal,
+            catalogs=catalogs,
+            recheck=recheck,
+        )
+    return analysis, platform
+
+
+def _platform_or_legs(words: tuple[str, ...]) -> Platform | str:
+    """A geometry file if the single word names one (or looks like a path), else the text of the legs."""
+    if len(words) > 1:
+        if "-" in words or any(_is_path(w) for w in words):
+            raise InputError("expected one geometry file, or legs", hint="give one file at a time")
+        return " ".join(words)
+    (word,) = words
+    if word == "-":
+        source = read_stdin()
+        return parse_platform(source, "<stdin>") if re.search(r"^\s*[\"']?legs", source, re.MULTILINE) else source
+    return load_platform(word) if _is_path(word) else word
+
+
+def _is_path(word: str) -> bool:
+    return word.lower().endswith((".yaml", ".yml")) or os.sep in word or os.path.isfile(word)
+
+
+def _draw(analysis: Analysis, platform: Platform | None, path: str) -> None:
+    from gcrules.render.drawing import save  # figures are rarely asked for
+    from gcrules.render.figures import graph_figure, robot_figure
+
+    save(robot_figure(analysis, platform.points) if platform else graph_figure(analysis), path)
