@@ -67,12 +67,14 @@ $(READY): pyproject.toml
 	@$(call make-venv,$(VENV))
 	@echo "make: installing into $(VENV); this takes a minute or so"
 	@$(BIN)/python -m pip $(PIP_QUIET) install --editable ".[dev]"
+	@$(BIN)/python -m compileall -q gcrules
 	@touch $@
 
 $(BENCH_READY): pyproject.toml benchmarks/peers.txt
 	@$(call make-venv,$(BENCH_VENV))
 	@echo "make: installing into $(BENCH_VENV); this takes a minute or so"
 	@$(BENCH_VENV)/bin/python -m pip $(PIP_QUIET) install --editable ".[bench]"
+	@$(BENCH_VENV)/bin/python -m compileall -q gcrules
 	@grep -v '^ *\(#\|$$\)' benchmarks/peers.txt | while read -r peer; do \
 	  $(BENCH_VENV)/bin/python -m pip $(PIP_QUIET) install "$$peer" < /dev/null \
 	    || echo "make: the peer $$peer does not install here; its benchmarks go without it" >&2; \

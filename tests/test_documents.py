@@ -69,7 +69,8 @@ def test_python_answers_what_the_document_says(document: str, block: str) -> Non
     test = doctest.DocTestParser().get_doctest(block, {}, document, document, 0)
     runner = doctest.DocTestRunner()
     runner.run(test)
-    assert runner.tries and not runner.failures
+    assert runner.tries
+    assert not runner.failures
 
 
 def rewrite(document: str) -> None:
