@@ -18,6 +18,7 @@ from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.shortest import SuperbracketForm, shortest_forms, superbracket_form
+from gcrules.algebra.straighten import straighten
 from gcrules.catalog import Catalog, Match, load
 from gcrules.condition import GROUPS, Certificate, Condition, Entity, starred
 from gcrules.robots.structure import Structure, read_legs, read_order
@@ -25,6 +26,7 @@ from gcrules.rules.conditions import PROVED, best_first, describe, prove_identit
 from gcrules.rules.degenerate import Degeneracy, explain
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.incidence import Claim, Oracle, claims
+from gcrules.rules.state import extensor
 
 __all__ = ["Analysis", "analyze"]
 
@@ -129,8 +131,8 @@ def analyze(
     forms = _shortest(structure) if chosen is None else _in_order(structure, chosen)
     match = catalog.match(structure)
     start = Derivation((_superbracket_step(structure, typed),), structure.ideal)
-    if not forms[0].polynomial:
-        return _always_singular(structure, typed, forms[0], match, start, catalog)
+    if not straighten(typed.polynomial):
+        return _always_singular(structure, typed, match, start, catalog)
     notes: list[str] = []
     oracle = Oracle(structure)
     found = best_first(claims(forms, structure, oracle), structure, oracle)
@@ -183,7 +185,6 @@ def _superbracket_step(structure: Structure, typed: SuperbracketForm) -> Step:
 def _always_singular(
     structure: Structure,
     typed: SuperbracketForm,
-    shortest: SuperbracketForm,
     match: Match | None,
     start: Derivation,
     catalog: Catalog,
@@ -198,7 +199,10 @@ def _always_singular(
         entities=entities,
         lines=(("", why.line),) if isinstance(why.line, ex.Meet) else (),
     )
-    if typed.polynomial:
+    shortest = _shortest(structure)[0]
+    if typed.polynomial and shortest.polynomial:
+        start = start.then("straighten", ex.ZERO, "the normal form of standard tableaux has no term")
+    elif typed.polynomial:
         start = start.then("shortest-form", ex.ZERO, f"the legs in the order {_order(shortest)} leave no term")
     return Analysis(structure, typed, shortest, match, condition, (), start, degeneracy=why)
 
@@ -260,7 +264,7 @@ def _derivation(
 def _left(claim: Claim) -> str:
     names = claim.state.named(claim.state.left)
     if claim.single:
-        pairs = " and ".join("".join(leg) for leg in claim.single)
+        pairs = " and ".join(str(extensor(leg)) for leg in claim.single)
         tests = [
             claim.state.swapped_sum(*(claim.state.form.polynomial.points.index(n) for n in leg)) for leg in claim.single
         ]

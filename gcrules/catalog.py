@@ -13,6 +13,7 @@ from functools import cache, cached_property
 from importlib.resources import files
 from itertools import islice
 from os import PathLike, fspath
+from string import Formatter
 from typing import Any
 
 from gcrules.algebra import expr as ex
@@ -24,7 +25,7 @@ from gcrules.errors import FileError, GcrulesError
 from gcrules.robots.structure import Leg, Structure, read_legs
 from gcrules.rules.conditions import PROVED, prove_identity
 from gcrules.rules.incidence import Oracle
-from gcrules.yamlfile import Document, Node
+from gcrules.yamlfile import Document, Node, near
 
 __all__ = ["SHIPPED", "Catalog", "Entry", "Match", "Reading", "load", "load_file"]
 
@@ -166,11 +167,11 @@ class Catalog:
                 expression=expression,
                 cofactor=cofactor,
                 coefficient=sign * reading.coefficient,
-                statement=_relabelled(reading.statement or self.statements[reading.kind], match.mapping),
+                statement=_relabelled(reading.statement or "", match.mapping),
                 certificate=Certificate("catalog-instance", detail, data),  # type: ignore[arg-type]
                 lines=tuple((name, substitute(e, dict(names))) for name, e in reading.lines),
             )
-            if oracle.coefficient(expression, cofactor) != condition.coefficient:
+            if oracle.zero(cofactor) or not oracle.zero(condition.identity(structure.superbracket)):
                 raise FileError(
                     f"the reading {reading.expression} of class {entry.id} is not an identity",
                     filename=entry.place,
@@ -183,12 +184,15 @@ class Catalog:
         return found
 
 
-_FROM_CATALOG = ("transversals",)
+_FROM_CATALOG = ("transversals", "one-incidence")  # kinds that no rule of the engine finds
 _MOST_ISOMORPHISMS = 100
 
 
 def _missing(class_id: str) -> Entry:
     raise KeyError(class_id)
+
+
+_LABELS = r"\{([\w']+)\}"
 
 
 def _relabelled(statement: str, mapping: Mapping[str, str]) -> str:
@@ -197,7 +201,7 @@ def _relabelled(statement: str, mapping: Mapping[str, str]) -> str:
     def image(match: re.Match[str]) -> str:
         return str(ex.join(*(Point(mapping[n]) for n in SHORT_NAME.findall(match[1])), rank=8))
 
-    return re.sub(r"\{([\w']+)\}", image, statement)
+    return re.sub(_LABELS, image, statement)
 
 
 def _degrees(structure: Structure) -> list[int]:
@@ -265,6 +269,8 @@ def _read(document: Document, owner: str) -> Catalog:
     if "statements" in top:
         for key, value in top["statements"].entries():
             statements[key.string() or ""] = value.string() or ""
+            if owner != SHIPPED:
+                _check_template(key, value)
     entries: list[Entry] = []
     if "classes" in top:
         for node in top["classes"].sequence():
@@ -275,6 +281,32 @@ def _read(document: Document, owner: str) -> Catalog:
                 entries.append(entry)
     document.check()
     return Catalog(tuple(entries), statements)
+
+
+def _check_template(key: Node, value: Node) -> None:
+    """Record a fault unless a sentence of the user's own fills in no more than the shipped one for its kind."""
+    kind, known = key.string() or "", _shipped().statements
+    if kind not in known:
+        key.fault(f"{kind!r} is no kind of condition that has a sentence", near(kind, known))
+        return
+    names = _fields(known[kind])
+    try:
+        unknown = _fields(value.string() or "") - names
+    except ValueError as fault:
+        value.fault(f"not a sentence to fill in: {fault}")
+        return
+    if unknown:
+        allowed = ", ".join(sorted(f"{{{n}}}" for n in names)) or "nothing"
+        value.fault(f"{{{min(unknown)}}} cannot be filled in here", f"this sentence is filled with {allowed}")
+
+
+def _fields(template: str) -> set[str]:
+    """What stands in braces in a template, as written."""
+    found = set()
+    for _, name, form, conversion in Formatter().parse(template):
+        if name is not None:
+            found.add(name + (f"!{conversion}" if conversion else "") + (f":{form}" if form else ""))
+    return found
 
 
 _REQUIRED = {"id", "legs", "degrees", "terms", "factors", "group", "status", "sources", "condition"}
@@ -306,8 +338,9 @@ class _Reader:
             return None
         legs = self._legs(top["legs"])
         group = top["group"].choice(("b", "c", "d", "e", "g", "none"))
-        condition = self._reading(top["condition"])
-        readings = [self._reading(n) for n in top["readings"].sequence()] if "readings" in top else []
+        names = {n for leg in legs or () for n in leg}
+        condition = self._reading(top["condition"], names)
+        readings = [self._reading(n, names, told=True) for n in top["readings"].sequence()] if "readings" in top else []
         degrees = [tuple(n.integer() or 0 for n in side.sequence()) for side in top["degrees"].sequence(2)]
         terms = top["terms"].mapping(required={"24", "16"})
         found = {int(k): n.integer() or 0 for k, n in terms.items()}
@@ -345,7 +378,8 @@ class _Reader:
             node.fault(f"{word!r} is not made of points", "points are a letter with digits or primes: a, S1, A'")
         return names
 
-    def _reading(self, node: Node) -> Reading | None:
+    def _reading(self, node: Node, names: set[str], told: bool = False) -> Reading | None:
+        """One identity over the class's points; with `told`, or a kind that has no sentence, it needs a statement."""
         top = node.mapping(required={"kind", "expression"}, optional={"cofactor", "coefficient", "statement", "lines"})
         if "kind" not in top or "expression" not in top:
             return None
@@ -354,20 +388,32 @@ class _Reader:
         coefficient = top["coefficient"].integer() if "coefficient" in top else 1
         if self.owner != SHIPPED:  # the shipped file is proved by its tests; its expressions are parsed when used
             for key in texts.keys() & top.keys():
-                e = self._parsed(top[key], parse)
-                if e is not None and e.step != 0:
-                    top[key].fault(f"an expression of step {e.step}, expected a scalar (step 0)")
+                self._expression(top[key], 0, "a scalar", names)
         expression, cofactor = texts["expression"], texts["cofactor"]
         if kind is None or expression is None or cofactor is None or coefficient is None:
             return None
         lines = [(k.string() or "", v) for k, v in top["lines"].entries()] if "lines" in top else []
-        for _, node in lines if self.owner != SHIPPED else ():
-            line = self._parsed(node, parse)
-            if line is not None and line.step != 2:
-                node.fault(f"an expression of step {line.step}, expected a line (step 2)")
+        for _, line in lines if self.owner != SHIPPED else ():
+            self._expression(line, 2, "a line", names)
         statement = top["statement"].string() if "statement" in top else None
-        texts_of_lines = tuple((name, node.text) for name, node in lines)
+        if statement is None and (told or kind in _FROM_CATALOG):
+            node.fault("a reading needs a statement", "say in words when the expression vanishes")
+        for word in re.findall(_LABELS, statement or ""):
+            if names and not names.issuperset(SHORT_NAME.findall(word)):
+                top["statement"].fault(f"{{{word}}} is not made of points of the class")
+        texts_of_lines = tuple((name, line.text) for name, line in lines)
         return Reading(kind, expression, cofactor, coefficient, statement, texts_of_lines)
+
+    def _expression(self, node: Node, step: int, what: str, names: set[str]) -> None:
+        """Record a fault unless the text is an expression of this step over points of the class."""
+        e = self._parsed(node, parse)
+        if e is None:
+            return
+        strange = [n for n in ex.points_of(e) if n not in names]
+        if e.step != step:
+            node.fault(f"an expression of step {e.step}, expected {what} (step {step})")
+        elif names and strange:
+            node.fault(f"{', '.join(strange)} {'is' if len(strange) == 1 else 'are'} not among the points of the class")
 
     def _parsed(self, node: Node, read: Any) -> Any:
         word = node.string()

@@ -9,7 +9,7 @@ from importlib.resources import files
 from itertools import combinations
 from typing import Any
 
-from gcrules.algebra.evaluate import PRIME, evaluate, random_points
+from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
 from gcrules.algebra.expr import ZERO
 from gcrules.algebra.prove import prove
 from gcrules.algebra.shortest import counts, shortest_forms
@@ -102,6 +102,8 @@ def _factors(structure: Structure) -> Iterator[tuple[str, ...]]:
 
 
 def _proved(reading: Reading, structure: Structure) -> list[str]:
+    if vanishes(reading.cofactor):
+        return [f"the cofactor {reading.cofactor_text} is zero identically, so the identity says nothing"]
     statement = reading.statement or ""
     condition = Condition(reading.kind, reading.expression, statement, PROVED, reading.cofactor, reading.coefficient)
     answer = prove(condition.identity(structure.superbracket), ZERO)

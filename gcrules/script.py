@@ -21,7 +21,7 @@ from gcrules.algebra.syntax import Claim, Script, Show
 from gcrules.algebra.text import text
 from gcrules.errors import LimitReached
 
-__all__ = ["ClaimResult", "ScriptResult", "ShowResult", "run_script"]
+__all__ = ["ClaimResult", "ScriptResult", "ShowResult", "results", "run_script"]
 
 _LABEL = 100  # characters of a label that the text shows
 

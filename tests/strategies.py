@@ -30,10 +30,10 @@ def expressions(
     """Any expression of the given rank (and step), built by the checking functions, of every kind of node."""
 
     def of(step: int, depth: int) -> Expr:
-        kinds = _SCALARS if step == 0 else _EXTENSORS
         if depth == 0:
-            kinds = ("bracket",) if step == 0 else ("points",)
-        kind = draw(st.sampled_from(kinds))
+            kind = "points" if step else "bracket"
+        else:
+            kind = draw(st.sampled_from(_EXTENSORS if step else _SCALARS))
         match kind:
             case "number":
                 return ex.Number(draw(fractions))

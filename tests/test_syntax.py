@@ -67,8 +67,8 @@ SPELLINGS = [
     ("product tex", r"2 \cdot [abcd] \times [abce]", ex.mul(Number(2), ABCD, bracket("a b c e"))),
     ("product by a space", "2 [abcd] [abce]", ex.mul(Number(2), ABCD, bracket("a b c e"))),
     ("product side by side", "2[abcd][abce]", ex.mul(Number(2), ABCD, bracket("a b c e"))),
-    ("minus ascii", "a - b", ex.sub(*pts("a b"))),
-    ("minus unicode", "a − b", ex.sub(*pts("a b"))),
+    ("minus ascii", "a - b", ex.sub(Point("a"), Point("b"))),
+    ("minus unicode", "a − b", ex.sub(Point("a"), Point("b"))),
     ("signs", "- + - -a", ex.neg(Point("a"))),
     ("sign after a product sign", "2 * -a", ex.mul(Number(-2), Point("a"))),
     ("fraction", "3/4 [abcd]", ex.mul(Number(Fraction(3, 4)), ABCD)),
@@ -233,7 +233,7 @@ def test_every_kind_of_node_is_generated() -> None:
 TEXTS = [
     ("minus one times a sum", ex.mul(Number(-1), ex.add(*pts("a b"))), "-(a + b)"),
     ("a sum minus a sum", ex.Sum((Point("c"), ex.mul(Number(-1), ex.add(*pts("a b"))))), "c - (a + b)"),
-    ("minus", ex.sub(*pts("a b")), "a - b"),
+    ("minus", ex.sub(Point("a"), Point("b")), "a - b"),
     ("fraction", ex.mul(Number(Fraction(-1, 2)), ABCD), "-1/2[abcd]"),
     ("bracket in a bracket", Bracket((ex.mul(ABCD, Point("a")), *pts("b c d"))), "[ [abcd] * a, b, c, d]"),
     ("dotted", DOTTED, "[.a d e f][.b g h i][.c j k l]"),
@@ -464,8 +464,9 @@ def test_script_fault(source: str, place: str, message: str) -> None:
 @pytest.mark.parametrize("word", ["given", "rule"])
 def test_reserved_words_are_named(word: str) -> None:
     with pytest.raises(SyntaxFault) as caught:
-        parse_script(f"show a\n{word} x")
-    assert "reserved" in (caught.value.hint or "")
+        parse_script(f"show a\n  {word} x")
+    assert caught.value.place == "<input>:2:3"
+    assert caught.value.message == f"the word `{word}` is reserved"
 
 
 def test_labels_do_not_count_as_nesting() -> None:

@@ -231,7 +231,7 @@ class ExtensorPolynomial:
         return ex.add(
             *(
                 ex.mul(p.to_expr(), ex.join(*(ex.Point(self.points[i]) for i in row), rank=self.rank))
-                for row, p in reversed(self.parts.items())
+                for row, p in sorted(self.parts.items(), reverse=True)
             ),
             rank=self.rank,
         )

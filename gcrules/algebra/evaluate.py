@@ -36,7 +36,7 @@ from gcrules.algebra.expr import (
     permutation_sign,
     points_of,
 )
-from gcrules.errors import InputError
+from gcrules.errors import InputError, LimitReached
 
 __all__ = ["PRIME", "Evaluator", "evaluate", "plucker", "random_points", "random_rational_points", "vanishes"]
 
@@ -134,6 +134,8 @@ class Evaluator:
     def _number(self, value: int | Fraction) -> int | Fraction:
         if not self.modulus:
             return value
+        if value.denominator % self.modulus == 0:
+            raise LimitReached(f"a denominator is a multiple of the modulus {self.modulus}")
         return value.numerator * pow(value.denominator, -1, self.modulus) % self.modulus
 
     def _joined(self, args: Sequence[Expr], rank: int) -> _Values:

@@ -46,6 +46,7 @@ from gcrules.errors import LimitReached
 __all__ = ["MAX_TERMS", "expand"]
 
 MAX_TERMS = 200_000
+_SUPERBRACKET_WORK = 120  # what the 24 terms of a superbracket take, in products of terms
 
 _Multivector = dict[Row, Terms]  # extensor (increasing points; () for a scalar) -> its coefficient
 
@@ -145,6 +146,7 @@ class _Expander:
     def _superbracket(self, lines: list[_Multivector]) -> _Multivector:
         out: _Multivector = {}
         for choice in product(*(line.items() for line in lines)):
+            self._worked(_SUPERBRACKET_WORK)
             ends = [i for row, _ in choice for i in row]
             coefficient = reduce(self._times, (p for _, p in choice))
             for sign, brackets in form_terms(24):
@@ -164,9 +166,7 @@ class _Expander:
         return {} if self._at_infinity(row) else self._times(terms, {(row,): 1})
 
     def _times(self, a: Terms, b: Terms) -> Terms:
-        self.work += len(a) * len(b)
-        if self.work > 20 * self.limit:
-            self._too_large()
+        self._worked(len(a) * len(b))
         if len(b) == 1 and () in b:
             return a if b[()] == 1 else {m: c * b[()] for m, c in a.items()}
         out: Terms = {}
@@ -185,8 +185,13 @@ class _Expander:
                 into[m] = value
             else:
                 into.pop(m, None)
-        self.work += len(terms)
+        self._worked(len(terms))
         if len(into) > self.limit:
+            self._too_large()
+
+    def _worked(self, products: int) -> None:
+        self.work += products
+        if self.work > 20 * self.limit:
             self._too_large()
 
     def _too_large(self) -> None:

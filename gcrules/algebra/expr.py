@@ -18,7 +18,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import chain, permutations
+from itertools import chain, combinations
+from math import factorial, prod
 
 from gcrules.errors import InputError, LimitReached, StepError
 
@@ -57,6 +58,7 @@ __all__ = [
 
 MAX_EXPONENT = 64
 MAX_COEFFICIENT_BITS = 10_000
+MAX_DOTTED_TERMS = 50_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,15 +185,25 @@ class Dotted(Expr):
     def written_out(self) -> Expr:
         """The sum that the dots stand for."""
         names = [n for entries in self.brackets for n, d in entries if d]
-        home = [i for i, entries in enumerate(self.brackets) for _, d in entries if d]
+        sizes = [sum(d for _, d in entries) for entries in self.brackets]
+        if factorial(len(names)) // prod(map(factorial, sizes)) > MAX_DOTTED_TERMS:
+            raise LimitReached(f"dotted brackets that stand for more than {MAX_DOTTED_TERMS:,} terms")
         terms = []
-        for order in permutations(range(len(names))):
-            if any(home[i] == home[i + 1] and order[i] > order[i + 1] for i in range(len(order) - 1)):
-                continue
+        for order in _deals(tuple(range(len(names))), sizes):
             moved = iter(names[i] for i in order)
             factors = [Bracket(tuple(Point(next(moved) if d else n) for n, d in entries)) for entries in self.brackets]
             terms.append(mul(Number(permutation_sign(order)), *factors))
         return add(*terms, rank=len(self.brackets[0]))
+
+
+def _deals(cards: tuple[int, ...], sizes: Sequence[int]) -> Iterator[tuple[int, ...]]:
+    """All ways to deal the cards out into hands of these sizes, each hand in increasing order."""
+    if not sizes:
+        yield ()
+        return
+    for hand in combinations(cards, sizes[0]):
+        for others in _deals(tuple(c for c in cards if c not in hand), sizes[1:]):
+            yield (*hand, *others)
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,6 +30,9 @@ from gcrules.errors import LimitReached
 __all__ = ["Straightening", "is_standard", "straighten", "straighten_steps"]
 
 MAX_WORK = 5_000_000
+_WORK_OF_A_SYZYGY = 5  # what one term of a syzygy takes, in replacements
+
+_Pattern = tuple[tuple[tuple[int, Row, Row], ...], int]
 
 
 def straighten(
@@ -58,7 +61,8 @@ def _extensor(poly: ExtensorPolynomial, limit: int) -> ExtensorPolynomial:
     closed: Terms = {}
     for row, coefficient in poly.parts.items():
         for m, c in coefficient.terms.items():
-            closed[tuple(sorted((*m, row + new)))] = c
+            key = tuple(sorted((*m, row + new)))
+            closed[key] = closed.get(key, 0) + c  # where nothing is new, [abcd] efgh and [efgh] abcd are one
     parts: dict[Row, Terms] = {}
     for m, c in straighten_terms(closed, poly.ideal, limit).items():
         (last,) = (row for row in m if row[poly.step :] == new) if new else (m[-1],)
@@ -78,6 +82,7 @@ def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int =
     heap = [_Last(m) for m in pending]
     heapify(heap)
     normal: Terms = {}
+    seen: set[tuple[Row, Row]] = set()
     work = 0
     while heap:
         monomial = heappop(heap).monomial
@@ -89,7 +94,11 @@ def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int =
             normal[monomial] = coefficient
             continue
         above, below = monomial[:at], monomial[at + 2 :]
-        for c, first, second in _two_rows(monomial[at], monomial[at + 1]):
+        pair = monomial[at], monomial[at + 1]
+        if pair not in seen:
+            seen.add(pair)
+            work += _WORK_OF_A_SYZYGY * _pattern_of(*pair)[1]
+        for c, first, second in _two_rows(*pair):
             if first[-1] < ideal:
                 continue
             new = tuple(sorted((*above, first, second, *below)))
@@ -141,13 +150,19 @@ def _offence(monomial: Monomial) -> int | None:
 def _two_rows(first: Row, second: Row) -> tuple[tuple[int, Row, Row], ...]:
     """The standard form of [first][second], from the one for points 0, 1, 2, … in the same relative order."""
     letters = sorted({*first, *second})
-    place = {x: i for i, x in enumerate(letters)}
-    pattern = _two_row_pattern(tuple(place[x] for x in first), tuple(place[x] for x in second))
+    pattern, _ = _pattern_of(first, second)
     return tuple((c, tuple(letters[i] for i in one), tuple(letters[i] for i in other)) for c, one, other in pattern)
 
 
+def _pattern_of(first: Row, second: Row) -> _Pattern:
+    place = {x: i for i, x in enumerate(sorted({*first, *second}))}
+    return _two_row_pattern(tuple(place[x] for x in first), tuple(place[x] for x in second))
+
+
 @lru_cache(maxsize=1 << 14)
-def _two_row_pattern(first: Row, second: Row) -> tuple[tuple[int, Row, Row], ...]:
+def _two_row_pattern(first: Row, second: Row) -> _Pattern:
+    """The standard form of [first][second], and the number of terms that its syzygies had."""
+    work = 0
     normal: dict[Monomial, int] = {}
     pending: dict[Monomial, int] = {(first, second): 1}
     while pending:
@@ -162,7 +177,8 @@ def _two_row_pattern(first: Row, second: Row) -> tuple[tuple[int, Row, Row], ...
             continue
         for c, rows in _syzygy(one, other, column):
             pending[rows] = pending.get(rows, 0) + c * coefficient
-    return tuple((c, one, other) for (one, other), c in sorted(normal.items()))
+            work += 1
+    return tuple((c, one, other) for (one, other), c in sorted(normal.items())), work
 
 
 def _column(one: Row, other: Row) -> int | None:

@@ -344,7 +344,12 @@ class _Builder:
         return ex.meet(*map(self.value, tree.children), rank=self.rank)
 
     def join(self, tree: _Node) -> Expr:
-        return ex.join(*map(self.value, tree.children), rank=self.rank)
+        parts: list[Expr] = []
+        for part in tree.children:
+            parts.append(self.value(part))
+            if sum(p.step for p in parts[-self.rank - 1 :]) > self.rank:
+                break  # a fault, whatever follows
+        return ex.join(*parts, rank=self.rank)
 
     def juxtaposition(self, tree: _Node) -> _Value:
         parts = [self.any(t) for t in tree.children]

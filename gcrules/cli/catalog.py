@@ -20,6 +20,7 @@ COMMANDS = {
     "list": ("gcrules.cli.catalog:list_", "List the classes."),
     "show": ("gcrules.cli.catalog:show", "Show what is known about a class."),
     "check": ("gcrules.cli.catalog:check", "Prove everything the catalog says from scratch."),
+    "docs": ("gcrules.cli.catalog_docs:docs", "Write the catalog's pages, or check that they are up to date."),
     "enumerate": ("gcrules.cli.catalog:enumerate_", "Derive the classes: all graphs of six legs."),
 }
 

@@ -8,7 +8,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Join, Meet, Point
 from gcrules.algebra.straighten import straighten
 from gcrules.condition import Certificate, Condition, Entity, starred
-from gcrules.robots.structure import Leg, Structure
+from gcrules.robots.structure import Structure
 from gcrules.rules.incidence import Claim, Oracle
 from gcrules.rules.state import extensor
 
@@ -123,7 +123,3 @@ def prove_identity(condition: Condition, structure: Structure) -> bool:
     """Whether cofactor · superbracket − coefficient · expression has the normal form 0."""
     identity = condition.identity(structure.superbracket)
     return not straighten(identity, points=structure.points, ideal=structure.ideal, rank=4)
-
-
-def leg_text(leg: Leg) -> str:
-    return str(extensor(leg))

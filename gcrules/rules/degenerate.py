@@ -60,7 +60,7 @@ def _candidates(s: Structure) -> Iterator[tuple[Expr, str, str]]:
     """Lines that the joints and legs determine, with their description and what else there is to say."""
     joints = _busiest(s)
     for a, b in combinations(joints, 2):
-        yield extensor((a, b)), f"the line {a}{b} through the joints {a} and {b}", ""
+        yield extensor((a, b)), f"the line {_leg((a, b))} through the joints {a} and {b}", ""
     number = Counter(n for leg in s.legs for n in leg)
     for a in joints:
         if number[a] < 4:

@@ -1,0 +1,94 @@
+r"""Exact worked poses of a structure: one that is singular and one that is not, with rational coordinates."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from gcrules.algebra.evaluate import evaluate
+from gcrules.algebra.expr import Expr
+from gcrules.robots.structure import Structure
+
+__all__ = ["WorkedPose", "regular_pose", "singular_pose"]
+
+Coordinate = int | Fraction
+Pose = dict[str, tuple[Coordinate, Coordinate, Coordinate, Coordinate]]
+
+_TRIES = 16
+_SIZE = 4
+
+
+@dataclass(frozen=True)
+class WorkedPose:
+    """Homogeneous coordinates (x, y, z, 1) of every joint, exact, and the superbracket's value there."""
+
+    points: Mapping[str, tuple[Coordinate, Coordinate, Coordinate, Coordinate]]
+    value: Fraction
+
+
+def regular_pose(structure: Structure, avoid: tuple[Expr, ...] = ()) -> WorkedPose:
+    """The first of the small whole poses tried at which neither the superbracket nor any of `avoid` vanishes."""
+    for pose in _whole_poses(structure):
+        value = Fraction(evaluate(structure.superbracket, pose))
+        if value and all(evaluate(e, pose) for e in avoid):
+            return WorkedPose(pose, value)
+    raise ValueError("the structure is singular in every pose that was tried")
+
+
+def singular_pose(structure: Structure, avoid: tuple[Expr, ...] = ()) -> WorkedPose:
+    """The singular pose with the smallest numbers among those found by moving one joint.
+
+    A joint with two legs is moved along one of them: that leg's line stays, so the superbracket is linear in the motion
+    and has one exact zero. A joint with a single leg is moved along x. `avoid` lists expressions that must not vanish
+    there (cofactors). Raises ValueError if none is found.
+    """
+    number = Counter(n for leg in structure.legs for n in leg)
+    along = [(a, b) for leg in structure.legs for a, b in (leg, leg[::-1]) if number[a] == 2]
+    moves: list[tuple[str, str | None]] = [*along, *((n, None) for n in structure.names if number[n] == 1)]
+    found: list[tuple[int, int, Pose]] = []
+    for pose in _whole_poses(structure):
+        for joint, other in moves:
+            moved = _on_zero(structure, pose, joint, other)
+            if moved and len(set(moved.values())) == len(moved) and all(evaluate(e, moved) for e in avoid):
+                found.append((_height(moved), len(found), moved))
+    if not found:
+        raise ValueError("no singular pose was found")
+    _, _, best = min(found)
+    return WorkedPose(best, Fraction(evaluate(structure.superbracket, best)))
+
+
+def _on_zero(structure: Structure, pose: Pose, joint: str, other: str | None) -> Pose | None:
+    """Move a joint towards another (or along x) to where the superbracket, linear in the motion, vanishes."""
+    start = pose[joint]
+    step = tuple(e - s for s, e in zip(start, pose[other], strict=True)) if other else (1, 0, 0, 0)
+
+    def at(t: Coordinate) -> Pose:
+        x, y, z, w = (s + t * d for s, d in zip(start, step, strict=True))
+        return {**pose, joint: (x, y, z, w)}
+
+    # Along its own leg the joint stretches that leg's coordinates by 1 − t, which is taken out: the rest is linear.
+    v0, v1 = (Fraction(evaluate(structure.superbracket, at(t)), 1 - t if other else 1) for t in (0, -1))
+    if v0 == v1 or not v0:
+        return None
+    found = at(-v0 / (v0 - v1))
+    return found if evaluate(structure.superbracket, found) == 0 else None
+
+
+def _whole_poses(structure: Structure) -> Iterator[Pose]:
+    """Small whole poses with the platform above the base and no two joints alike, the same in every run."""
+    rng = random.Random(2008)
+    high = set(structure.platform)
+    for _ in range(_TRIES):
+        pose = {}
+        for n in structure.names:
+            z = rng.randint(3, 5) if n in high else rng.randint(0, 1)
+            pose[n] = (rng.randint(-_SIZE, _SIZE), rng.randint(-_SIZE, _SIZE), z, 1)
+        if len(set(pose.values())) == len(pose):
+            yield dict(pose)
+
+
+def _height(pose: Pose) -> int:
+    return max(max(abs(c.numerator), c.denominator) for point in pose.values() for c in point)
