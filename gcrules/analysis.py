@@ -19,13 +19,15 @@ from typing import Any
 from gcrules.algebra import expr as ex
 from gcrules.algebra.shortest import SuperbracketForm, shortest_forms, superbracket_form
 from gcrules.algebra.straighten import straighten
+from gcrules.algebra.text import Names
 from gcrules.catalog import Catalog, Match, load
 from gcrules.condition import GROUPS, Certificate, Condition, Entity, starred
-from gcrules.robots.structure import Structure, read_legs, read_order
-from gcrules.rules.conditions import PROVED, best_first, describe, prove_identity
+from gcrules.errors import EngineFault
+from gcrules.legs import Structure, read_legs, read_order
+from gcrules.rules.conditions import best_first, certify, describe
 from gcrules.rules.degenerate import Degeneracy, explain
 from gcrules.rules.derivation import Derivation, Step
-from gcrules.rules.incidence import Claim, Oracle, claims
+from gcrules.rules.incidence import MAX_TERMS, Claim, Oracle, claims
 from gcrules.rules.state import extensor
 
 __all__ = ["Analysis", "analyze"]
@@ -112,8 +114,8 @@ def analyze(
     legs: str | Iterable[str | Sequence[str]] | Structure,
     *,
     order: str | Sequence[int | str] | None = None,
-    points: Sequence[str] = (),
-    ideal: Sequence[str] = (),
+    points: Names = (),
+    ideal: Names = (),
     catalogs: Iterable[str | PathLike[str]] = (),
     recheck: bool = False,
 ) -> Analysis:
@@ -129,28 +131,32 @@ def analyze(
     typed = superbracket_form(structure.legs, points=structure.points, ideal=structure.ideal)
     chosen = None if order is None else read_order(order, structure)
     forms = _shortest(structure) if chosen is None else _in_order(structure, chosen)
-    match = catalog.match(structure)
+    matches = list(catalog.matches(structure))
+    match = matches[0] if matches else None
     start = Derivation((_superbracket_step(structure, typed),), structure.ideal)
     if not straighten(typed.polynomial):
         return _always_singular(structure, typed, match, start, catalog)
-    notes: list[str] = []
+    notes = [f"{m.entry.id} ({m.entry.place}) has the same graph as class {matches[0].entry.id}" for m in matches[1:]]
     oracle = Oracle(structure)
     found = best_first(claims(forms, structure, oracle), structure, oracle)
     if not found and chosen is not None:
         forms = _shortest(structure)
         found = best_first(claims(forms, structure, oracle), structure, oracle)
         notes.append("the order given shows no entities; the shortest order was used instead")
-    conditions = [
-        _proved(describe(c, structure, oracle, catalog.statements, PROVED), structure)
-        for c in found[: 1 + _MOST_READINGS]
-    ]
+    most = found[: 1 + _MOST_READINGS]
+    conditions = [certify(describe(c, structure, oracle, catalog.statements), structure) for c in most]
     claim = found[0] if found else None
     shortest = claim.state.form if claim else forms[0]
-    known = catalog.readings(structure, match, oracle, recheck=recheck) if match else []
-    conditions += [r for r in known if str(r.expression) not in {str(c.expression) for c in conditions}]
+    if claim is None and len(forms[0].polynomial) > MAX_TERMS:
+        notes.append(f"entities were not looked for: the shortest form has more than {MAX_TERMS} terms")
+    for m in matches:
+        known = catalog.readings(structure, m, oracle, recheck=recheck)
+        conditions += [r for r in known if str(r.expression) not in {str(c.expression) for c in conditions}]
     conditions.append(_linear_complex(structure, catalog))
     derivation = _derivation(start, structure, shortest, claim, conditions[0], oracle)
     shown = SuperbracketForm(shortest.form, shortest.order, shortest.polynomial * structure.sign)
+    if not derivation.check():
+        raise EngineFault(f"the derivation of {structure.superbracket} does not replay")
     return Analysis(
         structure, typed, shown, match, conditions[0], tuple(conditions[1:]), derivation, claim, notes=tuple(notes)
     )
@@ -167,11 +173,6 @@ def _in_order(structure: Structure, order: tuple[int, ...]) -> tuple[Superbracke
         for form in (24, 16)
     )
     return tuple(sorted(forms, key=lambda f: len(f.polynomial)))
-
-
-def _proved(condition: Condition, structure: Structure) -> Condition:
-    assert prove_identity(condition, structure), f"not an identity: {condition.expression}"
-    return condition
 
 
 def _superbracket_step(structure: Structure, typed: SuperbracketForm) -> Step:
@@ -253,8 +254,9 @@ def _derivation(
     if len(state.planes) == len(state.left):
         dotted = state.dotted()
         why = f"the left-over points {', '.join(state.named(state.left))} are shared out among the planes' brackets"
-        factor = ex.Number(oracle.coefficient(dotted) or 0)
-        steps = steps.then("left-over", ex.mul(factor, dotted), why)
+        factor = oracle.coefficient(dotted)
+        if factor is not None:
+            steps = steps.then("left-over", ex.mul(ex.Number(factor), dotted), why)
     after = condition.right_side
     if after == steps.steps[-1].after:
         return steps

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib.resources import files
@@ -22,8 +22,8 @@ from gcrules.algebra.syntax import parse
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.condition import Certificate, Condition
 from gcrules.errors import FileError, GcrulesError
-from gcrules.robots.structure import Leg, Structure, read_legs
-from gcrules.rules.conditions import PROVED, prove_identity
+from gcrules.legs import Leg, Structure, read_legs
+from gcrules.rules.conditions import certify
 from gcrules.rules.incidence import Oracle
 from gcrules.yamlfile import Document, Node, near
 
@@ -135,17 +135,20 @@ class Catalog:
         """Raises KeyError for an id that is not there."""
         return next((e for e in self.entries if e.id == class_id), None) or _missing(class_id)
 
-    def match(self, structure: Structure) -> Match | None:
-        """The class whose graph is isomorphic to the structure's, sides kept or exchanged as wholes."""
+    def matches(self, structure: Structure) -> Iterator[Match]:
+        """The entries whose graph is isomorphic to the structure's, sides kept or exchanged as wholes."""
         if len({frozenset(leg) for leg in structure.legs}) < len(structure.legs) or structure.ideal:
-            return None
+            return
         degrees = _degrees(structure)
         for entry in self.entries:
             if _degrees(entry.structure) == degrees:
                 mapping = _isomorphism(entry.structure, structure)
                 if mapping:
-                    return Match(entry, mapping)
-        return None
+                    yield Match(entry, mapping)
+
+    def match(self, structure: Structure) -> Match | None:
+        """The first of the `matches`; shipped classes come before the user's own."""
+        return next(self.matches(structure), None)
 
     def readings(self, structure: Structure, match: Match, oracle: Oracle, *, recheck: bool = False) -> list[Condition]:
         """The identities of the matched class in the structure's labels, each checked afresh at exact random points
@@ -154,13 +157,14 @@ class Catalog:
         entry, sign = match.entry, match.sign(structure)
         own = entry.condition
         found = []
-        for reading in ([own] if own.kind in _FROM_CATALOG else []) + list(entry.readings):
+        use_own = own.kind in _FROM_CATALOG or (entry.owner != SHIPPED and own.kind != "always-singular")
+        for reading in ([own] if use_own else []) + list(entry.readings):
             names = {a: Point(b) for a, b in match.mapping.items()}
             expression, cofactor = (substitute(e, dict(names)) for e in (reading.expression, reading.cofactor))
             data = {"class": entry.id, "mapping": dict(match.mapping), "points": 2}
             detail = (
                 f"instance of an identity of class {entry.id}, proved by `gcrules catalog check`; "
-                "holds at 2 fresh exact random points, error below 1e-33"
+                "holds at 2 exact random points, error below 1e-33"
             )
             condition = Condition(
                 kind=reading.kind,
@@ -177,10 +181,7 @@ class Catalog:
                     filename=entry.place,
                     hint="run `gcrules catalog check`",
                 )
-            if recheck:
-                assert prove_identity(condition, structure)
-                condition = Condition(**{**vars(condition), "certificate": PROVED})
-            found.append(condition)
+            found.append(certify(condition, structure) if recheck else condition)
         return found
 
 
@@ -247,7 +248,7 @@ def load(own: Iterable[str | PathLike[str]] = ()) -> Catalog:
             clash = next((e for e in entries if e.id == entry.id), None)
             if clash:
                 raise FileError(f"class {entry.id} stands in {clash.place} and in {entry.place}", filename=entry.owner)
-        entries = [*more.entries, *entries]
+        entries = [*entries, *more.entries]
         statements |= more.statements
     return Catalog(tuple(entries), statements)
 

@@ -15,14 +15,16 @@ from gcrules.algebra.prove import prove
 from gcrules.algebra.shortest import counts, shortest_forms
 from gcrules.analysis import analyze
 from gcrules.catalog import Catalog, Entry, Reading
-from gcrules.condition import Condition
-from gcrules.robots.structure import Leg, Structure
-from gcrules.rules.conditions import PROVED
+from gcrules.condition import Certificate, Condition
+from gcrules.legs import Leg, Structure
 
 __all__ = ["CheckResult", "check_catalog", "check_entry", "enumerate_classes", "source_keys"]
 
 LEGS = 6
 MOST_AT_A_JOINT = 3
+
+
+_CLAIM = Certificate("none", "to be proved")
 
 
 @dataclass(frozen=True)
@@ -105,9 +107,9 @@ def _proved(reading: Reading, structure: Structure) -> list[str]:
     if vanishes(reading.cofactor):
         return [f"the cofactor {reading.cofactor_text} is zero identically, so the identity says nothing"]
     statement = reading.statement or ""
-    condition = Condition(reading.kind, reading.expression, statement, PROVED, reading.cofactor, reading.coefficient)
+    condition = Condition(reading.kind, reading.expression, statement, _CLAIM, reading.cofactor, reading.coefficient)
     answer = prove(condition.identity(structure.superbracket), ZERO)
-    if answer:
+    if answer.proved:
         return []
     points = answer.counterexample or {}
     at = ", ".join(f"{n} = {c[:-1]}" for n, c in points.items())

@@ -2,16 +2,19 @@ r"""Conditions: what the superbracket of a structure equals, in geometric terms,
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from types import MappingProxyType
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
-from gcrules.algebra.expr import Expr, Number, Sum, add, mul, neg, sub
+from gcrules.algebra.expr import Expr, Number, Point, Sum, add, mul, neg, sub
 from gcrules.algebra.text import text
+from gcrules.frozen import FrozenMap
 
 __all__ = ["GROUPS", "ONE", "Certificate", "Condition", "Entity", "starred"]
 
 ONE = Number(1)
+
+_SUPERBRACKET = Point("superbracket")  # stands for that of the legs, which a condition does not know
 
 GROUPS = {
     "three-tetrahedra": "g",
@@ -57,10 +60,14 @@ class Certificate:
 
     method: str
     detail: str
-    data: MappingProxyType[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+    data: Mapping[str, Any] = FrozenMap()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "data", FrozenMap(self.data))
 
     def to_json(self) -> dict[str, Any]:
-        return {"method": self.method, "detail": self.detail, **self.data}
+        data = {key: dict(value) if isinstance(value, Mapping) else value for key, value in self.data.items()}
+        return {"method": self.method, "detail": self.detail, **data}
 
 
 @dataclass(frozen=True)
@@ -100,3 +107,21 @@ class Condition:
             "statement": self.statement,
             "certificate": self.certificate.to_json(),
         }
+
+    def text(self, *, unicode: bool = False, names: tuple[str, ...] = ()) -> str:
+        """The kind and the identity in the first line, the sentence in the second."""
+        sides = (mul(self.cofactor, _SUPERBRACKET), self.right_side)
+        left, right = (text(e, unicode=unicode, names=names) for e in sides)
+        return f"{self.kind}: {left} = {right}\n{self.statement}"
+
+    def latex(self) -> str:
+        """The LaTeX of the identity, without dollar signs."""
+        from gcrules.render.latex import latex  # needed for LaTeX only
+
+        return f"{latex(mul(self.cofactor, _SUPERBRACKET))} = {latex(self.right_side)}"
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"

@@ -8,7 +8,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-__all__ = ["FileError", "GcrulesError", "InputError", "LimitReached", "Span", "StepError", "SyntaxFault", "join_faults"]
+__all__ = [
+    "EngineFault",
+    "FileError",
+    "GcrulesError",
+    "InputError",
+    "LimitReached",
+    "Span",
+    "StepError",
+    "SyntaxFault",
+    "join_faults",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +88,10 @@ class GcrulesError(Exception):
 
     def __str__(self) -> str:
         return f"{self.place}: {self.message}" if self.place else self.message
+
+
+class EngineFault(RuntimeError):
+    """The symbolic and the numeric road disagree: a fault of gcrules, never of the input."""
 
 
 class InputError(GcrulesError):

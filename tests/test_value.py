@@ -1,4 +1,4 @@
-"""Numbers in a pose: the measure does not know the frame, is zero exactly at singular poses, and lines are drawn right."""
+"""Numbers in a pose: the measure does not know the frame, is zero just where singular; lines are drawn right."""
 
 from __future__ import annotations
 

@@ -11,12 +11,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import groupby
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import text
+from gcrules.errors import InputError, StepError
+from gcrules.frozen import FrozenMap
 
 if TYPE_CHECKING:
     import sympy
@@ -86,10 +87,7 @@ class BracketPolynomial:
     ideal: int = 0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "terms", MappingProxyType(_nonzero(self.terms)))
-
-    def __hash__(self) -> int:
-        return hash((self.rank, self.points, tuple(self.terms.items())))
+        object.__setattr__(self, "terms", FrozenMap(_nonzero(self.terms)))
 
     def __len__(self) -> int:
         return len(self.terms)
@@ -110,7 +108,7 @@ class BracketPolynomial:
 
     def __add__(self, other: BracketPolynomial) -> BracketPolynomial:
         a, b = self._aligned(other)
-        terms = dict(a.terms)
+        terms = dict(a.terms.items())
         for m, c in b.terms.items():
             terms[m] = terms.get(m, 0) + c
         return a.with_terms(terms)
@@ -132,6 +130,8 @@ class BracketPolynomial:
     __rmul__ = __mul__
 
     def _aligned(self, other: BracketPolynomial) -> tuple[BracketPolynomial, BracketPolynomial]:
+        if self.rank != other.rank:
+            raise StepError(f"brackets of rank {self.rank} and of rank {other.rank} in one polynomial")
         if self.points == other.points and self.ideal == other.ideal:
             return self, other
         ideal = dict.fromkeys((*self.points[: self.ideal], *other.points[: other.ideal]))
@@ -139,9 +139,12 @@ class BracketPolynomial:
         return self.over(order, len(ideal)), other.over(order, len(ideal))
 
     def over(self, points: tuple[str, ...], ideal: int = 0) -> BracketPolynomial:
-        """The same polynomial written over another tuple of points (which must hold all that occur)."""
+        """The same polynomial written over another tuple of points. Raises InputError if one that occurs is missing."""
         index = {n: i for i, n in enumerate(points)}
         moved = [index.get(n, -1) for n in self.points]
+        gone = [i for i, j in enumerate(moved) if j < 0 and any(i in row for m in self.terms for row in m)]
+        if gone:
+            raise InputError(f"points that occur are missing: {', '.join(self.points[i] for i in gone)}")
         terms: Terms = {}
         for m, c in self.terms.items():
             sign, rows = 1, []
@@ -175,8 +178,18 @@ class BracketPolynomial:
             rank=self.rank,
         )
 
+    def text(self, *, unicode: bool = False) -> str:
+        """The text of the language, in plain ASCII or in Unicode mathematics."""
+        return text(self.to_expr(), unicode=unicode, names=self.points)
+
+    def latex(self) -> str:
+        """The LaTeX of the polynomial, without dollar signs."""
+        from gcrules.render.latex import latex  # needed for LaTeX only
+
+        return latex(self.to_expr())
+
     def __str__(self) -> str:
-        return text(self.to_expr(), names=self.points)
+        return self.text()
 
     def _repr_latex_(self) -> str:
         return self.to_expr()._repr_latex_()
@@ -208,23 +221,13 @@ class ExtensorPolynomial:
 
     def __post_init__(self) -> None:
         parts = {r: p for r, p in sorted(self.parts.items()) if p}
-        object.__setattr__(self, "parts", MappingProxyType(parts))
-
-    def __hash__(self) -> int:
-        return hash((self.rank, self.points, self.step, tuple(self.parts.items())))
+        object.__setattr__(self, "parts", FrozenMap(parts))
 
     def __len__(self) -> int:
         return sum(map(len, self.parts.values()))
 
     def __bool__(self) -> bool:
         return bool(self.parts)
-
-    def __sub__(self, other: ExtensorPolynomial) -> ExtensorPolynomial:
-        """The difference; both must be written over the same points."""
-        zero = BracketPolynomial(self.rank, self.points, {}, self.ideal)
-        rows = dict.fromkeys((*self.parts, *other.parts))
-        parts = {r: self.parts.get(r, zero) - other.parts.get(r, zero) for r in rows}
-        return ExtensorPolynomial(self.rank, self.points, self.step, parts, self.ideal)
 
     def to_expr(self) -> Expr:
         """The polynomial as an expression of the language."""
@@ -236,8 +239,18 @@ class ExtensorPolynomial:
             rank=self.rank,
         )
 
+    def text(self, *, unicode: bool = False) -> str:
+        """The text of the language, in plain ASCII or in Unicode mathematics."""
+        return text(self.to_expr(), unicode=unicode, names=self.points)
+
+    def latex(self) -> str:
+        """The LaTeX of the polynomial, without dollar signs."""
+        from gcrules.render.latex import latex  # needed for LaTeX only
+
+        return latex(self.to_expr())
+
     def __str__(self) -> str:
-        return text(self.to_expr(), names=self.points)
+        return self.text()
 
     def _repr_latex_(self) -> str:
         return self.to_expr()._repr_latex_()

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from functools import cache, lru_cache
+from functools import lru_cache
 from itertools import permutations
 from typing import TYPE_CHECKING, Any
 
@@ -100,7 +100,7 @@ def _solve(content: _Content, rank: int, terms: Terms) -> Terms:
     return found
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=8)  # at most 3 MB each
 def _basis(content: _Content, rank: int) -> tuple[np.ndarray[Any, Any], tuple[Monomial, ...]]:
     """The standard tableaux of a content with the codes of their diagonal monomials, largest first."""
     import numpy as np
@@ -115,7 +115,7 @@ def _basis(content: _Content, rank: int) -> tuple[np.ndarray[Any, Any], tuple[Mo
     return np.array([k for k, _ in pairs], dtype=np.int64), tuple(t for _, t in pairs)
 
 
-@cache
+@lru_cache(maxsize=64)
 def _weights(content: _Content, rank: int) -> dict[int, tuple[int, ...]]:
     """Weights that turn a monomial in x[p, c] into a code; codes compare as monomials do in the lexicographic order.
 
@@ -134,7 +134,7 @@ def _weights(content: _Content, rank: int) -> dict[int, tuple[int, ...]]:
     return weights
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=1024)  # at most 20 kB each
 def _coefficients(monomial: Monomial, content: _Content, rank: int) -> np.ndarray[Any, Any]:
     """Coefficients of a bracket monomial at the diagonal monomials of the basis."""
     import numpy as np
@@ -152,6 +152,6 @@ def _coefficients(monomial: Monomial, content: _Content, rank: int) -> np.ndarra
     keys, _ = _basis(content, rank)
     at = np.searchsorted(-keys, -codes)
     hit = (at < len(keys)) & (keys[np.minimum(at, len(keys) - 1)] == codes)
-    out = np.zeros(len(keys), dtype=np.int64)
-    np.add.at(out, at[hit], signs[hit])
+    out = np.zeros(len(keys), dtype=np.int32)  # no sum exceeds the number of arrangements
+    np.add.at(out, at[hit], signs[hit].astype(np.int32))
     return out

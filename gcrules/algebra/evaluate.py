@@ -35,6 +35,7 @@ from gcrules.algebra.expr import (
     Superbracket,
     permutation_sign,
     points_of,
+    rank_of,
 )
 from gcrules.errors import InputError, LimitReached
 
@@ -61,7 +62,11 @@ def evaluate(e: Expr, points: Mapping[str, Any], *, modulus: int | None = None) 
     ranks = {_length(points[n]) for n in points_of(e)}
     if len(ranks) > 1:
         raise InputError(f"points with unlike numbers of coordinates: {sorted(ranks)}")
-    values = Evaluator(points, ranks.pop() if ranks else 4, modulus).value(e)
+    written = rank_of(e)
+    rank = ranks.pop() if ranks else written or 4
+    if written is not None and written != rank:
+        raise InputError(f"points with {rank} coordinates, but the expression is written in rank {written}")
+    values = Evaluator(points, rank, modulus).value(e)
     return tuple(values) if e.step else values[0]
 
 
@@ -94,6 +99,7 @@ class Evaluator:
         self.rank = rank
         self.reduced: _Reduce = (lambda x: x % modulus) if modulus else (lambda x: x)
         self.modulus = modulus
+        self.floating = any(getattr(getattr(p, "dtype", None), "kind", "") == "f" for p in points.values())
         self.known: dict[Expr, _Values] = {}
 
     def value(self, e: Expr) -> _Values:
@@ -131,9 +137,9 @@ class Evaluator:
                 return self.value(e.written_out())
         raise TypeError(f"not an expression: {e!r}")
 
-    def _number(self, value: int | Fraction) -> int | Fraction:
+    def _number(self, value: int | Fraction) -> int | float | Fraction:
         if not self.modulus:
-            return value
+            return float(value) if self.floating else value
         if value.denominator % self.modulus == 0:
             raise LimitReached(f"a denominator is a multiple of the modulus {self.modulus}")
         return value.numerator * pow(value.denominator, -1, self.modulus) % self.modulus

@@ -36,9 +36,9 @@ from gcrules.algebra.expr import (
     Product,
     Sum,
     Superbracket,
+    common_rank,
     permutation_sign,
     points_of,
-    rank_of,
 )
 from gcrules.algebra.superbracket import form_terms
 from gcrules.errors import LimitReached
@@ -65,7 +65,7 @@ def expand(
     are 0. Every meet is expanded by its definition over shuffles. Raises LimitReached where more than `limit` terms
     (or twenty times as many products of terms) would be made.
     """
-    rank = rank or rank_of(e) or 4
+    rank = common_rank(rank, e)
     at_infinity = tuple(dict.fromkeys(ideal))
     order = tableau_order(points_of(e), points, at_infinity)
     ideal_count = sum(n in at_infinity for n in order)

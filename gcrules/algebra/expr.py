@@ -38,6 +38,7 @@ __all__ = [
     "Superbracket",
     "add",
     "bracket",
+    "common_rank",
     "dotted",
     "join",
     "meet",
@@ -56,6 +57,7 @@ __all__ = [
     "superbracket",
 ]
 
+MAX_DEPTH = 150
 MAX_EXPONENT = 64
 MAX_COEFFICIENT_BITS = 10_000
 MAX_DOTTED_TERMS = 50_000
@@ -63,9 +65,10 @@ MAX_DOTTED_TERMS = 50_000
 
 @dataclass(frozen=True, slots=True)
 class Expr:
-    """Base of all expressions; `step` is the step of the value (0 for scalars)."""
+    """Base of all expressions; `step` is the step of the value (0 for scalars), `depth` that of the nesting."""
 
     step: int = field(init=False, repr=False, compare=False)
+    depth: int = field(init=False, repr=False, compare=False)
 
     @property
     def children(self) -> tuple[Expr, ...]:
@@ -82,10 +85,12 @@ class Expr:
         return f"$\\displaystyle {latex(self)}$"
 
     def __or__(self, other: Expr) -> Expr:
-        return join(self, other)
+        """The join, in the rank that the operands are written in (4 if they do not say)."""
+        return join(self, other, rank=common_rank(None, self, other))
 
     def __and__(self, other: Expr) -> Expr:
-        return meet(self, other)
+        """The meet, in the rank that the operands are written in (4 if they do not say)."""
+        return meet(self, other, rank=common_rank(None, self, other))
 
     def __add__(self, other: Expr) -> Expr:
         return add(self, other)
@@ -103,6 +108,15 @@ class Expr:
         return mul(Number(other), self)
 
 
+def _measure(e: Expr, step: int) -> None:
+    """Fill in the derived fields of a new expression."""
+    depth = 1 + max((c.depth for c in e.children), default=0)
+    if depth > MAX_DEPTH:
+        raise LimitReached(f"an expression of more than {MAX_DEPTH} operations inside each other")
+    object.__setattr__(e, "step", step)
+    object.__setattr__(e, "depth", depth)
+
+
 @dataclass(frozen=True, slots=True)
 class Number(Expr):
     """A rational constant. Zero counts as an extensor of every step."""
@@ -113,7 +127,7 @@ class Number(Expr):
         value = self.value
         if isinstance(value, Fraction) and value.denominator == 1:
             object.__setattr__(self, "value", value.numerator)
-        object.__setattr__(self, "step", 0)
+        _measure(self, 0)
         if max(abs(value.numerator), value.denominator).bit_length() > MAX_COEFFICIENT_BITS:
             raise InputError(f"a coefficient has more than {MAX_COEFFICIENT_BITS} bits")
 
@@ -125,7 +139,7 @@ class Point(Expr):
     name: str
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "step", 1)
+        _measure(self, 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,7 +149,7 @@ class Join(Expr):
     args: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "step", sum(a.step for a in self.args))
+        _measure(self, sum(a.step for a in self.args))
 
     @property
     def children(self) -> tuple[Expr, ...]:
@@ -150,7 +164,7 @@ class Meet(Expr):
     rank: int
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "step", sum(a.step for a in self.args) - self.rank * (len(self.args) - 1))
+        _measure(self, sum(a.step for a in self.args) - self.rank * (len(self.args) - 1))
 
     @property
     def children(self) -> tuple[Expr, ...]:
@@ -164,7 +178,7 @@ class Bracket(Expr):
     args: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "step", 0)
+        _measure(self, 0)
 
     @property
     def children(self) -> tuple[Expr, ...]:
@@ -180,7 +194,7 @@ class Dotted(Expr):
     brackets: tuple[tuple[tuple[str, bool], ...], ...]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "step", 0)
+        _measure(self, 0)
 
     def written_out(self) -> Expr:
         """The sum that the dots stand for."""
@@ -213,7 +227,7 @@ class Superbracket(Expr):
     lines: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "step", 0)
+        _measure(self, 0)
 
     @property
     def children(self) -> tuple[Expr, ...]:
@@ -227,7 +241,7 @@ class Sum(Expr):
     terms: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "step", self.terms[0].step)
+        _measure(self, self.terms[0].step)
 
     @property
     def children(self) -> tuple[Expr, ...]:
@@ -241,7 +255,7 @@ class Product(Expr):
     factors: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "step", max(f.step for f in self.factors))
+        _measure(self, max(f.step for f in self.factors))
 
     @property
     def children(self) -> tuple[Expr, ...]:
@@ -256,7 +270,7 @@ class Power(Expr):
     exponent: int
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "step", 0)
+        _measure(self, 0)
 
     @property
     def children(self) -> tuple[Expr, ...]:
@@ -301,7 +315,8 @@ def join(*args: Expr, rank: int = 4) -> Expr:
     flat = list(chain.from_iterable(a.args if isinstance(a, Join) else (a,) for a in args if a.step))
     total = sum(a.step for a in flat)
     if total > rank:
-        found = " and ".join(str(a.step) for a in args if a.step)
+        steps = [str(a.step) for a in args if a.step]
+        found = " and ".join([*steps[:6], *(["…"] if len(steps) > 6 else [])])
         raise StepError(
             f"this join has step {total}, beyond the rank {rank} (steps found: {found})",
             hint=f"a join of more than {rank} points is always zero in rank {rank}; did you mean a meet /\\ ?",
@@ -323,7 +338,7 @@ def meet(*args: Expr, rank: int = 4) -> Expr:
             raise StepError(
                 "a meet with a number; `^` is the meet here", hint="write powers with **, for example [abcd]**2"
             )
-        if a.step == 0 or step == 0:
+        if step + a.step < rank and 0 in (step, a.step):
             raise StepError("a meet with a scalar (step 0)", hint="multiply scalars with * or a space")
         if step + a.step < rank:
             raise StepError(
@@ -461,19 +476,39 @@ def points_of(*exprs: Expr) -> tuple[str, ...]:
     return tuple(names)
 
 
-def rank_of(e: Expr) -> int | None:
-    """The rank that the brackets and meets of an expression are written in; None if it holds neither."""
-    for part in subexpressions(e):
-        match part:
-            case Meet(rank=rank):
-                return rank
-            case Bracket(args=args):
-                return sum(a.step for a in args)
-            case Superbracket():
-                return 4
-            case Dotted(brackets=brackets):
-                return len(brackets[0])
+def rank_of(*exprs: Expr) -> int | None:
+    """The rank that the brackets and meets of expressions are written in; None if they hold neither.
+
+    Raises StepError where they are written in different ranks.
+    """
+    found = {r for e in exprs for part in subexpressions(e) if (r := _own_rank(part)) is not None}
+    if len(found) > 1:
+        raise StepError(f"expressions of different ranks cannot be combined: {', '.join(map(str, sorted(found)))}")
+    return found.pop() if found else None
+
+
+def _own_rank(e: Expr) -> int | None:
+    match e:
+        case Meet(rank=rank):
+            return rank
+        case Bracket(args=args):
+            return sum(a.step for a in args)
+        case Superbracket():
+            return 4
+        case Dotted(brackets=brackets):
+            return len(brackets[0])
     return None
+
+
+def common_rank(rank: int | None, *exprs: Expr) -> int:
+    """The rank to work in: the one asked for or else the one the expressions are written in, 4 where both are silent.
+
+    Raises StepError where they contradict each other.
+    """
+    found = rank_of(*exprs)
+    if rank is not None and found is not None and rank != found:
+        raise StepError(f"the expression is written in rank {found}, not in rank {rank}")
+    return rank or found or 4
 
 
 def substitute(e: Expr, names: dict[str, Expr], rank: int = 4) -> Expr:

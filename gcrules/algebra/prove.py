@@ -12,19 +12,21 @@ refuted
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, ZERO, Expr, neg, points_of, rank_of, sub
+from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, ZERO, Expr, common_rank, neg, points_of, sub
 from gcrules.algebra.straighten import straighten
 from gcrules.algebra.text import text
 from gcrules.errors import LimitReached, StepError
+from gcrules.frozen import FrozenMap
 
 __all__ = ["Proof", "prove"]
 
 _SAMPLES = 3
+_SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
 
 
 @dataclass(frozen=True)
@@ -43,9 +45,15 @@ class Proof:
     reason: str = ""
     counterexample: Mapping[str, tuple[int, ...]] | None = None
     values: tuple[Any, Any] | None = None
-    assumed: tuple[str, ...] = field(default=())
+    assumed: tuple[str, ...] = ()
 
-    def __bool__(self) -> bool:
+    def __post_init__(self) -> None:
+        if self.counterexample is not None:
+            object.__setattr__(self, "counterexample", FrozenMap(self.counterexample))
+
+    @property
+    def proved(self) -> bool:
+        """Whether the verdict is "proved"; False may also mean that it is undecided."""
         return self.verdict == "proved"
 
     def to_json(self) -> dict[str, Any]:
@@ -70,6 +78,18 @@ class Proof:
             lines += [f"  left  = {_shown(self.values[0])}", f"  right = {_shown(self.values[1])}"]
         return "\n".join(lines)
 
+    def latex(self) -> str:
+        """The sides with the sign that the verdict calls for, without dollar signs."""
+        from gcrules.render.latex import latex  # needed for LaTeX only
+
+        return f"{latex(self.left)} {_SIGNS[self.verdict]} {latex(self.right)}"
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
 
 def prove(
     left: Expr,
@@ -86,7 +106,7 @@ def prove(
     """
     if left.step != right.step and ZERO not in (left, right):
         raise StepError(f"an expression of step {left.step} cannot equal one of step {right.step}")
-    rank = rank or rank_of(left) or rank_of(right) or 4
+    rank = common_rank(rank, left, right)
     at_infinity = tuple(ideal)
     difference = neg(right) if left == ZERO else left if right == ZERO else sub(left, right, rank=rank)
     known = ""

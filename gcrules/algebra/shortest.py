@@ -48,6 +48,22 @@ class SuperbracketForm:
             "polynomial": str(self.polynomial),
         }
 
+    def text(self, *, unicode: bool = False) -> str:
+        """The form, the order of the lines (counted from 1) and the polynomial."""
+        order, n = " ".join(str(i + 1) for i in self.order), len(self.polynomial)
+        shown = self.polynomial.text(unicode=unicode)
+        return f"{self.form}-term form, lines in the order {order}, {n} term{'s' * (n != 1)}:\n  {shown}"
+
+    def latex(self) -> str:
+        """The LaTeX of the polynomial, without dollar signs."""
+        return self.polynomial.latex()
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return self.polynomial._repr_latex_()
+
 
 def superbracket_form(
     lines: Sequence[Line],
@@ -138,12 +154,12 @@ class _Table:
         return sorted(int(orders[i]) for i in first)
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=32)
 def _table(line_ends: tuple[int, ...], form: int, ideal: int) -> _Table:
     """All 720 orders at once.
 
     A bracket becomes a code of four points with four bits each, a monomial the code of its three sorted brackets, so
-    like terms are equal numbers within a row.
+    like terms are equal numbers within a row. A table takes up to 0.2 MB.
     """
     import numpy as np
 
@@ -163,7 +179,7 @@ def _table(line_ends: tuple[int, ...], form: int, ideal: int) -> _Table:
     signs = np.take_along_axis(signs, at, -1)
     first = np.ones(keys.shape, dtype=bool)
     first[:, 1:] = keys[:, 1:] != keys[:, :-1]
-    sums = np.add.reduceat(signs.ravel(), np.flatnonzero(first))
+    sums = np.add.reduceat(signs.ravel(), np.flatnonzero(first)).astype(np.int16)
     live = sums != 0
-    rows = np.nonzero(first)[0][live]
+    rows = np.nonzero(first)[0][live].astype(np.int16)
     return _Table(rows, keys[first][live], sums[live], np.bincount(rows, minlength=len(orders)))

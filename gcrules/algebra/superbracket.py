@@ -12,6 +12,7 @@ from functools import cache
 from itertools import product
 
 from gcrules.algebra.bracket import Monomial, sorted_row
+from gcrules.errors import InputError
 
 __all__ = ["FORMS", "form_terms"]
 
@@ -27,7 +28,12 @@ FORMS = (24, 16)
 
 @cache
 def form_terms(form: int) -> tuple[tuple[int, Monomial], ...]:
-    """The (sign, three brackets) of the 24-term or 16-term form; brackets hold end-point positions 0 … 11."""
+    """The (sign, three brackets) of the 24-term or 16-term form; brackets hold end-point positions 0 … 11.
+
+    Raises InputError for any other form.
+    """
+    if form not in FORMS:
+        raise InputError(f"there is no {form!r}-term form", hint="the superbracket has a 24-term and a 16-term form")
     found = []
     for sign, rows in _terms24() if form == 24 else _terms16():
         brackets = []

@@ -23,7 +23,7 @@ from gcrules.algebra.expr import (
     neg,
 )
 
-__all__ = ["SHORT_NAME", "text"]
+__all__ = ["SHORT_NAME", "Names", "split_names", "text"]
 
 SHORT_NAME = re.compile(r"[A-Za-z](?:_?[0-9]+)?'*")
 """Names that need no declaration: a letter, digits (after an underscore if you like), primes."""
@@ -36,6 +36,18 @@ class _Style:
     minus: str
     times: str
     spaced: bool
+
+
+Names = str | Iterable[str]
+
+
+def split_names(names: Names) -> tuple[str, ...]:
+    """Names of points from text ("left right", commas allowed) or from a sequence.
+
+    >>> split_names("left, right"), split_names(["a", "b"])
+    (('left', 'right'), ('a', 'b'))
+    """
+    return tuple(names.replace(",", " ").split() if isinstance(names, str) else names)
 
 
 def text(e: Expr, *, unicode: bool = False, names: Iterable[str] = ()) -> str:

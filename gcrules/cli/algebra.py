@@ -58,8 +58,7 @@ def prove(ctx: click.Context, claim: str, space: Space, limit: int, out: Output)
     with working("proving"):
         proof = decide(*sides, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
     if out.latex:
-        sign = "\\neq" if proof.verdict == "refuted" else "="
-        out.write(f"{_latex(sides[0])} {sign} {_latex(sides[1])}\n% {proof.verdict}: {proof.reason}")
+        out.write(f"{proof.latex()}\n% {proof.verdict}: {proof.reason}")
     else:
         out.show(proof, _coloured(proof.verdict, proof.text(unicode=out.unicode)))
     ctx.exit(EXIT_CODES[proof.verdict])

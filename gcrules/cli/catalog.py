@@ -11,7 +11,7 @@ from gcrules.catalog import Catalog, Entry, load
 from gcrules.cli.base import LazyGroup, Output, output_options
 from gcrules.cli.files import working
 from gcrules.errors import InputError
-from gcrules.robots.structure import Structure
+from gcrules.legs import Structure
 from gcrules.yamlfile import near
 
 __all__ = ["catalog", "check", "enumerate_", "list_", "show"]

@@ -9,7 +9,7 @@ from typing import Any
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.condition import Condition
-from gcrules.robots.structure import Leg, Structure
+from gcrules.legs import Leg, Structure
 
 __all__ = ["CLOSE", "PoseValue", "line_points", "measure", "pose_value"]
 

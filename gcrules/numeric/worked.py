@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
-from gcrules.robots.structure import Structure
+from gcrules.legs import Structure
 
 __all__ = ["WorkedPose", "regular_pose", "singular_pose"]
 

@@ -16,9 +16,9 @@ from gcrules.algebra.text import text
 from gcrules.analysis import Analysis, analyze
 from gcrules.catalog import Catalog, Entry
 from gcrules.condition import Condition
+from gcrules.legs import Leg, Structure
 from gcrules.numeric.worked import WorkedPose, regular_pose, singular_pose
 from gcrules.render.figures import graph_figure, robot_figure
-from gcrules.robots.structure import Leg, Structure
 
 __all__ = ["HEAD", "bibliography", "catalog_pages", "neighbours"]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from io import BytesIO
+from threading import Lock
 from typing import Any
 
 import matplotlib
@@ -26,12 +27,13 @@ _SETTINGS: Any = {
     "text.usetex": False,
     "path.simplify": False,
 }
+_SETTING = Lock()  # the settings of matplotlib are global
 
 
 def pdf(drawing: Drawing) -> bytes:
     """The bytes of a one-page PDF of the drawing's size, without a date, in the colours for paper."""
     out = BytesIO()
-    with matplotlib.rc_context(_SETTINGS):
+    with _SETTING, matplotlib.rc_context(_SETTINGS):
         figure = Figure(figsize=(drawing.width / 72, drawing.height / 72))
         FigureCanvasPdf(figure)
         axes = figure.add_axes((0, 0, 1, 1))

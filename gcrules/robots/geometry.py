@@ -17,12 +17,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from os import PathLike
 from pathlib import PurePath
 
 from gcrules.algebra.text import SHORT_NAME
+from gcrules.frozen import FrozenMap
 from gcrules.yamlfile import Document, Node, near
 
 __all__ = ["UNITS", "Platform", "load_platform", "parse_platform"]
@@ -45,13 +46,16 @@ class Platform:
     """
 
     legs: tuple[tuple[str, str], ...]
-    points: Mapping[str, Vector] = field(hash=False)
+    points: Mapping[str, Vector]
     title: str = ""
     note: str = ""
     units: str = ""
     source: str = ""
     filename: str = "<input>"
     warnings: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "points", FrozenMap(self.points))
 
     def homogeneous(self) -> dict[str, tuple[Fraction, Fraction, Fraction, Fraction]]:
         """The points as (x, y, z, 1), as `evaluate` takes them."""

@@ -3,18 +3,21 @@ r"""From claims to conditions: the most telling claim is chosen, described in wo
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Join, Meet, Point
 from gcrules.algebra.straighten import straighten
 from gcrules.condition import Certificate, Condition, Entity, starred
-from gcrules.robots.structure import Structure
+from gcrules.errors import EngineFault
+from gcrules.legs import Structure
 from gcrules.rules.incidence import Claim, Oracle
 from gcrules.rules.state import extensor
 
-__all__ = ["PROVED", "best_first", "describe", "entities_of", "prove_identity"]
+__all__ = ["PROVED", "best_first", "certify", "describe", "entities_of"]
 
 PROVED = Certificate("normal-form", "proved: both sides have the same normal form of standard tableaux")
+_TESTED = Certificate("random-points", "holds at exact random points")
 
 
 def best_first(claims: Sequence[Claim], structure: Structure, oracle: Oracle) -> list[Claim]:
@@ -66,10 +69,8 @@ def entities_of(claim: Claim) -> tuple[Entity, ...]:
     return starred(found)
 
 
-def describe(
-    claim: Claim, structure: Structure, oracle: Oracle, statements: Mapping[str, str], certificate: Certificate
-) -> Condition:
-    """The condition of a claim with its statement, from the template of its kind."""
+def describe(claim: Claim, structure: Structure, oracle: Oracle, statements: Mapping[str, str]) -> Condition:
+    """The condition of a claim, not yet proved, with its statement from the template of its kind."""
     turning = turns(claim, structure, oracle)
     kind = claim.kind
     template = statements[f"{kind}/no-turn" if claim.pencils and not turning else kind]
@@ -92,7 +93,7 @@ def describe(
         expression=claim.expression,
         coefficient=claim.coefficient,
         statement=template.format(**parts),
-        certificate=certificate,
+        certificate=_TESTED,
         entities=entities,
         lines=tuple(zip("pq", claim.pencils, strict=True)) if claim.pencils else (),
     )
@@ -119,7 +120,9 @@ def line_in_words(line: Expr, structure: Structure) -> str:
     return f"the line {line}"
 
 
-def prove_identity(condition: Condition, structure: Structure) -> bool:
-    """Whether cofactor · superbracket − coefficient · expression has the normal form 0."""
+def certify(condition: Condition, structure: Structure) -> Condition:
+    """The condition with the certificate of a proof by normal forms. Raises EngineFault where it is no identity."""
     identity = condition.identity(structure.superbracket)
-    return not straighten(identity, points=structure.points, ideal=structure.ideal, rank=4)
+    if straighten(identity, points=structure.points, ideal=structure.ideal, rank=4):
+        raise EngineFault(f"{condition.cofactor} * superbracket != {condition.coefficient} * ({condition.expression})")
+    return replace(condition, certificate=PROVED)

@@ -9,7 +9,7 @@ from itertools import combinations
 
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, join, meet
-from gcrules.robots.structure import Leg, Structure
+from gcrules.legs import Leg, Structure
 from gcrules.rules.state import extensor
 
 __all__ = ["Degeneracy", "explain"]

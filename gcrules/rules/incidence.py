@@ -14,13 +14,14 @@ from gcrules.algebra.bracket import Row
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, Meet, Point, join, meet
 from gcrules.algebra.shortest import SuperbracketForm
-from gcrules.robots.structure import Leg, Structure
+from gcrules.legs import Leg, Structure
 from gcrules.rules.entities import left_over_lines, lines, planes, tetrahedra
 from gcrules.rules.state import State, extensor
 
-__all__ = ["Claim", "Oracle", "claims"]
+__all__ = ["MAX_TERMS", "Claim", "Oracle", "claims"]
 
-_MAX_TERMS = 8
+MAX_TERMS = 8
+_MOST = 1 << 30
 _ONE = ex.Number(1)
 
 
@@ -50,17 +51,19 @@ class Oracle:
         """Whether an expression vanishes at the points."""
         return not any(any(at.value(e)) for at in self._at)
 
-    def coefficient(self, e: Expr, cofactor: Expr = _ONE, bound: int = 6) -> int | None:
-        """The integer c (at most `bound` in size) with cofactor · superbracket = c · e at all points, or None."""
+    def coefficient(self, e: Expr, cofactor: Expr = _ONE) -> int | None:
+        """The integer c with cofactor · superbracket = c · e at all points, or None; c is below 2³⁰ in size."""
         pairs = [
             (at.value(cofactor)[0] * value % PRIME, at.value(e)[0])
             for at, value in zip(self._at, self._superbracket, strict=True)
         ]
-        for size in range(1, bound + 1):
-            for c in (size, -size):
-                if not any((left - c * right) % PRIME for left, right in pairs):
-                    return c
-        return None
+        left, right = pairs[0]
+        if not left or not right:
+            return None
+        c = left * pow(right, -1, PRIME) % PRIME
+        c = c - PRIME if c > PRIME // 2 else c
+        holds = abs(c) < _MOST and not any((left - c * right) % PRIME for left, right in pairs)
+        return c if holds else None
 
 
 def claims(forms: Sequence[SuperbracketForm], structure: Structure, oracle: Oracle) -> list[Claim]:
@@ -68,7 +71,7 @@ def claims(forms: Sequence[SuperbracketForm], structure: Structure, oracle: Orac
 
     Most tetrahedra come first; without tetrahedra four planes come before transversals.
     """
-    states = [s for form in forms if len((s := tetrahedra(State.start(form))).rest) <= _MAX_TERMS]
+    states = [s for form in forms if len((s := tetrahedra(State.start(form))).rest) <= MAX_TERMS]
     for degree, rule in _RULES:
         found = []
         for state in states:

@@ -15,8 +15,8 @@ from functools import cached_property
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.expr import Expr, Join, Point, join, superbracket
 from gcrules.algebra.syntax import Context, parse
-from gcrules.algebra.text import SHORT_NAME
-from gcrules.errors import GcrulesError, InputError, Span
+from gcrules.algebra.text import SHORT_NAME, Names, split_names
+from gcrules.errors import GcrulesError, InputError, Span, StepError
 
 __all__ = ["Leg", "Structure", "read_legs", "read_order"]
 
@@ -35,6 +35,20 @@ class Structure:
     legs: tuple[Leg, ...]
     points: tuple[str, ...] = ()
     ideal: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        number = len(self.legs)
+        if number != 6:
+            hint = "each leg is two points written together: ab, S1A1"
+            if number == 3:
+                hint = "three lines in the plane are rank 3; platforms in space have six legs"
+            raise InputError(f"{number} leg{'s' * (number != 1)}, expected six", hint=hint)
+        for a, b in self.legs:
+            if a == b:
+                raise InputError(f"both ends of a leg are {a}", hint="a leg joins two different points")
+        for name in self.ideal:
+            if not any(name in leg for leg in self.legs):
+                raise InputError(f"the point at infinity {name} is no end of a leg")
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -103,26 +117,22 @@ class Structure:
         return tuple(leg for leg in self.oriented if name in leg)
 
 
-def read_legs(
-    legs: str | Iterable[str | Sequence[str]], *, points: Sequence[str] = (), ideal: Sequence[str] = ()
-) -> Structure:
+def read_legs(legs: str | Iterable[str | Sequence[str]], *, points: Names = (), ideal: Names = ()) -> Structure:
     """Six legs from text ("ab af cb cd ed ef", "S1A1, S2A2, …", "left top, right top, …") or pairs of names.
 
     Raises InputError (with its place in the text) for anything but six legs between two different points each.
     """
+    points = split_names(points)
     if isinstance(legs, str):
         found = tuple(_read_text(legs, points))
         source: str | None = legs
     else:
         found = tuple(_read_item(item, points) for item in legs)
         source = None
-    if len(found) != 6:
-        hint = "each leg is two points written together: ab, S1A1"
-        if len(found) == 3:
-            hint = "three lines in the plane are rank 3; platforms in space have six legs"
-        fault = InputError(f"{len(found)} leg{'s' * (len(found) != 1)}, expected six", hint=hint)
-        raise fault.located(source, span=Span(0, len(source))) if source is not None else fault
-    return Structure(found, tuple(points), tuple(n for n in ideal))
+    try:
+        return Structure(found, points, split_names(ideal))
+    except GcrulesError as fault:
+        raise fault.located(source, span=Span(0, len(source))) if source is not None else fault from None
 
 
 def _read_text(text: str, points: Sequence[str]) -> Iterator[Leg]:
@@ -152,7 +162,10 @@ def _two_points(text: str, points: Sequence[str]) -> Leg:
     short = _SHORT_LEG.fullmatch(text)
     if short and not any(len(n) > 1 and not SHORT_NAME.fullmatch(n) for n in points):
         return _different(short[1], short[2])
-    found = parse(text, context=Context(8, tuple(points)))
+    try:
+        found = parse(text, context=Context(8, tuple(points)))
+    except StepError:
+        raise InputError("expected two points", hint=hint) from None
     names = tuple(a.name for a in (found.args if isinstance(found, Join) else (found,)) if isinstance(a, Point))
     if len(names) != 2 or found.step != 2:
         raise InputError(f"expected two points, found {found.step if len(names) == found.step else text!r}", hint=hint)
