@@ -88,13 +88,13 @@ class Analysis:
 
     def text(self, *, unicode: bool = False) -> str:
         """Every stage as plain text."""
-        from gcrules.render.stages import as_text
+        from gcrules.render.plain import as_text
 
         return as_text(self, unicode=unicode)
 
     def latex(self) -> str:
         """Every stage as a LaTeX document that compiles with the article class and amsmath."""
-        from gcrules.render.stages import as_latex
+        from gcrules.render.latex_document import as_latex
 
         return as_latex(self)
 

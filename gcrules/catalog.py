@@ -91,7 +91,7 @@ class Entry:
 
         return {
             "id": self.id,
-            "legs": ["".join(leg) for leg in self.legs],
+            "legs": [list(leg) for leg in self.legs],
             "name": self.name,
             "degrees": [list(d) for d in self.degrees],
             "terms": {str(k): v for k, v in self.terms.items()},

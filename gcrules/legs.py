@@ -18,9 +18,24 @@ from gcrules.algebra.syntax import Context, parse
 from gcrules.algebra.text import SHORT_NAME, Names, split_names
 from gcrules.errors import GcrulesError, InputError, Span, StepError
 
-__all__ = ["Leg", "Structure", "read_legs", "read_order"]
+__all__ = ["Leg", "Structure", "leg_text", "legs_text", "read_legs", "read_order"]
 
 Leg = tuple[str, str]
+
+
+def leg_text(leg: Leg) -> str:
+    """A leg as it is written: ab, S1A1, and with a space between longer names: left top."""
+    return str(join(*map(Point, leg)))
+
+
+def legs_text(legs: Iterable[Leg]) -> str:
+    """Legs as one text that `read_legs` takes (with its `points` for names of several letters).
+
+    >>> legs_text([("a", "b"), ("S1", "A1")]), legs_text([("a", "b"), ("left", "top")])
+    ('ab S1A1', 'ab, left top')
+    """
+    words = [leg_text(leg) for leg in legs]
+    return (", " if any(" " in word for word in words) else " ").join(words)
 
 
 @dataclass(frozen=True)

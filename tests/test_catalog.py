@@ -1,4 +1,4 @@
-"""The catalog: everything it says is proved, planted faults are found, and files of the user's own are read with care."""
+"""The catalog: everything it says is proved, planted faults are found, files of the user's own read with care."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from gcrules.algebra.text import text
 from gcrules.analysis import Analysis, analyze
 from gcrules.catalog import Catalog, Entry
 from gcrules.condition import Condition
-from gcrules.legs import Leg, Structure
+from gcrules.legs import Structure, legs_text
 from gcrules.numeric.worked import WorkedPose, regular_pose, singular_pose
 from gcrules.render.figures import graph_figure, robot_figure
 
@@ -128,7 +128,7 @@ def _section(title: str, entries: list[Entry]) -> list[str]:
     if not entries:
         return []
     rows = [
-        f"| [{e.id}]({e.id}.md) | [![{e.id}]({e.id}-graph.svg)]({e.id}.md) | {_legs(e.legs)} | "
+        f"| [{e.id}]({e.id}.md) | [![{e.id}]({e.id}-graph.svg)]({e.id}.md) | {legs_text(e.legs)} | "
         f"{e.terms[24]} / {e.terms[16]} | {e.name or ''} |"
         for e in entries
     ]
@@ -144,7 +144,7 @@ def _page(entry: Entry, a: Analysis, links: list[tuple[str, str]], bibliography:
         "",
         f"![Leg graph of class {entry.id}]({entry.id}-graph.svg) ![Class {entry.id}]({entry.id}-robot.svg)",
         "",
-        f"* Legs: {_legs(entry.legs)}",
+        f"* Legs: {legs_text(entry.legs)}",
         f"* Legs at the base joints {_numbers(entry.degrees[0])}, at the platform joints {_numbers(entry.degrees[1])}",
         f"* Group: {GROUP_NAMES[entry.group] if entry.status != 'always-singular' else 'none'}",
         f"* Status: {STATUS[entry.status]}",
@@ -224,10 +224,6 @@ def _sources(entry: Entry, bibliography: Mapping[str, str]) -> list[str]:
     if not entry.sources:
         return ["## Sources", "", "Derived here.", ""]
     return ["## Sources", "", *(f"* {bibliography.get(key, key)}" for key in entry.sources), ""]
-
-
-def _legs(legs: tuple[Leg, ...]) -> str:
-    return " ".join("".join(leg) for leg in legs)
 
 
 def _numbers(values: tuple[int, ...]) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from itertools import combinations, permutations
 from math import cos, pi, sin
 
+from gcrules.legs import legs_text
 from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs
 from gcrules.render.labels import Label, place_labels
 from gcrules.render.legend import ROW, EntityLike, entity_entries, legend, legend_width, rounded
@@ -50,7 +51,7 @@ def draw_graph(
         *(_row_names(at, base, platform) if layered else ()),
         *legend(entries, width - side - 12, 12),
     ]
-    return Drawing(width, height, tuple(shapes), "Leg graph: " + " ".join(a + b for a, b in legs))
+    return Drawing(width, height, tuple(shapes), f"Leg graph: {legs_text(legs)}")
 
 
 def layered_order(legs: Legs, base: Sequence[str], platform: Sequence[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -8,10 +8,11 @@ from importlib.resources import files
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.analysis import Analysis
+from gcrules.legs import legs_text
 from gcrules.numeric.value import CLOSE, PoseValue, pose_value
 from gcrules.render.figures import graph_figure, robot_figure
 from gcrules.render.mathml import mathml_terms
-from gcrules.render.stages import Formula, Item, Stage, stages
+from gcrules.render.stages import Fact, Formula, Item, Stage, stages
 from gcrules.robots.geometry import Platform
 
 __all__ = ["fragment", "report"]
@@ -19,8 +20,7 @@ __all__ = ["fragment", "report"]
 
 def report(analysis: Analysis, platform: Platform | None = None) -> str:
     """The HTML page of an analysis; with a platform's coordinates also the robot in its pose and the numbers there."""
-    legs = " ".join("".join(leg) for leg in analysis.structure.legs)
-    title = (platform.title if platform and platform.title else None) or f"Legs {legs}"
+    title = (platform.title if platform else "") or f"Legs {legs_text(analysis.structure.legs)}"
     sections = [
         _header(title, analysis, platform),
         f'<section class="answer"><p>{escape(analysis.condition.statement)}</p>{_sure(analysis)}</section>',
@@ -54,7 +54,7 @@ def _header(title: str, a: Analysis, platform: Platform | None) -> str:
     if a.match:
         name = f", {a.match.entry.name}" if a.match.entry.name else ""
         lines.append(f"Class {a.match.entry.id}{name}")
-    lines.append("Legs " + " ".join("".join(leg) for leg in a.structure.legs))
+    lines.append(f"Legs {legs_text(a.structure.legs)}")
     note = f'<p class="note">{escape(platform.note)}</p>' if platform and platform.note else ""
     return f'<header><h1>{escape(title)}</h1><p class="sub">{escape(" · ".join(lines))}</p>{note}</header>'
 
@@ -113,9 +113,8 @@ def _stage(stage: Stage) -> str:
 def _item(item: Item) -> str:
     if isinstance(item, Formula):
         return _formula(item)
-    key, gap, value = item.partition("  ")
-    if gap and " " not in key:
-        return f'<p><span class="key">{escape(key)}</span> {escape(value.strip())}</p>'
+    if isinstance(item, Fact):
+        return f'<p><span class="key">{escape(item.key)}</span> {escape(item.value)}</p>'
     return f"<p>{escape(item)}</p>"
 
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import dist, isfinite
 
 from gcrules.errors import InputError
+from gcrules.legs import leg_text, legs_text
 from gcrules.render.bsp import XYZ, Piece, crossing, dot, minus, painted
 from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs
 from gcrules.render.labels import Label, place_labels
@@ -123,7 +124,7 @@ def draw_platform(
         shapes += _key(_WIDTH + 6, max(14 + ROW * len(entries) + 10, _HEIGHT - 56))
     height = max(_HEIGHT, ROW * len(entries) + 90)
     width = _WIDTH + (side + 20 if side else 0)
-    return Drawing(width, height, tuple(shapes), "Robot with legs " + " ".join(a + b for a, b in legs))
+    return Drawing(width, height, tuple(shapes), f"Robot with legs {legs_text(legs)}")
 
 
 def _checked(legs: Legs, coordinates: Coordinates, entities: Sequence[EntityLike]) -> dict[str, XYZ]:
@@ -132,9 +133,9 @@ def _checked(legs: Legs, coordinates: Coordinates, entities: Sequence[EntityLike
     if missing:
         raise InputError(f"no coordinates given for {', '.join(missing)}")
     points = {name: _xyz(coordinates[name], f"point {name}") for name in needed}
-    for a, b in legs:
-        if points[a] == points[b]:
-            raise InputError(f"the leg {a}{b} has length zero")
+    for leg in legs:
+        if points[leg[0]] == points[leg[1]]:
+            raise InputError(f"the leg {leg_text(leg)} has length zero")
     return points
 
 

@@ -1,4 +1,4 @@
-r"""The stages of an analysis as a list that text, LaTeX and HTML are made from."""
+r"""The stages of an analysis as a list of values that text, LaTeX and HTML are made from."""
 
 from __future__ import annotations
 
@@ -6,13 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr, Sum
-from gcrules.algebra.text import text
+from gcrules.algebra.expr import Expr
 from gcrules.analysis import Analysis
 from gcrules.condition import Condition, Entity
-from gcrules.render.latex import latex, latex_lines
+from gcrules.legs import leg_text, legs_text
 
-__all__ = ["Formula", "Item", "Stage", "as_latex", "as_text", "stages"]
+__all__ = ["Fact", "Formula", "Item", "Stage", "stages"]
 
 
 @dataclass(frozen=True)
@@ -23,7 +22,15 @@ class Formula:
     right: Expr
 
 
-Item = str | Formula
+@dataclass(frozen=True)
+class Fact:
+    """A short key and its value."""
+
+    key: str
+    value: str
+
+
+Item = str | Fact | Formula
 
 
 @dataclass(frozen=True)
@@ -47,7 +54,7 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
         "The determinant of the six lines' Plücker coordinates; the robot is singular exactly when it is zero.",
         [Formula(a.structure.superbracket, a.typed.polynomial.to_expr()), _count(len(a.typed.polynomial))],
     )
-    order = ", ".join(_leg(a.structure.legs[i]) for i in a.shortest.order)
+    order = ", ".join(leg_text(a.structure.legs[i]) for i in a.shortest.order)
     shown = f"{a.shortest.form}-term form, legs in the order {order}: {_count(len(a.shortest.polynomial))}."
     sign = ex.mul(ex.Number(a.shortest.sign), a.structure.superbracket)
     yield (
@@ -69,25 +76,22 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
 
 def _structure(a: Analysis) -> list[Item]:
     s = a.structure
-    items: list[Item] = ["legs      " + " ".join(map(_leg, s.legs))]
+    items: list[Item] = [Fact("legs", legs_text(s.legs))]
     if s.base:
-        items += ["base      " + " ".join(s.base), "platform  " + " ".join(s.platform)]
+        items += [Fact("base", " ".join(s.base)), Fact("platform", " ".join(s.platform))]
     without = [n for n in s.names if n not in s.sides]
     if without:
-        items.append(
-            "no side   " + " ".join(without) + " (an odd cycle of legs: base and platform cannot be told apart)"
-        )
-    turned = [_leg(typed) for typed, right in zip(s.legs, s.oriented, strict=True) if typed != right]
+        odd = f"{' '.join(without)} (an odd cycle of legs: base and platform cannot be told apart)"
+        items.append(Fact("no side", odd))
+    turned = [leg_text(typed) for typed, right in zip(s.legs, s.oriented, strict=True) if typed != right]
     if turned:
-        items.append(f"turned    {', '.join(turned)} (written platform first; the sign accounts for it)")
-    if a.match:
-        entry = a.match.entry
-        name = f", {entry.name}" if entry.name else ""
-        mapping = ", ".join(f"{x}→{y}" for x, y in a.match.mapping.items())
-        items += [f"class     {entry.id}{name}", f"mapping   {mapping}"]
-    else:
-        items.append("class     none of the catalog")
-    return items
+        items.append(Fact("turned", f"{', '.join(turned)} (written platform first; the sign accounts for it)"))
+    if a.match is None:
+        return [*items, Fact("class", "none of the catalog")]
+    entry = a.match.entry
+    name = f", {entry.name}" if entry.name else ""
+    mapping = ", ".join(f"{x}→{y}" for x, y in a.match.mapping.items())
+    return [*items, Fact("class", f"{entry.id}{name}"), Fact("mapping", mapping)]
 
 
 def _entity_stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
@@ -130,100 +134,5 @@ def _starred(entity: Entity) -> str:
     return (" " if spaced else "").join(entity.starred)
 
 
-def _leg(leg: tuple[str, str]) -> str:
-    return text(ex.join(*map(ex.Point, leg)))
-
-
 def _count(n: int) -> str:
     return "1 term" if n == 1 else f"{n} terms"
-
-
-# --- plain text ----------------------------------------------------------------------------------------------------
-
-_WIDTH = 100
-
-
-def as_text(a: Analysis, *, unicode: bool = False) -> str:
-    """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows."""
-    lines = []
-    for n, stage in enumerate(stages(a), 1):
-        lines += [f"{n}. {stage.title}"] + ([f"   {stage.why}"] if stage.why else [])
-        for item in stage.items:
-            lines += _text_item(item, a, unicode)
-        lines.append("")
-    out = "\n".join(lines).rstrip() + "\n"
-    return out if unicode else out.replace("→", "->").replace("ü", "u").replace("–", "-")
-
-
-def _text_item(item: Item, a: Analysis, unicode: bool) -> list[str]:
-    if isinstance(item, str):
-        return _wrapped(item.split(" ") if "  " in item else item.split(), "   ")
-    names = a.structure.names
-    terms = [text(t, unicode=unicode, names=names) for t in _terms(item.right)]
-    pieces = terms[:1] + [f"− {t[1:]}" if t[0] == "−" else f"- {t[1:]}" if t[0] == "-" else f"+ {t}" for t in terms[1:]]
-    left = [text(item.left, unicode=unicode, names=names), "="] if item.left is not None else []
-    return _wrapped([*left, *pieces], "     ")
-
-
-def _terms(e: Expr) -> tuple[Expr, ...]:
-    return e.terms if isinstance(e, Sum) else (e,)
-
-
-def _wrapped(words: list[str], indent: str) -> list[str]:
-    lines = [indent]
-    for word in words:
-        if len(lines[-1]) + len(word) > _WIDTH and lines[-1].strip():
-            lines.append(indent + "  ")
-        lines[-1] += ("" if lines[-1].isspace() else " ") + word
-    return lines
-
-
-# --- LaTeX ---------------------------------------------------------------------------------------------------------
-
-
-def as_latex(a: Analysis) -> str:
-    """A document for the article class with amsmath."""
-    body = []
-    for stage in stages(a):
-        body.append(f"\\section*{{{_escaped(stage.title)}}}")
-        if stage.why:
-            body.append(_escaped(stage.why) + "\\par")
-        for item in stage.items:
-            body.append(_escaped(item) + "\\par" if isinstance(item, str) else _latex_formula(item))
-    preamble = [
-        "\\documentclass{article}",
-        "\\usepackage[T1]{fontenc}",
-        "\\usepackage[utf8]{inputenc}",
-        "\\usepackage{amsmath}",
-        "\\allowdisplaybreaks",
-        "\\setlength{\\parindent}{0pt}",
-    ]
-    return "\n".join([*preamble, "\\begin{document}", *body, "\\end{document}", ""])
-
-
-def _latex_formula(item: Formula) -> str:
-    lines = latex_lines(item.right)
-    if item.left is not None:
-        left = latex(item.left)
-        lines = [f"{left} ={{}}& {lines[0].lstrip('&')}", *lines[1:]] if len(lines) == 1 else [f"&{left} = ", *lines]
-    return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
-
-
-_LATEX = {
-    "\\": "\\textbackslash{}",
-    "{": "\\{",
-    "}": "\\}",
-    "_": "\\_",
-    "^": "\\^{}",
-    "&": "\\&",
-    "#": "\\#",
-    "%": "\\%",
-    "$": "\\$",
-    "→": "$\\to$",
-    "∧": "$\\wedge$",
-    "∨": "$\\vee$",
-}
-
-
-def _escaped(words: str) -> str:
-    return "".join(_LATEX.get(c, c) for c in words)

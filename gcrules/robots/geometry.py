@@ -24,6 +24,7 @@ from pathlib import PurePath
 
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.frozen import FrozenMap
+from gcrules.legs import leg_text
 from gcrules.yamlfile import Document, Node, near
 
 __all__ = ["UNITS", "Platform", "load_platform", "parse_platform"]
@@ -150,7 +151,7 @@ def _ends(item: Node, word: str | None) -> tuple[str, str] | None:
 def _check_leg(node: Node, leg: tuple[str, str], points: _Points) -> None:
     first, second = leg
     if first == second:
-        node.fault(f"the leg {first}{second} goes from a point to itself")
+        node.fault(f"the leg {leg_text(leg)} goes from a point to itself")
         return
     for name in leg:
         if name not in points and points:

@@ -1,0 +1,49 @@
+"""An analysis as plain text."""
+
+from __future__ import annotations
+
+from gcrules.algebra.expr import Expr, Sum
+from gcrules.algebra.text import text
+from gcrules.analysis import Analysis
+from gcrules.render.stages import Fact, Item, stages
+
+__all__ = ["as_text"]
+
+_WIDTH = 100
+
+
+def as_text(a: Analysis, *, unicode: bool = False) -> str:
+    """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows."""
+    lines = []
+    for n, stage in enumerate(stages(a), 1):
+        lines += [f"{n}. {stage.title}"] + ([f"   {stage.why}"] if stage.why else [])
+        for item in stage.items:
+            lines += _text_item(item, a, unicode)
+        lines.append("")
+    out = "\n".join(lines).rstrip() + "\n"
+    return out if unicode else out.replace("→", "->").replace("ü", "u").replace("–", "-")
+
+
+def _text_item(item: Item, a: Analysis, unicode: bool) -> list[str]:
+    if isinstance(item, Fact):
+        return _wrapped([f"{item.key:<9}", *item.value.split()], "   ")
+    if isinstance(item, str):
+        return _wrapped(item.split(), "   ")
+    names = a.structure.names
+    terms = [text(t, unicode=unicode, names=names) for t in _terms(item.right)]
+    pieces = terms[:1] + [f"− {t[1:]}" if t[0] == "−" else f"- {t[1:]}" if t[0] == "-" else f"+ {t}" for t in terms[1:]]
+    left = [text(item.left, unicode=unicode, names=names), "="] if item.left is not None else []
+    return _wrapped([*left, *pieces], "     ")
+
+
+def _terms(e: Expr) -> tuple[Expr, ...]:
+    return e.terms if isinstance(e, Sum) else (e,)
+
+
+def _wrapped(words: list[str], indent: str) -> list[str]:
+    lines = [indent]
+    for word in words:
+        if len(lines[-1]) + len(word) > _WIDTH and lines[-1].strip():
+            lines.append(indent + "  ")
+        lines[-1] += ("" if lines[-1].isspace() else " ") + word
+    return lines
