@@ -143,6 +143,8 @@ def analyze(
         forms = _shortest(structure)
         found = best_first(claims(forms, structure, oracle), structure, oracle)
         notes.append("the order given shows no entities; the shortest order was used instead")
+    elif chosen is not None:
+        notes.append("the order of the legs was given; the shortest order may show more")
     most = found[: 1 + _MOST_READINGS]
     conditions = [certify(describe(c, structure, oracle, catalog.statements), structure) for c in most]
     claim = found[0] if found else None
@@ -163,13 +165,13 @@ def analyze(
 
 
 def _shortest(structure: Structure) -> tuple[SuperbracketForm, ...]:
-    return shortest_forms(structure.oriented, points=structure.points, ideal=structure.ideal)
+    return shortest_forms(structure.neutral, points=structure.points, ideal=structure.ideal)
 
 
 def _in_order(structure: Structure, order: tuple[int, ...]) -> tuple[SuperbracketForm, ...]:
     """Both forms in the user's own order, the shorter one first."""
     forms = (
-        superbracket_form(structure.oriented, order, form, points=structure.points, ideal=structure.ideal)
+        superbracket_form(structure.neutral, order, form, points=structure.points, ideal=structure.ideal)
         for form in (24, 16)
     )
     return tuple(sorted(forms, key=lambda f: len(f.polynomial)))

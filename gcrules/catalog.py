@@ -22,6 +22,7 @@ from gcrules.algebra.syntax import parse
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.condition import Certificate, Condition
 from gcrules.errors import FileError, GcrulesError
+from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg, Structure, read_legs
 from gcrules.rules.conditions import certify
 from gcrules.rules.incidence import Oracle
@@ -144,7 +145,7 @@ class Catalog:
             if _degrees(entry.structure) == degrees:
                 mapping = _isomorphism(entry.structure, structure)
                 if mapping:
-                    yield Match(entry, mapping)
+                    yield Match(entry, FrozenMap(mapping))
 
     def match(self, structure: Structure) -> Match | None:
         """The first of the `matches`; shipped classes come before the user's own."""
@@ -161,7 +162,7 @@ class Catalog:
         for reading in ([own] if use_own else []) + list(entry.readings):
             names = {a: Point(b) for a, b in match.mapping.items()}
             expression, cofactor = (substitute(e, dict(names)) for e in (reading.expression, reading.cofactor))
-            data = {"class": entry.id, "mapping": dict(match.mapping), "points": 2}
+            data = {"class": entry.id, "mapping": match.mapping, "points": 2}
             detail = (
                 f"instance of an identity of class {entry.id}, proved by `gcrules catalog check`; "
                 "holds at 2 exact random points, error below 1e-33"
@@ -172,7 +173,7 @@ class Catalog:
                 cofactor=cofactor,
                 coefficient=sign * reading.coefficient,
                 statement=_relabelled(reading.statement or "", match.mapping),
-                certificate=Certificate("catalog-instance", detail, data),  # type: ignore[arg-type]
+                certificate=Certificate("catalog-instance", detail, data),
                 lines=tuple((name, substitute(e, dict(names))) for name, e in reading.lines),
             )
             if oracle.zero(cofactor) or not oracle.zero(condition.identity(structure.superbracket)):
@@ -250,7 +251,7 @@ def load(own: Iterable[str | PathLike[str]] = ()) -> Catalog:
                 raise FileError(f"class {entry.id} stands in {clash.place} and in {entry.place}", filename=entry.owner)
         entries = [*entries, *more.entries]
         statements |= more.statements
-    return Catalog(tuple(entries), statements)
+    return Catalog(tuple(entries), FrozenMap(statements))
 
 
 @cache
@@ -281,7 +282,7 @@ def _read(document: Document, owner: str) -> Catalog:
             elif entry:
                 entries.append(entry)
     document.check()
-    return Catalog(tuple(entries), statements)
+    return Catalog(tuple(entries), FrozenMap(statements))
 
 
 def _check_template(key: Node, value: Node) -> None:
@@ -355,7 +356,7 @@ class _Reader:
             id=entry_id,
             legs=legs,
             degrees=(degrees[0], degrees[1]),
-            terms=found,
+            terms=FrozenMap(found),
             factors=factors,
             group=None if group == "none" else group,
             status=status,

@@ -7,6 +7,7 @@ Every fault is a `GcrulesError`; the command line prints `render()` and exits wi
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 __all__ = [
     "EngineFault",
@@ -122,6 +123,9 @@ class _Many(FileError):
     def __init__(self, faults: list[GcrulesError]) -> None:
         super().__init__(f"{len(faults)} faults", filename=faults[0].filename)
         self.faults = tuple(faults)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _Many, (list(self.faults),)
 
     def render(self) -> str:
         return "\n".join(fault.render() for fault in self.faults)

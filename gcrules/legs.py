@@ -119,9 +119,23 @@ class Structure:
         return tuple((b, a) if self.sides.get(a) == "platform" else (a, b) for a, b in self.legs)
 
     @cached_property
+    def neutral(self) -> tuple[Leg, ...]:
+        """The legs turned in a way that does not depend on how they were written, so that no answer does: in a part
+        with two sides the side of its first joint (in tableau order) comes first, elsewhere each leg's first joint.
+        """
+        turned: dict[Leg, Leg] = {}
+        for part in self._parts():
+            colour = self._colouring(part) or {}
+            first = min((self.names.index(n), n) for leg in part for n in leg)[1]
+            for a, b in part:
+                back = colour[a] != colour[first] if colour else self.names.index(a) > self.names.index(b)
+                turned[a, b] = (b, a) if back else (a, b)
+        return tuple(turned[leg] for leg in self.legs)
+
+    @cached_property
     def sign(self) -> int:
-        """superbracket(legs) = sign · superbracket(oriented)."""
-        return -1 if sum(x != y for x, y in zip(self.legs, self.oriented, strict=True)) % 2 else 1
+        """superbracket(legs) = sign · superbracket(neutral)."""
+        return -1 if sum(x != y for x, y in zip(self.legs, self.neutral, strict=True)) % 2 else 1
 
     @cached_property
     def superbracket(self) -> Expr:

@@ -493,7 +493,7 @@ def test_catalog_check_refutes(run: Run, tmp_path: Path) -> None:
     condition["coefficient"] = -condition["coefficient"]
     keys = ("legs", "degrees", "terms", "factors", "group", "status", "sources")
     own = {"id": "mine", **{k: entry[k] for k in keys}, "condition": condition}
-    own["legs"] = " ".join(own["legs"])
+    own["legs"] = " ".join(map("".join, own["legs"]))
     own["group"] = own["group"] or "none"
     path = tmp_path / "own.yaml"
     path.write_text(json.dumps({"classes": [own]}))

@@ -14,7 +14,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 from importlib.resources import files
@@ -24,6 +24,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.errors import GcrulesError, InputError, Span, StepError, SyntaxFault
+from gcrules.frozen import FrozenMap
 
 if TYPE_CHECKING:
     from lark import Lark
@@ -56,9 +57,10 @@ class Context:
     rank: int = 4
     points: tuple[str, ...] = ()
     ideal: tuple[str, ...] = ()
-    bound: Mapping[str, Expr] = field(default_factory=dict)
+    bound: Mapping[str, Expr] = FrozenMap()
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "bound", FrozenMap(self.bound))
         if self.rank not in RANKS:
             raise InputError(f"rank {self.rank} is outside the supported ranks {RANKS[0]} to {RANKS[-1]}")
         for n in (*self.points, *self.ideal):

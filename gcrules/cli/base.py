@@ -19,7 +19,16 @@ from click.shell_completion import CompletionItem
 from gcrules.cli.files import write_file
 from gcrules.errors import GcrulesError, InputError
 
-__all__ = ["ExpressionCommand", "LazyGroup", "Output", "Space", "colour_choice", "output_options", "space_options"]
+__all__ = [
+    "ExpressionCommand",
+    "LazyGroup",
+    "Output",
+    "Space",
+    "catalog_option",
+    "colour_choice",
+    "output_options",
+    "space_options",
+]
 
 _Command = Callable[..., Any]
 
@@ -121,6 +130,8 @@ _LONG_OPTION = re.compile(r"--[a-z][a-z-]+(=.*)?", re.DOTALL)
 
 
 # --- options -------------------------------------------------------------------------------------------------------
+
+catalog_option = click.option("--catalog", "catalogs", multiple=True, metavar="FILE", help="Add a catalog of your own.")
 
 
 @dataclass(frozen=True)

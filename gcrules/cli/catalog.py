@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-import json
-from typing import Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcrules.catalog import Catalog, Entry, load
-from gcrules.cli.base import LazyGroup, Output, output_options
+from gcrules.analysis import analyze
+from gcrules.catalog import Catalog, Entry, Match, Reading, load
+from gcrules.cli.base import LazyGroup, Output, catalog_option, output_options
 from gcrules.cli.files import working
+from gcrules.condition import Certificate, Condition
 from gcrules.errors import InputError
-from gcrules.legs import Structure
+from gcrules.legs import Leg, Structure, legs_text
 from gcrules.yamlfile import near
+
+if TYPE_CHECKING:
+    from gcrules.catalog_check import CheckResult
 
 __all__ = ["catalog", "check", "enumerate_", "list_", "show"]
 
@@ -24,8 +29,6 @@ COMMANDS = {
     "enumerate": ("gcrules.cli.catalog:enumerate_", "Derive the classes: all graphs of six legs."),
 }
 
-_catalogs = click.option("--catalog", "catalogs", multiple=True, metavar="FILE", help="Add a catalog of your own.")
-
 
 @click.group(cls=LazyGroup, table=COMMANDS)
 def catalog() -> None:
@@ -33,7 +36,7 @@ def catalog() -> None:
 
 
 @click.command("list")
-@_catalogs
+@catalog_option
 @output_options(latex=False)
 def list_(catalogs: tuple[str, ...], out: Output) -> None:
     """List the classes: legs, fewest terms of the 24- and 16-term forms, group of entities, condition.
@@ -42,19 +45,12 @@ def list_(catalogs: tuple[str, ...], out: Output) -> None:
     gcrules catalog list
     gcrules catalog list --json
     """
-    entries = load(catalogs).entries
-    if out.json:
-        out.write(json.dumps({"classes": [e.to_json() for e in entries]}, indent=2))
-        return
-    rows = [("class", "legs", "24", "16", "group", "condition"), *map(_row, entries)]
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    lines = ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
-    out.write("\n".join(lines))
+    out.show(_List(tuple(map(_Class, load(catalogs).entries))))
 
 
 @click.command()
 @click.argument("class_id", metavar="ID")
-@_catalogs
+@catalog_option
 @output_options(latex=False)
 def show(class_id: str, catalogs: tuple[str, ...], out: Output) -> None:
     """Show what is known about a class, in the class's own labels.
@@ -62,12 +58,11 @@ def show(class_id: str, catalogs: tuple[str, ...], out: Output) -> None:
     \b
     gcrules catalog show 6-3.2
     """
-    entry = _entry(load(catalogs), class_id)
-    out.write(json.dumps(entry.to_json(), indent=2) if out.json else _described(entry))
+    out.show(_Class(_entry(load(catalogs), class_id)))
 
 
 @click.command()
-@_catalogs
+@catalog_option
 @output_options(latex=False)
 @click.pass_context
 def check(ctx: click.Context, catalogs: tuple[str, ...], out: Output) -> None:
@@ -85,23 +80,13 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], out: Output) -> None:
         for i, entry in enumerate(loaded.entries, 1):
             status.text = f"checking {entry.id}, {i} of {len(loaded.entries)}"
             checked.append(check_entry(entry))
-    faults = sum(not c.ok for c in checked)
-    proved = sum(c.proved for c in checked)
-    if out.json:
-        classes = [c.to_json() for c in checked]
-        out.write(json.dumps({"verdict": "refuted" if faults else "proved", "classes": classes}, indent=2))
-    else:
-        lines = []
-        for c in checked:
-            verdict = click.style("ok", fg="green") if c.ok else click.style("wrong", fg="red", bold=True)
-            lines.append(f"{c.id:<6}  {verdict}  {c.proved} {'identity' if c.proved == 1 else 'identities'} proved")
-            lines += [f"        {c.place}: {fault}" for fault in c.faults]
-        out.write("\n".join([*lines, f"{len(checked)} classes, {proved} identities proved, {faults} with faults"]))
-    ctx.exit(1 if faults else 0)
+    answer = _Checked(tuple(checked))
+    out.show(answer)
+    ctx.exit(1 if answer.faults else 0)
 
 
 @click.command("enumerate")
-@_catalogs
+@catalog_option
 @output_options(latex=False)
 def enumerate_(catalogs: tuple[str, ...], out: Output) -> None:
     """Derive all classes from nothing: bipartite graphs of six legs, no two alike, at most three at a joint.
@@ -113,24 +98,8 @@ def enumerate_(catalogs: tuple[str, ...], out: Output) -> None:
 
     loaded = load(catalogs)
     with working("enumerating"):
-        found = [(legs, loaded.match(Structure(legs))) for legs in enumerate_classes()]
-    if out.json:
-        classes: list[dict[str, Any]] = [
-            {"legs": ["".join(leg) for leg in legs], "class": m.entry.id if m else None} for legs, m in found
-        ]
-        out.write(json.dumps({"count": len(found), "classes": classes}, indent=2))
-        return
-    lines = [f"{m.entry.id if m else 'not in the catalog':<6}  {_legs(legs)}" for legs, m in found]
-    out.write("\n".join([*lines, f"{len(found)} classes"]))
-
-
-def _legs(legs: tuple[tuple[str, str], ...]) -> str:
-    return " ".join("".join(leg) for leg in legs)
-
-
-def _row(e: Entry) -> tuple[str, ...]:
-    terms = (str(e.terms.get(form, "")) for form in (24, 16))
-    return (e.id, _legs(e.legs), *terms, e.group or "-", e.condition.kind)
+        found = tuple((legs, loaded.match(Structure(legs))) for legs in enumerate_classes())
+    out.show(_Enumeration(found))
 
 
 def _entry(loaded: Catalog, class_id: str) -> Entry:
@@ -141,26 +110,112 @@ def _entry(loaded: Catalog, class_id: str) -> Entry:
         raise InputError(f"there is no class {class_id!r}", hint=hint) from None
 
 
-def _described(e: Entry) -> str:
-    lines = [
-        f"class      {e.id}" + (f", {e.name}" if e.name else ""),
-        f"legs       {_legs(e.legs)}",
-        f"degrees    base {_numbers(e.degrees[0])}; platform {_numbers(e.degrees[1])}",
-        f"terms      {', '.join(f'{n} in the {form}-term form' for form, n in e.terms.items())}",
-        f"factors    {' '.join('[' + ''.join(f) + ']' for f in e.factors) or 'none'}",
-        f"group      {e.group or 'none'}",
-        f"status     {e.status}",
-        f"sources    {', '.join(e.sources)}",
-    ]
-    for i, reading in enumerate((e.condition, *e.readings)):
-        cofactor = "" if reading.cofactor_text == "1" else f"{reading.cofactor_text} * "
-        coefficient = {1: "", -1: "-"}.get(reading.coefficient, f"{reading.coefficient} * ")
-        right = f"-({reading.expression_text})" if coefficient == "-" else coefficient + reading.expression_text
-        lines.append(f"{'reading   ' if i else 'condition '} {reading.kind}: {cofactor}superbracket = {right}")
-        if reading.statement:
-            lines.append(f"           {reading.statement}")
-    return "\n".join([*lines, *([f"note       {e.note}"] if e.note else [])])
+# --- answers -------------------------------------------------------------------------------------------------------
+
+_STATED = Certificate("none", "as the catalog says")
+
+
+@dataclass(frozen=True)
+class _Class:
+    """An entry in its own labels, every identity with its sentence."""
+
+    entry: Entry
+
+    def conditions(self) -> tuple[Condition, ...]:
+        """The condition and the other readings with their sentences."""
+        return tuple(
+            Condition(r.kind, r.expression, _sentence(self.entry, r), _STATED, r.cofactor, r.coefficient)
+            for r in (self.entry.condition, *self.entry.readings)
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """The entry; its legs are pairs and every statement is spelt out."""
+        found = self.entry.to_json()
+        for reading, c in zip((found["condition"], *found["readings"]), self.conditions(), strict=True):
+            reading["statement"] = c.statement
+        return found
+
+    def text(self, *, unicode: bool = False) -> str:
+        e = self.entry
+        lines = [
+            f"class      {e.id}" + (f", {e.name}" if e.name else ""),
+            f"legs       {legs_text(e.legs)}",
+            f"degrees    base {_numbers(e.degrees[0])}; platform {_numbers(e.degrees[1])}",
+            f"terms      {', '.join(f'{n} in the {form}-term form' for form, n in e.terms.items())}",
+            f"factors    {' '.join('[' + ''.join(f) + ']' for f in e.factors) or 'none'}",
+            f"group      {e.group or 'none'}",
+            f"status     {e.status}",
+            f"sources    {', '.join(e.sources) or 'derived here'}",
+        ]
+        for i, c in enumerate(self.conditions()):
+            shown = c.text(unicode=unicode).rstrip().replace("\n", f"\n{' ':11}")
+            lines.append(f"{'reading' if i else 'condition':<11}{shown}")
+        return "\n".join([*lines, *([f"note       {e.note}"] if e.note else [])])
+
+
+def _sentence(entry: Entry, reading: Reading) -> str:
+    """The statement without the braces around labels; one that is left to its kind is filled in by the analysis."""
+    if reading.statement is not None:
+        return reading.statement.translate({ord("{"): None, ord("}"): None})
+    a = analyze(entry.structure)
+    return next((c.statement for c in (a.condition, *a.readings) if c.kind == reading.kind), "")
+
+
+@dataclass(frozen=True)
+class _List:
+    classes: tuple[_Class, ...]
+
+    def to_json(self) -> dict[str, Any]:
+        return {"classes": [c.to_json() for c in self.classes]}
+
+    def text(self, *, unicode: bool = False) -> str:
+        rows = [("class", "legs", "24", "16", "group", "condition"), *(_row(c.entry) for c in self.classes)]
+        widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+        return "\n".join("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
+
+
+def _row(e: Entry) -> tuple[str, ...]:
+    terms = (str(e.terms.get(form, "")) for form in (24, 16))
+    return (e.id, legs_text(e.legs), *terms, e.group or "-", e.condition.kind)
 
 
 def _numbers(values: tuple[int, ...]) -> str:
     return " ".join(map(str, values))
+
+
+@dataclass(frozen=True)
+class _Checked:
+    classes: tuple[CheckResult, ...]
+
+    @property
+    def faults(self) -> int:
+        """How many classes have faults."""
+        return sum(not c.ok for c in self.classes)
+
+    def to_json(self) -> dict[str, Any]:
+        return {"verdict": "refuted" if self.faults else "proved", "classes": [c.to_json() for c in self.classes]}
+
+    def text(self, *, unicode: bool = False) -> str:
+        lines = []
+        for c in self.classes:
+            verdict = click.style("ok", fg="green") if c.ok else click.style("wrong", fg="red", bold=True)
+            lines.append(f"{c.id:<6}  {verdict}  {c.proved} {'identity' if c.proved == 1 else 'identities'} proved")
+            lines += [f"        {c.place}: {fault}" for fault in c.faults]
+        proved = sum(c.proved for c in self.classes)
+        total = f"{len(self.classes)} classes, {proved} identities proved, {self.faults} with faults"
+        return "\n".join([*lines, total])
+
+
+@dataclass(frozen=True)
+class _Enumeration:
+    """All classes, with the entry of the catalog for each."""
+
+    found: tuple[tuple[tuple[Leg, ...], Match | None], ...]
+
+    def to_json(self) -> dict[str, Any]:
+        classes = [{"legs": [list(g) for g in legs], "class": m.entry.id if m else None} for legs, m in self.found]
+        return {"count": len(self.found), "classes": classes}
+
+    def text(self, *, unicode: bool = False) -> str:
+        lines = [f"{m.entry.id if m else 'not in the catalog':<6}  {legs_text(legs)}" for legs, m in self.found]
+        return "\n".join([*lines, f"{len(self.found)} classes"])

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from gcrules.catalog import load
+from gcrules.cli.base import catalog_option
 from gcrules.cli.files import working, write_file
 from gcrules.errors import FileError
 
@@ -17,7 +18,7 @@ __all__ = ["docs"]
 @click.command()
 @click.option("--check", is_flag=True, help="Write nothing; exit code 1 if a page is stale.")
 @click.option("--out", default="docs/catalog", show_default=True, metavar="DIR", help="The folder of the pages.")
-@click.option("--catalog", "catalogs", multiple=True, metavar="FILE", help="Add a catalog of your own.")
+@catalog_option
 @click.pass_context
 def docs(ctx: click.Context, check: bool, out: str, catalogs: tuple[str, ...]) -> None:
     """Write a page for each class of the catalog, with figures, and an index.

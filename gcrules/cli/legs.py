@@ -9,7 +9,7 @@ import click
 
 from gcrules.analysis import Analysis
 from gcrules.analysis import analyze as analyzed
-from gcrules.cli.base import ExpressionCommand, Output, Space, output_options, space_options
+from gcrules.cli.base import ExpressionCommand, Output, Space, catalog_option, output_options, space_options
 from gcrules.cli.files import read_stdin, working, write_file
 from gcrules.errors import InputError
 from gcrules.robots.geometry import Platform, load_platform, parse_platform
@@ -17,7 +17,6 @@ from gcrules.robots.geometry import Platform, load_platform, parse_platform
 __all__ = ["analyze", "report"]
 
 _order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
-_catalogs = click.option("--catalog", "catalogs", multiple=True, metavar="FILE", help="Add a catalog of your own.")
 _recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
 _legs = click.argument("legs", nargs=-1, required=True, metavar="LEGS|FILE.yaml")
 
@@ -27,7 +26,7 @@ _legs = click.argument("legs", nargs=-1, required=True, metavar="LEGS|FILE.yaml"
 @_order
 @_recheck
 @click.option("--figure", metavar="FILE", help="Draw the robot (FILE.yaml) or the graph of its legs: .svg or .pdf.")
-@_catalogs
+@catalog_option
 @space_options(rank=False)
 @output_options()
 def analyze(
@@ -60,7 +59,7 @@ def analyze(
 @click.option("-o", "--output", "path", default="-", metavar="FILE.html", help="Write to a file.")
 @_order
 @_recheck
-@_catalogs
+@catalog_option
 @space_options(rank=False)
 def report(
     legs: tuple[str, ...],

@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
+from gcrules.frozen import FrozenMap
 from gcrules.legs import Structure
 
 __all__ = ["WorkedPose", "regular_pose", "singular_pose"]
@@ -34,7 +35,7 @@ def regular_pose(structure: Structure, avoid: tuple[Expr, ...] = ()) -> WorkedPo
     for pose in _whole_poses(structure):
         value = Fraction(evaluate(structure.superbracket, pose))
         if value and all(evaluate(e, pose) for e in avoid):
-            return WorkedPose(pose, value)
+            return WorkedPose(FrozenMap(pose), value)
     raise ValueError("the structure is singular in every pose that was tried")
 
 
@@ -57,7 +58,7 @@ def singular_pose(structure: Structure, avoid: tuple[Expr, ...] = ()) -> WorkedP
     if not found:
         raise ValueError("no singular pose was found")
     _, _, best = min(found)
-    return WorkedPose(best, Fraction(evaluate(structure.superbracket, best)))
+    return WorkedPose(FrozenMap(best), Fraction(evaluate(structure.superbracket, best)))
 
 
 def _on_zero(structure: Structure, pose: Pose, joint: str, other: str | None) -> Pose | None:

@@ -21,18 +21,22 @@ _TESTED = Certificate("random-points", "holds at exact random points")
 
 
 def best_first(claims: Sequence[Claim], structure: Structure, oracle: Oracle) -> list[Claim]:
-    """Claims by how much they tell: lines that all other legs meet, planes of legs and of the two bodies, then text."""
+    """Claims by how much they tell: lines that all other legs meet, planes of legs and of the two bodies, then text.
 
-    def key(claim: Claim) -> tuple[int, int, int, int, str]:
+    Neither signs nor the way the legs are written play a part.
+    """
+
+    def key(claim: Claim) -> tuple[int, int, str]:
         planes = [claim.state.named(row) for row in claim.state.planes]
         left = claim.state.named(claim.state.left)
         if claim.kind == "four-planes":
             planes.append(left)
         legs = -sum(_legs_in(plane, structure) for plane in planes)
-        base = -sum(set(plane) <= set(structure.base) for plane in planes)
-        return (-turns(claim, structure, oracle), legs, base, -claim.coefficient, str(claim.expression))
+        return (-turns(claim, structure, oracle), legs, "/".join(sorted(map(str, claim.expression.children))))
 
-    distinct = {str(c.expression): c for c in sorted(claims, key=key)}
+    distinct: dict[str, Claim] = {}
+    for claim in sorted(claims, key=key):
+        distinct.setdefault(str(claim.expression), claim)
     return list(distinct.values())
 
 

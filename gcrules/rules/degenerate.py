@@ -51,7 +51,7 @@ def _common_line(s: Structure) -> Degeneracy | None:
     legs = [extensor(leg) for leg in s.oriented]
     for line, words, why in _candidates(s):
         if any(points.value(line)) and not any(points.value(meet(line, leg))[0] for leg in legs):
-            reason = f"{why}all six legs meet {words}, so the platform can always turn about this line"
+            reason = f"{why}all six legs meet {words}, so the platform can always turn, to first order, about this line"
             return Degeneracy(reason, s.legs, line)
     return None
 
