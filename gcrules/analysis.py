@@ -12,18 +12,20 @@ The robot is singular exactly when the four planes abf, ace, bcd and def meet in
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.shortest import SuperbracketForm, shortest_forms, superbracket_form
 from gcrules.algebra.straighten import straighten
-from gcrules.algebra.text import Names
+from gcrules.algebra.text import SHORT_NAME, Names, split_names
 from gcrules.catalog import Catalog, Match, load
 from gcrules.condition import GROUPS, Certificate, Condition, Entity, starred
-from gcrules.errors import EngineFault
+from gcrules.errors import EngineFault, InputError
 from gcrules.legs import Structure, read_legs, read_order
+from gcrules.numeric.value import PoseValue, pose_value
+from gcrules.robots.geometry import Platform
 from gcrules.rules.conditions import best_first, certify, describe
 from gcrules.rules.degenerate import Degeneracy, explain
 from gcrules.rules.derivation import Derivation, Step
@@ -41,7 +43,8 @@ class Analysis:
 
     `typed` is the superbracket of the legs in the order given, `shortest` its shortest form; `match` the class of the
     catalog; `condition` the reading with the smallest cofactor and `readings` the others, each of them an identity
-    cofactor · superbracket = coefficient · expression; `derivation` the steps that lead to the condition.
+    cofactor · superbracket = coefficient · expression; `derivation` the steps that lead to the condition. If the legs
+    came with coordinates, `platform` holds them and `pose` the numbers there.
     """
 
     structure: Structure
@@ -54,6 +57,8 @@ class Analysis:
     claim: Claim | None = None
     degeneracy: Degeneracy | None = None
     notes: tuple[str, ...] = ()
+    platform: Platform | None = None
+    pose: PoseValue | None = None
 
     @property
     def entities(self) -> tuple[Entity, ...]:
@@ -83,6 +88,7 @@ class Analysis:
             "readings": [r.to_json(names) for r in self.readings],
             "certificate": self.condition.certificate.to_json(),
             "derivation": [s.to_json(names) for s in self.derivation],
+            "pose": self.pose.to_json() if self.pose else None,
             "notes": list(self.notes),
         }
 
@@ -101,6 +107,10 @@ class Analysis:
     def __str__(self) -> str:
         return self.text(unicode=True)
 
+    def __repr__(self) -> str:
+        name = self.match.entry.id if self.match else "no class"
+        return f"<Analysis {name}: {self.condition.kind}, {self.condition.expression}>"
+
     def _repr_html_(self) -> str:
         from gcrules.render.report import fragment
 
@@ -111,7 +121,7 @@ class Analysis:
 
 
 def analyze(
-    legs: str | Iterable[str | Sequence[str]] | Structure,
+    legs: str | Iterable[str | Sequence[str]] | Structure | Platform,
     *,
     order: str | Sequence[int | str] | None = None,
     points: Names = (),
@@ -121,11 +131,14 @@ def analyze(
 ) -> Analysis:
     """Analyse six legs: when is the platform singular, and why.
 
-    `legs` is text ("ab af cb cd ed ef") or pairs of names, a leg written with one body's joint first throughout;
+    `legs` is text ("ab af cb cd ed ef") or pairs of names, a leg written with one body's joint first throughout, or a
+    platform with coordinates (`load_platform`), for which the numbers in its pose are given too;
     `order` keeps the user's own order of legs instead of the shortest one; `points` declares long names, `ideal` the
     points at infinity; `catalogs` adds files of the user's own. With `recheck` readings that are instances of catalog
     identities are proved from scratch. Raises InputError for anything but six legs between different points.
     """
+    if isinstance(legs, Platform):
+        return _in_pose(legs, order, split_names(points), split_names(ideal), catalogs, recheck)
     structure = legs if isinstance(legs, Structure) else read_legs(legs, points=points, ideal=ideal)
     catalog = load(catalogs)
     typed = superbracket_form(structure.legs, points=structure.points, ideal=structure.ideal)
@@ -162,6 +175,28 @@ def analyze(
     return Analysis(
         structure, typed, shown, match, conditions[0], tuple(conditions[1:]), derivation, claim, notes=tuple(notes)
     )
+
+
+def _in_pose(
+    platform: Platform,
+    order: str | Sequence[int | str] | None,
+    points: tuple[str, ...],
+    ideal: tuple[str, ...],
+    catalogs: Iterable[str | PathLike[str]],
+    recheck: bool,
+) -> Analysis:
+    """The analysis of a platform's legs with the numbers in its pose."""
+    if ideal:
+        raise InputError(f"{', '.join(ideal)} cannot lie at infinity: {platform.filename} gives finite coordinates")
+    long_names = (n for n in platform.points if not SHORT_NAME.fullmatch(n))
+    try:
+        structure = read_legs(platform.legs, points=tuple(dict.fromkeys((*points, *long_names))))
+    except InputError as fault:
+        fault.filename = platform.filename
+        raise
+    found = analyze(structure, order=order, catalogs=catalogs, recheck=recheck)
+    pose = pose_value(found.structure, found.condition, platform.homogeneous(), unit=platform.units)
+    return replace(found, platform=platform, pose=pose)
 
 
 def _shortest(structure: Structure) -> tuple[SuperbracketForm, ...]:
@@ -236,9 +271,9 @@ def _derivation(
     oracle: Oracle,
 ) -> Derivation:
     """superbracket = ± shortest form = ± tetrahedra · (brackets with entities first) = dotted form = ± expression."""
-    sign = ex.Number(form.sign * structure.sign)
+    sign = form.sign * structure.sign
     why = f"the {form.form}-term form with the legs in the order {_order(form)} has {_terms(len(form.polynomial))}"
-    steps = start.then("shortest-form", ex.mul(sign, form.polynomial.to_expr()), why)
+    steps = start.then("shortest-form", ex.signed(sign, form.polynomial.to_expr()), why)
     if claim is None:
         return steps
     state = claim.state
@@ -246,14 +281,14 @@ def _derivation(
         names = ", ".join(state.label(row) for row in state.tetrahedra)
         why = f"brackets common to all terms are tetrahedra: {names}"
         outer = [ex.bracket(*map(ex.Point, state.named(row))) for row in state.tetrahedra]
-        steps = steps.then("tetrahedra", ex.mul(sign, *outer, state.rest.to_expr()), why)
+        steps = steps.then("tetrahedra", ex.mul(ex.Number(sign), *outer, state.rest.to_expr()), why)
     if state.planes or state.lines:
         planes = ", ".join(state.label(row) for row in state.planes)
         lines = ", ".join(state.label(row) for row in state.lines)
         both = "; ".join(f"{word} {names}" for word, names in (("planes", planes), ("lines", lines)) if names)
         why = f"points that stay together in one bracket of every term: {both}"
-        steps = steps.then("planes" if planes else "lines", ex.mul(sign, state.collected()), why)
-    if len(state.planes) == len(state.left):
+        steps = steps.then("planes" if planes else "lines", ex.signed(sign, state.collected()), why)
+    if state.planes and len(state.planes) == len(state.left):
         dotted = state.dotted()
         why = f"the left-over points {', '.join(state.named(state.left))} are shared out among the planes' brackets"
         factor = oracle.coefficient(dotted)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from gcrules.algebra.expr import Expr, Number, Point, Sum, add, mul, neg, sub
+from gcrules.algebra.expr import Expr, Number, Point, mul, signed, sub
 from gcrules.algebra.text import text
 from gcrules.frozen import FrozenMap
 
@@ -89,9 +89,7 @@ class Condition:
     @property
     def right_side(self) -> Expr:
         """coefficient · expression, a minus sign written into the terms of a sum."""
-        if self.coefficient == -1 and isinstance(self.expression, Sum):
-            return add(*map(neg, self.expression.terms))
-        return mul(Number(self.coefficient), self.expression)
+        return signed(self.coefficient, self.expression)
 
     def identity(self, superbracket: Expr) -> Expr:
         """The expression that must vanish identically."""

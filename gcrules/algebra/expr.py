@@ -50,6 +50,7 @@ __all__ = [
     "points_of",
     "power",
     "rank_of",
+    "signed",
     "step_name",
     "sub",
     "subexpressions",
@@ -412,6 +413,11 @@ def add(*terms: Expr, rank: int = 4) -> Expr:
 def neg(e: Expr) -> Expr:
     """−e."""
     return mul(Number(-1), e)
+
+
+def signed(sign: int, e: Expr) -> Expr:
+    """sign · e, a minus sign written into the terms of a sum."""
+    return add(*map(neg, e.terms)) if sign == -1 and isinstance(e, Sum) else mul(Number(sign), e)
 
 
 def sub(a: Expr, b: Expr, rank: int = 4) -> Expr:

@@ -75,7 +75,7 @@ class Proof:
         lines = [f"{self.verdict}: {claim}", f"  {self.reason}"]
         if self.counterexample is not None and self.values is not None:
             lines += [f"  {name} = ({', '.join(map(str, c))})" for name, c in self.counterexample.items()]
-            lines += [f"  left  = {_shown(self.values[0])}", f"  right = {_shown(self.values[1])}"]
+            lines += [f"  left side  = {_shown(self.values[0])}", f"  right side = {_shown(self.values[1])}"]
         return "\n".join(lines)
 
     def latex(self) -> str:

@@ -34,7 +34,7 @@ _Node = Any  # a lark Tree or Token; lark loads when text is read
 
 __all__ = ["Claim", "Context", "Script", "Show", "parse", "parse_equation", "parse_script"]
 
-MAX_TEXT = 250_000
+MAX_TEXT = 100_000
 MAX_NESTING = 100
 MAX_DEPTH = 100
 MAX_NODES = 50_000

@@ -48,9 +48,9 @@ def analyze(
     A leg is a joint of one body and a joint of the other, in this sequence throughout; joints that legs share bear
     one name. "-" reads legs or a geometry file from standard input.
     """
-    analysis, platform = _analysis(legs, order, recheck, catalogs, space)
+    analysis = _analysis(legs, order, recheck, catalogs, space)
     if figure:
-        _draw(analysis, platform, figure)
+        _draw(analysis, figure)
     out.show(analysis)
 
 
@@ -77,27 +77,17 @@ def report(
     """
     from gcrules.render.report import report as rendered  # not needed by analyze
 
-    analysis, platform = _analysis(legs, order, recheck, catalogs, space)
-    write_file(path, rendered(analysis, platform))
+    write_file(path, rendered(_analysis(legs, order, recheck, catalogs, space)))
 
 
 def _analysis(
     legs: tuple[str, ...], order: str | None, recheck: bool, catalogs: tuple[str, ...], space: Space
-) -> tuple[Analysis, Platform | None]:
+) -> Analysis:
     found = _platform_or_legs(legs)
-    platform = found if isinstance(found, Platform) else None
-    for warning in platform.warnings if platform else ():
+    for warning in found.warnings if isinstance(found, Platform) else ():
         click.echo(f"warning: {warning}", err=True)
     with working("analysing"):
-        analysis = analyzed(
-            found.legs if isinstance(found, Platform) else found,
-            order=order,
-            points=space.points,
-            ideal=space.ideal,
-            catalogs=catalogs,
-            recheck=recheck,
-        )
-    return analysis, platform
+        return analyzed(found, order=order, points=space.points, ideal=space.ideal, catalogs=catalogs, recheck=recheck)
 
 
 def _platform_or_legs(words: tuple[str, ...]) -> Platform | str:
@@ -117,8 +107,8 @@ def _is_path(word: str) -> bool:
     return word.lower().endswith((".yaml", ".yml")) or os.sep in word or os.path.isfile(word)
 
 
-def _draw(analysis: Analysis, platform: Platform | None, path: str) -> None:
+def _draw(analysis: Analysis, path: str) -> None:
     from gcrules.render.drawing import save  # figures are rarely asked for
     from gcrules.render.figures import graph_figure, robot_figure
 
-    save(robot_figure(analysis, platform.points) if platform else graph_figure(analysis), path)
+    save(robot_figure(analysis) if analysis.platform else graph_figure(analysis), path)

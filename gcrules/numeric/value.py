@@ -9,6 +9,7 @@ from typing import Any
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.condition import Condition
+from gcrules.errors import InputError
 from gcrules.legs import Leg, Structure
 
 __all__ = ["CLOSE", "PoseValue", "line_points", "measure", "pose_value"]
@@ -21,7 +22,9 @@ XYZ = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class PoseValue:
-    """`superbracket`, `condition` and `cofactor` are exact (the superbracket's unit is length³);
+    """Numbers in one pose. `superbracket`, `condition` (coefficient · expression) and `cofactor` are exact, with
+    cofactor · superbracket = condition; each bracket is a length³, so the superbracket is a length⁹, in `unit`s.
+
     `measure` is dimensionless in [0, 1] and independent of frame and unit; `verdict` is singular | close | regular and
     comes from the superbracket, never from the condition alone.
     """
@@ -31,6 +34,7 @@ class PoseValue:
     cofactor: Fraction
     measure: float
     verdict: str
+    unit: str = ""
 
     def to_json(self) -> dict[str, Any]:
         """Exact numbers as text, the measure as a float."""
@@ -40,18 +44,27 @@ class PoseValue:
             "cofactor": str(self.cofactor),
             "measure": self.measure,
             "verdict": self.verdict,
+            "unit": self.unit,
         }
 
 
 def pose_value(
-    structure: Structure, condition: Condition, points: Mapping[str, Sequence[Fraction]], close: float = CLOSE
+    structure: Structure,
+    condition: Condition,
+    points: Mapping[str, Sequence[Fraction]],
+    *,
+    close: float = CLOSE,
+    unit: str = "",
 ) -> PoseValue:
-    """Evaluate at exact homogeneous coordinates (x, y, z, 1) of every joint."""
-    value = Fraction(evaluate(structure.superbracket, points))
-    expression, cofactor = (Fraction(evaluate(e, points)) for e in (condition.expression, condition.cofactor))
+    """Evaluate at exact homogeneous coordinates (x, y, z, 1) of every joint; all must be finite (else InputError)."""
+    if any(c[3] == 0 for c in points.values()):
+        raise InputError("a pose needs finite joints (last coordinate not 0)")
+    value, right, cofactor = (
+        Fraction(evaluate(e, points)) for e in (structure.superbracket, condition.right_side, condition.cofactor)
+    )
     size = measure(structure.legs, {n: (float(c[0]), float(c[1]), float(c[2])) for n, c in points.items()})
     verdict = "singular" if value == 0 else "close" if size < close else "regular"
-    return PoseValue(value, expression, cofactor, size if value else 0.0, verdict)
+    return PoseValue(value, right, cofactor, size if value else 0.0, verdict, unit)
 
 
 def measure(legs: Sequence[Leg], points: Mapping[str, XYZ]) -> float:

@@ -49,20 +49,23 @@ def singular_pose(structure: Structure, avoid: tuple[Expr, ...] = ()) -> WorkedP
     number = Counter(n for leg in structure.legs for n in leg)
     along = [(a, b) for leg in structure.legs for a, b in (leg, leg[::-1]) if number[a] == 2]
     moves: list[tuple[str, str | None]] = [*along, *((n, None) for n in structure.names if number[n] == 1)]
-    found: list[tuple[int, int, Pose]] = []
+    candidates: list[tuple[int, int, Pose]] = []
     for pose in _whole_poses(structure):
-        for joint, other in moves:
-            moved = _on_zero(structure, pose, joint, other)
-            if moved and len(set(moved.values())) == len(moved) and all(evaluate(e, moved) for e in avoid):
-                found.append((_height(moved), len(found), moved))
-    if not found:
-        raise ValueError("no singular pose was found")
-    _, _, best = min(found)
-    return WorkedPose(FrozenMap(best), Fraction(evaluate(structure.superbracket, best)))
+        value = Fraction(evaluate(structure.superbracket, pose))
+        for joint, other in moves if value else ():
+            moved = _to_zero(structure, pose, value, joint, other)
+            if moved and len(set(moved.values())) == len(moved):
+                candidates.append((_height(moved), len(candidates), moved))
+    for _, _, pose in sorted(candidates):
+        if evaluate(structure.superbracket, pose) == 0 and all(evaluate(e, pose) for e in avoid):
+            return WorkedPose(FrozenMap(pose), Fraction(0))
+    raise ValueError("no singular pose was found")
 
 
-def _on_zero(structure: Structure, pose: Pose, joint: str, other: str | None) -> Pose | None:
-    """Move a joint towards another (or along x) to where the superbracket, linear in the motion, vanishes."""
+def _to_zero(structure: Structure, pose: Pose, value: Fraction, joint: str, other: str | None) -> Pose | None:
+    """Move a joint towards another (or along x) to where the superbracket, here `value` and linear in the motion,
+    vanishes.
+    """
     start = pose[joint]
     step = tuple(e - s for s, e in zip(start, pose[other], strict=True)) if other else (1, 0, 0, 0)
 
@@ -71,11 +74,8 @@ def _on_zero(structure: Structure, pose: Pose, joint: str, other: str | None) ->
         return {**pose, joint: (x, y, z, w)}
 
     # Along its own leg the joint stretches that leg's coordinates by 1 − t, which is taken out: the rest is linear.
-    v0, v1 = (Fraction(evaluate(structure.superbracket, at(t)), 1 - t if other else 1) for t in (0, -1))
-    if v0 == v1 or not v0:
-        return None
-    found = at(-v0 / (v0 - v1))
-    return found if evaluate(structure.superbracket, found) == 0 else None
+    moved = Fraction(evaluate(structure.superbracket, at(-1)), 2 if other else 1)
+    return at(value / (moved - value)) if moved != value else None
 
 
 def _whole_poses(structure: Structure) -> Iterator[Pose]:

@@ -26,12 +26,13 @@ def graph_figure(a: Analysis) -> Drawing:
     return draw_graph(s.oriented, s.base, s.platform, a.entities)
 
 
-def robot_figure(a: Analysis, coordinates: Coordinates | None = None) -> Drawing:
-    """The robot in its pose with the entities of the condition; a sample shape if no coordinates are given.
+def robot_figure(a: Analysis) -> Drawing:
+    """The robot in its pose with the entities of the condition; a sample shape if it came without coordinates.
 
     The lines p and q of a transversal reading are drawn, and the common point of planes that meet in one.
     """
     s = a.structure
+    coordinates = a.platform.points if a.platform else None
     points: Mapping[str, tuple[float, float, float]]
     if coordinates is None:
         points = sample_coordinates(s.oriented, s.base, s.platform)

@@ -62,8 +62,8 @@ def place_labels(
     """
     choices = []
     for label in labels:
-        options = [(_cost(text, bias, discs, strokes, taken, bounds), text) for text, bias in _options(label)]
-        choices.append([(cost, text, label_box(text)) for cost, text in options])
+        options = [(text, label_box(text), bias) for text, bias in _options(label)]
+        choices.append([(bias + _cost(box, discs, strokes, taken, bounds), text, box) for text, box, bias in options])
     chosen = [min(placed, key=lambda o: o[0]) for placed in choices]
     for _ in range(_SWEEPS):
         before = list(chosen)
@@ -79,11 +79,11 @@ def _options(label: Label) -> list[tuple[Text, float]]:
     """All places for a label, each with what speaks against it from the start."""
     length = hypot(*label.toward) or 1.0
     wish = (label.toward[0] / length, label.toward[1] / length)
+    half_width = text_width(Text((0.0, 0.0), label.runs, label.size)) / 2
+    half_height = (_ASCENT + _DESCENT) * label.size / 2
     found = []
     for gap in _GAPS:
         for dx, dy in _directions():
-            text = Text((0.0, 0.0), label.runs, label.size, "middle", label.fill, halo=True)
-            half_width, half_height = text_width(text) / 2, (_ASCENT + _DESCENT) * label.size / 2
             reach = (
                 label.radius
                 + gap
@@ -103,15 +103,13 @@ def _directions() -> tuple[XY, ...]:
 
 
 def _cost(
-    text: Text,
-    bias: float,
+    box: Box,
     discs: Sequence[tuple[XY, float]],
     strokes: Sequence[tuple[XY, XY]],
     taken: Sequence[Box],
     bounds: Box | None,
 ) -> float:
-    box = label_box(text)
-    cost = bias + 8 * sum(overlap(box, other, 1.5) for other in taken)
+    cost = 8 * sum(overlap(box, other, 1.5) for other in taken)
     cost += 4 * sum(overlap(box, (x - r, y - r, x + r, y + r), 1.0) for (x, y), r in discs)
     cost += 1.6 * sum(_inside(box, start, end) for start, end in strokes)
     if bounds:

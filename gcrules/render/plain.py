@@ -10,23 +10,24 @@ from gcrules.render.stages import Fact, Item, stages
 __all__ = ["as_text"]
 
 _WIDTH = 100
+_ASCII = str.maketrans({"→": "->", "ü": "u", "–": "-", "⁹": "^9"})
 
 
 def as_text(a: Analysis, *, unicode: bool = False) -> str:
     """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows."""
-    lines = []
+    lines = [*_wrapped(a.condition.statement.split(), ""), ""]
     for n, stage in enumerate(stages(a), 1):
         lines += [f"{n}. {stage.title}"] + ([f"   {stage.why}"] if stage.why else [])
         for item in stage.items:
             lines += _text_item(item, a, unicode)
         lines.append("")
     out = "\n".join(lines).rstrip() + "\n"
-    return out if unicode else out.replace("→", "->").replace("ü", "u").replace("–", "-")
+    return out if unicode else out.translate(_ASCII)
 
 
 def _text_item(item: Item, a: Analysis, unicode: bool) -> list[str]:
     if isinstance(item, Fact):
-        return _wrapped([f"{item.key:<9}", *item.value.split()], "   ")
+        return _wrapped([f"{item.key:<12}", *item.value.split()], "   ")
     if isinstance(item, str):
         return _wrapped(item.split(), "   ")
     names = a.structure.names
@@ -45,5 +46,5 @@ def _wrapped(words: list[str], indent: str) -> list[str]:
     for word in words:
         if len(lines[-1]) + len(word) > _WIDTH and lines[-1].strip():
             lines.append(indent + "  ")
-        lines[-1] += ("" if lines[-1].isspace() else " ") + word
+        lines[-1] += (" " if lines[-1].strip() else "") + word
     return lines

@@ -9,26 +9,27 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.analysis import Analysis
 from gcrules.legs import legs_text
-from gcrules.numeric.value import CLOSE, PoseValue, pose_value
+from gcrules.numeric.value import PoseValue
 from gcrules.render.figures import graph_figure, robot_figure
 from gcrules.render.mathml import mathml_terms
-from gcrules.render.stages import Fact, Formula, Item, Stage, stages
+from gcrules.render.stages import VERDICTS, Fact, Formula, Item, Stage, stages
 from gcrules.robots.geometry import Platform
 
 __all__ = ["fragment", "report"]
 
 
-def report(analysis: Analysis, platform: Platform | None = None) -> str:
-    """The HTML page of an analysis; with a platform's coordinates also the robot in its pose and the numbers there."""
+def report(analysis: Analysis) -> str:
+    """The HTML page of an analysis; of a platform with coordinates also the robot in its pose and the numbers there."""
+    platform = analysis.platform
     title = (platform.title if platform else "") or f"Legs {legs_text(analysis.structure.legs)}"
     sections = [
         _header(title, analysis, platform),
         f'<section class="answer"><p>{escape(analysis.condition.statement)}</p>{_sure(analysis)}</section>',
-        _figures(analysis, platform),
-        *([_numbers(analysis, platform)] if platform else []),
+        _figures(analysis),
+        *([_numbers(analysis.pose)] if analysis.pose else []),
         "<h2>Step by step</h2>",
         '<ol class="stages">',
-        *(_stage(s) for s in stages(analysis)),
+        *(_stage(s) for s in stages(analysis) if s.title != "In this pose"),
         "</ol>",
         _derivation(analysis),
         _footer(),
@@ -63,9 +64,9 @@ def _sure(a: Analysis) -> str:
     return f'<p class="sure">{escape(a.condition.certificate.detail)}.</p>'
 
 
-def _figures(a: Analysis, platform: Platform | None) -> str:
-    robot = robot_figure(a, platform.points if platform else None).svg()
-    caption = "The robot in the pose of the file" if platform else "A sample shape (no coordinates were given)"
+def _figures(a: Analysis) -> str:
+    robot = robot_figure(a).svg()
+    caption = "The robot in the pose of the file" if a.platform else "A sample shape (no coordinates were given)"
     return (
         f'<div class="figures"><figure class="robot">{robot}<figcaption>{caption}, with the entities of the condition'
         f"</figcaption></figure><figure>{graph_figure(a).svg()}"
@@ -73,36 +74,19 @@ def _figures(a: Analysis, platform: Platform | None) -> str:
     )
 
 
-def _numbers(a: Analysis, platform: Platform) -> str:
-    value = pose_value(a.structure, a.condition, platform.homogeneous())
-    unit = f"{platform.units}³" if platform.units else "length³"
+def _numbers(pose: PoseValue) -> str:
+    unit = f" {pose.unit}⁹" if pose.unit else ""
     rows = [
-        (
-            "Superbracket",
-            f"{float(value.superbracket):.6g} {unit}",
-            "the determinant of the six lines; 0 means singular",
-        ),
-        ("Condition's expression", f"{float(value.condition):.6g}", "zero exactly when the condition holds"),
-        (
-            "Closeness",
-            f"{value.measure:.4g}",
-            "dimensionless, 0 (singular) to 1, the same in every frame and unit",
-        ),
+        ("Superbracket", f"{float(pose.superbracket):.6g}{unit}", "the determinant of the six lines; 0 means singular")
     ]
-    if a.condition.cofactor != ex.Number(1):
-        rows.insert(2, ("Cofactor", f"{float(value.cofactor):.6g}", "the reading is not valid where this is 0"))
+    if pose.cofactor != 1:
+        rows.append(("Cofactor", f"{float(pose.cofactor):.6g}", "where it is 0 the condition says nothing"))
+        rows.append(("Condition", f"{float(pose.condition):.6g}", "cofactor times superbracket"))
+    meaning = "dimensionless, 0 (singular) to 1, the same in every frame and unit"
+    rows.append(("Closeness", f"{pose.measure:.4g}", meaning))
     body = "".join(f"<tr><th>{n}</th><td>{v}</td><td>{escape(w)}</td></tr>" for n, v, w in rows)
-    head = f"<h2>In this pose</h2>{_verdict(value)}"
-    return f'<section class="numbers {value.verdict}">{head}<table>{body}</table></section>'
-
-
-def _verdict(value: PoseValue) -> str:
-    words = {
-        "singular": "Singular: the superbracket is exactly zero here.",
-        "close": f"Warning: close to singular (closeness below {CLOSE:g}).",
-        "regular": "Regular: the platform is controlled by its six legs here.",
-    }
-    return f'<p class="verdict">{words[value.verdict]}</p>'
+    head = f'<h2>In this pose</h2><p class="verdict">{VERDICTS[pose.verdict]}</p>'
+    return f'<section class="numbers {pose.verdict}">{head}<table>{body}</table></section>'
 
 
 def _stage(stage: Stage) -> str:

@@ -10,8 +10,9 @@ from gcrules.algebra.expr import Expr
 from gcrules.analysis import Analysis
 from gcrules.condition import Condition, Entity
 from gcrules.legs import leg_text, legs_text
+from gcrules.numeric.value import CLOSE, PoseValue
 
-__all__ = ["Fact", "Formula", "Item", "Stage", "stages"]
+__all__ = ["VERDICTS", "Fact", "Formula", "Item", "Stage", "stages"]
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,10 @@ def stages(a: Analysis) -> list[Stage]:
 
 
 def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
-    yield "Structure", "Six legs, each a line between a joint of the base and a joint of the platform.", _structure(a)
+    why = "Six legs, each a line between a joint of the base and a joint of the platform."
+    if not a.structure.base:
+        why = "Six legs, each a line between two joints."
+    yield "Structure", why, _structure(a)
     yield (
         "Superbracket",
         "The determinant of the six lines' Plücker coordinates; the robot is singular exactly when it is zero.",
@@ -56,17 +60,18 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
     )
     order = ", ".join(leg_text(a.structure.legs[i]) for i in a.shortest.order)
     shown = f"{a.shortest.form}-term form, legs in the order {order}: {_count(len(a.shortest.polynomial))}."
-    sign = ex.mul(ex.Number(a.shortest.sign), a.structure.superbracket)
     yield (
         "Shortest form",
         "Repeated points make brackets vanish; the number of terms left depends on the order of the legs and the form.",
-        [shown, Formula(sign, a.shortest.polynomial.to_expr())],
+        [shown, Formula(a.structure.superbracket, (a.shortest.polynomial * a.shortest.sign).to_expr())],
     )
     if a.claim is not None:
         yield from _entity_stages(a)
     yield "Condition", "An incidence whose expansion equals the superbracket.", _condition(a.condition, a)
     yield "Statement", "", [a.condition.statement]
     yield "Certificate", "", [a.condition.certificate.detail + ".", *_replay(a), *a.notes]
+    if a.pose:
+        yield "In this pose", "Numbers at the coordinates of the file.", _pose(a.pose)
     if a.readings:
         items: list[Item] = []
         for reading in a.readings:
@@ -106,14 +111,16 @@ def _entity_stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
     yield "Planes", why, [", ".join(planes) or "none"]
     items: list[Item] = [", ".join(lines) or "none"]
     if state.planes or state.lines:
-        items += ["with the entities in front:", Formula(None, ex.mul(ex.Number(a.structure.sign), state.collected()))]
+        sign = state.form.sign * a.structure.sign
+        items += ["with the entities in front:", Formula(a.structure.superbracket, ex.signed(sign, state.collected()))]
     yield "Lines", "Pairs of points that stay together in one bracket of every term.", items
     if state.left:
         left = ", ".join(state.named(state.left))
         what = f"as the plane {more_planes[0]}" if more_planes else f"as the line {' and the line '.join(more_lines)}"
         why = "The points that no plane and no line has taken make the last plane, or lines with P(x,y) + P(y,x) = 0."
         items = [f"{left}: taken {what}"]
-        items += [Formula(None, step.after) for step in a.derivation if step.rule == "left-over"]
+        dotted = [step.after for step in a.derivation if step.rule == "left-over"]
+        items += [Formula(a.structure.superbracket, e) for e in dotted]
         yield "Left-over points", why, items
 
 
@@ -132,6 +139,23 @@ def _replay(a: Analysis) -> list[Item]:
 def _starred(entity: Entity) -> str:
     spaced = any(len(n.rstrip("*")) > 1 for n in entity.starred)
     return (" " if spaced else "").join(entity.starred)
+
+
+VERDICTS = {
+    "singular": "Singular: the superbracket is exactly zero here.",
+    "close": f"Warning: close to singular (closeness below {CLOSE:g}).",
+    "regular": "Regular: the six legs control the platform here.",
+}
+
+
+def _pose(pose: PoseValue) -> list[Item]:
+    unit = f" {pose.unit}⁹" if pose.unit else ""
+    items: list[Item] = [VERDICTS[pose.verdict], Fact("superbracket", f"{float(pose.superbracket):.6g}{unit}")]
+    if pose.cofactor != 1:
+        items.append(Fact("cofactor", f"{float(pose.cofactor):.6g} (where it is 0 the condition says nothing)"))
+        items.append(Fact("condition", f"{float(pose.condition):.6g} (cofactor times superbracket)"))
+    items.append(Fact("closeness", f"{pose.measure:.4g} (dimensionless, 0 singular to 1)"))
+    return items
 
 
 def _count(n: int) -> str:

@@ -41,9 +41,8 @@ def best_first(claims: Sequence[Claim], structure: Structure, oracle: Oracle) ->
 
 
 def _legs_in(plane: tuple[str, ...], structure: Structure) -> int:
-    """Legs in a plane of three joints; the plane of three joints of one body counts as one."""
-    legs = sum(set(leg) <= set(plane) for leg in structure.legs)
-    return legs or len({structure.sides.get(n) for n in plane}) == 1
+    """Legs in a plane of three joints."""
+    return sum(set(leg) <= set(plane) for leg in structure.legs)
 
 
 def turns(claim: Claim, structure: Structure, oracle: Oracle) -> bool:
