@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from gcrules.algebra.evaluate import evaluate
-from gcrules.algebra.expr import Expr, Join, Point, meet
+from gcrules.algebra.expr import Expr, meet
 from gcrules.analysis import Analysis
 from gcrules.numeric.value import XYZ, line_points
 from gcrules.render.drawing import Drawing
@@ -20,10 +20,10 @@ __all__ = ["graph_figure", "robot_figure"]
 Coordinates = Mapping[str, tuple[Fraction, Fraction, Fraction]]
 
 
-def graph_figure(a: Analysis) -> Drawing:
-    """The schematic of the legs with the entities marked."""
+def graph_figure(a: Analysis, *, key: bool = True) -> Drawing:
+    """The schematic of the legs with the entities marked; `key` adds a legend."""
     s = a.structure
-    return draw_graph(s.oriented, s.base, s.platform, a.entities)
+    return draw_graph(s.oriented, s.base, s.platform, a.entities, key=key)
 
 
 def robot_figure(a: Analysis) -> Drawing:
@@ -41,12 +41,14 @@ def robot_figure(a: Analysis) -> Drawing:
     at = {n: (*points[n], 1.0) for n in s.names}
     lines = [(*ends, name or "line") for name, e in a.condition.lines if (ends := _line(e, at, points))]
     marks = _common_point(a, coordinates) if coordinates is not None else []
-    return draw_platform(s.oriented, points, s.base, s.platform, a.entities, lines, marks)
+    named = [tuple(map(str, e.children)) for _, e in a.condition.lines]
+    entities = [
+        e for e in a.entities if not (e.kind == "line" and e.points in named)
+    ]  # p, where it is a line of joints
+    return draw_platform(s.oriented, points, s.base, s.platform, entities, lines, marks)
 
 
 def _line(e: Expr, at: Mapping[str, tuple[float, ...]], points: Mapping[str, XYZ]) -> tuple[XYZ, XYZ] | None:
-    if isinstance(e, Join) and all(isinstance(p, Point) for p in e.args):
-        return None  # a line through two joints is an entity already
     n = len(points)
     centre = tuple(sum(c[i] for c in points.values()) / n for i in range(3))
     reach = max(abs(c[i] - centre[i]) for c in points.values() for i in range(3))

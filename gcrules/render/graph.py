@@ -25,13 +25,18 @@ _AREA = 15.0
 
 
 def draw_graph(
-    legs: Legs, base: Sequence[str], platform: Sequence[str], entities: Sequence[EntityLike] = ()
+    legs: Legs,
+    base: Sequence[str],
+    platform: Sequence[str],
+    entities: Sequence[EntityLike] = (),
+    *,
+    key: bool = True,
 ) -> Drawing:
     """A schematic of the legs; the order within each row is chosen for few crossings.
 
     `base` and `platform` hold the points of the two bodies; where a leg does not run from one to the other (or both are
     empty) the points stand on a circle instead. Each entity is an area around its points, a line is dashed. Entities
-    with other points are left out of the picture but not of the legend.
+    with other points are left out of the picture but not of the legend (`key`).
     """
     layered = bool(legs) and all((a in base) != (b in base) and (a in platform) != (b in platform) for a, b in legs)
     at = _rows(legs, base, platform) if layered else _circle(legs)
@@ -39,7 +44,7 @@ def draw_graph(
     left = _MARGIN + (46 if layered else 0)
     shift = (left - min(xs), _MARGIN - min(ys))
     at = {name: (x + shift[0], y + shift[1]) for name, (x, y) in at.items()}
-    entries = entity_entries(entities)
+    entries = entity_entries(entities) if key else []
     side = legend_width(entries)
     width = left + max(xs) - min(xs) + _MARGIN + (side + 16 if entries else 0)
     height = max(max(ys) - min(ys) + 2 * _MARGIN, ROW * len(entries) + 24)

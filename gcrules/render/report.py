@@ -69,7 +69,7 @@ def _figures(a: Analysis) -> str:
     caption = "The robot in the pose of the file" if a.platform else "A sample shape (no coordinates were given)"
     return (
         f'<div class="figures"><figure class="robot">{robot}<figcaption>{caption}, with the entities of the condition'
-        f"</figcaption></figure><figure>{graph_figure(a).svg()}"
+        f"</figcaption></figure><figure>{graph_figure(a, key=False).svg()}"
         "<figcaption>The legs as a graph</figcaption></figure></div>"
     )
 
