@@ -6,12 +6,14 @@ import json
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 
-from gcrules.algebra.syntax import MAX_TEXT
+from gcrules.algebra import expand, straighten, syntax
+from gcrules.algebra import expr as ex
 
-LIMIT = MAX_TEXT - 4_000  # characters, just below the limit of the language
+LIMIT = syntax.MAX_TEXT - 4_000  # characters, just below the limit of the language
 MANY = 40_000
 MEGABYTE = 10**6
 
@@ -23,7 +25,7 @@ BITS = "a coefficient has more than 10000 bits"
 PARTS = "names bound by `let` stand for more than 50,000 parts here"
 NAMES = "more than 500 declared names"
 
-# What is fed to the parser, as Python source so that a megabyte does not travel through a pipe, and what the fault says.
+# What is fed to the parser, as Python source so that a megabyte does not travel through a pipe; words of the fault.
 EXPRESSIONS = {
     "20,000 open parentheses": ('"(" * 20_000', NESTED),
     "20,000 nested parentheses": ('"(" * 20_000 + "a" + ")" * 20_000', NESTED),
@@ -195,3 +197,25 @@ def test_script(read: Read, source: str, words: str) -> None:
 
 def test_the_reader_notices_a_crash(read: Read) -> None:
     assert read("1/0", "expression") == "no answer"
+
+
+@pytest.mark.parametrize(
+    "limit",
+    [
+        syntax.MAX_TEXT,
+        syntax.MAX_NESTING,
+        syntax.MAX_DEPTH,
+        syntax.MAX_NODES,
+        syntax.MAX_DIGITS,
+        syntax.MAX_WORD,
+        syntax.MAX_NAMES,
+        ex.MAX_EXPONENT,
+        ex.MAX_COEFFICIENT_BITS,
+        ex.MAX_DOTTED_TERMS,
+        expand.MAX_TERMS,
+        straighten.MAX_WORK,
+    ],
+)
+def test_the_limits_are_documented(root: Path, limit: int) -> None:
+    limits = (root / "docs" / "language.md").read_text(encoding="utf-8").partition("## Limits")[2]
+    assert f"| {limit:,} " in limits

@@ -8,6 +8,7 @@ from fractions import Fraction
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr, meet
 from gcrules.analysis import Analysis
+from gcrules.condition import Entity
 from gcrules.numeric.value import XYZ, line_points
 from gcrules.render.drawing import Drawing
 from gcrules.render.graph import draw_graph
@@ -23,7 +24,7 @@ Coordinates = Mapping[str, tuple[Fraction, Fraction, Fraction]]
 def graph_figure(a: Analysis, *, key: bool = True) -> Drawing:
     """The schematic of the legs with the entities marked; `key` adds a legend."""
     s = a.structure
-    return draw_graph(s.oriented, s.base, s.platform, a.entities, key=key)
+    return draw_graph(s.oriented, s.base, s.platform, [e for part in _entities(a) for e in part], key=key)
 
 
 def robot_figure(a: Analysis) -> Drawing:
@@ -41,11 +42,19 @@ def robot_figure(a: Analysis) -> Drawing:
     at = {n: (*points[n], 1.0) for n in s.names}
     lines = [(*ends, name or "line") for name, e in a.condition.lines if (ends := _line(e, at, points))]
     marks = _common_point(a, coordinates) if coordinates is not None else []
-    named = [tuple(map(str, e.children)) for _, e in a.condition.lines]
-    entities = [
-        e for e in a.entities if not (e.kind == "line" and e.points in named)
-    ]  # p, where it is a line of joints
+    entities, _ = _entities(a)
     return draw_platform(s.oriented, points, s.base, s.platform, entities, lines, marks)
+
+
+def _entities(a: Analysis) -> tuple[list[Entity], list[Entity]]:
+    """The entities without, and those with a name of their own (p, where it is a line of joints); the latter come last
+    so that both figures have the same colours.
+    """
+    named = [tuple(map(str, e.children)) for _, e in a.condition.lines]
+    parts: tuple[list[Entity], list[Entity]] = ([], [])
+    for e in a.entities:
+        parts[e.kind == "line" and e.points in named].append(e)
+    return parts
 
 
 def _line(e: Expr, at: Mapping[str, tuple[float, ...]], points: Mapping[str, XYZ]) -> tuple[XYZ, XYZ] | None:
