@@ -166,7 +166,7 @@ def analyze(
         notes.append(f"entities were not looked for: the shortest form has more than {MAX_TERMS} terms")
     for m in matches:
         known = catalog.readings(structure, m, oracle, recheck=recheck)
-        conditions += [r for r in known if str(r.expression) not in {str(c.expression) for c in conditions}]
+        conditions += [r for r in known if not any(_alike(r, c) for c in conditions)]
     conditions.append(_linear_complex(structure, catalog))
     derivation = _derivation(start, structure, shortest, claim, conditions[0], oracle)
     shown = SuperbracketForm(shortest.form, shortest.order, shortest.polynomial * structure.sign)
@@ -243,6 +243,11 @@ def _always_singular(
     elif typed.polynomial:
         start = start.then("shortest-form", ex.ZERO, f"the legs in the order {_order(shortest)} leave no term")
     return Analysis(structure, typed, shortest, match, condition, (), start, degeneracy=why)
+
+
+def _alike(a: Condition, b: Condition) -> bool:
+    """Whether two readings say the same in the same words."""
+    return str(a.expression) == str(b.expression) and a.statement in ("", b.statement)
 
 
 def _linear_complex(structure: Structure, catalog: Catalog) -> Condition:

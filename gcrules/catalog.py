@@ -75,6 +75,7 @@ class Entry:
     note: str | None
     owner: str
     place: str
+    left_out: frozenset[str] = frozenset()
 
     @property
     def structure(self) -> Structure:
@@ -311,8 +312,9 @@ def _fields(template: str) -> set[str]:
     return found
 
 
-_REQUIRED = {"id", "legs", "degrees", "terms", "factors", "group", "status", "sources", "condition"}
-_OPTIONAL = {"name", "note", "readings"}
+_REQUIRED = {"id", "legs", "condition"}
+_COMPUTED = {"degrees", "terms", "factors", "group"}
+_OPTIONAL = {"name", "note", "readings", "status", "sources", *_COMPUTED}
 STATUSES = ("inferred", "added", "always-singular")
 KINDS = (
     "three-tetrahedra",
@@ -327,6 +329,13 @@ KINDS = (
 )
 
 
+def _fewest(legs: tuple[Leg, ...]) -> dict[int, int]:
+    """The fewest terms of both forms, for an entry that leaves them out."""
+    from gcrules.algebra.shortest import counts  # loads numpy, which the shipped entries do not need
+
+    return {form: int(n.min()) for form, n in counts(legs).items()}
+
+
 class _Reader:
     """Reads one entry; faults are recorded at their nodes."""
 
@@ -339,24 +348,22 @@ class _Reader:
         if not top.keys() >= _REQUIRED:
             return None
         legs = self._legs(top["legs"])
-        group = top["group"].choice(("b", "c", "d", "e", "g", "none"))
+        group = top["group"].choice(("b", "c", "d", "e", "g", "none")) if "group" in top else "none"
         names = {n for leg in legs or () for n in leg}
         condition = self._reading(top["condition"], names)
         readings = [self._reading(n, names, told=True) for n in top["readings"].sequence()] if "readings" in top else []
-        degrees = [tuple(n.integer() or 0 for n in side.sequence()) for side in top["degrees"].sequence(2)]
-        terms = top["terms"].mapping(required={"24", "16"})
-        found = {int(k): n.integer() or 0 for k, n in terms.items()}
-        factors = tuple(self._points(n) for n in top["factors"].sequence())
+        factors = tuple(self._points(n) for n in top["factors"].sequence()) if "factors" in top else ()
         entry_id = top["id"].string()
-        status = top["status"].choice(STATUSES)
-        sources = tuple(n.string() or "" for n in top["sources"].sequence())
-        if not legs or not condition or len(degrees) != 2 or entry_id is None or status is None or group is None:
+        status = top["status"].choice(STATUSES) if "status" in top else "added"
+        sources = tuple(n.string() or "" for n in top["sources"].sequence()) if "sources" in top else ()
+        if not legs or not condition or entry_id is None or status is None or group is None:
             return None
+        degrees = self._degrees(top["degrees"]) if "degrees" in top else Structure(legs).degrees
         return Entry(
             id=entry_id,
             legs=legs,
-            degrees=(degrees[0], degrees[1]),
-            terms=FrozenMap(found),
+            degrees=degrees,
+            terms=FrozenMap(self._terms(top["terms"]) if "terms" in top else _fewest(legs)),
             factors=factors,
             group=None if group == "none" else group,
             status=status,
@@ -367,7 +374,15 @@ class _Reader:
             note=top["note"].string() if "note" in top else None,
             owner=self.owner,
             place=top["id"].place,
+            left_out=frozenset(_COMPUTED - top.keys()),
         )
+
+    def _degrees(self, node: Node) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        sides = [tuple(n.integer() or 0 for n in side.sequence()) for side in node.sequence(2)]
+        return (sides[0], sides[1]) if sides else ((), ())
+
+    def _terms(self, node: Node) -> dict[int, int]:
+        return {int(form): n.integer() or 0 for form, n in node.mapping(required={"24", "16"}).items()}
 
     def _legs(self, node: Node) -> tuple[Leg, ...] | None:
         legs: tuple[Leg, ...] | None = self._parsed(node, lambda words: read_legs(words).legs)
@@ -400,6 +415,8 @@ class _Reader:
         statement = top["statement"].string() if "statement" in top else None
         if statement is None and (told or kind in _FROM_CATALOG):
             node.fault("a reading needs a statement", "say in words when the expression vanishes")
+        if re.search(r"[{}]", re.sub(_LABELS, "", statement or "")):
+            top["statement"].fault("a brace without its partner", "labels stand in braces: {Aab}")
         for word in re.findall(_LABELS, statement or ""):
             if names and not names.issuperset(SHORT_NAME.findall(word)):
                 top["statement"].fault(f"{{{word}}} is not made of points of the class")

@@ -142,6 +142,14 @@ class Structure:
         """The superbracket of the legs as typed."""
         return superbracket(*(join(Point(a), Point(b)) for a, b in self.legs))
 
+    @cached_property
+    def degrees(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        """Numbers of legs at the base joints and at the platform joints, largest first."""
+        base, platform = (
+            tuple(sorted((len(self.legs_at(n)) for n in side), reverse=True)) for side in (self.base, self.platform)
+        )
+        return base, platform
+
     def legs_at(self, name: str) -> tuple[Leg, ...]:
         return tuple(leg for leg in self.oriented if name in leg)
 

@@ -51,6 +51,9 @@ class ClaimResult:
             lines += ["  " + line for line in details]
         return "\n".join(lines)
 
+    def __str__(self) -> str:
+        return self.text()
+
 
 @dataclass(frozen=True)
 class ShowResult:
@@ -77,6 +80,9 @@ class ShowResult:
             return f"line {self.line}: undecided: {_shortened(self.label)}\n    {self.reason}"
         shown = text(self.polynomial.to_expr(), unicode=unicode, names=(*self.names, *self.polynomial.points))
         return f"line {self.line}: {_shortened(self.label)} = {shown}"
+
+    def __str__(self) -> str:
+        return self.text()
 
 
 @dataclass(frozen=True)
@@ -105,6 +111,9 @@ class ScriptResult:
         total = f"{len(self.claims)} claim{'' if len(self.claims) == 1 else 's'}"
         found = ", ".join(f"{counts[v]} {v}" for v in ("proved", "refuted", "undecided") if counts[v])
         return "\n".join([*(r.text(unicode=unicode) for r in self.results), f"{total}: {found}" if found else total])
+
+    def __str__(self) -> str:
+        return self.text()
 
 
 def run_script(script: Script, *, limit: int = MAX_TERMS) -> ScriptResult:
