@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-DOCUMENTS = ("README.md", "docs/language.md", "docs/conventions.md")
+DOCUMENTS = ("README.md", "docs/language.md", "docs/conventions.md", "docs/files.md")
 CONSOLE = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 PYTHON = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
@@ -71,6 +71,25 @@ def test_python_answers_what_the_document_says(document: str, block: str) -> Non
     runner.run(test)
     assert runner.tries
     assert not runner.failures
+
+
+FILES = blocks(re.compile(r"^```yaml\n(.*?)^```$", re.MULTILINE | re.DOTALL))
+
+
+@pytest.mark.parametrize("block", [b for _, b in FILES], ids=[b.split(":")[0] for _, b in FILES])
+def test_files_are_what_the_document_says(block: str, tmp_path: Path) -> None:
+    import gcrules as gc
+    from gcrules.catalog import load_file
+    from gcrules.catalog_check import check_entry
+
+    path = tmp_path / "file.yaml"
+    path.write_text(block, encoding="utf-8")
+    if "points:" in block:
+        assert gc.analyze(gc.load_platform(path)).pose is not None
+    else:
+        checked = [check_entry(e) for e in load_file(path).entries]
+        assert checked
+        assert all(c.ok for c in checked), checked
 
 
 def rewrite(document: str) -> None:

@@ -93,10 +93,13 @@ class LazyGroup(click.Group):
             ctx.exit(3)
         except KeyboardInterrupt:
             ctx.exit(INTERRUPTED)
-        except BrokenPipeError:
+        except OSError as fault:  # of standard output: files report their own faults
             # What is still buffered has no reader; without this the interpreter complains when it closes the stream.
             os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
-            ctx.exit(BROKEN_PIPE)
+            if isinstance(fault, BrokenPipeError):
+                ctx.exit(BROKEN_PIPE)
+            click.echo(f"error: the output cannot be written: {fault.strerror or fault}", err=True)
+            ctx.exit(GcrulesError.exit_code)
 
 
 class ExpressionCommand(click.Command):
