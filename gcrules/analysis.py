@@ -4,9 +4,9 @@ r"""The pipeline: six legs -> superbracket -> shortest form -> entities -> condi
 >>> a.match.entry.id, a.group
 ('3-3.3', 'c')
 >>> print(a.condition.expression)
-abf /\ ace /\ def /\ bcd
+abc /\ aef /\ bdf /\ cde
 >>> print(a.condition.statement)
-The robot is singular exactly when the four planes abf, ace, bcd and def meet in a point (possibly at infinity).
+The robot is singular exactly when the four planes abc, aef, bdf and cde meet in a point (possibly at infinity).
 """
 
 from __future__ import annotations

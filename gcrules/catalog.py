@@ -356,14 +356,15 @@ class _Reader:
         entry_id = top["id"].string()
         status = top["status"].choice(STATUSES) if "status" in top else "added"
         sources = tuple(n.string() or "" for n in top["sources"].sequence()) if "sources" in top else ()
+        degrees = self._degrees(top["degrees"]) if "degrees" in top else None
+        terms = self._terms(top["terms"]) if "terms" in top else None
         if not legs or not condition or entry_id is None or status is None or group is None:
             return None
-        degrees = self._degrees(top["degrees"]) if "degrees" in top else Structure(legs).degrees
         return Entry(
             id=entry_id,
             legs=legs,
-            degrees=degrees,
-            terms=FrozenMap(self._terms(top["terms"]) if "terms" in top else _fewest(legs)),
+            degrees=Structure(legs).degrees if degrees is None else degrees,
+            terms=FrozenMap(_fewest(legs) if terms is None else terms),
             factors=factors,
             group=None if group == "none" else group,
             status=status,

@@ -224,7 +224,7 @@ def test_standard_input_of_other_commands(run: Run, root: Path) -> None:
     assert run("run", "-", input="claim a == a").exit_code == 0
     legs = json.loads(run("analyze", "-", "--json", input=OCTAHEDRON + "\n").stdout)
     file = (root / "examples" / "octahedral.yaml").read_text(encoding="utf-8")
-    assert json.loads(run("analyze", "-", "--json", input=file).stdout) == legs
+    assert json.loads(run("analyze", "-", "--json", input=file).stdout) | {"pose": None} == legs
 
 
 @pytest.mark.parametrize(
@@ -337,6 +337,32 @@ def test_json_of_the_catalog(run: Run) -> None:
     assert len(classes) == 39
     entry = answer(run("catalog", "show", "3-3.3", "--json"))
     assert entry in classes
+
+
+def test_legs_in_json_are_pairs_everywhere(run: Run) -> None:
+    legs = answer(run("catalog", "show", "3-3.3", "--json"))["legs"]
+    assert legs == [["A", "a"], ["A", "b"], ["B", "a"], ["B", "c"], ["C", "b"], ["C", "c"]]
+    spelt = " ".join(map("".join, legs))
+    assert answer(run("analyze", spelt, "--json"))["legs"] == legs
+    assert all(len(leg) == 2 for c in answer(run("catalog", "enumerate", "--json"))["classes"] for leg in c["legs"])
+
+
+def test_every_class_is_shown_with_sentences(run: Run) -> None:
+    for found in answer(run("catalog", "list", "--json"))["classes"]:
+        sentences = [r["statement"] for r in (found["condition"], *found["readings"])]
+        assert all(s.endswith(".") and "{" not in s for s in sentences), found["id"]
+
+
+@pytest.mark.parametrize("class_id", ["6-5", "6-3.2", "5-4.4", "3-2"])
+def test_catalog_show(run: Run, class_id: str) -> None:
+    lines = run("catalog", "show", class_id, "--ascii").stdout.splitlines()
+    found = answer(run("catalog", "show", class_id, "--json"))
+    for reading in (found["condition"], *found["readings"]):
+        assert f"{'':11}{reading['statement']}" in lines
+    identities = [line for line in lines if " superbracket = " in line]
+    assert len(identities) == 1 + len(found["readings"])
+    assert identities[0].startswith(f"condition  {found['condition']['kind']}: ")
+    assert not any("{" in line for line in lines)
 
 
 def test_latex(run: Run) -> None:

@@ -103,7 +103,7 @@ EXAMPLES = {
     "platform-6-3": "Aa Ba Cb Db Ec Fc",
     "platform-6-4": "Aa Ab Bc Bd Ce Df",
     "platform-6-6": "Aa Bb Cc Dd Ee Ff",
-    "four-dof": "S1A1 S1B1 S1C1 S2A2 S3A3 S3B3",
+    "four-dof": "A1S1 B1S1 C1S1 A2S2 A3S3 B3S3",
 }
 
 

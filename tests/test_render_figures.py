@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from concurrent.futures import ThreadPoolExecutor
 from itertools import combinations
 from math import dist
 from pathlib import Path
@@ -21,6 +22,7 @@ from gcrules.render.graph import count_crossings, draw_graph, layered_order
 from gcrules.render.labels import Label, label_box, overlap, place_labels
 from gcrules.render.legend import rounded
 from gcrules.render.palette import ROLES
+from gcrules.render.pdf import pdf
 from gcrules.render.scene import draw_platform, sample_coordinates
 from gcrules.robots.geometry import Platform, load_platform
 
@@ -231,6 +233,17 @@ def test_names_are_set_as_in_formulas() -> None:
     assert text_width(Text((0, 0), name_runs("Aa"))) < text_width(Text((0, 0), name_runs("Aab")))
 
 
+def test_titles_keep_names_of_several_letters_apart() -> None:
+    legs = [("left", "top"), ("right", "top"), ("right", "cap")]
+    drawings = (
+        draw_graph(legs, (), ()),
+        draw_platform(legs, sample_coordinates(legs, ("left", "right"), ("top", "cap"))),
+    )
+    for drawing in drawings:
+        assert drawing.title.endswith(" left top, right top, right cap")
+    assert draw_graph([("S1", "A'"), ("b", "c")], (), ()).title == "Leg graph: S1A' bc"
+
+
 def test_text_is_escaped() -> None:
     svg = Drawing(10, 10, (Text((0, 0), (Run("<&>"),)),), title="a < b").svg()
     assert [t.text for t in ET.fromstring(svg).iter("{http://www.w3.org/2000/svg}text")] == ["<&>"]
@@ -291,6 +304,11 @@ def test_faults_of_save(tmp_path: Path, name: str, error: type[Exception], words
     with pytest.raises(error, match=words):
         save(SMALL, tmp_path / name)
     assert not list(tmp_path.iterdir())
+
+
+def test_pdfs_can_be_made_in_several_threads() -> None:
+    with ThreadPoolExecutor(4) as pool:
+        assert len(set(pool.map(pdf, [SMALL] * 12))) == 1
 
 
 def test_pdf_without_matplotlib(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
