@@ -29,8 +29,8 @@ from gcrules.robots.geometry import Platform
 from gcrules.rules.conditions import best_first, certify, describe
 from gcrules.rules.degenerate import Degeneracy, explain
 from gcrules.rules.derivation import Derivation, Step
-from gcrules.rules.incidence import MAX_TERMS, Claim, Oracle, claims
-from gcrules.rules.state import extensor
+from gcrules.rules.incidence import MAX_TERMS, Claim, claims
+from gcrules.rules.oracle import Oracle
 
 __all__ = ["Analysis", "analyze"]
 
@@ -275,43 +275,19 @@ def _derivation(
     condition: Condition,
     oracle: Oracle,
 ) -> Derivation:
-    """superbracket = ± shortest form = ± tetrahedra · (brackets with entities first) = dotted form = ± expression."""
-    sign = form.sign * structure.sign
+    """What the rules recorded: superbracket = shortest form = … = coefficient · expression."""
     why = f"the {form.form}-term form with the legs in the order {_order(form)} has {_terms(len(form.polynomial))}"
-    steps = start.then("shortest-form", ex.signed(sign, form.polynomial.to_expr()), why)
+    steps = start.then("shortest-form", ex.signed(form.sign * structure.sign, form.polynomial.to_expr()), why)
     if claim is None:
         return steps
-    state = claim.state
-    if state.tetrahedra:
-        names = ", ".join(state.label(row) for row in state.tetrahedra)
-        why = f"brackets common to all terms are tetrahedra: {names}"
-        outer = [ex.bracket(*map(ex.Point, state.named(row))) for row in state.tetrahedra]
-        steps = steps.then("tetrahedra", ex.mul(ex.Number(sign), *outer, state.rest.to_expr()), why)
-    if state.planes or state.lines:
-        planes = ", ".join(state.label(row) for row in state.planes)
-        lines = ", ".join(state.label(row) for row in state.lines)
-        both = "; ".join(f"{word} {names}" for word, names in (("planes", planes), ("lines", lines)) if names)
-        why = f"points that stay together in one bracket of every term: {both}"
-        steps = steps.then("planes" if planes else "lines", ex.signed(sign, state.collected()), why)
-    if state.planes and len(state.planes) == len(state.left):
-        dotted = state.dotted()
-        why = f"the left-over points {', '.join(state.named(state.left))} are shared out among the planes' brackets"
-        factor = oracle.coefficient(dotted)
-        if factor is not None:
-            steps = steps.then("left-over", ex.mul(ex.Number(factor), dotted), why)
-    after = condition.right_side
-    if after == steps.steps[-1].after:
+    for rule, state in claim.state.trail:
+        after = rule.after(state, oracle)
+        if after is not None and after != steps.steps[-1].after:
+            steps = steps.then(rule.id, after, rule.why(state))
+    if condition.right_side == steps.steps[-1].after:
         return steps
-    return steps.then("incidence", after, f"left-over points {_left(claim)}; the expansion equals the line above")
-
-
-def _left(claim: Claim) -> str:
-    names = claim.state.named(claim.state.left)
-    if claim.single:
-        pairs = " and ".join(str(extensor(leg)) for leg in claim.single)
-        tests = [
-            claim.state.swapped_sum(*(claim.state.form.polynomial.points.index(n) for n in leg)) for leg in claim.single
-        ]
-        shown = "P(x,y) + P(y,x) = 0" if all(tests) else "found by trial, as repeated points hide terms"
-        return f"{', '.join(names)} as the lines {pairs} ({shown})"
-    return ", ".join(names)
+    rule, state = claim.state.trail[-1]
+    reasons = [claim.incidence.sentence, "Its expansion equals the line above"]
+    if rule.id != steps.steps[-1].rule:
+        reasons.insert(0, f"{rule.why(state)}.")
+    return steps.then(claim.kind, condition.right_side, " ".join(reasons))

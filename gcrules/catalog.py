@@ -25,7 +25,7 @@ from gcrules.errors import FileError, GcrulesError
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg, Structure, read_legs
 from gcrules.rules.conditions import certify
-from gcrules.rules.incidence import Oracle
+from gcrules.rules.oracle import Oracle
 from gcrules.yamlfile import Document, Node, near
 
 __all__ = ["SHIPPED", "Catalog", "Entry", "Match", "Reading", "load", "load_file"]

@@ -22,7 +22,6 @@ from gcrules.render.graph import count_crossings, draw_graph, layered_order
 from gcrules.render.labels import Label, label_box, overlap, place_labels
 from gcrules.render.legend import rounded
 from gcrules.render.palette import ROLES
-from gcrules.render.pdf import pdf
 from gcrules.render.scene import draw_platform, sample_coordinates
 from gcrules.robots.geometry import Platform, load_platform
 
@@ -235,11 +234,8 @@ def test_names_are_set_as_in_formulas() -> None:
 
 def test_titles_keep_names_of_several_letters_apart() -> None:
     legs = [("left", "top"), ("right", "top"), ("right", "cap")]
-    drawings = (
-        draw_graph(legs, (), ()),
-        draw_platform(legs, sample_coordinates(legs, ("left", "right"), ("top", "cap"))),
-    )
-    for drawing in drawings:
+    at = sample_coordinates(legs, ("left", "right"), ("top", "cap"))
+    for drawing in (draw_graph(legs, (), ()), draw_platform(legs, at)):
         assert drawing.title.endswith(" left top, right top, right cap")
     assert draw_graph([("S1", "A'"), ("b", "c")], (), ()).title == "Leg graph: S1A' bc"
 
@@ -307,6 +303,8 @@ def test_faults_of_save(tmp_path: Path, name: str, error: type[Exception], words
 
 
 def test_pdfs_can_be_made_in_several_threads() -> None:
+    from gcrules.render.pdf import pdf  # needs matplotlib
+
     with ThreadPoolExecutor(4) as pool:
         assert len(set(pool.map(pdf, [SMALL] * 12))) == 1
 

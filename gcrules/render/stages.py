@@ -111,8 +111,10 @@ def _entity_stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
     yield "Planes", why, [", ".join(planes) or "none"]
     items: list[Item] = [", ".join(lines) or "none"]
     if state.planes or state.lines:
-        sign = state.form.sign * a.structure.sign
-        items += ["with the entities in front:", Formula(a.structure.superbracket, ex.signed(sign, state.collected()))]
+        items += [
+            "with the entities in front:",
+            Formula(a.structure.superbracket, ex.signed(state.sign, state.collected())),
+        ]
     yield "Lines", "Pairs of points that stay together in one bracket of every term.", items
     if state.left:
         left = ", ".join(state.named(state.left))

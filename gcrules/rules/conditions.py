@@ -11,7 +11,8 @@ from gcrules.algebra.straighten import straighten
 from gcrules.condition import Certificate, Condition, Entity, starred
 from gcrules.errors import EngineFault
 from gcrules.legs import Structure
-from gcrules.rules.incidence import Claim, Oracle
+from gcrules.rules.incidence import Claim
+from gcrules.rules.oracle import Oracle
 from gcrules.rules.state import extensor
 
 __all__ = ["PROVED", "best_first", "certify", "describe", "entities_of"]
@@ -28,9 +29,7 @@ def best_first(claims: Sequence[Claim], structure: Structure, oracle: Oracle) ->
 
     def key(claim: Claim) -> tuple[int, int, str]:
         planes = [claim.state.named(row) for row in claim.state.planes]
-        left = claim.state.named(claim.state.left)
-        if claim.kind == "four-planes":
-            planes.append(left)
+        planes += [claim.state.named(row) for row in claim.state.taken if len(row) == 3]
         legs = -sum(_legs_in(plane, structure) for plane in planes)
         return (-turns(claim, structure, oracle), legs, "/".join(sorted(map(str, claim.expression.children))))
 
@@ -63,12 +62,7 @@ def entities_of(claim: Claim) -> tuple[Entity, ...]:
     found = [("tetrahedron", named(row)) for row in claim.state.tetrahedra]
     found += [("plane", named(row)) for row in claim.state.planes]
     found += [("line", named(row)) for row in claim.state.lines]
-    if claim.kind == "four-planes":
-        found.append(("plane", named(claim.state.left)))
-    elif claim.kind == "tetrahedron-planes-line":
-        found.append(("line", named(claim.state.left)))
-    elif claim.single is not None:
-        found += [("line", leg) for leg in claim.single]
+    found += [("plane" if len(row) == 3 else "line", named(row)) for row in claim.state.taken]
     return starred(found)
 
 

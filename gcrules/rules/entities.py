@@ -1,7 +1,6 @@
-r"""Rules that find the entities of a bracket form: tetrahedra, planes, lines, and lines among the left-over points.
+r"""Rules that find the entities of a bracket form: tetrahedra, planes, lines, and what the left-over points make.
 
-Each rule takes a state and yields the states it may lead to, most telling first; the procedure is that of Ben-Horin
-et al. (2008), with the choices they leave to the user tried in turn.
+The procedure is that of Ben-Horin et al. (2008), with the choices they leave to the user tried in turn.
 """
 
 from __future__ import annotations
@@ -9,16 +8,25 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from itertools import combinations
 
+from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
+from gcrules.algebra.expr import Expr, Point
+from gcrules.rules.oracle import Oracle
+from gcrules.rules.rule import Rule
 from gcrules.rules.state import State
 
-__all__ = ["left_over_lines", "lines", "planes", "tetrahedra"]
+__all__ = ["LEFT_OVER_LINE", "LEFT_OVER_LINES", "LEFT_OVER_PLANE", "LINES", "PLANES", "TETRAHEDRA"]
+
+_SOURCE = "SinguLab2008"
 
 
-def tetrahedra(state: State) -> State:
-    """Brackets common to all monomials are tetrahedra: the polynomial is their product times the rest."""
+# --- tetrahedra ----------------------------------------------------------------------------------------------------
+
+
+def _tetrahedra(state: State) -> Iterator[State]:
     monomials = list(state.rest.terms)
     common = Counter(monomials[0])
     for m in monomials[1:]:
@@ -31,42 +39,106 @@ def tetrahedra(state: State) -> State:
             remaining.remove(row)
         terms[tuple(remaining)] = c
     rest = state.rest.with_terms(terms)
-    return replace(state, rest=rest, tetrahedra=found, homes=((),) * len(rest))
+    yield replace(state, rest=rest, tetrahedra=found, homes=((),) * len(rest))
 
 
-def planes(state: State, number: int) -> Iterator[State]:
-    """Triples that stay together in one bracket of every monomial, `number` of them in brackets of their own."""
-    yield from _entities(state, _together(state, 3), number)
+def _factored(state: State, _: Oracle) -> Expr | None:
+    if not state.tetrahedra:
+        return None
+    outer = [ex.bracket(*map(Point, state.named(row))) for row in state.tetrahedra]
+    return ex.mul(ex.Number(state.sign), *outer, state.rest.to_expr())
 
 
-def lines(state: State, number: int) -> Iterator[State]:
-    """Pairs that stay together in one bracket of every monomial, `number` of them in brackets of their own."""
-    yield from _entities(state, _together(state, 2), number)
+TETRAHEDRA = Rule(
+    id="tetrahedra",
+    sentence="Brackets common to all terms are tetrahedra: the polynomial is their product times the rest.",
+    source=_SOURCE,
+    apply=_tetrahedra,
+    after=_factored,
+    why=lambda s: f"brackets common to all terms are tetrahedra: {s.labels(s.tetrahedra)}",
+)
 
 
-def _together(state: State, size: int) -> list[Row]:
-    """The sets of points that some free bracket of every monomial holds."""
+# --- planes and lines ----------------------------------------------------------------------------------------------
+
+
+def _together(state: State, size: int, number: int) -> Iterator[State]:
+    """Sets of `size` points that some bracket of every term holds, `number` of them in brackets of their own."""
     common: set[Row] | None = None
     for monomial, taken in zip(state.rest.terms, state.homes, strict=True):
         here = {s for i, row in enumerate(monomial) if i not in taken for s in combinations(row, size)}
         common = here if common is None else common & here
-    return sorted(common or ())
+    yield from _chosen(state, sorted(common or ()), number)
 
 
-def _entities(state: State, candidates: list[Row], number: int) -> Iterator[State]:
+def _chosen(state: State, candidates: list[Row], number: int) -> Iterator[State]:
     if number == 0:
         yield state
         return
     for n, row in enumerate(candidates):
         for grown in state.with_entity(row):
-            yield from _entities(grown, candidates[n:], number - 1)
+            yield from _chosen(grown, candidates[n:], number - 1)
 
 
-def left_over_lines(state: State) -> Iterator[tuple[Row, Row]]:
-    """Four left-over points as two lines; pairs with P(x, y) + P(y, x) = 0 come first.
+def _collected(state: State, _: Oracle) -> Expr:
+    return ex.signed(state.sign, state.collected())
 
-    The test decides when no point is repeated; a repeated point can hide a vanished monomial, so that every pairing
-    stays a candidate (a claim made from it is proved or dropped).
+
+PLANES = {
+    number: Rule(
+        id="planes",
+        sentence="Triples of points that stay together in one bracket of every term are planes.",
+        source=_SOURCE,
+        apply=partial(_together, size=3, number=number),
+        after=_collected,
+        why=lambda s: f"triples that stay together in one bracket of every term: {s.labels(s.planes)}",
+    )
+    for number in (2, 3)
+}
+
+LINES = {
+    number: Rule(
+        id="lines",
+        sentence="Pairs of points that stay together in one bracket of every term are lines.",
+        source=_SOURCE,
+        apply=partial(_together, size=2, number=number),
+        after=_collected,
+        why=lambda s: f"pairs that stay together in one bracket of every term: {s.labels(s.lines)}",
+    )
+    for number in (1, 2)
+}
+
+
+# --- left-over points ----------------------------------------------------------------------------------------------
+
+
+def _left_over(state: State, size: int) -> Iterator[State]:
+    if len(set(state.left)) == len(state.left) == size:
+        yield replace(state, taken=(state.left,))
+
+
+def _dotted(state: State, oracle: Oracle) -> Expr | None:
+    dotted = state.dotted()
+    factor = oracle.coefficient(dotted)
+    return None if factor is None else ex.mul(ex.Number(factor), dotted)
+
+
+LEFT_OVER_PLANE, LEFT_OVER_LINE = (
+    Rule(
+        id="left-over",
+        sentence=f"The {count} points that no entity has taken are shared out among the planes' brackets: they are a {word}.",
+        source=_SOURCE,
+        apply=partial(_left_over, size=size),
+        after=_dotted,
+        why=lambda s: f"the left-over points {s.listed(s.left)} are shared out among the planes' brackets",
+    )
+    for size, count, word in ((3, "three", "plane"), (2, "two", "line"))
+)
+
+
+def _pairs(state: State) -> Iterator[State]:
+    """The test decides when no point is repeated; a repeated point can hide a vanished term, so that every pairing stays
+    a candidate (a claim made from it is proved or dropped).
     """
     found = []
     a, *others = state.left
@@ -77,4 +149,22 @@ def left_over_lines(state: State) -> Iterator[tuple[Row, Row]]:
         pairs = ((a, b), (rest[0], rest[1]))
         if a != b and rest[0] != rest[1]:
             found.append((-sum(state.swapped_sum(*p) for p in pairs), pairs))
-    yield from (pairs for _, pairs in sorted(set(found)))
+    yield from (replace(state, taken=pairs) for _, pairs in sorted(set(found)))
+
+
+def _why_pairs(state: State) -> str:
+    tests = [state.swapped_sum(*pair) for pair in state.taken]
+    shown = "P(x,y) + P(y,x) = 0" if all(tests) else "found by trial, as repeated points hide terms"
+    return (
+        f"the left-over points {state.listed(state.left)} as the lines {state.labels(state.taken, ' and ')} ({shown})"
+    )
+
+
+LEFT_OVER_LINES = Rule(
+    id="left-over",
+    sentence="Four points that no entity has taken are two lines, by P(x,y) + P(y,x) = 0 or by trial.",
+    source=_SOURCE,
+    apply=_pairs,
+    after=lambda s, o: None,
+    why=_why_pairs,
+)

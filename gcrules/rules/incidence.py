@@ -1,69 +1,71 @@
 r"""Rules that turn entities into an incidence and check it against the superbracket.
 
-A rule yields claims superbracket = coefficient · expression. A claim is tested on the exact oracle as soon as it is
+A rule makes claims superbracket = coefficient · expression. A claim is tested on the exact oracle as soon as it is
 made; the one that is chosen is then proved by normal forms, so a wrong guess can never become an answer.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
-from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
-from gcrules.algebra.expr import Expr, Meet, Point, join, meet
+from gcrules.algebra.expr import Expr, Meet, Point, meet
 from gcrules.algebra.shortest import SuperbracketForm
 from gcrules.legs import Leg, Structure
-from gcrules.rules.entities import left_over_lines, lines, planes, tetrahedra
+from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES, TETRAHEDRA
+from gcrules.rules.oracle import Oracle
+from gcrules.rules.rule import Rule, applied, reach
 from gcrules.rules.state import State, extensor
 
-__all__ = ["MAX_TERMS", "Claim", "Oracle", "claims"]
+__all__ = ["INCIDENCES", "MAX_TERMS", "Claim", "Incidence", "claims"]
 
 MAX_TERMS = 8
-_MOST = 1 << 30
-_ONE = ex.Number(1)
+
+
+@dataclass(frozen=True)
+class Incidence:
+    """A kind of condition: the rules that lead to its entities in a rest of `degree` brackets, and its expression.
+
+    `pencils` gives the lines p and q about which the platform could turn without the two lines among the left-over
+    points, for kinds that compare these turns.
+    """
+
+    kind: str
+    sentence: str
+    source: str
+    degree: int
+    rules: tuple[Rule, ...]
+    expression: Callable[[State], Expr]
+    pencils: Callable[[State], tuple[Expr, Expr]] | None = None
 
 
 @dataclass(frozen=True)
 class Claim:
-    """superbracket = coefficient · expression, with the entities that the expression is made of."""
+    """superbracket = coefficient · expression, with the state that shows the entities and how they were found."""
 
-    kind: str
+    incidence: Incidence
     state: State
     expression: Expr
     coefficient: int
-    pencils: tuple[Expr, Expr] | None = None
-    """For transversal readings the lines p and q about which the platform could turn."""
-    single: tuple[Leg, Leg] | None = None
-    """The two lines g and h that allow these turns in one ratio only."""
 
+    @property
+    def kind(self) -> str:
+        return self.incidence.kind
 
-class Oracle:
-    """Exact random points of one structure, for testing claims about its superbracket quickly."""
+    @property
+    def pencils(self) -> tuple[Expr, Expr] | None:
+        """The lines p and q of a transversal reading."""
+        return self.incidence.pencils(self.state) if self.incidence.pencils else None
 
-    def __init__(self, structure: Structure) -> None:
-        names, ideal = structure.names, structure.ideal
-        self._at = [Evaluator(random_points(names, ideal=ideal, seed=n), 4, PRIME) for n in (1, 2)]
-        self._superbracket = [at.value(structure.superbracket)[0] for at in self._at]
-
-    def zero(self, e: Expr) -> bool:
-        """Whether an expression vanishes at the points."""
-        return not any(any(at.value(e)) for at in self._at)
-
-    def coefficient(self, e: Expr, cofactor: Expr = _ONE) -> int | None:
-        """The integer c with cofactor · superbracket = c · e at all points, or None; c is below 2³⁰ in size."""
-        pairs = [
-            (at.value(cofactor)[0] * value % PRIME, at.value(e)[0])
-            for at, value in zip(self._at, self._superbracket, strict=True)
-        ]
-        left, right = pairs[0]
-        if not left or not right:
+    @property
+    def single(self) -> tuple[Leg, Leg] | None:
+        """The lines g and h of a transversal reading, which allow the turns about p and q in one ratio only."""
+        if self.incidence.pencils is None:
             return None
-        c = left * pow(right, -1, PRIME) % PRIME
-        c = c - PRIME if c > PRIME // 2 else c
-        holds = abs(c) < _MOST and not any((left - c * right) % PRIME for left, right in pairs)
-        return c if holds else None
+        (a, b), (c, d) = (self.state.named(row) for row in self.state.taken)
+        return (a, b), (c, d)
 
 
 def claims(forms: Sequence[SuperbracketForm], structure: Structure, oracle: Oracle) -> list[Claim]:
@@ -71,20 +73,23 @@ def claims(forms: Sequence[SuperbracketForm], structure: Structure, oracle: Orac
 
     Most tetrahedra come first; without tetrahedra four planes come before transversals.
     """
-    states = [s for form in forms if len((s := tetrahedra(State.start(form))).rest) <= MAX_TERMS]
-    for degree, rule in _RULES:
-        found = []
-        for state in states:
-            if state.degree == degree:
-                for kind, reached, expression, pencils, single in rule(state):
-                    coefficient = oracle.coefficient(expression)
-                    if coefficient == -1 and kind == "four-planes":
-                        expression, coefficient = _last_two_exchanged(expression), 1
-                    if coefficient is not None:
-                        found.append(Claim(kind, reached, expression, coefficient, pencils, single))
+    short = [form for form in forms if len(form.polynomial) <= MAX_TERMS]
+    states = [s for form in short for s in applied(TETRAHEDRA, State.start(form, structure.sign))]
+    for incidence in INCIDENCES:
+        found = [c for s in states if s.degree == incidence.degree for c in _claims(incidence, s, oracle)]
         if found:
             return found
     return []
+
+
+def _claims(incidence: Incidence, state: State, oracle: Oracle) -> Iterator[Claim]:
+    for reached in reach(incidence.rules, state):
+        expression = incidence.expression(reached)
+        coefficient = oracle.coefficient(expression)
+        if coefficient == -1 and incidence is FOUR_PLANES:
+            expression, coefficient = _last_two_exchanged(expression), 1
+        if coefficient is not None:
+            yield Claim(incidence, reached, expression, coefficient)
 
 
 def _last_two_exchanged(e: Expr) -> Expr:
@@ -93,69 +98,75 @@ def _last_two_exchanged(e: Expr) -> Expr:
     return meet(*e.args[:2], e.args[3], e.args[2])
 
 
-_Found = tuple[str, State, Expr, tuple[Expr, Expr] | None, tuple[Leg, Leg] | None]
+def _outer(state: State) -> list[Expr]:
+    return [ex.bracket(*map(Point, state.named(row))) for row in state.tetrahedra]
 
 
-def _with_tetrahedra(state: State, e: Expr) -> Expr:
-    return ex.mul(*(ex.bracket(*map(Point, state.named(row))) for row in state.tetrahedra), e)
+def _extensors(state: State, *rows: Row) -> list[Expr]:
+    return [extensor(state.named(row)) for row in rows]
 
 
-def _flat_tetrahedra(state: State) -> Iterator[_Found]:
-    """Three common brackets: the superbracket is their product."""
-    yield "three-tetrahedra", state, _with_tetrahedra(state, ex.Number(1)), None, None
+def _ratio(state: State, pencils: tuple[Expr, Expr]) -> Expr:
+    """Tetrahedra times (p ∧ g)(q ∧ h) − (p ∧ h)(q ∧ g)."""
+    p, q = pencils
+    g, h = _extensors(state, *state.taken)
+    return ex.mul(*_outer(state), ex.sub(ex.mul(meet(p, g), meet(q, h)), ex.mul(meet(p, h), meet(q, g))))
 
 
-def _planes_and_line(state: State) -> Iterator[_Found]:
-    """Two planes, and the two left-over points as a line: X ∧ Y ∧ xy."""
-    for found in planes(state, 2):
-        x, y = found.left
-        if x != y:
-            parts = [extensor(found.named(row)) for row in (*found.planes, (x, y))]
-            yield "tetrahedron-planes-line", found, _with_tetrahedra(state, meet(*parts)), None, None
+def _two_lines(state: State) -> tuple[Expr, Expr]:
+    p, q = _extensors(state, *state.lines)
+    return p, q
 
 
-def _four_lines(state: State) -> Iterator[_Found]:
-    """Two lines p, q, and the left-over points as lines g, h: (p ∧ g)(q ∧ h) − (p ∧ h)(q ∧ g)."""
-    for found in lines(state, 2):
-        p, q = (extensor(found.named(row)) for row in found.lines)
-        for g, h in left_over_lines(found):
-            e = _with_tetrahedra(state, _ratio(p, q, found, g, h))
-            yield "tetrahedron-four-lines", found, e, (p, q), (_leg(found, g), _leg(found, h))
+def _line_and_meet(state: State) -> tuple[Expr, Expr]:
+    (p,) = _extensors(state, *state.lines)
+    return p, meet(*_extensors(state, *state.planes))
 
 
-def _four_planes(state: State) -> Iterator[_Found]:
-    """Three planes, and the three left-over points as the fourth: X ∧ Y ∧ Z ∧ xyz."""
-    for found in planes(state, 3):
-        if len(set(found.left)) == 3:
-            parts = sorted((extensor(found.named(row)) for row in (*found.planes, found.left)), key=str)
-            yield "four-planes", found, meet(*parts), None, None
-
-
-def _planes_and_three_lines(state: State) -> Iterator[_Found]:
-    """Two planes with common line q, a line p, and the left-over points as lines g, h."""
-    for with_planes in planes(state, 2):
-        for found in lines(with_planes, 1):
-            q = meet(*(extensor(found.named(row)) for row in found.planes))
-            p = extensor(found.named(found.lines[0]))
-            for g, h in left_over_lines(found):
-                e = _ratio(p, q, found, g, h)
-                yield "two-planes-three-lines", found, e, (p, q), (_leg(found, g), _leg(found, h))
-
-
-def _leg(state: State, row: Row) -> Leg:
-    a, b = state.named(row)
-    return a, b
-
-
-def _ratio(p: Expr, q: Expr, state: State, g: Row, h: Row) -> Expr:
-    a, b = (join(*map(Point, state.named(row))) for row in (g, h))
-    return ex.sub(ex.mul(meet(p, a), meet(q, b)), ex.mul(meet(p, b), meet(q, a)))
-
-
-_RULES = (
-    (0, _flat_tetrahedra),
-    (2, _planes_and_line),
-    (2, _four_lines),
-    (3, _four_planes),
-    (3, _planes_and_three_lines),
+FOUR_PLANES = Incidence(
+    kind="four-planes",
+    sentence="Three planes X, Y, Z and a left-over plane W: X ∧ Y ∧ Z ∧ W.",
+    source="SinguLab2008",
+    degree=3,
+    rules=(PLANES[3], LEFT_OVER_PLANE),
+    expression=lambda s: meet(*sorted(_extensors(s, *s.planes, *s.taken), key=str)),
 )
+
+INCIDENCES = (
+    Incidence(
+        kind="three-tetrahedra",
+        sentence="Three common brackets: the superbracket is their product.",
+        source="SinguLab2008",
+        degree=0,
+        rules=(),
+        expression=lambda s: ex.mul(*_outer(s)),
+    ),
+    Incidence(
+        kind="tetrahedron-planes-line",
+        sentence="A tetrahedron, two planes X, Y and a left-over line l: the tetrahedron times X ∧ Y ∧ l.",
+        source="SinguLab2008",
+        degree=2,
+        rules=(PLANES[2], LEFT_OVER_LINE),
+        expression=lambda s: ex.mul(*_outer(s), meet(*_extensors(s, *s.planes, *s.taken))),
+    ),
+    Incidence(
+        kind="tetrahedron-four-lines",
+        sentence="A tetrahedron, two lines p, q and left-over lines g, h: it times (p ∧ g)(q ∧ h) − (p ∧ h)(q ∧ g).",
+        source="SinguLab2008",
+        degree=2,
+        rules=(LINES[2], LEFT_OVER_LINES),
+        expression=lambda s: _ratio(s, _two_lines(s)),
+        pencils=_two_lines,
+    ),
+    FOUR_PLANES,
+    Incidence(
+        kind="two-planes-three-lines",
+        sentence="Two planes with common line q, a line p, left-over lines g, h: (p ∧ g)(q ∧ h) − (p ∧ h)(q ∧ g).",
+        source="SinguLab2008",
+        degree=3,
+        rules=(PLANES[2], LINES[1], LEFT_OVER_LINES),
+        expression=lambda s: _ratio(s, _line_and_meet(s)),
+        pencils=_line_and_meet,
+    ),
+)
+"""Written out in the order in which they are tried."""

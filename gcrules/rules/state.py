@@ -3,9 +3,10 @@ r"""What is known while entities are being recognised in one bracket form of the
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, Coefficient, Row, sorted_row
@@ -27,7 +28,9 @@ class State:
     """The form's polynomial is Π tetrahedra · rest; planes and lines are entities of the rest.
 
     A plane is three points, a line two, that stay together in one bracket of every monomial of the rest; different
-    entities sit in different brackets (`homes`: for each monomial, the bracket of each entity in turn).
+    entities sit in different brackets (`homes`: for each monomial, the bracket of each entity in turn). `taken` is what
+    the left-over points make. The superbracket as typed is `sign` times the form's polynomial. `trail` holds the rules
+    that led here, each with the state it led to.
     """
 
     form: SuperbracketForm
@@ -36,10 +39,14 @@ class State:
     planes: tuple[Row, ...] = ()
     lines: tuple[Row, ...] = ()
     homes: tuple[tuple[int, ...], ...] = ()
+    taken: tuple[Row, ...] = ()
+    sign: int = 1
+    trail: tuple[tuple[Any, State], ...] = field(default=(), compare=False, repr=False)
 
     @classmethod
-    def start(cls, form: SuperbracketForm) -> State:
-        return cls(form, form.polynomial, homes=((),) * len(form.polynomial))
+    def start(cls, form: SuperbracketForm, sign: int) -> State:
+        """Nothing recognised yet; `sign` is that of the superbracket as typed against the form's lines."""
+        return cls(form, form.polynomial, homes=((),) * len(form.polynomial), sign=form.sign * sign)
 
     @cached_property
     def degree(self) -> int:
@@ -56,8 +63,13 @@ class State:
     def named(self, row: Row) -> Names:
         return tuple(self.form.polynomial.points[i] for i in row)
 
-    def label(self, row: Row) -> str:
-        return str(extensor(self.named(row)))
+    def labels(self, rows: Iterable[Row], between: str = ", ") -> str:
+        """Entities as text: "Aab, Bcd"."""
+        return between.join(str(extensor(self.named(row))) for row in rows)
+
+    def listed(self, row: Row) -> str:
+        """Points as text: "a, b"."""
+        return ", ".join(self.named(row))
 
     def with_entity(self, row: Row) -> Iterator[State]:
         """The states in which `row` (three or two points) is one more entity, in a bracket of its own everywhere."""
