@@ -126,7 +126,7 @@ def _dotted(state: State, oracle: Oracle) -> Expr | None:
 LEFT_OVER_PLANE, LEFT_OVER_LINE = (
     Rule(
         id="left-over",
-        sentence=f"The {count} points that no entity has taken are shared out among the planes' brackets: they are a {word}.",
+        sentence=f"The {count} points that no entity has taken, shared out among the planes' brackets, are a {word}.",
         source=_SOURCE,
         apply=partial(_left_over, size=size),
         after=_dotted,
@@ -137,8 +137,8 @@ LEFT_OVER_PLANE, LEFT_OVER_LINE = (
 
 
 def _pairs(state: State) -> Iterator[State]:
-    """The test decides when no point is repeated; a repeated point can hide a vanished term, so that every pairing stays
-    a candidate (a claim made from it is proved or dropped).
+    """The test decides when no point is repeated; a repeated point can hide a vanished term, so that every pairing
+    stays a candidate (a claim made from it is proved or dropped).
     """
     found = []
     a, *others = state.left
