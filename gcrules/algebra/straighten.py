@@ -146,7 +146,7 @@ def _offence(monomial: Monomial) -> int | None:
     return None
 
 
-@lru_cache(maxsize=1 << 16)
+@lru_cache(maxsize=1 << 15)
 def _two_rows(first: Row, second: Row) -> tuple[tuple[int, Row, Row], ...]:
     """The standard form of [first][second], from the one for points 0, 1, 2, … in the same relative order."""
     letters = sorted({*first, *second})

@@ -9,7 +9,7 @@ from itertools import combinations
 
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, join, meet
-from gcrules.legs import Leg, Structure
+from gcrules.legs import Leg, Structure, leg_text
 from gcrules.rules.state import extensor
 
 __all__ = ["Degeneracy", "explain"]
@@ -38,9 +38,7 @@ def explain(structure: Structure) -> Degeneracy:
 def _equal_legs(s: Structure) -> Degeneracy | None:
     for i, j in combinations(range(len(s.legs)), 2):
         if set(s.legs[i]) == set(s.legs[j]):
-            reason = (
-                f"legs {i + 1} and {j + 1} lie on one line {_leg(s.legs[i])}, so at most five of six are independent"
-            )
+            reason = f"legs {i + 1} and {j + 1} lie on one line {leg_text(s.legs[i])}, so at most five of six are independent"
             return Degeneracy(reason, (s.legs[i], s.legs[j]))
     return None
 
@@ -60,7 +58,7 @@ def _candidates(s: Structure) -> Iterator[tuple[Expr, str, str]]:
     """Lines that the joints and legs determine, with their description and what else there is to say."""
     joints = _busiest(s)
     for a, b in combinations(joints, 2):
-        yield extensor((a, b)), f"the line {_leg((a, b))} through the joints {a} and {b}", ""
+        yield extensor((a, b)), f"the line {leg_text((a, b))} through the joints {a} and {b}", ""
     number = Counter(n for leg in s.legs for n in leg)
     for a in joints:
         if number[a] < 4:
@@ -69,7 +67,7 @@ def _candidates(s: Structure) -> Iterator[tuple[Expr, str, str]]:
         why = f"{_WORDS[number[a]]} legs meet in the joint {a}, where at most three lines are independent; "
         for g, h in combinations([leg for leg in s.oriented if a not in leg], 2):
             line = meet(join(point, extensor(g)), join(point, extensor(h)))
-            yield line, f"the line through {a} that crosses {_leg(g)} and {_leg(h)}", why
+            yield line, f"the line through {a} that crosses {leg_text(g)} and {leg_text(h)}", why
     planes = sorted({tuple(sorted({*g, *h})) for g, h in combinations(s.legs, 2) if len({*g, *h}) == 3})
     for x, y in combinations(planes, 2):
         yield meet(extensor(x), extensor(y)), f"the common line of the planes {extensor(x)} and {extensor(y)}", ""
@@ -77,7 +75,7 @@ def _candidates(s: Structure) -> Iterator[tuple[Expr, str, str]]:
         for a in x:
             for g in s.oriented:
                 line = join(extensor((a,)), meet(extensor(g), extensor(x)))
-                yield line, f"the line through {a} in the plane {extensor(x)} that crosses {_leg(g)}", ""
+                yield line, f"the line through {a} in the plane {extensor(x)} that crosses {leg_text(g)}", ""
 
 
 _WORDS = {4: "four", 5: "five", 6: "six"}
@@ -98,7 +96,7 @@ def _dependent_legs(s: Structure) -> Degeneracy | None:
     for size in range(1, 7):
         for chosen in combinations(rows, size):
             if _rank([list(rows[leg]) for leg in chosen]) < size:
-                names = ", ".join(map(_leg, chosen))
+                names = ", ".join(map(leg_text, chosen))
                 if size == 1:
                     reason = f"the leg {names} is no line: its ends coincide"
                 else:
@@ -113,10 +111,6 @@ _RULES: tuple[Callable[[Structure], Degeneracy | None], ...] = (
     _crowded_joint,
     _dependent_legs,
 )
-
-
-def _leg(leg: Leg) -> str:
-    return str(extensor(leg))
 
 
 def _busiest(s: Structure) -> list[str]:
