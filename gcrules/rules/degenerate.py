@@ -38,7 +38,8 @@ def explain(structure: Structure) -> Degeneracy:
 def _equal_legs(s: Structure) -> Degeneracy | None:
     for i, j in combinations(range(len(s.legs)), 2):
         if set(s.legs[i]) == set(s.legs[j]):
-            reason = f"legs {i + 1} and {j + 1} lie on one line {leg_text(s.legs[i])}, so at most five of six are independent"
+            same = f"legs {i + 1} and {j + 1} lie on one line {leg_text(s.legs[i])}"
+            reason = f"{same}, so at most five of the six are independent"
             return Degeneracy(reason, (s.legs[i], s.legs[j]))
     return None
 
