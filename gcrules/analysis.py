@@ -172,6 +172,8 @@ def analyze(
     shown = SuperbracketForm(shortest.form, shortest.order, shortest.polynomial * structure.sign)
     if not derivation.check():
         raise EngineFault(f"the derivation of {structure.superbracket} does not replay")
+    if claim is not None:  # what the rules did stands in the derivation
+        claim = replace(claim, state=replace(claim.state, trail=()))
     return Analysis(
         structure, typed, shown, match, conditions[0], tuple(conditions[1:]), derivation, claim, notes=tuple(notes)
     )

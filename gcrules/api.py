@@ -17,19 +17,26 @@ from gcrules.algebra.straighten import straighten as _straighten
 from gcrules.algebra.syntax import Context, parse, parse_equation
 from gcrules.algebra.text import Names, split_names
 from gcrules.analysis import Analysis, analyze
-from gcrules.errors import GcrulesError
-from gcrules.legs import read_legs, read_order
+from gcrules.condition import Condition
+from gcrules.errors import GcrulesError, InputError, LimitReached, StepError, SyntaxFault
+from gcrules.legs import Structure, read_legs, read_order
 from gcrules.render.report import report
 from gcrules.robots.geometry import Platform, load_platform
 
 __all__ = [
     "Analysis",
     "BracketPolynomial",
+    "Condition",
     "Expr",
     "ExtensorPolynomial",
     "GcrulesError",
+    "InputError",
+    "LimitReached",
     "Platform",
     "Proof",
+    "StepError",
+    "Structure",
+    "SyntaxFault",
     "analyze",
     "evaluate",
     "expand",

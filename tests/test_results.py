@@ -258,3 +258,11 @@ def test_faults_can_be_pickled(fault: gc.GcrulesError) -> None:
     other = pickle.loads(pickle.dumps(fault))
     assert type(other) is type(fault)
     assert (str(other), other.render(), other.exit_code) == (str(fault), fault.render(), fault.exit_code)
+
+
+def test_the_public_names_are_those_of_the_api() -> None:
+    import gcrules
+    from gcrules import api
+
+    assert set(gcrules.__all__) == {*api.__all__, "__version__"}
+    assert all(getattr(gcrules, name) is getattr(api, name) for name in api.__all__)

@@ -7,6 +7,7 @@ they have the same terms; whether they are equal as functions (modulo syzygies) 
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -77,8 +78,46 @@ def _nonzero(terms: Mapping[Monomial, Coefficient]) -> Terms:
     }
 
 
-@dataclass(frozen=True)
-class BracketPolynomial:
+class _Shown(ABC):
+    """What both kinds of polynomials show of themselves."""
+
+    points: tuple[str, ...]
+
+    @abstractmethod
+    def __len__(self) -> int: ...
+
+    @abstractmethod
+    def _step(self) -> int: ...
+
+    @abstractmethod
+    def to_expr(self) -> Expr: ...
+
+    def text(self, *, unicode: bool = False) -> str:
+        """The text of the language, in plain ASCII or in Unicode mathematics."""
+        return text(self.to_expr(), unicode=unicode, names=self.points)
+
+    def latex(self) -> str:
+        """The LaTeX of the polynomial, without dollar signs."""
+        from gcrules.render.latex import latex  # needed for LaTeX only
+
+        return latex(self.to_expr())
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return self.to_expr()._repr_latex_()
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self}>" if len(self) <= 24 else f"<{type(self).__name__} of {len(self)} terms>"
+
+    def to_json(self) -> dict[str, Any]:
+        """`{"polynomial": text, "terms": number of terms, "step": step}`."""
+        return {"polynomial": str(self), "terms": len(self), "step": self._step()}
+
+
+@dataclass(frozen=True, repr=False)
+class BracketPolynomial(_Shown):
     """Σ coefficient · monomial in brackets of the given rank over `points`, the first `ideal` at infinity."""
 
     rank: int
@@ -98,6 +137,9 @@ class BracketPolynomial:
     @property
     def step(self) -> int:
         return 0
+
+    def _step(self) -> int:
+        return self.step
 
     def with_terms(self, terms: Mapping[Monomial, Coefficient]) -> BracketPolynomial:
         """The polynomial over the same points with other terms."""
@@ -178,26 +220,6 @@ class BracketPolynomial:
             rank=self.rank,
         )
 
-    def text(self, *, unicode: bool = False) -> str:
-        """The text of the language, in plain ASCII or in Unicode mathematics."""
-        return text(self.to_expr(), unicode=unicode, names=self.points)
-
-    def latex(self) -> str:
-        """The LaTeX of the polynomial, without dollar signs."""
-        from gcrules.render.latex import latex  # needed for LaTeX only
-
-        return latex(self.to_expr())
-
-    def __str__(self) -> str:
-        return self.text()
-
-    def _repr_latex_(self) -> str:
-        return self.to_expr()._repr_latex_()
-
-    def to_json(self) -> dict[str, Any]:
-        """`{"polynomial": text, "terms": number of monomials, "step": 0}`."""
-        return {"polynomial": str(self), "terms": len(self), "step": 0}
-
     def to_sympy(self) -> sympy.Expr:
         """A sympy expression with one symbol for each bracket, named as in the text ("[abcd]")."""
         import sympy
@@ -209,8 +231,8 @@ class BracketPolynomial:
         return sympy.Add(*terms)
 
 
-@dataclass(frozen=True)
-class ExtensorPolynomial:
+@dataclass(frozen=True, repr=False)
+class ExtensorPolynomial(_Shown):
     """Σ (bracket polynomial) · extensor for extensors of one positive step, each an increasing tuple of points."""
 
     rank: int
@@ -226,6 +248,9 @@ class ExtensorPolynomial:
     def __len__(self) -> int:
         return sum(map(len, self.parts.values()))
 
+    def _step(self) -> int:
+        return self.step
+
     def __bool__(self) -> bool:
         return bool(self.parts)
 
@@ -238,26 +263,6 @@ class ExtensorPolynomial:
             ),
             rank=self.rank,
         )
-
-    def text(self, *, unicode: bool = False) -> str:
-        """The text of the language, in plain ASCII or in Unicode mathematics."""
-        return text(self.to_expr(), unicode=unicode, names=self.points)
-
-    def latex(self) -> str:
-        """The LaTeX of the polynomial, without dollar signs."""
-        from gcrules.render.latex import latex  # needed for LaTeX only
-
-        return latex(self.to_expr())
-
-    def __str__(self) -> str:
-        return self.text()
-
-    def _repr_latex_(self) -> str:
-        return self.to_expr()._repr_latex_()
-
-    def to_json(self) -> dict[str, Any]:
-        """`{"polynomial": text, "terms": number of terms, "step": step}`."""
-        return {"polynomial": str(self), "terms": len(self), "step": self.step}
 
     def to_sympy(self) -> dict[str, sympy.Expr]:
         """The coefficient of each extensor (named by its points) as a sympy expression."""

@@ -40,6 +40,14 @@ class Incidence:
     expression: Callable[[State], Expr]
     pencils: Callable[[State], tuple[Expr, Expr]] | None = None
 
+    def __reduce__(self) -> tuple[Callable[[str], Incidence], tuple[str]]:
+        """Pickled by name: it is one of the table below."""
+        return _of_kind, (self.kind,)
+
+
+def _of_kind(kind: str) -> Incidence:
+    return next(i for i in INCIDENCES if i.kind == kind)
+
 
 @dataclass(frozen=True)
 class Claim:
