@@ -19,7 +19,7 @@ from gcrules.condition import GROUPS, Certificate, Condition
 from gcrules.legs import Leg, Structure
 from gcrules.rules.state import extensor
 
-__all__ = ["CheckResult", "check_catalog", "check_entry", "enumerate_classes", "source_keys"]
+__all__ = ["CheckResult", "check_catalog", "check_entry", "enumerate_classes", "factors", "source_keys"]
 
 LEGS = 6
 MOST_AT_A_JOINT = 3
@@ -77,9 +77,9 @@ def _facts(entry: Entry, structure: Structure, *, regular: bool) -> Iterator[str
         yield f"terms {dict(entry.terms)}, computed {terms}"
     if regular == (entry.status == "always-singular"):
         yield f"status {entry.status}, but the superbracket is {'not ' * regular}identically zero"
-    factors = sorted(_factors(structure)) if regular else []
-    if factors != sorted(tuple(sorted(f)) for f in entry.factors) and "factors" not in entry.left_out:
-        yield f"factors {_brackets(entry.factors)}, computed {_brackets(factors)}"
+    found = sorted(factors(structure)) if regular else []
+    if found != sorted(tuple(sorted(f)) for f in entry.factors) and "factors" not in entry.left_out:
+        yield f"factors {_brackets(entry.factors)}, computed {_brackets(found)}"
     for key in entry.sources if entry.owner == SHIPPED else ():
         if key not in source_keys():
             yield f"the source {key} is not in references.bib"
@@ -93,7 +93,7 @@ def _brackets(factors: Iterable[Iterable[str]]) -> str:
     return f"[{', '.join(str(extensor(tuple(f))) for f in factors)}]"
 
 
-def _factors(structure: Structure) -> Iterator[tuple[str, ...]]:
+def factors(structure: Structure) -> Iterator[tuple[str, ...]]:
     """Brackets that divide the superbracket: those on whose zeros (a point moved into the plane of the other three,
     at exact random points) it vanishes too.
     """

@@ -87,18 +87,28 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], out: Output) -> None:
 
 @click.command("enumerate")
 @catalog_option
+@click.option("--yaml", "as_yaml", is_flag=True, help="Write entries for a catalog, with all that can be computed.")
 @output_options(latex=False)
-def enumerate_(catalogs: tuple[str, ...], out: Output) -> None:
+def enumerate_(catalogs: tuple[str, ...], as_yaml: bool, out: Output) -> None:
     """Derive all classes from nothing: bipartite graphs of six legs, no two alike, at most three at a joint.
 
     \b
     gcrules catalog enumerate
+    gcrules catalog enumerate --yaml > draft.yaml
     """
     from gcrules.catalog_check import enumerate_classes  # slower to load than the other commands need
 
     loaded = load(catalogs)
     with working("enumerating"):
         found = tuple((legs, loaded.match(Structure(legs))) for legs in enumerate_classes())
+        if as_yaml:
+            from gcrules.catalog_draft import draft
+
+            entries = [
+                draft(m.entry.id, m.entry.legs) if m else draft(f"new-{i}", legs) for i, (legs, m) in enumerate(found)
+            ]
+            click.echo("\n".join(["classes:", *entries]))
+            return
     out.show(_Enumeration(found))
 
 
