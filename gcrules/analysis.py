@@ -20,7 +20,8 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.shortest import SuperbracketForm, shortest_forms, superbracket_form
 from gcrules.algebra.straighten import straighten
 from gcrules.algebra.text import SHORT_NAME, Names, split_names
-from gcrules.catalog import Catalog, Match, load
+from gcrules.catalog import Catalog, Match
+from gcrules.catalog_file import load
 from gcrules.condition import GROUPS, Certificate, Condition, Entity, starred
 from gcrules.errors import EngineFault, InputError
 from gcrules.legs import Structure, read_legs, read_order

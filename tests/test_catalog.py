@@ -12,8 +12,9 @@ import yaml
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.syntax import parse
 from gcrules.analysis import analyze
-from gcrules.catalog import Catalog, Entry, load, load_file
+from gcrules.catalog import Catalog, Entry
 from gcrules.catalog_check import check_catalog, check_entry, enumerate_classes, source_keys
+from gcrules.catalog_file import load, load_file
 from gcrules.errors import FileError
 from gcrules.legs import Structure, read_legs
 

@@ -13,7 +13,8 @@ from click.testing import CliRunner, Result
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.analysis import analyze
-from gcrules.catalog import Catalog, Entry, load
+from gcrules.catalog import Catalog, Entry
+from gcrules.catalog_file import load
 from gcrules.cli import cli
 from gcrules.render import catalog_pages as renderer
 from gcrules.render.catalog_pages import HEAD, bibliography, catalog_pages, neighbours

@@ -79,8 +79,8 @@ FILES = blocks(re.compile(r"^```yaml\n(.*?)^```$", re.MULTILINE | re.DOTALL))
 @pytest.mark.parametrize("block", [b for _, b in FILES], ids=[b.split(":")[0] for _, b in FILES])
 def test_files_are_what_the_document_says(block: str, tmp_path: Path) -> None:
     import gcrules as gc
-    from gcrules.catalog import load_file
     from gcrules.catalog_check import check_entry
+    from gcrules.catalog_file import load_file
 
     path = tmp_path / "file.yaml"
     path.write_text(block, encoding="utf-8")

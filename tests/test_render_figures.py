@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import pytest
 
-from gcrules.catalog import load
+from gcrules.catalog_file import load
 from gcrules.errors import FileError, InputError
 from gcrules.legs import legs_text
 from gcrules.render.drawing import Circle, Drawing, Line, Polygon, Run, Text, name_runs, save, text_width
@@ -101,7 +101,7 @@ def test_svg_is_xml(name: str) -> None:
 def test_figures_are_the_same_in_every_process() -> None:
     """Whatever the seed of Python's hashes, on which the sequence of a set depends."""
     code = (
-        "from gcrules.analysis import analyze; from gcrules.catalog import load\n"
+        "from gcrules.analysis import analyze; from gcrules.catalog_file import load\n"
         "from gcrules.render.figures import graph_figure, robot_figure\n"
         "for e in load().entries[::4]:\n"
         "    a = analyze(e.structure)\n"

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import gcrules as gc
-from gcrules.catalog import load
+from gcrules.catalog_file import load
 from gcrules.render.report import fragment
 from gcrules.render.stages import Formula, stages
 

@@ -17,8 +17,8 @@ import gcrules as gc
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.straighten import straighten_steps
 from gcrules.algebra.syntax import parse_script
-from gcrules.catalog import load
 from gcrules.catalog_check import check_entry
+from gcrules.catalog_file import load
 from gcrules.errors import FileError, InputError, LimitReached, Span, StepError, SyntaxFault, join_faults
 from gcrules.frozen import FrozenMap
 from gcrules.numeric.value import pose_value

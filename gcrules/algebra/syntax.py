@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.syntax_faults import shortened, syntax_fault
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.errors import GcrulesError, InputError, Span, StepError, SyntaxFault
 from gcrules.frozen import FrozenMap
@@ -42,7 +43,6 @@ MAX_DIGITS = 2_000
 MAX_WORD = 1_000
 MAX_NAMES = 500
 RANKS = range(2, 9)
-_SHOWN = 40  # characters of a word in a message
 
 _RESERVED = re.compile(r"^[ \t]*(given|rule)(?![A-Za-z0-9_'])", re.MULTILINE)
 _RESERVED_HINT = "`given` will state assumptions and `rule` define rules; scripts cannot use them yet"
@@ -65,7 +65,7 @@ class Context:
             raise InputError(f"rank {self.rank} is outside the supported ranks {RANKS[0]} to {RANKS[-1]}")
         for n in (*self.points, *self.ideal):
             if not _NAME.fullmatch(n):
-                raise InputError(f"{_short(n)!r} cannot name a point", hint=_NAMES_HINT)
+                raise InputError(f"{shortened(n)!r} cannot name a point", hint=_NAMES_HINT)
         if len(self.declared()) > MAX_NAMES:
             raise InputError(f"more than {MAX_NAMES} declared names")
 
@@ -165,95 +165,13 @@ def _check_size(text: str) -> None:
             )
 
 
-# --- syntax faults -------------------------------------------------------------------------------------------------
-
-_TERMINALS = {
-    "WORD": "a point",
-    "NUMBER": "a number",
-    "STRING": "a label in quotes",
-    "LPAR": "(",
-    "RPAR": ")",
-    "LSQB": "[",
-    "RSQB": "]",
-    "__ANON_2": "[[",
-    "_MEET": "/\\",
-    "_JOIN": "\\/",
-    "PLUS": "+",
-    "MINUS": "-",
-    "STAR": "*",
-    "_TIMES": "*",
-    "COMMA": ",",
-    "EQUAL": "=",
-    "DOT": ".",
-    "$END": "the end",
-}
-_STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT"}
-_HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
-    (re.compile(r"=(?!=)"), "equality is written =="),
-    (re.compile(r"\\(?!/)"), "join is \\/ (or ∨, \\vee), meet is /\\ (or ∧, ^, \\wedge)"),
-    (re.compile(r"/(?!\\)"), "meet is /\\ ; fractions are written 1/2 without spaces"),
-    (re.compile(r"[|&]"), "join is \\/ , meet is /\\"),
-    (re.compile(r"[{}]"), "group with ( ) ; brackets of points are [ ]"),
-    (re.compile(r"(?<=[0-9]\.)[0-9]"), "fractions are written 3/2"),
-    (re.compile(r"==|!=|<|>"), "only `prove` and `claim` compare two expressions, with =="),
-)
-
-
 def _tree(text: str, start: str) -> _Node:
     from lark.exceptions import UnexpectedInput
 
     try:
         return _grammar().parse(text, start=start)
     except UnexpectedInput as found:
-        raise _syntax_fault(found, text) from None
-
-
-def _syntax_fault(found: object, text: str) -> SyntaxFault:
-    from lark.exceptions import UnexpectedCharacters, UnexpectedToken
-
-    if isinstance(found, UnexpectedToken) and found.token.type != "$END":
-        token: Any = found.token
-        span = Span(token.start_pos or 0, (token.start_pos or 0) + len(token))
-        accepted = set(found.accepts or ())
-        what = f"unexpected {_short(found.token)!r}"
-    elif isinstance(found, UnexpectedCharacters):
-        at: Any = found.pos_in_stream
-        span = Span(at, at + 1)
-        accepted = set(found.allowed or ())
-        what = f"unexpected character {text[span.start]!r}"
-    else:
-        span = Span(len(text.rstrip()), len(text.rstrip()))
-        accepted = set(getattr(found, "accepts", None) or ())
-        what = "the input ends too early" if text.strip() else "the input is empty"
-    hint = next((h for pattern, h in _HINTS if pattern.match(text, span.start)), None)
-    if hint is None and "RPAR" in accepted and _unclosed(text[: span.start], "()"):
-        hint = "a parenthesis is not closed"
-    elif hint is None and "RSQB" in accepted and _unclosed(text[: span.start], "[]"):
-        hint = "a bracket is not closed"
-    return SyntaxFault(f"{what}; expected {_expected(accepted)}", span=span, hint=hint)
-
-
-def _unclosed(text: str, pair: str) -> bool:
-    return text.count(pair[0]) > text.count(pair[1])
-
-
-def _expected(accepted: set[str]) -> str:
-    """The accepted terminals in words; the many ways to begin an expression become one."""
-    names = []
-    if accepted >= _STARTERS:
-        names.append("an expression")
-        accepted = accepted - _STARTERS - {"__ANON_2", "LSQB", "PLUS", "MINUS"}
-    names += sorted({_TERMINALS.get(t, _literal(t)) for t in accepted})
-    return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "nothing more"
-
-
-@cache
-def _literals() -> dict[str, str]:
-    return {t.name: t.pattern.value for t in _grammar().terminals}
-
-
-def _literal(terminal: str) -> str:
-    return _literals().get(terminal, terminal.lower())
+        raise syntax_fault(found, text, {t.name: t.pattern.value for t in _grammar().terminals}) from None
 
 
 # --- from the tree to values ---------------------------------------------------------------------------------------
@@ -431,7 +349,7 @@ class _Builder:
         if self.parts > MAX_NODES:
             raise SyntaxFault(f"names bound by `let` stand for more than {MAX_NODES:,} parts here")
         if self.level + depth > MAX_DEPTH:
-            raise SyntaxFault(f"with {_short(name)} written out this is more than {MAX_DEPTH} operations deep")
+            raise SyntaxFault(f"with {shortened(name)} written out this is more than {MAX_DEPTH} operations deep")
         return bound
 
     def _split(self, token: _Node) -> list[tuple[str, bool]]:
@@ -447,7 +365,7 @@ class _Builder:
             match = SHORT_NAME.match(word, at)
             if name is None and match is None:
                 hint = "points are a letter with digits or primes: a, S1, S_2, A'"
-                raise SyntaxFault(f"{_short(token)!r} is not made of point names", span=_span(token), hint=hint)
+                raise SyntaxFault(f"{shortened(token)!r} is not made of point names", span=_span(token), hint=hint)
             name = name or (match[0] if match else "")
             at += len(name)
             dotted = word[at : at + 1] == "\u0307"
@@ -474,10 +392,6 @@ def _whole(token: _Node, what: str) -> int:
     if "/" in token:
         raise SyntaxFault(f"{what} must be a whole number", span=_span(token))
     return int(_digits(token))
-
-
-def _short(word: str) -> str:
-    return str(word) if len(word) <= _SHOWN else f"{word[:_SHOWN]}…"
 
 
 def _script(tree: _Node, text: str) -> Script:
@@ -521,9 +435,9 @@ def _declare(context: Context, item: _Node) -> Context:
     for token in item.children[0].children:
         name = str(token)
         if name in context.bound:
-            raise InputError(f"{_short(name)} is already bound by `let`", span=_span(token))
+            raise InputError(f"{shortened(name)} is already bound by `let`", span=_span(token))
         if not _NAME.fullmatch(name):
-            raise InputError(f"{_short(name)!r} cannot name a point", span=_span(token), hint=_NAMES_HINT)
+            raise InputError(f"{shortened(name)!r} cannot name a point", span=_span(token), hint=_NAMES_HINT)
         names.append(name)
     values = tuple(dict.fromkeys((*getattr(context, field_name), *names)))
     return replace(context, points=values) if field_name == "points" else replace(context, ideal=values)
@@ -533,9 +447,9 @@ def _bind(context: Context, item: _Node, builder: _Builder) -> Context:
     token, body = item.children
     name = str(token)
     if name in context.points or name in context.ideal or name in context.bound:
-        raise InputError(f"{_short(name)} is already declared", span=_span(token), hint="choose another name")
+        raise InputError(f"{shortened(name)} is already declared", span=_span(token), hint="choose another name")
     if not _NAME.fullmatch(name):
-        raise InputError(f"{_short(name)!r} cannot be bound", span=_span(token), hint=_NAMES_HINT)
+        raise InputError(f"{shortened(name)!r} cannot be bound", span=_span(token), hint=_NAMES_HINT)
     return replace(context, bound={**context.bound, name: builder.value(body)})
 
 

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcrules.analysis import analyze
-from gcrules.catalog import Catalog, Entry, Match, Reading, load
+from gcrules.catalog import Catalog, Entry, Match, Reading
+from gcrules.catalog_file import load
 from gcrules.cli.base import LazyGroup, Output, catalog_option, output_options
 from gcrules.cli.files import working
 from gcrules.condition import Certificate, Condition

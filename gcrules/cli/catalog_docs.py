@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from gcrules.catalog import load
+from gcrules.catalog_file import load
 from gcrules.cli.base import catalog_option
 from gcrules.cli.files import working, write_file
 from gcrules.errors import FileError

@@ -1,0 +1,88 @@
+"""Faults of text that the grammar does not accept, in words, with what was expected and advice."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from gcrules.errors import Span, SyntaxFault
+
+__all__ = ["shortened", "syntax_fault"]
+
+_SHOWN = 40  # characters of a word in a message
+
+_TERMINALS = {
+    "WORD": "a point",
+    "NUMBER": "a number",
+    "STRING": "a label in quotes",
+    "LPAR": "(",
+    "RPAR": ")",
+    "LSQB": "[",
+    "RSQB": "]",
+    "__ANON_2": "[[",
+    "_MEET": "/\\",
+    "_JOIN": "\\/",
+    "PLUS": "+",
+    "MINUS": "-",
+    "STAR": "*",
+    "_TIMES": "*",
+    "COMMA": ",",
+    "EQUAL": "=",
+    "DOT": ".",
+    "$END": "the end",
+}
+_STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT"}
+_HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
+    (re.compile(r"=(?!=)"), "equality is written =="),
+    (re.compile(r"\\(?!/)"), "join is \\/ (or ∨, \\vee), meet is /\\ (or ∧, ^, \\wedge)"),
+    (re.compile(r"/(?!\\)"), "meet is /\\ ; fractions are written 1/2 without spaces"),
+    (re.compile(r"[|&]"), "join is \\/ , meet is /\\"),
+    (re.compile(r"[{}]"), "group with ( ) ; brackets of points are [ ]"),
+    (re.compile(r"(?<=[0-9]\.)[0-9]"), "fractions are written 3/2"),
+    (re.compile(r"==|!=|<|>"), "only `prove` and `claim` compare two expressions, with =="),
+)
+
+
+def syntax_fault(found: object, text: str, literals: Mapping[str, str]) -> SyntaxFault:
+    """The fault for an exception of lark; `literals` spells the terminals of the grammar."""
+    from lark.exceptions import UnexpectedCharacters, UnexpectedToken
+
+    if isinstance(found, UnexpectedToken) and found.token.type != "$END":
+        token: Any = found.token
+        span = Span(token.start_pos or 0, (token.start_pos or 0) + len(token))
+        accepted = set(found.accepts or ())
+        what = f"unexpected {shortened(found.token)!r}"
+    elif isinstance(found, UnexpectedCharacters):
+        at: Any = found.pos_in_stream
+        span = Span(at, at + 1)
+        accepted = set(found.allowed or ())
+        what = f"unexpected character {text[span.start]!r}"
+    else:
+        span = Span(len(text.rstrip()), len(text.rstrip()))
+        accepted = set(getattr(found, "accepts", None) or ())
+        what = "the input ends too early" if text.strip() else "the input is empty"
+    hint = next((h for pattern, h in _HINTS if pattern.match(text, span.start)), None)
+    if hint is None and "RPAR" in accepted and _unclosed(text[: span.start], "()"):
+        hint = "a parenthesis is not closed"
+    elif hint is None and "RSQB" in accepted and _unclosed(text[: span.start], "[]"):
+        hint = "a bracket is not closed"
+    return SyntaxFault(f"{what}; expected {_expected(accepted, literals)}", span=span, hint=hint)
+
+
+def _unclosed(text: str, pair: str) -> bool:
+    return text.count(pair[0]) > text.count(pair[1])
+
+
+def _expected(accepted: set[str], literals: Mapping[str, str]) -> str:
+    """The accepted terminals in words; the many ways to begin an expression become one."""
+    names = []
+    if accepted >= _STARTERS:
+        names.append("an expression")
+        accepted = accepted - _STARTERS - {"__ANON_2", "LSQB", "PLUS", "MINUS"}
+    names += sorted({_TERMINALS.get(t, literals.get(t, t.lower())) for t in accepted})
+    return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "nothing more"
+
+
+def shortened(word: str) -> str:
+    return str(word) if len(word) <= _SHOWN else f"{word[:_SHOWN]}…"
