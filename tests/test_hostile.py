@@ -213,7 +213,7 @@ def test_the_reader_notices_a_crash(read: Read) -> None:
         ex.MAX_COEFFICIENT_BITS,
         ex.MAX_DOTTED_TERMS,
         expand.MAX_TERMS,
-        straighten.MAX_WORK,
+        straighten.WORK_PER_TERM * expand.MAX_TERMS,
     ],
 )
 def test_the_limits_are_documented(root: Path, limit: int) -> None:

@@ -195,7 +195,10 @@ class _Expander:
             self._too_large()
 
     def _too_large(self) -> None:
-        raise LimitReached(f"the expansion has more than {self.limit:,} terms", hint="raise the limit with --limit")
+        raise LimitReached(
+            f"the expansion has more than {self.limit:,} terms",
+            hint="raise the limit with --limit (in Python limit=...)",
+        )
 
 
 @cache

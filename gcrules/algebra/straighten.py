@@ -29,8 +29,10 @@ from gcrules.errors import LimitReached
 
 __all__ = ["Straightening", "is_standard", "straighten", "straighten_steps"]
 
-MAX_WORK = 5_000_000
+WORK_PER_TERM = 25  # replacements that are made for each term that may be held
 _WORK_OF_A_SYZYGY = 5  # what one term of a syzygy takes, in replacements
+
+_RAISE = "raise the limit with --limit (in Python limit=...)"
 
 _Pattern = tuple[tuple[tuple[int, Row, Row], ...], int]
 
@@ -108,11 +110,10 @@ def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int =
                 pending[new] = c * coefficient
                 heappush(heap, _Last(new))
             work += 1
-        if len(pending) > limit or work > MAX_WORK:
-            raise LimitReached(
-                f"straightening needs more than {limit:,} terms at a time or {MAX_WORK:,} replacements",
-                hint="raise the limit with --limit",
-            )
+        if len(pending) > limit:
+            raise LimitReached(f"straightening holds more than {limit:,} terms at a time", hint=_RAISE)
+        if work > WORK_PER_TERM * limit:
+            raise LimitReached(f"straightening takes more than {WORK_PER_TERM * limit:,} replacements", hint=_RAISE)
     return normal
 
 
