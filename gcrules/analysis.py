@@ -151,6 +151,10 @@ def analyze(
     if not straighten(typed.polynomial):
         return _always_singular(structure, typed, match, start, catalog)
     notes = [f"{m.entry.id} ({m.entry.place}) has the same graph as class {matches[0].entry.id}" for m in matches[1:]]
+    if structure.ideal:
+        notes.append(
+            "points at infinity: classes are not matched, and a turn about a line at infinity is a translation"
+        )
     oracle = Oracle(structure)
     found = best_first(claims(forms, structure, oracle), structure, oracle)
     if not found and chosen is not None:

@@ -217,7 +217,8 @@ def _isomorphism(a: Structure, b: Structure) -> dict[str, str] | None:
         matcher = GraphMatcher(*graphs, node_match=lambda x, y: x["side"] == y["side"])
         found = list(islice(matcher.isomorphisms_iter(), _MOST_ISOMORPHISMS))
         if found:
-            first = min(found, key=lambda m: [b.names.index(m[n]) for n in a.names])
+            # By the images of the legs, so that the choice does not depend on how legs are written.
+            first = min(found, key=lambda m: [sorted(b.names.index(m[n]) for n in leg) for leg in a.legs])
             return {n: first[n] for n in a.names}
     return None
 

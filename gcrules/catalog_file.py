@@ -14,7 +14,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.syntax import parse
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.catalog import FROM_CATALOG, LABELS, SHIPPED, Catalog, Entry, Reading
-from gcrules.errors import FileError, GcrulesError
+from gcrules.errors import FileError, GcrulesError, join_faults
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg, Structure, read_legs
 from gcrules.yamlfile import Document, Node, near
@@ -28,10 +28,11 @@ def load(own: Iterable[str | PathLike[str]] = ()) -> Catalog:
     entries, statements = list(shipped.entries), dict(shipped.statements)
     for path in own:
         more = load_file(path)
-        for entry in more.entries:
-            clash = next((e for e in entries if e.id == entry.id), None)
-            if clash:
-                raise FileError(f"class {entry.id} stands in {clash.place} and in {entry.place}", filename=entry.owner)
+        clashes = [(e, other) for e in more.entries for other in entries if e.id == other.id]
+        if clashes:
+            raise join_faults(
+                [FileError(f"class {e.id} stands in {other.place} too", filename=e.place) for e, other in clashes]
+            )
         entries = [*entries, *more.entries]
         statements |= more.statements
     return Catalog(tuple(entries), FrozenMap(statements))

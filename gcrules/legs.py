@@ -180,7 +180,7 @@ def _read_text(text: str, points: Sequence[str]) -> Iterator[Leg]:
             continue
         start = match.start() + len(match[0]) - len(match[0].lstrip())
         try:
-            yield _two_points(re.sub(r"(?<=\w)\s*[-–]\s*(?=\w)", " ", word), points)
+            yield _two_points(re.sub(r"(?<=[\w'])\s*[-–]\s*(?=\w)", " ", word), points)
         except GcrulesError as fault:
             inner = InputError(f"{word!r} is not a leg: {fault.message}", hint=fault.hint)
             raise inner.located(text, span=Span(start, start + len(word))) from None
@@ -223,19 +223,22 @@ def read_order(text: str | Sequence[int | str], structure: Structure) -> tuple[i
 
     Integers in a sequence are positions counted from 0. Raises InputError unless every leg occurs once.
     """
-    words = text.replace(",", " ").split() if isinstance(text, str) else list(text)
+    words: Iterable[int | str | Leg] = text
+    if isinstance(text, str):
+        numbers = re.fullmatch(r"[\d\s,]+", text)
+        words = re.findall(r"\d+", text) if numbers else _read_text(text, structure.points)
     names = {frozenset(leg): i for i, leg in enumerate(structure.legs)}
     order = []
     for word in words:
         if isinstance(word, int):
             order.append(word)
-        elif word.isdigit():
+        elif isinstance(word, str) and word.isdigit():
             order.append(int(word) - 1)
         else:
-            leg = frozenset(_two_points(word, structure.points))
-            if leg not in names:
-                raise InputError(f"{word} is not one of the legs")
-            order.append(names[leg])
+            leg = _two_points(word, structure.points) if isinstance(word, str) else word
+            if frozenset(leg) not in names:
+                raise InputError(f"{leg_text(leg)} is not one of the legs")
+            order.append(names[frozenset(leg)])
     if sorted(order) != list(range(len(structure.legs))):
         raise InputError("an order names each of the six legs once", hint='for example --order "2 1 3 4 5 6"')
     return tuple(order)

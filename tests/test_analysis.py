@@ -487,3 +487,17 @@ def test_groups_are_the_published_ones() -> None:
     assert Counter(analyze(LEGS[i]).group for i in REGULAR) == Counter(c["group"] for c in CLASSES if c["regular"])
     assert set(GROUPS.values()) == {"b", "c", "d", "e", "g"}
     assert issubclass(LimitReached, gc.GcrulesError)
+
+
+@pytest.mark.parametrize("class_id", REGULAR)
+def test_the_condition_does_not_depend_on_how_legs_are_written(class_id: str) -> None:
+    """Turning single legs changes signs at most: kind, cofactor and planes stay."""
+    rng = random.Random(class_id)
+    legs = LEGS[class_id].split()
+    first = analyze(legs).condition
+    cofactor = gc.straighten(first.cofactor)
+    for _ in range(6):
+        turned = analyze([leg[::-1] if rng.random() < 0.5 else leg for leg in legs]).condition
+        assert turned.kind == first.kind
+        assert gc.straighten(turned.cofactor) in (cofactor, -cofactor)
+        assert {frozenset(e.points) for e in turned.entities} == {frozenset(e.points) for e in first.entities}

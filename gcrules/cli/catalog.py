@@ -108,7 +108,7 @@ def enumerate_(catalogs: tuple[str, ...], as_yaml: bool, out: Output) -> None:
             entries = [
                 draft(m.entry.id, m.entry.legs) if m else draft(f"new-{i}", legs) for i, (legs, m) in enumerate(found)
             ]
-            click.echo("\n".join(["classes:", *entries]))
+            out.write("\n".join(["classes:", *entries]))
             return
     out.show(_Enumeration(found))
 

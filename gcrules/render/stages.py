@@ -67,7 +67,10 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
     )
     if a.claim is not None:
         yield from _entity_stages(a)
-    yield "Condition", "An incidence whose expansion equals the superbracket.", _condition(a.condition, a)
+    elif a.condition.kind != "always-singular":
+        why = "Tetrahedra, planes and lines in the terms that make an incidence equal to the superbracket."
+        yield "Entities", why, ["none"]
+    yield "Condition", _WHY.get(a.condition.kind, _INCIDENCE), _condition(a.condition, a)
     yield "Statement", "", [a.condition.statement]
     yield "Certificate", "", [a.condition.certificate.detail + ".", *_replay(a), *a.notes]
     if a.pose:
@@ -77,6 +80,15 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
         for reading in a.readings:
             items += [f"{reading.kind}:", *_condition(reading, a), reading.statement, f"({reading.certificate.detail})"]
         yield "Other readings", "Further identities for the same superbracket.", items
+
+
+_INCIDENCE = "An incidence whose expansion equals the superbracket."
+_WHY = {
+    "always-singular": "The superbracket is zero for all positions of the joints.",
+    "linear-complex": "No incidence was found; the superbracket itself is the condition.",
+    "transversals": "An incidence whose expansion equals the cofactor times the superbracket.",
+    "one-incidence": "An incidence whose expansion equals the cofactor times the superbracket.",
+}
 
 
 def _structure(a: Analysis) -> list[Item]:
