@@ -1,6 +1,6 @@
 r"""Running a script: every claim is proved, refuted or left undecided, every `show` is expanded.
 
->>> from gcrules.algebra.syntax import parse_script
+>>> from gcrules.algebra.statements import parse_script
 >>> print(run_script(parse_script("claim ab /\\ cd == [abcd]   show ab /\\ cde")).text())
 line 1: proved: ab /\ cd == [abcd]
 line 1: ab /\ cde = [acde] * b - [bcde] * a
@@ -17,7 +17,7 @@ from typing import Any
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.prove import Proof, prove
-from gcrules.algebra.syntax import Claim, Script, Show
+from gcrules.algebra.statements import Claim, Script, Show
 from gcrules.algebra.text import text
 from gcrules.errors import LimitReached
 
@@ -124,7 +124,10 @@ def run_script(script: Script, *, limit: int = MAX_TERMS) -> ScriptResult:
 def results(script: Script, *, limit: int = MAX_TERMS) -> Iterator[ClaimResult | ShowResult]:
     """The results one after the other, as they are found."""
     for statement in script.statements:
-        yield _claim(statement, limit) if isinstance(statement, Claim) else _show(statement, limit)
+        if isinstance(statement, Claim):
+            yield _claim(statement, limit)
+        elif isinstance(statement, Show):
+            yield _show(statement, limit)
 
 
 def _claim(claim: Claim, limit: int) -> ClaimResult:

@@ -8,7 +8,7 @@ import pytest
 
 from gcrules.algebra.expr import Number, mul
 from gcrules.algebra.prove import prove
-from gcrules.algebra.syntax import Claim, parse_script
+from gcrules.algebra.statements import Claim, parse_script
 from gcrules.script import run_script
 
 SCRIPTS = sorted((Path(__file__).resolve().parent.parent / "examples").glob("*.gca"))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from gcrules.algebra import expand, straighten, syntax
+from gcrules.algebra import expand, space, straighten, syntax
 from gcrules.algebra import expr as ex
 
 LIMIT = syntax.MAX_TEXT - 4_000  # characters, just below the limit of the language
@@ -50,7 +50,7 @@ EXPRESSIONS = {
     "underscores": (f'"a_" * {LIMIT // 2}', WORD),
     "blanks": (f'" " * {LIMIT}', "the input is empty"),
     "dots": (f'"." * {LIMIT}', "unexpected '.'; expected a point"),
-    "quotes": (f"'\"' * {LIMIT}", "unexpected '\"\"'; expected an expression"),
+    "quotes": (f"'\"' * {LIMIT}", "unexpected character '\"'; expected an expression"),
     "hashes": (f'"#" * {LIMIT}', "the input ends too early"),
     "product": (f'"[abcd]" * {LIMIT // 6}', OK),
     "sum of numbers": (f'"+".join(["1"] * {LIMIT // 2})', OK),
@@ -94,7 +94,7 @@ SCRIPTS = {
     "many statements of points": ('"\\n".join(f"points pt{i}" for i in range(2_000))', NAMES),
     "many claims": ('"claim a==a\\n" * 4_000', OK),
     "long label": (f"'claim \"' + 'x' * {LIMIT} + '\": a == b'", OK),
-    "nul": ('"\\0" * 1000', "unexpected character '\\x00'; expected claim, ideal, let"),
+    "nul": ('"\\0" * 1000', "unexpected character '\\x00'; expected claim, given, ideal"),
     "random bytes": ('random.Random(2).randbytes(90_000).decode("latin-1")', "unexpected 's'; expected claim"),
     "random words": (
         '" ".join(random.Random(3).choices('
@@ -106,7 +106,8 @@ SCRIPTS = {
 # One process reads the cases; for each it forks a child with little memory and time, which prints the outcome.
 READER = """
 import json, os, random, resource, signal, sys, traceback
-from gcrules.algebra.syntax import parse, parse_script
+from gcrules.algebra.statements import parse_script
+from gcrules.algebra.syntax import parse
 from gcrules.algebra.text import text
 from gcrules.algebra.expr import points_of
 from gcrules.errors import GcrulesError
@@ -208,7 +209,7 @@ def test_the_reader_notices_a_crash(read: Read) -> None:
         syntax.MAX_NODES,
         syntax.MAX_DIGITS,
         syntax.MAX_WORD,
-        syntax.MAX_NAMES,
+        space.MAX_NAMES,
         ex.MAX_EXPONENT,
         ex.MAX_COEFFICIENT_BITS,
         ex.MAX_DOTTED_TERMS,

@@ -15,8 +15,8 @@ import pytest
 
 import gcrules as gc
 from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.statements import parse_script
 from gcrules.algebra.straighten import straighten_steps
-from gcrules.algebra.syntax import parse_script
 from gcrules.catalog_check import check_entry
 from gcrules.catalog_file import load
 from gcrules.errors import FileError, InputError, LimitReached, Span, StepError, SyntaxFault, join_faults

@@ -24,7 +24,8 @@ from gcrules.algebra.expr import (
     Superbracket,
     points_of,
 )
-from gcrules.algebra.syntax import Claim, Context, Show, parse, parse_equation, parse_script
+from gcrules.algebra.statements import Claim, Show, parse_script
+from gcrules.algebra.syntax import Context, parse, parse_equation
 from gcrules.algebra.text import text
 from gcrules.errors import GcrulesError, InputError, StepError, SyntaxFault
 from gcrules.render.latex import latex
@@ -459,14 +460,6 @@ def test_script_fault(source: str, place: str, message: str) -> None:
         parse_script(source, "x.gca")
     assert caught.value.place == f"x.gca:{place}"
     assert message in caught.value.message
-
-
-@pytest.mark.parametrize("word", ["given", "rule"])
-def test_reserved_words_are_named(word: str) -> None:
-    with pytest.raises(SyntaxFault) as caught:
-        parse_script(f"show a\n  {word} x")
-    assert caught.value.place == "<input>:2:3"
-    assert caught.value.message == f"the word `{word}` is reserved"
 
 
 def test_labels_do_not_count_as_nesting() -> None:

@@ -1,4 +1,4 @@
-r"""From text to expressions and scripts; every fault carries its place.
+r"""From text to expressions; every fault carries its place.
 
 >>> parse(r"(ab /\ cde) f").step
 2
@@ -14,7 +14,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from importlib.resources import files
@@ -22,18 +22,19 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.syntax_faults import shortened, syntax_fault
+from gcrules.algebra.space import Space, shortened
+from gcrules.algebra.syntax_faults import syntax_fault
 from gcrules.algebra.text import SHORT_NAME
-from gcrules.errors import GcrulesError, InputError, Span, StepError, SyntaxFault
+from gcrules.errors import GcrulesError, Span, StepError, SyntaxFault
 from gcrules.frozen import FrozenMap
 
 if TYPE_CHECKING:
     from lark import Lark
 
 _T = TypeVar("_T")
-_Node = Any  # a lark Tree or Token; lark loads when text is read
+Node = Any  # a lark Tree or Token; lark loads when text is read
 
-__all__ = ["Claim", "Context", "Script", "Show", "parse", "parse_equation", "parse_script"]
+__all__ = ["Builder", "Context", "parse", "parse_equation", "read", "run_name", "span_of", "whole"]
 
 MAX_TEXT = 100_000
 MAX_NESTING = 100
@@ -41,65 +42,22 @@ MAX_DEPTH = 100
 MAX_NODES = 50_000
 MAX_DIGITS = 2_000
 MAX_WORD = 1_000
-MAX_NAMES = 500
-RANKS = range(2, 9)
 
-_RESERVED = re.compile(r"^[ \t]*(given|rule)(?![A-Za-z0-9_'])", re.MULTILINE)
-_RESERVED_HINT = "`given` will state assumptions and `rule` define rules; scripts cannot use them yet"
-_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*")
-_NAMES_HINT = "names begin with a letter and go on with letters, digits or _, then primes: left, S1, A'"
+_EXPRESSIONS = ("expression", "equation")
 
 
 @dataclass(frozen=True, slots=True)
-class Context:
-    """What names mean: the rank, declared points in tableau order, points at infinity, and names bound by `let`."""
+class Context(Space):
+    """What names mean: a space, and the names bound by `let`."""
 
-    rank: int = 4
-    points: tuple[str, ...] = ()
-    ideal: tuple[str, ...] = ()
     bound: Mapping[str, Expr] = FrozenMap()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "bound", FrozenMap(self.bound))
-        if self.rank not in RANKS:
-            raise InputError(f"rank {self.rank} is outside the supported ranks {RANKS[0]} to {RANKS[-1]}")
-        for n in (*self.points, *self.ideal):
-            if not _NAME.fullmatch(n):
-                raise InputError(f"{shortened(n)!r} cannot name a point", hint=_NAMES_HINT)
-        if len(self.declared()) > MAX_NAMES:
-            raise InputError(f"more than {MAX_NAMES} declared names")
+        Space.__post_init__(self)
 
     def declared(self) -> tuple[str, ...]:
         return tuple(dict.fromkeys((*self.points, *self.ideal, *self.bound)))
-
-
-@dataclass(frozen=True, slots=True)
-class Claim:
-    """`claim LHS == RHS` of a script, with its line and the context it was made in."""
-
-    left: Expr
-    right: Expr
-    label: str
-    line: int
-    context: Context
-
-
-@dataclass(frozen=True, slots=True)
-class Show:
-    """`show EXPR` of a script."""
-
-    expr: Expr
-    label: str
-    line: int
-    context: Context
-
-
-@dataclass(frozen=True, slots=True)
-class Script:
-    """The statements of a file that ask for an answer, and the context at its end."""
-
-    statements: tuple[Claim | Show, ...]
-    context: Context
 
 
 def parse(text: str, *, rank: int = 4, points: Iterable[str] = (), context: Context | None = None) -> Expr:
@@ -109,7 +67,7 @@ def parse(text: str, *, rank: int = 4, points: Iterable[str] = (), context: Cont
     with line, column and caret.
     """
     context = context or Context(rank, tuple(points))
-    return _read(text, "expression", "<input>", lambda tree: _Builder(context).value(tree.children[0]))
+    return read(text, "expression", "<input>", lambda tree: Builder(context).value(tree.children[0]))
 
 
 def parse_equation(
@@ -117,19 +75,11 @@ def parse_equation(
 ) -> tuple[Expr, Expr]:
     """Read `LHS == RHS`."""
     context = context or Context(rank, tuple(points))
-    return _read(text, "equation", "<input>", lambda tree: _Builder(context).equation(tree))
+    return read(text, "equation", "<input>", lambda tree: Builder(context).equation(tree))
 
 
-def parse_script(text: str, filename: str = "<input>") -> Script:
-    """Read the statements of a `.gca` file: rank, points, ideal, let, claim, show."""
-    reserved = _RESERVED.search(text[:MAX_TEXT])
-    if reserved:
-        fault = SyntaxFault(f"the word `{reserved[1]}` is reserved", span=Span(*reserved.span(1)), hint=_RESERVED_HINT)
-        raise fault.located(text, filename)
-    return _read(text, "script", filename, lambda tree: _script(tree, text))
-
-
-def _read(text: str, start: str, filename: str, build: Callable[[_Node], _T]) -> _T:
+def read(text: str, start: str, filename: str, build: Callable[[Node], _T]) -> _T:
+    """What `build` makes of the parse tree of a text; faults are given the text's name and place."""
     try:
         _check_size(text)
         return build(_tree(text, start))
@@ -138,14 +88,15 @@ def _read(text: str, start: str, filename: str, build: Callable[[_Node], _T]) ->
 
 
 @cache
-def _grammar() -> Lark:
+def _grammar(scripts: bool) -> Lark:
+    """Two parsers, so that the words of statements (`if`, `show`, …) stay points side by side in lone expressions."""
     from lark import Lark
 
     source = files("gcrules").joinpath("grammar.lark").read_text(encoding="utf-8")
     return Lark(
         source,
         parser="lalr",
-        start=["expression", "equation", "script"],
+        start=[*(("script", "assumption") if scripts else _EXPRESSIONS)],
         propagate_positions=True,
         maybe_placeholders=True,
     )
@@ -165,13 +116,14 @@ def _check_size(text: str) -> None:
             )
 
 
-def _tree(text: str, start: str) -> _Node:
+def _tree(text: str, start: str) -> Node:
     from lark.exceptions import UnexpectedInput
 
+    grammar = _grammar(start not in _EXPRESSIONS)
     try:
-        return _grammar().parse(text, start=start)
+        return grammar.parse(text, start=start)
     except UnexpectedInput as found:
-        raise syntax_fault(found, text, {t.name: t.pattern.value for t in _grammar().terminals}) from None
+        raise syntax_fault(found, text, {t.name: t.pattern.value for t in grammar.terminals}) from None
 
 
 # --- from the tree to values ---------------------------------------------------------------------------------------
@@ -192,11 +144,15 @@ class _DottedBracket:
 _Value = Expr | _DottedRun | _DottedBracket
 
 
-class _Builder:
-    """Turns a parse tree into an expression: one short method for each rule of the grammar."""
+class Builder:
+    """Turns a parse tree into an expression: one short method for each rule of the grammar.
 
-    def __init__(self, context: Context) -> None:
+    `runs` gives the points that a run (`R...`) stands for; outside rules there are none.
+    """
+
+    def __init__(self, context: Context, runs: Mapping[str, tuple[str, ...]] | None = None) -> None:
         self.context = context
+        self.runs = runs
         self.rank = context.rank
         self.level = 0
         self.parts = 0  # size of the names bound by `let` that were written out
@@ -205,20 +161,20 @@ class _Builder:
             (n for n in context.declared() if not SHORT_NAME.fullmatch(n)), key=lambda n: (-len(n), n)
         )
 
-    def value(self, tree: _Node) -> Expr:
+    def value(self, tree: Node) -> Expr:
         """The expression of a subtree; dots that are not inside a bracket of points are faults here."""
         return self._plain(self.any(tree), tree)
 
-    def _plain(self, found: _Value, tree: _Node) -> Expr:
+    def _plain(self, found: _Value, tree: Node) -> Expr:
         if isinstance(found, _DottedBracket):
             return ex.dotted(found.points, rank=self.rank)
         if isinstance(found, _DottedRun):
             raise SyntaxFault(
-                "a dot outside a bracket", span=_span(tree), hint="dots mark points of brackets: [.a b c d]"
+                "a dot outside a bracket", span=span_of(tree), hint="dots mark points of brackets: [.a b c d]"
             )
         return found
 
-    def any(self, tree: _Node) -> _Value:
+    def any(self, tree: Node) -> _Value:
         self.level += 1
         try:
             if self.level > MAX_DEPTH:
@@ -226,19 +182,19 @@ class _Builder:
             found: _Value = getattr(self, tree.data)(tree)
             return found
         except GcrulesError as fault:
-            fault.span = fault.span or _span(tree)
+            fault.span = fault.span or span_of(tree)
             raise
         finally:
             self.level -= 1
 
-    def equation(self, tree: _Node) -> tuple[Expr, Expr]:
+    def equation(self, tree: Node) -> tuple[Expr, Expr]:
         left, right = map(self.value, tree.children)
         if left.step != right.step and ex.ZERO not in (left, right):
             names = (ex.step_name(left.step, self.rank), ex.step_name(right.step, self.rank))
-            raise StepError(f"{names[0]} cannot equal {names[1]}", span=_span(tree))
+            raise StepError(f"{names[0]} cannot equal {names[1]}", span=span_of(tree))
         return left, right
 
-    def sum(self, tree: _Node) -> Expr:
+    def sum(self, tree: Node) -> Expr:
         first, *rest = tree.children
         terms = [self.value(first)]
         for sign, term in zip(rest[::2], rest[1::2], strict=True):
@@ -247,23 +203,23 @@ class _Builder:
                 names = (ex.step_name(terms[-1].step, self.rank), ex.step_name(terms[0].step, self.rank))
                 raise StepError(
                     f"cannot add {names[0]} to {names[1]}",
-                    span=_span(term),
+                    span=span_of(term),
                     hint="terms of a sum must have equal steps",
                 )
         return ex.add(*terms, rank=self.rank)
 
-    def signed(self, tree: _Node) -> Expr:
+    def signed(self, tree: Node) -> Expr:
         *signs, operand = tree.children
         negative = sum(s.type == "MINUS" for s in signs) % 2
         return ex.neg(self.value(operand)) if negative else self.value(operand)
 
-    def product(self, tree: _Node) -> Expr:
+    def product(self, tree: Node) -> Expr:
         return ex.mul(*map(self.value, tree.children))
 
-    def meet(self, tree: _Node) -> Expr:
+    def meet(self, tree: Node) -> Expr:
         return ex.meet(*map(self.value, tree.children), rank=self.rank)
 
-    def join(self, tree: _Node) -> Expr:
+    def join(self, tree: Node) -> Expr:
         parts: list[Expr] = []
         for part in tree.children:
             parts.append(self.value(part))
@@ -271,17 +227,16 @@ class _Builder:
                 break  # a fault, whatever follows
         return ex.join(*parts, rank=self.rank)
 
-    def juxtaposition(self, tree: _Node) -> _Value:
-        parts = [self.any(t) for t in tree.children]
+    def juxtaposition(self, tree: Node) -> _Value:
+        trees = self._present(tree.children)
+        parts = [self.any(t) for t in trees]
         if any(isinstance(p, _DottedRun) for p in parts):
-            return _DottedRun(
-                tuple(entry for p, t in zip(parts, tree.children, strict=True) for entry in self._entries(p, t))
-            )
+            return _DottedRun(tuple(entry for p, t in zip(parts, trees, strict=True) for entry in self._entries(p, t)))
         dotted = [p.points for p in parts if isinstance(p, _DottedBracket)]
         plain = [p for p in parts if isinstance(p, Expr)]
         return ex.join(*plain, *([ex.dotted(*dotted, rank=self.rank)] if dotted else []), rank=self.rank)
 
-    def _entries(self, part: _Value, tree: _Node) -> tuple[tuple[str, bool], ...]:
+    def _entries(self, part: _Value, tree: Node) -> tuple[tuple[str, bool], ...]:
         match part:
             case _DottedRun(points=points):
                 return points
@@ -289,53 +244,66 @@ class _Builder:
                 return ((name, False),)
             case ex.Join(args=args) if all(isinstance(a, ex.Point) for a in args):
                 return tuple((str(a), False) for a in args)
-        raise SyntaxFault("a dotted bracket can only hold points", span=_span(tree))
+        raise SyntaxFault("a dotted bracket can only hold points", span=span_of(tree))
 
-    def power(self, tree: _Node) -> Expr:
+    def power(self, tree: Node) -> Expr:
         base, exponent = tree.children
-        n = _whole(exponent, "an exponent")
+        n = whole(exponent, "an exponent")
         if n > ex.MAX_EXPONENT:
-            raise SyntaxFault(f"an exponent above the limit {ex.MAX_EXPONENT}", span=_span(exponent))
+            raise SyntaxFault(f"an exponent above the limit {ex.MAX_EXPONENT}", span=span_of(exponent))
         return ex.power(self.value(base), n, rank=self.rank)
 
-    def word(self, tree: _Node) -> _Value:
-        entries = self._split(tree.children[0])
+    def word(self, tree: Node) -> _Value:
+        entries = self.split(tree.children[0])
         if any(d for _, d in entries):
             return _DottedRun(tuple(entries))
         return ex.join(*(self._named(n) for n, _ in entries), rank=self.rank)
 
-    def dotted_word(self, tree: _Node) -> _DottedRun:
-        (first, _), *rest = self._split(tree.children[0])
+    def dotted_word(self, tree: Node) -> _DottedRun:
+        (first, _), *rest = self.split(tree.children[0])
         return _DottedRun(((first, True), *rest))
 
-    def number(self, tree: _Node) -> Expr:
+    def run(self, tree: Node) -> _Value:
+        if self.runs is None:
+            raise SyntaxFault("a run of points stands in rules only", span=span_of(tree), hint="write the points")
+        points = self.runs[run_name(tree)]
+        if not points:
+            raise SyntaxFault("this run is empty here, and can only stand beside other points", span=span_of(tree))
+        return ex.join(*map(ex.Point, points), rank=self.rank)
+
+    def _present(self, trees: list[Node]) -> list[Node]:
+        """Without runs that are empty in this rank."""
+        return [t for t in trees if t.data != "run" or not self.runs or self.runs[run_name(t)]]
+
+    def number(self, tree: Node) -> Expr:
         token = tree.children[0]
         try:
             return ex.Number(Fraction(_digits(token)))
         except ZeroDivisionError:
-            raise SyntaxFault("division by zero", span=_span(token)) from None
+            raise SyntaxFault("division by zero", span=span_of(token)) from None
 
-    def bracket(self, tree: _Node) -> _Value:
+    def bracket(self, tree: Node) -> _Value:
         sizes = [self._size(t) for t in tree.children]
         if None not in sizes and sum(n or 0 for n in sizes) > self.rank:
             ex.bracket(*[ex.Point("a")] * sum(n or 0 for n in sizes), rank=self.rank)  # raises, naming the bracket
-        parts = [self.any(t) for t in tree.children]
+        trees = self._present(tree.children)
+        parts = [self.any(t) for t in trees]
         if any(isinstance(p, _DottedRun) for p in parts):
-            entries = [e for p, t in zip(parts, tree.children, strict=True) for e in self._entries(p, t)]
+            entries = [e for p, t in zip(parts, trees, strict=True) for e in self._entries(p, t)]
             if len(entries) != self.rank:
                 raise StepError(f"a bracket of {len(entries)} points, expected {self.rank} in rank {self.rank}")
             return _DottedBracket(tuple(entries))
-        return ex.bracket(*map(self._plain, parts, tree.children), rank=self.rank)
+        return ex.bracket(*map(self._plain, parts, trees), rank=self.rank)
 
-    def _size(self, tree: _Node) -> int | None:
+    def _size(self, tree: Node) -> int | None:
         """The number of points if there are only points side by side."""
         words = tree.children if tree.data == "juxtaposition" else [tree]
         if any(w.data != "word" for w in words):
             return None
-        names = [n for w in words for n, _ in self._split(w.children[0])]
+        names = [n for w in words for n, _ in self.split(w.children[0])]
         return None if any(n in self.context.bound for n in names) else len(names)
 
-    def superbracket(self, tree: _Node) -> Expr:
+    def superbracket(self, tree: Node) -> Expr:
         return ex.superbracket(*map(self.value, tree.children), rank=self.rank)
 
     def _named(self, name: str) -> Expr:
@@ -352,10 +320,10 @@ class _Builder:
             raise SyntaxFault(f"with {shortened(name)} written out this is more than {MAX_DEPTH} operations deep")
         return bound
 
-    def _split(self, token: _Node) -> list[tuple[str, bool]]:
+    def split(self, token: Node) -> list[tuple[str, bool]]:
         """Points of a word: a declared name, else declared long names and short names from left to right."""
         if len(token) > MAX_WORD:
-            raise SyntaxFault(f"a word of {len(token):,} characters; the limit is {MAX_WORD:,}", span=_span(token))
+            raise SyntaxFault(f"a word of {len(token):,} characters; the limit is {MAX_WORD:,}", span=span_of(token))
         if str(token) in self.long_names:
             return [(str(token), False)]
         word = unicodedata.normalize("NFD", token)
@@ -365,7 +333,7 @@ class _Builder:
             match = SHORT_NAME.match(word, at)
             if name is None and match is None:
                 hint = "points are a letter with digits or primes: a, S1, S_2, A'"
-                raise SyntaxFault(f"{shortened(token)!r} is not made of point names", span=_span(token), hint=hint)
+                raise SyntaxFault(f"{shortened(token)!r} is not made of point names", span=span_of(token), hint=hint)
             name = name or (match[0] if match else "")
             at += len(name)
             dotted = word[at : at + 1] == "\u0307"
@@ -377,80 +345,26 @@ class _Builder:
         return entries
 
 
-def _span(item: _Node) -> Span:
+def span_of(item: Node) -> Span:
     meta: Any = getattr(item, "meta", item)
     return Span(meta.start_pos or 0, meta.end_pos or 0)
 
 
-def _digits(token: _Node) -> str:
+def _digits(token: Node) -> str:
     if len(token) > MAX_DIGITS:
-        raise SyntaxFault(f"a number of {len(token):,} characters; the limit is {MAX_DIGITS:,}", span=_span(token))
+        raise SyntaxFault(f"a number of {len(token):,} characters; the limit is {MAX_DIGITS:,}", span=span_of(token))
     return str(token)
 
 
-def _whole(token: _Node, what: str) -> int:
+def run_name(tree: Node) -> str:
+    """The name R of a run R..."""
+    return str(tree.children[0]).rstrip(".…")
+
+
+def whole(token: Node, what: str) -> int:
     if "/" in token:
-        raise SyntaxFault(f"{what} must be a whole number", span=_span(token))
+        raise SyntaxFault(f"{what} must be a whole number", span=span_of(token))
     return int(_digits(token))
-
-
-def _script(tree: _Node, text: str) -> Script:
-    context = Context()
-    statements: list[Claim | Show] = []
-    for item in tree.children:
-        builder = _Builder(context)
-        span = _span(item)
-        try:
-            match item.data:
-                case "rank":
-                    if statements or context != Context():
-                        raise InputError("`rank` must come before every other statement")
-                    context = replace(context, rank=_whole(item.children[0], "a rank"))
-                case "points" | "ideal":
-                    context = _declare(context, item)
-                case "let":
-                    context = _bind(context, item, builder)
-                case "claim":
-                    left, right = builder.equation(item.children[1])
-                    label = str(item.children[0] or "").strip('"') or _source(item.children[1], text)
-                    statements.append(Claim(left, right, label, span.line_column(text)[0], context))
-                case "show":
-                    shown = builder.value(item.children[0])
-                    statements.append(Show(shown, _source(item.children[0], text), span.line_column(text)[0], context))
-        except GcrulesError as fault:
-            fault.span = fault.span or span
-            raise
-    return Script(tuple(statements), context)
-
-
-def _source(tree: _Node, text: str) -> str:
-    span = _span(tree)
-    return " ".join(text[span.start : span.end].split())
-
-
-def _declare(context: Context, item: _Node) -> Context:
-    """`points …` and `ideal …`: every word is one name."""
-    field_name = str(item.data)
-    names: list[str] = []
-    for token in item.children[0].children:
-        name = str(token)
-        if name in context.bound:
-            raise InputError(f"{shortened(name)} is already bound by `let`", span=_span(token))
-        if not _NAME.fullmatch(name):
-            raise InputError(f"{shortened(name)!r} cannot name a point", span=_span(token), hint=_NAMES_HINT)
-        names.append(name)
-    values = tuple(dict.fromkeys((*getattr(context, field_name), *names)))
-    return replace(context, points=values) if field_name == "points" else replace(context, ideal=values)
-
-
-def _bind(context: Context, item: _Node, builder: _Builder) -> Context:
-    token, body = item.children
-    name = str(token)
-    if name in context.points or name in context.ideal or name in context.bound:
-        raise InputError(f"{shortened(name)} is already declared", span=_span(token), hint="choose another name")
-    if not _NAME.fullmatch(name):
-        raise InputError(f"{shortened(name)!r} cannot be bound", span=_span(token), hint=_NAMES_HINT)
-    return replace(context, bound={**context.bound, name: builder.value(body)})
 
 
 def _measure(e: Expr) -> tuple[int, int]:

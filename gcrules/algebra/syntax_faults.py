@@ -6,11 +6,10 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from gcrules.algebra.space import shortened
 from gcrules.errors import Span, SyntaxFault
 
-__all__ = ["shortened", "syntax_fault"]
-
-_SHOWN = 40  # characters of a word in a message
+__all__ = ["syntax_fault"]
 
 _TERMINALS = {
     "WORD": "a point",
@@ -20,7 +19,7 @@ _TERMINALS = {
     "RPAR": ")",
     "LSQB": "[",
     "RSQB": "]",
-    "__ANON_2": "[[",
+    "_SUPER": "[[",
     "_MEET": "/\\",
     "_JOIN": "\\/",
     "PLUS": "+",
@@ -30,9 +29,11 @@ _TERMINALS = {
     "COMMA": ",",
     "EQUAL": "=",
     "DOT": ".",
+    "RUN": "a run of points (R...)",
+    "RELATION": "a relation such as collinear(a, b, c)",
     "$END": "the end",
 }
-_STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT"}
+_STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT", "RUN"}
 _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"=(?!=)"), "equality is written =="),
     (re.compile(r"\\(?!/)"), "join is \\/ (or ∨, \\vee), meet is /\\ (or ∧, ^, \\wedge)"),
@@ -79,10 +80,6 @@ def _expected(accepted: set[str], literals: Mapping[str, str]) -> str:
     names = []
     if accepted >= _STARTERS:
         names.append("an expression")
-        accepted = accepted - _STARTERS - {"__ANON_2", "LSQB", "PLUS", "MINUS"}
+        accepted = accepted - _STARTERS - {"_SUPER", "LSQB", "PLUS", "MINUS"}
     names += sorted({_TERMINALS.get(t, literals.get(t, t.lower())) for t in accepted})
     return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "nothing more"
-
-
-def shortened(word: str) -> str:
-    return str(word) if len(word) <= _SHOWN else f"{word[:_SHOWN]}…"

@@ -13,9 +13,10 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expand import expand as expanded
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.prove import prove as decide
+from gcrules.algebra.statements import parse_script
 from gcrules.algebra.straighten import Straightening, straighten_steps
 from gcrules.algebra.straighten import straighten as straightened
-from gcrules.algebra.syntax import Context, parse, parse_equation, parse_script
+from gcrules.algebra.syntax import Context, parse, parse_equation
 from gcrules.algebra.text import text
 from gcrules.cli.base import ExpressionCommand, Output, Space, output_options, space_options
 from gcrules.cli.files import read_stdin, working

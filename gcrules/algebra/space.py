@@ -1,0 +1,62 @@
+r"""Where expressions live: the rank, the points in tableau order, those at infinity, and what is assumed of them."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from gcrules.algebra.expr import Expr
+from gcrules.errors import InputError
+
+__all__ = ["MAX_NAMES", "NAME", "NAMES_HINT", "RANKS", "Assumption", "Space", "shortened"]
+
+RANKS = range(2, 9)
+MAX_NAMES = 500
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*")
+NAMES_HINT = "names begin with a letter and go on with letters, digits or _, then primes: left, S1, A'"
+
+_SHOWN = 40  # characters of a word in a message
+
+
+def shortened(word: str) -> str:
+    return str(word) if len(word) <= _SHOWN else f"{word[:_SHOWN]}…"
+
+
+@dataclass(frozen=True, slots=True)
+class Assumption:
+    """What is assumed of points: `kind` is collinear, coplanar, concurrent, incident, or zero (args[0] vanishes).
+
+    `text` is the assumption as it was written.
+    """
+
+    kind: str
+    args: tuple[Expr, ...]
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True, slots=True)
+class Space:
+    """`points` are declared in tableau order; `ideal` are the points at infinity; `given` holds what is assumed.
+
+    Raises InputError for a rank outside 2 to 8 and for names that cannot name a point.
+    """
+
+    rank: int = 4
+    points: tuple[str, ...] = ()
+    ideal: tuple[str, ...] = ()
+    given: tuple[Assumption, ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.rank not in RANKS:
+            raise InputError(f"rank {self.rank} is outside the supported ranks {RANKS[0]} to {RANKS[-1]}")
+        for n in (*self.points, *self.ideal):
+            if not NAME.fullmatch(n):
+                raise InputError(f"{shortened(n)!r} cannot name a point", hint=NAMES_HINT)
+        if len(self.declared()) > MAX_NAMES:
+            raise InputError(f"more than {MAX_NAMES} declared names")
+
+    def declared(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys((*self.points, *self.ideal)))
