@@ -22,7 +22,7 @@ from gcrules.algebra.straighten import straighten
 from gcrules.algebra.text import SHORT_NAME, Names, split_names
 from gcrules.catalog import Catalog, Match
 from gcrules.catalog_file import load
-from gcrules.condition import GROUPS, Certificate, Condition, Entity, starred
+from gcrules.condition import Certificate, Condition, Entity, starred
 from gcrules.errors import EngineFault, InputError
 from gcrules.legs import Structure, read_legs, read_order
 from gcrules.numeric.value import PoseValue, pose_value
@@ -30,8 +30,10 @@ from gcrules.robots.geometry import Platform
 from gcrules.rules.conditions import best_first, certify, describe
 from gcrules.rules.degenerate import Degeneracy, explain
 from gcrules.rules.derivation import Derivation, Step
-from gcrules.rules.incidence import MAX_TERMS, Claim, claims
+from gcrules.rules.incidence import Claim
+from gcrules.rules.library import load_rules
 from gcrules.rules.oracle import Oracle
+from gcrules.rules.strategy import MAX_TERMS, Strategy, recognise, recorded
 
 __all__ = ["Analysis", "analyze"]
 
@@ -45,7 +47,7 @@ class Analysis:
     `typed` is the superbracket of the legs in the order given, `shortest` its shortest form; `match` the class of the
     catalog; `condition` the reading with the smallest cofactor and `readings` the others, each of them an identity
     cofactor · superbracket = coefficient · expression; `derivation` the steps that lead to the condition. If the legs
-    came with coordinates, `platform` holds them and `pose` the numbers there.
+    came with coordinates, `platform` holds them and `pose` the numbers there. `strategy` holds the rules that were run.
     """
 
     structure: Structure
@@ -55,6 +57,7 @@ class Analysis:
     condition: Condition
     readings: tuple[Condition, ...]
     derivation: Derivation
+    strategy: Strategy
     claim: Claim | None = None
     degeneracy: Degeneracy | None = None
     notes: tuple[str, ...] = ()
@@ -68,7 +71,7 @@ class Analysis:
     @property
     def group(self) -> str | None:
         """The published group of entities, a … g; None where the procedure does not reach."""
-        return GROUPS.get(self.condition.kind)
+        return self.condition.group
 
     def to_json(self) -> dict[str, Any]:
         """The interface's JSON object, schema 1."""
@@ -89,6 +92,7 @@ class Analysis:
             "readings": [r.to_json(names) for r in self.readings],
             "certificate": self.condition.certificate.to_json(),
             "derivation": [s.to_json(names) for s in self.derivation],
+            "strategy": self.strategy.to_json(),
             "pose": self.pose.to_json() if self.pose else None,
             "notes": list(self.notes),
         }
@@ -129,19 +133,22 @@ def analyze(
     ideal: Names = (),
     catalogs: Iterable[str | PathLike[str]] = (),
     recheck: bool = False,
+    strategy: Strategy | None = None,
 ) -> Analysis:
     """Analyse six legs: when is the platform singular, and why.
 
     `legs` is text ("ab af cb cd ed ef") or pairs of names, a leg written with one body's joint first throughout, or a
     platform with coordinates (`load_platform`), for which the numbers in its pose are given too;
     `order` keeps the user's own order of legs instead of the shortest one; `points` declares long names, `ideal` the
-    points at infinity; `catalogs` adds files of the user's own. With `recheck` readings that are instances of catalog
-    identities are proved from scratch. Raises InputError for anything but six legs between different points.
+    points at infinity; `catalogs` adds files of the user's own; `strategy` says which rules run. With `recheck`
+    readings that are instances of catalog identities are proved from scratch. Raises InputError for anything but six
+    legs between different points.
     """
     if isinstance(legs, Platform):
-        return _in_pose(legs, order, split_names(points), split_names(ideal), catalogs, recheck)
+        return _in_pose(legs, order, split_names(points), split_names(ideal), catalogs, recheck, strategy)
     structure = legs if isinstance(legs, Structure) else read_legs(legs, points=points, ideal=ideal)
     catalog = load(catalogs)
+    strategy = strategy or load_rules().strategy()
     typed = superbracket_form(structure.legs, points=structure.points, ideal=structure.ideal)
     chosen = None if order is None else read_order(order, structure)
     forms = _shortest(structure) if chosen is None else _in_order(structure, chosen)
@@ -149,17 +156,17 @@ def analyze(
     match = matches[0] if matches else None
     start = Derivation((_superbracket_step(structure, typed),), structure.ideal)
     if not straighten(typed.polynomial):
-        return _always_singular(structure, typed, match, start, catalog)
+        return _always_singular(structure, typed, match, start, catalog, strategy)
     notes = [f"{m.entry.id} ({m.entry.place}) has the same graph as class {matches[0].entry.id}" for m in matches[1:]]
     if structure.ideal:
         notes.append(
             "points at infinity: classes are not matched, and a turn about a line at infinity is a translation"
         )
     oracle = Oracle(structure)
-    found = best_first(claims(forms, structure, oracle), structure, oracle)
+    found = best_first(recognise(forms, structure, oracle, strategy), structure, oracle)
     if not found and chosen is not None:
         forms = _shortest(structure)
-        found = best_first(claims(forms, structure, oracle), structure, oracle)
+        found = best_first(recognise(forms, structure, oracle, strategy), structure, oracle)
         notes.append("the order given shows no entities; the shortest order was used instead")
     elif chosen is not None:
         notes.append("the order of the legs was given; the shortest order may show more")
@@ -180,7 +187,16 @@ def analyze(
     if claim is not None:  # what the rules did stands in the derivation
         claim = replace(claim, state=replace(claim.state, trail=()))
     return Analysis(
-        structure, typed, shown, match, conditions[0], tuple(conditions[1:]), derivation, claim, notes=tuple(notes)
+        structure,
+        typed,
+        shown,
+        match,
+        conditions[0],
+        tuple(conditions[1:]),
+        derivation,
+        strategy,
+        claim,
+        notes=tuple(notes),
     )
 
 
@@ -191,6 +207,7 @@ def _in_pose(
     ideal: tuple[str, ...],
     catalogs: Iterable[str | PathLike[str]],
     recheck: bool,
+    strategy: Strategy | None,
 ) -> Analysis:
     """The analysis of a platform's legs with the numbers in its pose."""
     if ideal:
@@ -201,7 +218,7 @@ def _in_pose(
     except InputError as fault:
         fault.filename = platform.filename
         raise
-    found = analyze(structure, order=order, catalogs=catalogs, recheck=recheck)
+    found = analyze(structure, order=order, catalogs=catalogs, recheck=recheck, strategy=strategy)
     pose = pose_value(found.structure, found.condition, platform.homogeneous(), unit=platform.units)
     return replace(found, platform=platform, pose=pose)
 
@@ -233,6 +250,7 @@ def _always_singular(
     match: Match | None,
     start: Derivation,
     catalog: Catalog,
+    strategy: Strategy,
 ) -> Analysis:
     why = explain(structure)
     entities = starred([("line", tuple(str(p) for p in why.line.children))]) if isinstance(why.line, ex.Join) else ()
@@ -249,7 +267,7 @@ def _always_singular(
         start = start.then("straighten", ex.ZERO, "the normal form of standard tableaux has no term")
     elif typed.polynomial:
         start = start.then("shortest-form", ex.ZERO, f"the legs in the order {_order(shortest)} leave no term")
-    return Analysis(structure, typed, shortest, match, condition, (), start, degeneracy=why)
+    return Analysis(structure, typed, shortest, match, condition, (), start, strategy, degeneracy=why)
 
 
 def _alike(a: Condition, b: Condition) -> bool:
@@ -288,13 +306,13 @@ def _derivation(
     if claim is None:
         return steps
     for rule, state in claim.state.trail:
-        after = rule.after(state, oracle)
+        after, reason = recorded(rule, state, oracle)
         if after is not None and after != steps.steps[-1].after:
-            steps = steps.then(rule.id, after, rule.why(state))
+            steps = steps.then(rule.id, after, reason)
     if condition.right_side == steps.steps[-1].after:
         return steps
     rule, state = claim.state.trail[-1]
-    reasons = [claim.incidence.sentence, "Its expansion equals the line above"]
+    reasons = [claim.sentence, "Its expansion equals the line above"]
     if rule.id != steps.steps[-1].rule:
-        reasons.insert(0, f"{rule.why(state)}.")
+        reasons.insert(0, f"{recorded(rule, state, oracle)[1]}.")
     return steps.then(claim.kind, condition.right_side, " ".join(reasons))

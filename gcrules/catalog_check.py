@@ -15,14 +15,17 @@ from gcrules.algebra.prove import prove
 from gcrules.algebra.shortest import counts
 from gcrules.analysis import analyze
 from gcrules.catalog import SHIPPED, Catalog, Entry, Reading
-from gcrules.condition import GROUPS, Certificate, Condition
+from gcrules.condition import Certificate, Condition
 from gcrules.legs import Leg, Structure
+from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.state import extensor
 
 __all__ = ["CheckResult", "check_catalog", "check_entry", "enumerate_classes", "factors", "source_keys"]
 
 LEGS = 6
 MOST_AT_A_JOINT = 3
+FOUND = {rule.id for rule in INCIDENCES}
+"""Kinds of condition that the rules of the engine find by themselves."""
 
 
 _CLAIM = Certificate("none", "to be proved")
@@ -64,7 +67,7 @@ def check_entry(entry: Entry) -> CheckResult:
         proved += not fault
     if found.group != entry.group and "group" not in entry.left_out:
         faults.append(f"group {entry.group or 'none'}, but the rules find {found.group or 'none'}")
-    if entry.condition.kind in GROUPS and entry.condition.kind != found.condition.kind:
+    if entry.condition.kind in FOUND and entry.condition.kind != found.condition.kind:
         faults.append(f"a condition of kind {entry.condition.kind}, but the rules find {found.condition.kind}")
     return CheckResult(entry.id, entry.place, proved, tuple(faults))
 

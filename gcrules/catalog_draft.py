@@ -5,7 +5,6 @@ from __future__ import annotations
 from gcrules.algebra.shortest import counts
 from gcrules.analysis import analyze
 from gcrules.catalog_check import factors
-from gcrules.condition import GROUPS
 from gcrules.legs import Leg, Structure, legs_text
 
 __all__ = ["draft"]
@@ -19,7 +18,7 @@ def draft(entry_id: str, legs: tuple[Leg, ...]) -> str:
     structure = Structure(legs)
     found = analyze(structure).condition
     regular = found.kind != "always-singular"
-    known = found.kind in GROUPS or not regular
+    known = found.group is not None or not regular
     kind, expression = (found.kind, found.expression) if known else ("linear-complex", structure.superbracket)
     terms = {form: int(n.min()) for form, n in counts(legs).items()}
     brackets = ["".join(f) for f in factors(structure)] if regular else []
@@ -29,7 +28,7 @@ def draft(entry_id: str, legs: tuple[Leg, ...]) -> str:
         f"    degrees: {[list(side) for side in structure.degrees]}",
         f"    terms: {{24: {terms[24]}, 16: {terms[16]}}}",
         f"    factors: [{', '.join(brackets)}]",
-        f"    group: {GROUPS.get(kind, 'none')}",
+        f"    group: {found.group or 'none'}",
         f"    status: {'added' if regular else 'always-singular'}",
         "    sources: []",
         "    condition:",

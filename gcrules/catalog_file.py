@@ -17,6 +17,7 @@ from gcrules.catalog import FROM_CATALOG, LABELS, SHIPPED, Catalog, Entry, Readi
 from gcrules.errors import FileError, GcrulesError, join_faults
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg, Structure, read_legs
+from gcrules.rules.incidence import INCIDENCES
 from gcrules.yamlfile import Document, Node, near
 
 __all__ = ["KINDS", "STATUSES", "load", "load_file"]
@@ -99,17 +100,7 @@ _REQUIRED = {"id", "legs", "condition"}
 _COMPUTED = {"degrees", "terms", "factors", "group"}
 _OPTIONAL = {"name", "note", "readings", "status", "sources", *_COMPUTED}
 STATUSES = ("inferred", "added", "always-singular")
-KINDS = (
-    "three-tetrahedra",
-    "tetrahedron-planes-line",
-    "tetrahedron-four-lines",
-    "four-planes",
-    "two-planes-three-lines",
-    "transversals",
-    "one-incidence",
-    "linear-complex",
-    "always-singular",
-)
+KINDS = (*(rule.id for rule in INCIDENCES), *FROM_CATALOG, "linear-complex", "always-singular")
 
 
 def _fewest(legs: tuple[Leg, ...]) -> dict[int, int]:

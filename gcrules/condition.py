@@ -10,20 +10,11 @@ from gcrules.algebra.expr import Expr, Number, Point, mul, signed, sub
 from gcrules.algebra.text import text
 from gcrules.frozen import FrozenMap
 
-__all__ = ["GROUPS", "ONE", "Certificate", "Condition", "Entity", "starred"]
+__all__ = ["ONE", "Certificate", "Condition", "Entity", "starred"]
 
 ONE = Number(1)
 
 _SUPERBRACKET = Point("superbracket")  # stands for that of the legs, which a condition does not know
-
-GROUPS = {
-    "three-tetrahedra": "g",
-    "tetrahedron-planes-line": "d",
-    "tetrahedron-four-lines": "e",
-    "four-planes": "c",
-    "two-planes-three-lines": "b",
-}
-"""The groups of entities of the published procedure, by kind of condition."""
 
 
 @dataclass(frozen=True)
@@ -74,7 +65,8 @@ class Certificate:
 class Condition:
     """cofactor · superbracket = coefficient · expression, for the legs exactly as typed.
 
-    `lines` are the lines that the statement names (p and q, about which the platform could turn).
+    `lines` are the lines that the statement names (p and q, about which the platform could turn); `group` is the
+    group of entities in the published procedure, a … g, where the condition comes from one.
     """
 
     kind: str
@@ -85,6 +77,7 @@ class Condition:
     coefficient: int = 1
     entities: tuple[Entity, ...] = ()
     lines: tuple[tuple[str, Expr], ...] = ()
+    group: str | None = None
 
     @property
     def right_side(self) -> Expr:

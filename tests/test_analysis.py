@@ -19,8 +19,8 @@ from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
 from gcrules.algebra.expr import ZERO, Join, Point, join, meet, mul, points_of
 from gcrules.algebra.prove import prove
 from gcrules.analysis import Analysis, analyze
-from gcrules.condition import GROUPS
 from gcrules.errors import InputError, LimitReached
+from gcrules.rules.incidence import INCIDENCES
 
 CLASSES: list[dict[str, Any]] = yaml.safe_load(
     (Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8")
@@ -485,7 +485,7 @@ def test_faults_of_an_order(order: str) -> None:
 
 def test_groups_are_the_published_ones() -> None:
     assert Counter(analyze(LEGS[i]).group for i in REGULAR) == Counter(c["group"] for c in CLASSES if c["regular"])
-    assert set(GROUPS.values()) == {"b", "c", "d", "e", "g"}
+    assert {rule.group for rule in INCIDENCES} == {"b", "c", "d", "e", "g"}
     assert issubclass(LimitReached, gc.GcrulesError)
 
 

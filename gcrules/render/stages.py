@@ -133,7 +133,7 @@ def _entity_stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
         what = f"as the plane {more_planes[0]}" if more_planes else f"as the line {' and the line '.join(more_lines)}"
         why = "The points that no plane and no line has taken make the last plane, or lines with P(x,y) + P(y,x) = 0."
         items = [f"{left}: taken {what}"]
-        dotted = [step.after for step in a.derivation if step.rule == "left-over"]
+        dotted = [step.after for step in a.derivation if step.rule.startswith("left-over")]
         items += [Formula(a.structure.superbracket, e) for e in dotted]
         yield "Left-over points", why, items
 

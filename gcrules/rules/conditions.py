@@ -70,13 +70,15 @@ def describe(claim: Claim, structure: Structure, oracle: Oracle, statements: Map
     """The condition of a claim, not yet proved, with its statement from the template of its kind."""
     turning = turns(claim, structure, oracle)
     kind = claim.kind
-    template = statements[f"{kind}/no-turn" if claim.pencils and not turning else kind]
+    template = statements.get(f"{kind}/no-turn" if claim.pencils and not turning else kind, claim.statement)
     entities = entities_of(claim)
     tetrahedra = [e for e in entities if e.kind == "tetrahedron"]
     planes = [e for e in entities if e.kind == "plane"]
     parts = {
         "tetrahedra": _listed([_tetrahedron(e) for e in tetrahedra]),
         "planes": _listed(sorted(str(extensor(e.points)) for e in planes)),
+        "lines": _listed([str(extensor(e.points)) for e in entities if e.kind == "line"]),
+        "expression": str(claim.expression),
     }
     if kind == "three-tetrahedra" and len(set(map(_tetrahedron, tetrahedra))) == 1:
         template = statements["three-tetrahedra/one"]
@@ -88,7 +90,9 @@ def describe(claim: Claim, structure: Structure, oracle: Oracle, statements: Map
     return Condition(
         kind=kind,
         expression=claim.expression,
+        cofactor=claim.cofactor,
         coefficient=claim.coefficient,
+        group=claim.group,
         statement=template.format(**parts),
         certificate=_TESTED,
         entities=entities,

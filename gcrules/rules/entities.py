@@ -8,17 +8,16 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import partial
 from itertools import combinations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
 from gcrules.algebra.expr import Expr, Point
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.rule import Rule
+from gcrules.rules.rule import EntityRule
 from gcrules.rules.state import State
 
-__all__ = ["LEFT_OVER_LINE", "LEFT_OVER_LINES", "LEFT_OVER_PLANE", "LINES", "PLANES", "TETRAHEDRA"]
+__all__ = ["ENTITY_RULES", "LEFT_OVER_LINE", "LEFT_OVER_LINES", "LEFT_OVER_PLANE", "LINES", "PLANES", "TETRAHEDRA"]
 
 _SOURCE = "SinguLab2008"
 
@@ -26,7 +25,7 @@ _SOURCE = "SinguLab2008"
 # --- tetrahedra ----------------------------------------------------------------------------------------------------
 
 
-def _tetrahedra(state: State) -> Iterator[State]:
+def _tetrahedra(state: State, _: int) -> Iterator[State]:
     monomials = list(state.rest.terms)
     common = Counter(monomials[0])
     for m in monomials[1:]:
@@ -49,11 +48,13 @@ def _factored(state: State, _: Oracle) -> Expr | None:
     return ex.mul(ex.Number(state.sign), *outer, state.rest.to_expr())
 
 
-TETRAHEDRA = Rule(
+TETRAHEDRA = EntityRule(
     id="tetrahedra",
     sentence="Brackets common to all terms are tetrahedra: the polynomial is their product times the rest.",
     source=_SOURCE,
-    apply=_tetrahedra,
+    fires=("Aa Ab Ac Ba Bd Ce", "Aa Ab Ac Bd Ce Df"),
+    silent=("ab af cb cd ed ef",),
+    find=_tetrahedra,
     after=_factored,
     why=lambda s: f"brackets common to all terms are tetrahedra: {s.labels(s.tetrahedra)}",
 )
@@ -84,29 +85,24 @@ def _collected(state: State, _: Oracle) -> Expr:
     return ex.signed(state.sign, state.collected())
 
 
-PLANES = {
-    number: Rule(
-        id="planes",
-        sentence="Triples of points that stay together in one bracket of every term are planes.",
+PLANES, LINES = (
+    EntityRule(
+        id=kind,
+        sentence=f"{sets} of points that stay together in one bracket of every term are {kind}.",
         source=_SOURCE,
-        apply=partial(_together, size=3, number=number),
+        fires=fires,
+        silent=silent,
+        find=lambda s, number, size=size: _together(s, size, number),  # type: ignore[misc]
         after=_collected,
-        why=lambda s: f"triples that stay together in one bracket of every term: {s.labels(s.planes)}",
+        why=lambda s, sets=sets, kind=kind: (  # type: ignore[misc]
+            f"{sets.lower()} that stay together in one bracket of every term: {s.labels(getattr(s, kind))}"
+        ),
     )
-    for number in (2, 3)
-}
-
-LINES = {
-    number: Rule(
-        id="lines",
-        sentence="Pairs of points that stay together in one bracket of every term are lines.",
-        source=_SOURCE,
-        apply=partial(_together, size=2, number=number),
-        after=_collected,
-        why=lambda s: f"pairs that stay together in one bracket of every term: {s.labels(s.lines)}",
+    for kind, sets, size, fires, silent in (
+        ("planes", "Triples", 3, ("ab af cb cd ed ef",), ("Aa Bb Cc Dd Ee Ff",)),
+        ("lines", "Pairs", 2, ("Aa Ab Ba Bb Cc Dd",), ("Aa Bb Cc Dd Ee Ff",)),
     )
-    for number in (1, 2)
-}
+)
 
 
 # --- left-over points ----------------------------------------------------------------------------------------------
@@ -124,19 +120,24 @@ def _dotted(state: State, oracle: Oracle) -> Expr | None:
 
 
 LEFT_OVER_PLANE, LEFT_OVER_LINE = (
-    Rule(
-        id="left-over",
+    EntityRule(
+        id=f"left-over-{word}",
         sentence=f"The {count} points that no entity has taken, shared out among the planes' brackets, are a {word}.",
         source=_SOURCE,
-        apply=partial(_left_over, size=size),
+        fires=fires,
+        silent=silent,
+        find=lambda s, _, size=size: _left_over(s, size),  # type: ignore[misc]
         after=_dotted,
         why=lambda s: f"the left-over points {s.listed(s.left)} are shared out among the planes' brackets",
     )
-    for size, count, word in ((3, "three", "plane"), (2, "two", "line"))
+    for size, count, word, fires, silent in (
+        (3, "three", "plane", ("ab af cb cd ed ef",), ("Aa Ab Ac Bd Ce Df",)),
+        (2, "two", "line", ("Aa Ab Ac Bd Ce Df",), ("ab af cb cd ed ef",)),
+    )
 )
 
 
-def _pairs(state: State) -> Iterator[State]:
+def _pairs(state: State, _: int) -> Iterator[State]:
     """The test decides when no point is repeated; a repeated point can hide a vanished term, so that every pairing
     stays a candidate (a claim made from it is proved or dropped).
     """
@@ -160,11 +161,16 @@ def _why_pairs(state: State) -> str:
     )
 
 
-LEFT_OVER_LINES = Rule(
-    id="left-over",
+LEFT_OVER_LINES = EntityRule(
+    id="left-over-lines",
     sentence="Four points that no entity has taken are two lines, by P(x,y) + P(y,x) = 0 or by trial.",
     source=_SOURCE,
-    apply=_pairs,
+    fires=("Aa Ab Ba Bb Cc Dd",),
+    silent=("ab af cb cd ed ef",),
+    find=_pairs,
     after=lambda s, o: None,
     why=_why_pairs,
 )
+
+ENTITY_RULES = (TETRAHEDRA, PLANES, LINES, LEFT_OVER_PLANE, LEFT_OVER_LINE, LEFT_OVER_LINES)
+"""Written out in the order in which they are tried."""

@@ -1,43 +1,127 @@
-r"""A rule of recognition: what it finds, and what it records in the derivation."""
+r"""Rules: what every rule says about itself, and the three families.
+
+Rewriting rules turn an expression into an equal one: identities written in the language, and the elementary steps.
+Entity rules find entities in a bracket form; incidence rules turn entities into a claim, which is proved before it is
+used.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import ClassVar
 
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.space import Space
+from gcrules.condition import ONE
+from gcrules.errors import InputError
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.state import State
 
-__all__ = ["Rule", "applied", "reach"]
+__all__ = ["Elementary", "EntityRule", "Incidence", "RewriteRule", "Rule"]
+
+SHIPPED = "gcrules"
+_ID = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Rule:
-    """One step of recognition.
+    """`id` in lower case with hyphens; `sentence` says what the rule does; `source` is a key of the bibliography.
 
-    `apply` yields the states that a state may lead to, most telling first (none where the rule stays silent); `after`
-    gives what the superbracket equals then (None where the step rewrites nothing), `why` the reason in words.
+    `fires` and `silent` are cases (legs for rules of recognition, expressions for rewriting rules) on which the rule
+    fires and on which it stays silent; they are its tests and stand in its documentation. `owner` is who brought the
+    rule: gcrules, a package, or a file with line. Raises InputError for an id that is none.
     """
 
     id: str
     sentence: str
-    source: str
-    apply: Callable[[State], Iterator[State]]
+    source: str = "derived here"
+    fires: tuple[str, ...] = ()
+    silent: tuple[str, ...] = ()
+    owner: str = SHIPPED
+
+    family: ClassVar[str] = ""
+
+    def __post_init__(self) -> None:
+        if not _ID.fullmatch(self.id):
+            raise InputError(f"{self.id!r} cannot be the id of a rule", hint="letters, digits, - and _")
+
+
+@dataclass(frozen=True, kw_only=True)
+class RewriteRule(Rule):
+    """A rule that replaces an expression by an equal one."""
+
+    family: ClassVar[str] = "rewriting"
+
+    def rewrite(self, e: Expr, space: Space) -> Expr | None:
+        """The expression after one application of the rule, or None where it stays silent."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, kw_only=True)
+class Elementary(RewriteRule):
+    """A step of the algebra itself, given by a function: expansion, sorting, a van der Waerden syzygy, …"""
+
+    apply: Callable[[Expr, Space], Expr | None]
+
+    def rewrite(self, e: Expr, space: Space) -> Expr | None:
+        return self.apply(e, space)
+
+
+@dataclass(frozen=True, kw_only=True)
+class EntityRule(Rule):
+    """One step of recognition.
+
+    `find(state, number)` yields the states that a state may lead to with that many entities more, most telling first
+    (none where the rule stays silent); `after` gives what the superbracket equals then (None where the step rewrites
+    nothing), `why` the reason in words.
+    """
+
+    family: ClassVar[str] = "entities"
+
+    find: Callable[[State, int], Iterator[State]]
     after: Callable[[State, Oracle], Expr | None]
     why: Callable[[State], str]
 
+    def applied(self, state: State, number: int = 1) -> Iterator[State]:
+        """The states that the rule leads to, each with the rule on its trail."""
+        for found in self.find(state, number):
+            yield found.after(self, found)
 
-def applied(rule: Rule, state: State) -> Iterator[State]:
-    """The states that a rule leads to, each with the rule on its trail."""
-    for found in rule.apply(state):
-        yield replace(found, trail=(*state.trail, (rule, found)))
+
+@dataclass(frozen=True, kw_only=True)
+class Incidence(Rule):
+    """A kind of condition, named by the rule's id: the entities it needs and the expression it makes of them.
+
+    `uses` lists entity rules with numbers of entities, applied one after the other to a rest of `degree` brackets (any
+    if None). The claim is cofactor · superbracket = c · expression for some integer c; no claim is made where
+    `expression` gives None. `pencils` gives the lines p and q about which the platform could turn without the two
+    lines among the left-over points, for kinds that compare these turns. `statement` is the sentence, filled in with
+    {tetrahedra}, {planes}, {lines} and {expression}, for kinds that the catalog has no sentence for; `group` the letter
+    of the group in the published procedure.
+    """
+
+    family: ClassVar[str] = "incidence"
+
+    degree: int | None = None
+    uses: tuple[tuple[EntityRule, int], ...] = ()
+    expression: Callable[[State], Expr | None]
+    cofactor: Callable[[State], Expr] = lambda state: ONE
+    pencils: Callable[[State], tuple[Expr, Expr]] | None = None
+    statement: str = ""
+    group: str | None = None
+
+    def reached(self, state: State) -> Iterator[State]:
+        """The states that the rules it uses lead to, one after the other."""
+        if self.degree is None or state.degree == self.degree:
+            yield from _reach(self.uses, state)
 
 
-def reach(rules: Sequence[Rule], state: State) -> Iterator[State]:
-    """All states that the rules lead to, one after the other."""
-    if not rules:
+def _reach(uses: tuple[tuple[EntityRule, int], ...], state: State) -> Iterator[State]:
+    if not uses:
         yield state
         return
-    for found in applied(rules[0], state):
-        yield from reach(rules[1:], found)
+    (rule, number), *rest = uses
+    for found in rule.applied(state, number):
+        yield from _reach(tuple(rest), found)

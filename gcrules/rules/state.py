@@ -12,6 +12,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, Coefficient, Row, sorted_row
 from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.shortest import SuperbracketForm
+from gcrules.legs import Structure
 
 __all__ = ["State", "extensor"]
 
@@ -33,6 +34,7 @@ class State:
     that led here, each with the state it led to.
     """
 
+    structure: Structure
     form: SuperbracketForm
     rest: BracketPolynomial
     tetrahedra: tuple[Row, ...] = ()
@@ -44,9 +46,14 @@ class State:
     trail: tuple[tuple[Any, State], ...] = field(default=(), compare=False, repr=False)
 
     @classmethod
-    def start(cls, form: SuperbracketForm, sign: int) -> State:
-        """Nothing recognised yet; `sign` is that of the superbracket as typed against the form's lines."""
-        return cls(form, form.polynomial, homes=((),) * len(form.polynomial), sign=form.sign * sign)
+    def start(cls, form: SuperbracketForm, structure: Structure) -> State:
+        """Nothing recognised yet in a form of the structure's neutral legs."""
+        homes = ((),) * len(form.polynomial)
+        return cls(structure, form, form.polynomial, homes=homes, sign=form.sign * structure.sign)
+
+    def after(self, rule: Any, before: State) -> State:
+        """This state with one more rule on the trail, which led here."""
+        return replace(self, trail=(*before.trail, (rule, self)))
 
     @cached_property
     def degree(self) -> int:

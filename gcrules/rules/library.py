@@ -1,0 +1,78 @@
+r"""The rules that are known: those of the engine, of plugins and of files; clashes of ids name both owners."""
+
+from __future__ import annotations
+
+import copyreg
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from gcrules.errors import InputError
+from gcrules.rules.entities import ENTITY_RULES
+from gcrules.rules.incidence import INCIDENCES
+from gcrules.rules.rule import Elementary, EntityRule, Incidence, Rule
+from gcrules.rules.strategy import Strategy
+from gcrules.yamlfile import near
+
+__all__ = ["ENGINE", "Library", "load_rules"]
+
+
+@dataclass(frozen=True)
+class Library:
+    """Rules with different ids, in the order in which a strategy runs them. Raises InputError where ids clash."""
+
+    rules: tuple[Rule, ...]
+
+    def __post_init__(self) -> None:
+        known: dict[str, Rule] = {}
+        for rule in self.rules:
+            other = known.setdefault(rule.id, rule)
+            if other is not rule:
+                raise InputError(
+                    f"two rules are called {rule.id}: one of {other.owner}, one of {rule.owner}",
+                    hint="rename one of them, or load only one",
+                )
+
+    def __iter__(self) -> Iterator[Rule]:
+        return iter(self.rules)
+
+    def __getitem__(self, rule_id: str) -> Rule:
+        """Raises InputError, with a suggestion, for an id that is not there."""
+        for rule in self.rules:
+            if rule.id == rule_id:
+                return rule
+        hint = near(rule_id, [r.id for r in self.rules])
+        raise InputError(f"there is no rule {rule_id}", hint=hint or "gcrules rules list shows them")
+
+    def plus(self, rules: Iterable[Rule]) -> Library:
+        return Library((*self.rules, *rules))
+
+    def strategy(self, ids: Iterable[str] | None = None, without: Iterable[str] = ()) -> Strategy:
+        """The rules named, in that order; by default all rules of recognition, identities only when named."""
+        if ids is None:
+            chosen = tuple(r for r in self.rules if r.family != "rewriting")
+        else:
+            chosen = tuple(self[i] for i in dict.fromkeys(ids))
+        return Strategy(chosen).without(without)
+
+
+ENGINE = Library((*ENTITY_RULES, *INCIDENCES))
+
+
+def load_rules() -> Library:
+    return ENGINE
+
+
+def _engine_rule(rule_id: str) -> Rule:
+    return ENGINE[rule_id]
+
+
+def _by_name(rule: Rule) -> Any:
+    """The engine's rules hold functions without a name; they are pickled and copied by id."""
+    if any(rule is known for known in ENGINE):
+        return _engine_rule, (rule.id,)
+    return object.__reduce_ex__(rule, 4)
+
+
+for kind in (Elementary, EntityRule, Incidence):
+    copyreg.pickle(kind, _by_name)

@@ -1,0 +1,106 @@
+r"""Strategies: which rules run, and in what order; and the recognition that follows one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from gcrules.algebra.expr import Expr, signed
+from gcrules.algebra.shortest import SuperbracketForm
+from gcrules.algebra.space import Space
+from gcrules.errors import InputError, LimitReached
+from gcrules.legs import Structure
+from gcrules.rules.entities import TETRAHEDRA
+from gcrules.rules.identity import Identity, rewritten
+from gcrules.rules.incidence import Claim, claims
+from gcrules.rules.oracle import Oracle
+from gcrules.rules.rule import EntityRule, Incidence, Rule
+from gcrules.rules.state import State
+
+__all__ = ["MAX_TERMS", "Strategy", "recognise", "recorded"]
+
+MAX_TERMS = 8
+"""Entities are looked for in forms with no more terms than this."""
+
+
+@dataclass(frozen=True)
+class Strategy:
+    """Rules in the order in which they run; equal strategies have the same rules in the same order.
+
+    Identities rewrite the forms in which nothing was recognised. An incidence rule runs only if all the entity rules
+    that it uses are there too.
+    """
+
+    rules: tuple[Rule, ...]
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        return tuple(r.id for r in self.rules)
+
+    @property
+    def identities(self) -> tuple[Identity, ...]:
+        return tuple(r for r in self.rules if isinstance(r, Identity))
+
+    @property
+    def incidences(self) -> tuple[Incidence, ...]:
+        """Those whose entity rules are all there."""
+        known = {r.id for r in self.rules if isinstance(r, EntityRule)}
+        return tuple(r for r in self.rules if isinstance(r, Incidence) and all(rule.id in known for rule, _ in r.uses))
+
+    def without(self, ids: Iterable[str]) -> Strategy:
+        """The strategy less the rules named. Raises InputError for an id that is not in it."""
+        left_out = set(ids)
+        for name in left_out - set(self.ids):
+            raise InputError(f"the rule {name} is not in the strategy", hint=f"it has {', '.join(self.ids)}")
+        return Strategy(tuple(r for r in self.rules if r.id not in left_out))
+
+    def to_json(self) -> list[str]:
+        return list(self.ids)
+
+    def __str__(self) -> str:
+        return ", ".join(self.ids)
+
+
+def recognise(
+    forms: Sequence[SuperbracketForm], structure: Structure, oracle: Oracle, strategy: Strategy
+) -> list[Claim]:
+    """All claims that hold for the first incidence rule of the strategy that finds any.
+
+    Rewritten forms are tried where the forms given show nothing.
+    """
+    short = [State.start(form, structure) for form in forms if len(form.polynomial) <= MAX_TERMS]
+    return _first(short, oracle, strategy) or _first(_rewritten(forms, structure, strategy), oracle, strategy)
+
+
+def _first(states: Sequence[State], oracle: Oracle, strategy: Strategy) -> list[Claim]:
+    if any(r.id == TETRAHEDRA.id for r in strategy.rules):
+        states = [s for state in states for s in TETRAHEDRA.applied(state)]
+    for incidence in strategy.incidences:
+        found = list(claims(incidence, states, oracle))
+        if found:
+            return found
+    return []
+
+
+def _rewritten(forms: Sequence[SuperbracketForm], structure: Structure, strategy: Strategy) -> list[State]:
+    """The states after each identity in turn."""
+    found = []
+    space = Space(4, structure.points, structure.ideal)
+    for form in forms if strategy.identities else ():
+        state = State.start(form, structure)
+        for identity in strategy.identities:
+            try:
+                rest = rewritten(state.rest, identity, space)
+            except LimitReached:
+                continue
+            if rest != state.rest and len(rest) <= MAX_TERMS:
+                state = replace(state, rest=rest, homes=((),) * len(rest)).after(identity, state)
+                found.append(state)
+    return found
+
+
+def recorded(rule: Rule, state: State, oracle: Oracle) -> tuple[Expr | None, str]:
+    """What the superbracket equals after a rule on the trail of a claim, if the rule rewrote it, and why."""
+    if isinstance(rule, EntityRule):
+        return rule.after(state, oracle), rule.why(state)
+    return signed(state.sign, state.rest.to_expr()), rule.sentence
