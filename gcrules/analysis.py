@@ -26,12 +26,12 @@ from gcrules.condition import Certificate, Condition, Entity, starred
 from gcrules.errors import EngineFault, InputError
 from gcrules.legs import Structure, read_legs, read_order
 from gcrules.numeric.value import PoseValue, pose_value
+from gcrules.plugins import load_rules
 from gcrules.robots.geometry import Platform
 from gcrules.rules.conditions import best_first, certify, describe
 from gcrules.rules.degenerate import Degeneracy, explain
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.incidence import Claim
-from gcrules.rules.library import load_rules
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.strategy import MAX_TERMS, Strategy, recognise, recorded
 
@@ -148,7 +148,7 @@ def analyze(
         return _in_pose(legs, order, split_names(points), split_names(ideal), catalogs, recheck, strategy)
     structure = legs if isinstance(legs, Structure) else read_legs(legs, points=points, ideal=ideal)
     catalog = load(catalogs)
-    strategy = strategy or load_rules().strategy()
+    strategy = strategy or load_rules(identities=False).strategy()
     typed = superbracket_form(structure.legs, points=structure.points, ideal=structure.ideal)
     chosen = None if order is None else read_order(order, structure)
     forms = _shortest(structure) if chosen is None else _in_order(structure, chosen)

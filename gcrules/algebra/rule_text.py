@@ -13,7 +13,7 @@ from gcrules.algebra.syntax import Builder, Context, Node, run_name, span_of
 from gcrules.errors import GcrulesError, InputError, Span, StepError
 from gcrules.frozen import FrozenMap
 
-__all__ = ["Instance", "Order", "RuleText", "instances"]
+__all__ = ["Case", "Instance", "Order", "RuleText", "instances"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,19 +40,25 @@ class Instance:
 
 
 @dataclass(frozen=True, slots=True)
-class RuleText:
-    """`rule ID "sentence": LHS => RHS if …` as written: an instance for each rank in which it makes sense.
+class Case:
+    """An expression on which a rule is to fire, or to stay silent."""
 
-    `fires` and `silent` are expressions on which the rule is to fire and to stay silent.
-    """
+    expr: Expr
+    text: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class RuleText:
+    """`rule ID "sentence": LHS => RHS if …` as written: an instance for each rank in which it makes sense."""
 
     id: str
     sentence: str
     source: str
     text: str
     instances: tuple[Instance, ...]
-    fires: tuple[Expr, ...]
-    silent: tuple[Expr, ...]
+    fires: tuple[Case, ...]
+    silent: tuple[Case, ...]
     span: Span
     line: int
     context: Context

@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 from gcrules.algebra.assumptions import read_assumption
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.rule_text import RuleText, instances
-from gcrules.algebra.space import NAME, NAMES_HINT, shortened
+from gcrules.algebra.rule_text import Case, RuleText, instances
+from gcrules.algebra.space import NAME, NAMES_HINT, Place, shortened
 from gcrules.algebra.syntax import Builder, Context, Node, read, span_of, whole
 from gcrules.errors import GcrulesError, InputError
 
@@ -177,7 +177,8 @@ class _Reader:
             self._check_points(tree)
             self.context = replace(self.context, ideal=self._declared(self.context.ideal, tree.children))
         else:
-            found = read_assumption(tree, Builder(self.context), self._source(tree))
+            place = Place(span_of(tree), self.text, self.filename)
+            found = read_assumption(tree, Builder(self.context), self._source(tree), place)
             self.context = replace(self.context, given=(*self.context.given, found))
         return self.context
 
@@ -189,6 +190,9 @@ class _Reader:
                 raise InputError(f"{shortened(token)} is several points", span=span_of(token), hint=hint)
 
     # --- rules ---
+
+    def _case(self, tree: Node) -> Case:
+        return Case(Builder(self.context).value(tree), self._source(tree), span_of(tree))
 
     def _rule(self, item: Node) -> None:
         token, sentence, left, right, *rest = item.children
@@ -211,8 +215,8 @@ class _Reader:
                 source=str(parts["source"][0]).strip('"') if parts["source"] else "derived here",
                 text=text,
                 instances=tuple(instances(at, any_rank, left, right, parts["guards"], self._source)),
-                fires=tuple(map(Builder(at).value, parts["fires"])),
-                silent=tuple(map(Builder(at).value, parts["silent"])),
+                fires=tuple(map(self._case, parts["fires"])),
+                silent=tuple(map(self._case, parts["silent"])),
                 span=span_of(item),
                 line=self._line(item),
                 context=at,

@@ -20,11 +20,13 @@ from gcrules.algebra.syntax import Context, parse, parse_equation
 from gcrules.algebra.text import text
 from gcrules.cli.base import ExpressionCommand, Output, Space, output_options, space_options
 from gcrules.cli.files import read_stdin, working
+from gcrules.cli.rules import Choice, rules_options
 from gcrules.errors import InputError
-from gcrules.script import ClaimResult, ScriptResult, ShowResult, results
+from gcrules.rewriting import rewrite as rewritten
+from gcrules.script import Result, ScriptResult, results
 from gcrules.yamlfile import read_text
 
-__all__ = ["expand", "prove", "run", "straighten"]
+__all__ = ["expand", "prove", "rewrite", "run", "straighten"]
 
 EXIT_CODES = {"proved": 0, "refuted": 1, "undecided": 3}
 COLOURS = {"proved": "green", "refuted": "red", "undecided": "yellow"}
@@ -63,6 +65,28 @@ def prove(ctx: click.Context, claim: str, space: Space, limit: int, out: Output)
     else:
         out.show(proof, _coloured(proof.verdict, proof.text(unicode=out.unicode)))
     ctx.exit(EXIT_CODES[proof.verdict])
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("expression", metavar="EXPR")
+@rules_options
+@space_options()
+@output_options()
+def rewrite(expression: str, choice: Choice, space: Space, out: Output) -> None:
+    """Rewrite an expression by rules, the first that fires each time, until all stay silent; every step is shown.
+
+    \b
+    gcrules rewrite "[abce][abdf] - [abcd][abef]" --rules mine.gca
+    gcrules rewrite "ab /\\ cde" --rules expansion
+
+    --rules takes files of identities and names of rewriting rules (see `gcrules rules list`).
+    """
+    e = parse(_given(expression), context=_context(space))
+    rules = choice.rewriting()
+    if not rules:
+        raise InputError("no rules to rewrite by", hint="name some:  --rules mine.gca  or  --rules expansion")
+    with working("rewriting"):
+        out.show(rewritten(e, rules, _context(space)))
 
 
 @click.command(cls=ExpressionCommand)
@@ -126,18 +150,19 @@ def run(ctx: click.Context, file: str, limit: int, out: Output) -> None:
         let s = [[ab, af, cb, cd, ed, ef]]
         claim "alternate faces": s == ace /\\ abf /\\ cbd /\\ edf
 
-    Statements: rank, points, ideal, let, claim, show. Exit code 1 if any claim is refuted, 3 if any is undecided.
+    Statements: rank, points, ideal, given, let, claim, show, rule, rewrite. Exit code 1 if any claim or rule is
+    refuted, 3 if any is undecided.
     """
     source, name = (read_stdin(), "<stdin>") if file == "-" else (read_text(file), file)
     script = parse_script(source, name)
-    found: list[ClaimResult | ShowResult] = []
+    found: list[Result] = []
     with working("running") as status:
         for result in results(script, limit=limit):
             found.append(result)
             status.text = f"running: {len(found)} of {len(script.statements)}, past line {result.line}"
     answer = ScriptResult(tuple(found))
     lines = [_coloured(r.verdict, r.text(unicode=out.unicode)) for r in found]
-    out.show(answer, "\n".join([*lines, answer.text(unicode=out.unicode).rpartition("\n")[2]]))
+    out.show(answer, "\n".join([*lines, *answer.totals]))
     ctx.exit(EXIT_CODES[answer.verdict])
 
 

@@ -26,6 +26,7 @@ __all__ = [
     "Space",
     "catalog_option",
     "colour_choice",
+    "decorated",
     "output_options",
     "space_options",
 ]
@@ -199,7 +200,7 @@ def output_options(*, latex: bool = True) -> Callable[[_Command], _Command]:
             ),
             click.option("-o", "--output", "path", metavar="FILE", help="Write to a file."),
         ]
-        return _decorated(with_output, decorators)
+        return decorated(with_output, decorators)
 
     return decorate
 
@@ -236,7 +237,7 @@ def space_options(*, rank: bool = True) -> Callable[[_Command], _Command]:
             ),
             click.option("--ideal", default="", metavar="NAMES", help='Points at infinity: "i j k".'),
         ]
-        return _decorated(with_space, decorators)
+        return decorated(with_space, decorators)
 
     return decorate
 
@@ -249,7 +250,8 @@ def _names(text: str) -> tuple[str, ...]:
     return names
 
 
-def _decorated(command: _Command, decorators: Sequence[Callable[[_Command], _Command]]) -> _Command:
+def decorated(command: _Command, decorators: Sequence[Callable[[_Command], _Command]]) -> _Command:
+    """A command with decorators as if they were written above it."""
     for decorator in reversed(decorators):
         command = decorator(command)
     return command

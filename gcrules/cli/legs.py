@@ -11,6 +11,7 @@ from gcrules.analysis import Analysis
 from gcrules.analysis import analyze as analyzed
 from gcrules.cli.base import ExpressionCommand, Output, Space, catalog_option, output_options, space_options
 from gcrules.cli.files import read_stdin, working, write_file
+from gcrules.cli.rules import Choice, rules_options
 from gcrules.errors import InputError
 from gcrules.robots.geometry import Platform, load_platform, parse_platform
 
@@ -27,6 +28,7 @@ _legs = click.argument("legs", nargs=-1, required=True, metavar="LEGS|FILE.yaml"
 @_recheck
 @click.option("--figure", metavar="FILE", help="Draw the robot (FILE.yaml) or the graph of its legs: .svg or .pdf.")
 @catalog_option
+@rules_options
 @space_options(rank=False)
 @output_options()
 def analyze(
@@ -35,6 +37,7 @@ def analyze(
     recheck: bool,
     figure: str | None,
     catalogs: tuple[str, ...],
+    choice: Choice,
     space: Space,
     out: Output,
 ) -> None:
@@ -48,7 +51,7 @@ def analyze(
     A leg is a joint of one body and a joint of the other, in this sequence throughout; joints that legs share bear
     one name. "-" reads legs or a geometry file from standard input.
     """
-    analysis = _analysis(legs, order, recheck, catalogs, space)
+    analysis = _analysis(legs, order, recheck, catalogs, choice, space)
     if figure:
         _draw(analysis, figure)
     out.show(analysis)
@@ -60,6 +63,7 @@ def analyze(
 @_order
 @_recheck
 @catalog_option
+@rules_options
 @space_options(rank=False)
 def report(
     legs: tuple[str, ...],
@@ -67,6 +71,7 @@ def report(
     order: str | None,
     recheck: bool,
     catalogs: tuple[str, ...],
+    choice: Choice,
     space: Space,
 ) -> None:
     """Write the analysis as a self-contained HTML page: formulas, figures, and for a geometry file the numbers.
@@ -77,17 +82,30 @@ def report(
     """
     from gcrules.render.report import report as rendered  # not needed by analyze
 
-    write_file(path, rendered(_analysis(legs, order, recheck, catalogs, space)))
+    write_file(path, rendered(_analysis(legs, order, recheck, catalogs, choice, space)))
 
 
 def _analysis(
-    legs: tuple[str, ...], order: str | None, recheck: bool, catalogs: tuple[str, ...], space: Space
+    legs: tuple[str, ...],
+    order: str | None,
+    recheck: bool,
+    catalogs: tuple[str, ...],
+    choice: Choice,
+    space: Space,
 ) -> Analysis:
     found = _platform_or_legs(legs)
     for warning in found.warnings if isinstance(found, Platform) else ():
         click.echo(f"warning: {warning}", err=True)
     with working("analysing"):
-        return analyzed(found, order=order, points=space.points, ideal=space.ideal, catalogs=catalogs, recheck=recheck)
+        return analyzed(
+            found,
+            order=order,
+            points=space.points,
+            ideal=space.ideal,
+            catalogs=catalogs,
+            recheck=recheck,
+            strategy=choice.strategy(),
+        )
 
 
 def _platform_or_legs(words: tuple[str, ...]) -> Platform | str:

@@ -25,15 +25,16 @@ from gcrules.algebra.expr import (
     Power,
     Product,
     Sum,
+    points_of,
     substitute,
 )
 from gcrules.algebra.rule_text import Instance, Order
 from gcrules.algebra.space import Assumption, Space
-from gcrules.errors import InputError, LimitReached
+from gcrules.errors import LimitReached
 from gcrules.rules.matching import Budget, match_monomial, matches
 from gcrules.rules.rule import RewriteRule
 
-__all__ = ["MAX_REWRITES", "Identity", "only_brackets", "rewrite_all", "rewritten"]
+__all__ = ["MAX_REWRITES", "Identity", "instance_fault", "only_brackets", "rewrite_all", "rewritten"]
 
 MAX_REWRITES = 1_000
 
@@ -71,6 +72,24 @@ class Identity(RewriteRule):
         return next(_applications(instance, polynomial, space), None)
 
 
+def instance_fault(instance: Instance) -> str | None:
+    """What keeps an instance from being applied: a sentence that follows "the rule …"."""
+    if points_of(instance.left) == ():
+        return "has no points on its left side"
+    if only_brackets(instance.left):
+        terms = _left(instance)
+        if not terms:
+            return "has a left side that is 0"
+        names = {n for _, rows in terms for row in rows for n in row}
+        if names != {n for row in terms[0][1] for n in row}:
+            return "has no term on its left side that holds all its points"
+        if not names >= set(points_of(instance.right)):
+            return "has points that cancel on its left side"
+    elif isinstance(instance.left, Sum):
+        return "has a sum on its left side with more than brackets of points in it"
+    return None
+
+
 def rewritten(polynomial: BracketPolynomial, rule: Identity, space: Space) -> BracketPolynomial:
     """The polynomial after as many applications of the rule as there are. Raises LimitReached where it loops."""
     seen = {polynomial}
@@ -101,10 +120,11 @@ def rewrite_all(e: Expr, rules: tuple[RewriteRule, ...], space: Space) -> Iterat
         else:
             return
         yield rule, after
+        what = f"the rule {rule.id} loops: it" if len(rules) == 1 else f"the rules loop: {rule.id}"
         if after in seen:
-            raise LimitReached(f"the rules loop: {rule.id} comes back to {_short(after)}", hint=_GUARD)
+            raise LimitReached(f"{what} comes back to {_short(after)}", hint=_GUARD)
         if len(seen) > MAX_REWRITES:
-            raise LimitReached(f"the rules do not end within {MAX_REWRITES:,} applications", hint=_GUARD)
+            raise LimitReached(f"{what} does not end within {MAX_REWRITES:,} applications", hint=_GUARD)
         seen.add(after)
         e = after
 
@@ -161,13 +181,11 @@ def _applications(instance: Instance, polynomial: BracketPolynomial, space: Spac
     left = _left(instance)
     if not left:
         return
-    (c, first), *others = left
+    c, first = left[0]
     run_of = {n: run for run, names in instance.runs.items() for n in names}
     budget = Budget()
     for monomial, coefficient in polynomial.terms.items():
         for binding, sign, used in match_monomial(first, monomial, run_of, budget):
-            if any(n not in binding for _, rows in others for row in rows for n in row):
-                raise InputError("one term of the left side of a rule has to hold all its points")
             rest = tuple(row for i, row in enumerate(monomial) if i not in used)
             factor = Fraction(coefficient, c) * sign
             images = [(factor * k, *_image(rows, binding, rest)) for k, rows in left]

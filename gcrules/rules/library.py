@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from gcrules.errors import InputError
-from gcrules.rules.entities import ENTITY_RULES
+from gcrules.rules.entities import ENTITY_RULES, TETRAHEDRA
 from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.rule import Elementary, EntityRule, Incidence, Rule
 from gcrules.rules.strategy import Strategy
 from gcrules.yamlfile import near
 
-__all__ = ["ENGINE", "Library", "load_rules"]
+__all__ = ["ENGINE", "Library"]
 
 
 @dataclass(frozen=True)
@@ -48,19 +48,21 @@ class Library:
         return Library((*self.rules, *rules))
 
     def strategy(self, ids: Iterable[str] | None = None, without: Iterable[str] = ()) -> Strategy:
-        """The rules named, in that order; by default all rules of recognition, identities only when named."""
+        """The rules named, in that order, each incidence rule bringing the entity rules that it uses.
+
+        By default all rules of recognition; identities run only when they are named.
+        """
         if ids is None:
-            chosen = tuple(r for r in self.rules if r.family != "rewriting")
-        else:
-            chosen = tuple(self[i] for i in dict.fromkeys(ids))
-        return Strategy(chosen).without(without)
+            return Strategy(tuple(r for r in self.rules if r.family != "rewriting")).without(without)
+        named = [self[i] for i in dict.fromkeys(ids)]
+        used = {rule.id for r in named if isinstance(r, Incidence) for rule, _ in r.uses}
+        if any(isinstance(r, Incidence) for r in named):
+            used.add(TETRAHEDRA.id)
+        brought = [r for r in self.rules if r.id in used and r not in named]
+        return Strategy((*brought, *named)).without(without)
 
 
 ENGINE = Library((*ENTITY_RULES, *INCIDENCES))
-
-
-def load_rules() -> Library:
-    return ENGINE
 
 
 def _engine_rule(rule_id: str) -> Rule:

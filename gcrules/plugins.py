@@ -1,0 +1,145 @@
+r"""Plugins: packs of rules that come with gcrules, stand in a folder of the user's, or are installed as a package.
+
+A folder of plugins holds one folder for each: `*.gca` files with identities, and `rules.py` whose `RULES` is a tuple of
+rules, for recognisers. An installed package names one `Plugin` value under the entry point group `gcrules.plugins`.
+Python code runs only from the folder that comes with gcrules, from folders that the user names, and from installed
+packages.
+"""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from functools import cache
+from importlib import metadata, util
+from os import PathLike
+from pathlib import Path
+from types import ModuleType
+
+from gcrules.errors import FileError
+from gcrules.rules.identity import Identity
+from gcrules.rules.library import ENGINE, Library
+from gcrules.rules.rule import Rule
+
+__all__ = ["GROUP", "Plugin", "installed", "load_rules", "plugins_in", "shipped_folder"]
+
+GROUP = "gcrules.plugins"
+
+
+@dataclass(frozen=True)
+class Plugin:
+    """One pack of rules: `rules` are rules as values, `files` are `.gca` files of identities.
+
+    `owner` names the pack in messages; an entry point or folder fills it in.
+    """
+
+    rules: tuple[Rule, ...] = ()
+    files: tuple[str | PathLike[str], ...] = ()
+    owner: str = ""
+
+    def identities(self, *, proved: bool = True) -> Iterator[Identity]:
+        """The rules of the files, each proved unless `proved` is False. Raises InputError with place."""
+        from gcrules.rules.rule_file import load_rule_file  # reading rules takes the parser, which few runs need
+
+        for path in self.files:
+            for rule in load_rule_file(path, proved=proved):
+                yield replace(rule, owner=f"{self.owner}, {Path(rule.owner).name}") if self.owner else rule
+
+
+def load_rules(
+    files: Iterable[str | PathLike[str]] = (), folders: Iterable[str | PathLike[str]] = (), *, identities: bool = True
+) -> Library:
+    """All rules that are known: those of the engine, then plugins, then files of the user's own.
+
+    Identities of plugins are read only with `identities`; those of shipped plugins are proved by `gcrules rules check`,
+    all others when they are loaded. Raises InputError where a rule is wrong or ids clash (both owners are named),
+    FileError where a plugin is broken.
+    """
+    shipped = _shipped()
+    others = [*installed(), *(p for folder in folders for p in plugins_in(Path(folder)))]
+    library = ENGINE.plus(r for p in (*shipped, *others) for r in p.rules)
+    if identities:
+        library = library.plus(i for p in shipped for i in p.identities(proved=False))
+        library = library.plus(i for p in others for i in p.identities())
+    return library.plus(Plugin(files=tuple(files)).identities())
+
+
+@cache
+def _shipped() -> tuple[Plugin, ...]:
+    folder = shipped_folder()
+    return tuple(plugins_in(folder)) if folder else ()
+
+
+def shipped_folder() -> Path | None:
+    """The folder of plugins inside an installed package, or beside the package in a checkout."""
+    package = Path(__file__).parent
+    for folder in (package / "_plugins", package.parent / "plugins"):
+        if (folder / "README.md").is_file():
+            return folder
+    return None
+
+
+def plugins_in(folder: Path) -> Iterator[Plugin]:
+    """The plugins of a folder, by name. Raises FileError where it cannot be read."""
+    try:
+        inside = sorted(p for p in folder.iterdir() if p.is_dir() and not p.name.startswith((".", "_")))
+    except OSError as fault:
+        raise FileError(f"cannot be read as a folder of plugins: {fault.strerror}", filename=str(folder)) from None
+    for path in inside:
+        code = path / "rules.py"
+        rules = _rules_of(code) if code.is_file() else ()
+        files = tuple(sorted(str(f) for f in path.glob("*.gca")))
+        if rules or files:
+            yield _owned(Plugin(rules, files), f"plugin {path.name}", str(code))
+
+
+def installed() -> Iterator[Plugin]:
+    """The plugins of installed packages. Raises FileError where one is broken."""
+    for entry in sorted(metadata.entry_points(group=GROUP), key=lambda e: e.name):
+        package = entry.dist.name if entry.dist else entry.value
+        owner = f"package {package}"
+        try:
+            plugin = entry.load()
+        except Exception as fault:
+            raise _broken(fault, f"{owner} (entry point {entry.name} = {entry.value})") from fault
+        if not isinstance(plugin, Plugin):
+            raise FileError(f"{entry.value} is no gcrules.Plugin but {type(plugin).__name__}", filename=owner)
+        yield _owned(plugin, owner, owner)
+
+
+def _owned(plugin: Plugin, owner: str, place: str) -> Plugin:
+    for rule in plugin.rules:
+        if not isinstance(rule, Rule):
+            raise FileError(f"RULES holds {rule!r}, which is no rule", filename=place)
+    return Plugin(tuple(replace(r, owner=owner) for r in plugin.rules), plugin.files, owner)
+
+
+def _rules_of(path: Path) -> tuple[Rule, ...]:
+    """`RULES` of a plugin's Python file, which is run. Raises FileError with the plugin's own file and line."""
+    name = f"gcrules_plugin_{path.parent.name}"
+    spec = util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise FileError("cannot be loaded", filename=str(path))
+    module: ModuleType = util.module_from_spec(spec)
+    sys.modules[name] = module  # dataclasses and pickles look their module up
+    try:
+        spec.loader.exec_module(module)
+    except Exception as fault:
+        del sys.modules[name]
+        raise _broken(fault, str(path)) from fault
+    rules = getattr(module, "RULES", None)
+    if not isinstance(rules, tuple):
+        raise FileError("defines no tuple RULES", filename=str(path), hint="RULES = (rule, …)")
+    return rules
+
+
+def _broken(fault: Exception, place: str) -> FileError:
+    """The fault of a plugin's code, with the last line of the plugin's own that it passed through."""
+    if isinstance(fault, SyntaxError) and fault.filename:
+        return FileError(f"a plugin cannot be loaded: {fault.msg}", filename=f"{fault.filename}:{fault.lineno}")
+    here = str(Path(__file__).parent)
+    frames = [f for f in traceback.extract_tb(fault.__traceback__) if not f.filename.startswith((here, "<"))]
+    where = f"{frames[-1].filename}:{frames[-1].lineno}" if frames else place
+    return FileError(f"a plugin cannot be loaded: {type(fault).__name__}: {fault}", filename=where)

@@ -1,0 +1,82 @@
+r"""Rewriting an expression by rules: each application is a step that replays on the exact oracle.
+
+>>> from gcrules.algebra.statements import parse_script
+>>> from gcrules.algebra.syntax import parse
+>>> from gcrules.rules.rule_file import identities
+>>> meet = identities(parse_script("rule meet: ab /\\ cde => [acde] b - [bcde] a"))
+>>> print(rewrite(parse("pq /\\ rst"), meet))
+pq /\ rst
+  = [prst] * q - [qrst] * p
+      by meet: ab /\ cde => [acde] b - [bcde] a
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.space import Space
+from gcrules.algebra.text import text
+from gcrules.rules.derivation import Step
+from gcrules.rules.identity import rewrite_all
+from gcrules.rules.rule import RewriteRule
+
+__all__ = ["Rewriting", "rewrite"]
+
+
+@dataclass(frozen=True)
+class Rewriting:
+    """before = … = after, one step for each application of a rule; no steps where every rule stayed silent."""
+
+    before: Expr
+    steps: tuple[Step, ...]
+    space: Space
+
+    @property
+    def after(self) -> Expr:
+        return self.steps[-1].after if self.steps else self.before
+
+    def to_json(self) -> dict[str, Any]:
+        """`{before, after, derivation [{rule, before, after, why, assumed}]}`."""
+        names = self.space.points
+        return {
+            "before": text(self.before, names=names),
+            "after": text(self.after, names=names),
+            "derivation": [s.to_json(names) for s in self.steps],
+        }
+
+    def text(self, *, unicode: bool = False) -> str:
+        """The chain of equal expressions, with the rule that made each of them."""
+        names = self.space.points
+        lines = [text(self.before, unicode=unicode, names=names)]
+        for step in self.steps:
+            why = f": {step.why}" if step.why else ""
+            lines += [f"  = {text(step.after, unicode=unicode, names=names)}", f"      by {step.rule}{why}"]
+        return "\n".join(lines if self.steps else [*lines, "  no rule fires"])
+
+    def latex(self) -> str:
+        """The chain as lines of an `align*`, without the environment."""
+        from gcrules.render.latex import latex  # needed for LaTeX only
+
+        lines = [f"&{latex(self.before)}"]
+        lines += [f"&={{}} {latex(s.after)} && \\text{{{s.rule}}}" for s in self.steps]
+        return " \\\\\n".join(lines)
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return f"$\\begin{{aligned}} {self.latex()} \\end{{aligned}}$"
+
+
+def rewrite(e: Expr, rules: Iterable[RewriteRule], space: Space | None = None) -> Rewriting:
+    """Apply rules, the first that fires each time, until all stay silent. Raises LimitReached where they never do."""
+    space = space or Space()
+    steps = []
+    before = e
+    for rule, after in rewrite_all(e, tuple(rules), space):
+        steps.append(Step(rule.id, before, after, rule.sentence))
+        before = after
+    return Rewriting(e, tuple(steps), space)

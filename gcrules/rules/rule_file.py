@@ -1,0 +1,190 @@
+r"""Files of rules: every rule is proved, tried on its cases and watched for loops before anything uses it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
+from os import PathLike, fspath
+from typing import Any
+
+from gcrules.algebra.expand import MAX_TERMS
+from gcrules.algebra.expr import points_of
+from gcrules.algebra.prove import Proof, prove
+from gcrules.algebra.rule_text import Case, Instance, Order, RuleText
+from gcrules.algebra.space import Assumption, Space
+from gcrules.algebra.statements import Script, parse_script
+from gcrules.errors import FileError, GcrulesError, InputError, LimitReached, join_faults
+from gcrules.rules.identity import Identity, instance_fault, rewrite_all
+from gcrules.yamlfile import read_text
+
+__all__ = ["RuleCheck", "check_rule", "check_script", "identities", "load_rule_file"]
+
+
+@dataclass(frozen=True)
+class RuleCheck:
+    """What became of a rule: `verdict` is proved, refuted or undecided; `fault` says what is wrong, with its place.
+
+    `ranks` are those in which the identity was proved; `proof` is the one that failed, where one did.
+    """
+
+    rule: Identity
+    place: str
+    verdict: str
+    ranks: tuple[int, ...]
+    fault: GcrulesError | None = None
+    proof: Proof | None = None
+
+    @property
+    def ok(self) -> bool:
+        return self.verdict == "proved" and self.fault is None
+
+    @property
+    def reason(self) -> str:
+        """What was found, in words."""
+        if self.fault is not None:
+            return self.fault.message
+        return f"proved in rank {self.ranks[0]}" if len(self.ranks) == 1 else f"proved in {_listed(self.ranks)}"
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "id": self.rule.id,
+            "place": self.place,
+            "verdict": self.verdict,
+            "ranks": list(self.ranks),
+            "fault": self.fault.message if self.fault else None,
+            "counterexample": self.proof.to_json()["counterexample"] if self.proof else None,
+        }
+
+
+def _listed(ranks: tuple[int, ...]) -> str:
+    return f"ranks {ranks[0]} to {ranks[-1]}"
+
+
+def load_rule_file(path: str | PathLike[str], *, proved: bool = True) -> tuple[Identity, ...]:
+    """The rules of a `.gca` file. Raises InputError, with the place of each rule that is wrong, all at once.
+
+    With `proved=False` the rules are read only: for files that are checked elsewhere.
+    """
+    name = fspath(path)
+    script = parse_script(read_text(path), name)
+    if not script.rules:
+        raise FileError("the file holds no rules", filename=name, hint='rules are written  rule ID "sentence": A => B')
+    if not proved:
+        return identities(script)
+    found = list(check_script(script))
+    faults = [f.fault for f in found if f.fault is not None]
+    if faults:
+        raise join_faults(faults)
+    return tuple(f.rule for f in found)
+
+
+def identities(script: Script) -> tuple[Identity, ...]:
+    """The rules of a script as they stand, unproved."""
+    return tuple(_identity(rule, script.filename) for rule in script.rules)
+
+
+def _identity(rule: RuleText, filename: str) -> Identity:
+    return Identity(
+        id=rule.id,
+        sentence=rule.sentence,
+        source=rule.source,
+        fires=tuple(c.text for c in rule.fires),
+        silent=tuple(c.text for c in rule.silent),
+        owner=f"{filename}:{rule.line}",
+        text=rule.text,
+        instances=rule.instances,
+    )
+
+
+def check_script(script: Script, *, limit: int = MAX_TERMS) -> Iterator[RuleCheck]:
+    """Each rule of a script, one after the other."""
+    for rule in script.rules:
+        yield check_rule(rule, script, limit=limit)
+
+
+def check_rule(rule: RuleText, script: Script, *, limit: int = MAX_TERMS) -> RuleCheck:
+    """Prove a rule in each of its ranks, let it run on its own left side and its cases."""
+    identity = _identity(rule, script.filename)
+    place = f"{script.filename}:{rule.line}"
+    proved: list[int] = []
+
+    def wrong(fault: GcrulesError, verdict: str = "refuted", proof: Proof | None = None) -> RuleCheck:
+        fault.span = fault.span or rule.span
+        return RuleCheck(identity, place, verdict, tuple(proved), fault.located(script.source, script.filename), proof)
+
+    for instance in rule.instances:
+        shape = instance_fault(instance)
+        if shape:
+            return wrong(InputError(f"the rule {rule.id} {shape}"))
+        proof = _proof(instance, limit)
+        if proof.verdict == "refuted":
+            return wrong(InputError(f"the rule {rule.id} is no identity{_where(proof, instance, rule)}"), proof=proof)
+        if proof.verdict != "proved":
+            return wrong(LimitReached(f"the rule {rule.id} is not decided: {proof.reason}"), "undecided", proof)
+        proved.append(instance.rank)
+    fault = _runs(identity, rule)
+    return wrong(fault, "proved") if fault else RuleCheck(identity, place, "proved", tuple(proved))
+
+
+def _proof(instance: Instance, limit: int) -> Proof:
+    given = tuple(g for g in instance.guards if isinstance(g, Assumption))
+    if not given:
+        return prove(instance.left, instance.right, rank=instance.rank, limit=limit)
+    return prove(instance.left, instance.right, rank=instance.rank, given=given, limit=limit)
+
+
+def _where(proof: Proof, instance: Instance, rule: RuleText) -> str:
+    """The exact points that refute a rule."""
+    points = "; ".join(f"{n} = ({', '.join(map(str, c))})" for n, c in (proof.counterexample or {}).items())
+    rank = f" in rank {instance.rank}" if len(rule.instances) > 1 else ""
+    values = "" if proof.values is None else f" the left side is {proof.values[0]}, the right side {proof.values[1]}"
+    return f"{rank}: at {points}{values}"
+
+
+def _runs(identity: Identity, rule: RuleText) -> GcrulesError | None:
+    """What goes wrong on the rule's own left side and on its cases: silence, firing, or a loop."""
+    fires = 0
+    for instance in rule.instances:
+        given = tuple(g for g in instance.guards if isinstance(g, Assumption))
+        try:
+            space = Space(instance.rank, _in_order(instance), given=given)
+        except CycleError as cycle:
+            return InputError(f"the guards of the rule {rule.id} contradict each other: {' < '.join(cycle.args[1])}")
+        try:
+            fires += bool(list(rewrite_all(instance.left, (identity,), space)))
+        except LimitReached as loop:
+            return InputError(loop.message, hint=loop.hint)
+    at = rule.context
+    space = Space(at.rank, at.points, at.ideal, at.given)
+    for case, expected in [*((c, True) for c in rule.fires), *((c, False) for c in rule.silent)]:
+        fault = _case(identity, case, expected, space)
+        if fault:
+            return fault
+    if not fires and not rule.fires:
+        guard = " under its guards" if any(i.guards for i in rule.instances) else ""
+        return InputError(
+            f"the rule {rule.id} does not fire on its own left side{guard}",
+            hint="show where it fires:  fires EXPR" if guard else "the two sides are the same polynomial",
+        )
+    return None
+
+
+def _in_order(instance: Instance) -> tuple[str, ...]:
+    """The points of the left side in an order that the guards ask for. Raises CycleError where there is none."""
+    after: dict[str, list[str]] = {n: [] for n in points_of(instance.left)}
+    for guard in instance.guards:
+        if isinstance(guard, Order) and guard.sign == "<":
+            after[guard.right].append(guard.left)
+    return tuple(TopologicalSorter(after).static_order())
+
+
+def _case(identity: Identity, case: Case, expected: bool, space: Space) -> GcrulesError | None:
+    try:
+        fired = bool(list(rewrite_all(case.expr, (identity,), space)))
+    except LimitReached as loop:
+        return InputError(loop.message, hint=loop.hint, span=case.span)
+    if fired == expected:
+        return None
+    what = "stays silent on" if expected else "fires on"
+    return InputError(f"the rule {identity.id} {what} {case.text}", span=case.span)
