@@ -33,7 +33,7 @@ from gcrules.rules.degenerate import Degeneracy, explain
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.incidence import Claim
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.strategy import MAX_TERMS, Strategy, recognise, recorded
+from gcrules.rules.strategy import MAX_TERMS, Strategy, of_plugins, recognise, recorded
 
 __all__ = ["Analysis", "analyze"]
 
@@ -176,6 +176,11 @@ def analyze(
     shortest = claim.state.form if claim else forms[0]
     if claim is None and len(forms[0].polynomial) > MAX_TERMS:
         notes.append(f"entities were not looked for: the shortest form has more than {MAX_TERMS} terms")
+    for more in of_plugins(forms, structure, oracle, strategy, claim.kind) if claim else ():
+        conditions += [
+            certify(describe(c, structure, oracle, catalog.statements), structure)
+            for c in best_first(more, structure, oracle)[:_MOST_READINGS]
+        ]
     for m in matches:
         known = catalog.readings(structure, m, oracle, recheck=recheck)
         conditions += [r for r in known if not any(_alike(r, c) for c in conditions)]

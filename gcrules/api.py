@@ -9,10 +9,12 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.evaluate import evaluate as _evaluate
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expand import expand as _expand
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import Expr, common_rank
 from gcrules.algebra.prove import Proof
 from gcrules.algebra.prove import prove as _prove
 from gcrules.algebra.shortest import SuperbracketForm, shortest_forms, superbracket_form
+from gcrules.algebra.space import Space
+from gcrules.algebra.statements import parse_assumption
 from gcrules.algebra.straighten import straighten as _straighten
 from gcrules.algebra.syntax import Context, parse, parse_equation
 from gcrules.algebra.text import Names, split_names
@@ -20,8 +22,14 @@ from gcrules.analysis import Analysis, analyze
 from gcrules.condition import Condition
 from gcrules.errors import GcrulesError, InputError, LimitReached, StepError, SyntaxFault
 from gcrules.legs import Structure, read_legs, read_order
+from gcrules.plugins import Plugin, load_rules
 from gcrules.render.report import report
+from gcrules.rewriting import Rewriting
+from gcrules.rewriting import rewrite as _rewrite
 from gcrules.robots.geometry import Platform, load_platform
+from gcrules.rules.library import Library
+from gcrules.rules.rule import RewriteRule
+from gcrules.rules.strategy import Strategy
 
 __all__ = [
     "Analysis",
@@ -31,19 +39,25 @@ __all__ = [
     "ExtensorPolynomial",
     "GcrulesError",
     "InputError",
+    "Library",
     "LimitReached",
     "Platform",
+    "Plugin",
     "Proof",
+    "Rewriting",
     "StepError",
+    "Strategy",
     "Structure",
     "SyntaxFault",
     "analyze",
     "evaluate",
     "expand",
     "load_platform",
+    "load_rules",
     "parse",
     "prove",
     "report",
+    "rewrite",
     "shortest",
     "straighten",
     "superbracket",
@@ -95,16 +109,59 @@ def prove(
     rank: int | None = None,
     points: Names = (),
     ideal: Names = (),
+    given: str | Iterable[str] = (),
     limit: int = MAX_TERMS,
 ) -> Proof:
-    """Decide "LHS == RHS" (one text, or two expressions): proved, refuted with exact points, or undecided."""
+    """Decide "LHS == RHS" (one text, or two expressions): proved, refuted with exact points, or undecided.
+
+    `given` holds assumptions, as one text or several: "collinear(a, b, c), incident(p, X)", coplanar, concurrent,
+    "LHS == RHS", "ideal i j". Only positions that satisfy them count, and `assumed` of the proof lists what else was
+    assumed not to vanish. Raises InputError for assumptions that are not resolved.
+    """
+    at = Context(rank or 4, split_names(points), split_names(ideal))
+    for written in [given] if isinstance(given, str) else given:
+        at = parse_assumption(written, at)
     if right is None:
         if isinstance(claim, Expr):
             raise TypeError("prove needs a claim LHS == RHS as text, or two expressions")
-        sides = parse_equation(claim, context=Context(rank or 4, split_names(points), split_names(ideal)))
+        sides = parse_equation(claim, context=at)
     else:
-        sides = (_expression(claim, rank, points, ideal), _expression(right, rank, points, ideal))
-    return _prove(*sides, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit)
+        left, other = (e if isinstance(e, Expr) else parse(e, context=at) for e in (claim, right))
+        sides = left, other
+    return _prove(*sides, points=at.points, ideal=at.ideal, rank=rank, given=at.given, limit=limit)
+
+
+def rewrite(
+    e: str | Expr,
+    rules: Iterable[str | RewriteRule],
+    *,
+    rank: int | None = None,
+    points: Names = (),
+    ideal: Names = (),
+) -> Rewriting:
+    """Apply rules, the first that fires each time, until all stay silent; every application is a step of the answer.
+
+    `rules` are names of rewriting rules (of the engine and of plugins), rules, or names of `.gca` files. Raises
+    InputError for a rule that is none or that is wrong, LimitReached where rewriting does not end.
+    """
+    expression = _expression(e, rank, points, ideal)
+    space = Space(common_rank(rank, expression), split_names(points), split_names(ideal))
+    return _rewrite(expression, _rewriting_rules(rules), space)
+
+
+def _rewriting_rules(rules: Iterable[str | RewriteRule]) -> list[RewriteRule]:
+    found: list[RewriteRule] = []
+    for rule in [rules] if isinstance(rules, str) else rules:
+        if isinstance(rule, RewriteRule):
+            found.append(rule)
+        elif rule.endswith(".gca"):
+            found += Plugin(files=(rule,)).identities()
+        else:
+            named = load_rules()[rule]
+            if not isinstance(named, RewriteRule):
+                raise InputError(f"the rule {rule} recognises entities; it rewrites no expressions")
+            found.append(named)
+    return found
 
 
 def evaluate(e: str | Expr, points: dict[str, Any], *, rank: int | None = None, modulus: int | None = None) -> Any:

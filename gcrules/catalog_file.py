@@ -17,7 +17,9 @@ from gcrules.catalog import FROM_CATALOG, LABELS, SHIPPED, Catalog, Entry, Readi
 from gcrules.errors import FileError, GcrulesError, join_faults
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg, Structure, read_legs
+from gcrules.plugins import load_rules
 from gcrules.rules.incidence import INCIDENCES
+from gcrules.rules.rule import Incidence
 from gcrules.yamlfile import Document, Node, near
 
 __all__ = ["KINDS", "STATUSES", "load", "load_file"]
@@ -103,6 +105,11 @@ STATUSES = ("inferred", "added", "always-singular")
 KINDS = (*(rule.id for rule in INCIDENCES), *FROM_CATALOG, "linear-complex", "always-singular")
 
 
+def _brought() -> tuple[str, ...]:
+    """Kinds of condition that plugins bring."""
+    return tuple(r.id for r in load_rules(identities=False) if isinstance(r, Incidence) and r.id not in KINDS)
+
+
 def _fewest(legs: tuple[Leg, ...]) -> dict[int, int]:
     """The fewest terms of both forms, for an entry that leaves them out."""
     from gcrules.algebra.shortest import counts  # loads numpy, which the shipped entries do not need
@@ -175,7 +182,7 @@ class _Reader:
         top = node.mapping(required={"kind", "expression"}, optional={"cofactor", "coefficient", "statement", "lines"})
         if "kind" not in top or "expression" not in top:
             return None
-        kind = top["kind"].choice(KINDS)
+        kind = top["kind"].choice(KINDS if self.owner == SHIPPED else (*KINDS, *_brought()))
         texts = {key: top[key].string() if key in top else "1" for key in ("expression", "cofactor")}
         coefficient = top["coefficient"].integer() if "coefficient" in top else 1
         if self.owner != SHIPPED:  # the shipped file is proved by its tests; its expressions are parsed when used
@@ -188,7 +195,7 @@ class _Reader:
         for _, line in lines if self.owner != SHIPPED else ():
             self._expression(line, 2, "a line", names)
         statement = top["statement"].string() if "statement" in top else None
-        if statement is None and (told or kind in FROM_CATALOG):
+        if statement is None and (told or kind in FROM_CATALOG or kind not in KINDS):
             node.fault("a reading needs a statement", "say in words when the expression vanishes")
         if re.search(r"[{}]", re.sub(LABELS, "", statement or "")):
             top["statement"].fault("a brace without its partner", "labels stand in braces: {Aab}")

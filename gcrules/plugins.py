@@ -1,5 +1,7 @@
 r"""Plugins: packs of rules that come with gcrules, stand in a folder of the user's, or are installed as a package.
 
+This module is also what a plugin imports: the kinds of rules, the state they look at, and the operations.
+
 A folder of plugins holds one folder for each: `*.gca` files with identities, and `rules.py` whose `RULES` is a tuple of
 rules, for recognisers. An installed package names one `Plugin` value under the entry point group `gcrules.plugins`.
 Python code runs only from the folder that comes with gcrules, from folders that the user names, and from installed
@@ -8,6 +10,7 @@ packages.
 
 from __future__ import annotations
 
+import copyreg
 import sys
 import traceback
 from collections.abc import Iterable, Iterator
@@ -17,15 +20,53 @@ from importlib import metadata, util
 from os import PathLike
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
+from gcrules.algebra.expr import Expr, Point, add, bracket, join, meet, mul, sub
 from gcrules.errors import FileError
+from gcrules.legs import leg_text
+from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES, TETRAHEDRA
 from gcrules.rules.identity import Identity
 from gcrules.rules.library import ENGINE, Library
-from gcrules.rules.rule import Rule
+from gcrules.rules.rule import Elementary, EntityRule, Incidence, Rule
+from gcrules.rules.state import State, extensor
 
-__all__ = ["GROUP", "Plugin", "installed", "load_rules", "plugins_in", "shipped_folder"]
+__all__ = [
+    "GROUP",
+    "LEFT_OVER_LINE",
+    "LEFT_OVER_LINES",
+    "LEFT_OVER_PLANE",
+    "LINES",
+    "PLANES",
+    "TETRAHEDRA",
+    "EntityRule",
+    "Expr",
+    "Identity",
+    "Incidence",
+    "Plugin",
+    "Rule",
+    "State",
+    "add",
+    "bracket",
+    "extensor",
+    "installed",
+    "join",
+    "leg_text",
+    "load_rules",
+    "meet",
+    "mul",
+    "plugins_in",
+    "points",
+    "shipped_folder",
+    "sub",
+]
 
 GROUP = "gcrules.plugins"
+
+
+def points(names: Iterable[str]) -> list[Expr]:
+    """Points by name."""
+    return [Point(n) for n in names]
 
 
 @dataclass(frozen=True)
@@ -143,3 +184,21 @@ def _broken(fault: Exception, place: str) -> FileError:
     frames = [f for f in traceback.extract_tb(fault.__traceback__) if not f.filename.startswith((here, "<"))]
     where = f"{frames[-1].filename}:{frames[-1].lineno}" if frames else place
     return FileError(f"a plugin cannot be loaded: {type(fault).__name__}: {fault}", filename=where)
+
+
+# --- copies --------------------------------------------------------------------------------------------------------
+
+
+def _known(rule_id: str) -> Rule:
+    return load_rules(identities=False)[rule_id]
+
+
+def _by_name(rule: Rule) -> Any:
+    """Rules hold functions, which may have no name; those that every process knows are pickled and copied by id."""
+    if any(rule.id == known.id and rule == known for known in load_rules(identities=False)):
+        return _known, (rule.id,)
+    return object.__reduce_ex__(rule, 4)
+
+
+for _kind in (Elementary, EntityRule, Incidence):
+    copyreg.pickle(_kind, _by_name)

@@ -68,7 +68,7 @@ def claims(incidence: Incidence, states: Sequence[State], oracle: Oracle) -> Ite
                     coefficient=coefficient,
                     cofactor=cofactor,
                     pencils=incidence.pencils(reached) if incidence.pencils else None,
-                    statement=incidence.statement,
+                    statement=incidence.sentence_for(reached),
                     group=incidence.group,
                 )
 

@@ -2,15 +2,13 @@ r"""The rules that are known: those of the engine, of plugins and of files; clas
 
 from __future__ import annotations
 
-import copyreg
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
 from gcrules.errors import InputError
 from gcrules.rules.entities import ENTITY_RULES, TETRAHEDRA
 from gcrules.rules.incidence import INCIDENCES
-from gcrules.rules.rule import Elementary, EntityRule, Incidence, Rule
+from gcrules.rules.rule import Incidence, Rule
 from gcrules.rules.strategy import Strategy
 from gcrules.yamlfile import near
 
@@ -63,18 +61,3 @@ class Library:
 
 
 ENGINE = Library((*ENTITY_RULES, *INCIDENCES))
-
-
-def _engine_rule(rule_id: str) -> Rule:
-    return ENGINE[rule_id]
-
-
-def _by_name(rule: Rule) -> Any:
-    """The engine's rules hold functions without a name; they are pickled and copied by id."""
-    if any(rule is known for known in ENGINE):
-        return _engine_rule, (rule.id,)
-    return object.__reduce_ex__(rule, 4)
-
-
-for kind in (Elementary, EntityRule, Incidence):
-    copyreg.pickle(kind, _by_name)

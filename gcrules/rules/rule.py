@@ -19,7 +19,7 @@ from gcrules.errors import InputError
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.state import State
 
-__all__ = ["Elementary", "EntityRule", "Incidence", "RewriteRule", "Rule"]
+__all__ = ["SHIPPED", "Elementary", "EntityRule", "Incidence", "RewriteRule", "Rule"]
 
 SHIPPED = "gcrules"
 _ID = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
@@ -90,6 +90,10 @@ class EntityRule(Rule):
             yield found.after(self, found)
 
 
+def _no_cofactor(_: State) -> Expr:
+    return ONE
+
+
 @dataclass(frozen=True, kw_only=True)
 class Incidence(Rule):
     """A kind of condition, named by the rule's id: the entities it needs and the expression it makes of them.
@@ -97,9 +101,9 @@ class Incidence(Rule):
     `uses` lists entity rules with numbers of entities, applied one after the other to a rest of `degree` brackets (any
     if None). The claim is cofactor · superbracket = c · expression for some integer c; no claim is made where
     `expression` gives None. `pencils` gives the lines p and q about which the platform could turn without the two
-    lines among the left-over points, for kinds that compare these turns. `statement` is the sentence, filled in with
-    {tetrahedra}, {planes}, {lines} and {expression}, for kinds that the catalog has no sentence for; `group` the letter
-    of the group in the published procedure.
+    lines among the left-over points, for kinds that compare these turns. `statement` is the sentence, for kinds that
+    the catalog has none for: a text filled in with {tetrahedra}, {planes}, {lines} and {expression}, or a function of
+    the state; `group` is the letter of the group in the published procedure.
     """
 
     family: ClassVar[str] = "incidence"
@@ -107,10 +111,16 @@ class Incidence(Rule):
     degree: int | None = None
     uses: tuple[tuple[EntityRule, int], ...] = ()
     expression: Callable[[State], Expr | None]
-    cofactor: Callable[[State], Expr] = lambda state: ONE
+    cofactor: Callable[[State], Expr] = _no_cofactor
     pencils: Callable[[State], tuple[Expr, Expr]] | None = None
-    statement: str = ""
+    statement: str | Callable[[State], str] = ""
     group: str | None = None
+
+    def sentence_for(self, state: State) -> str:
+        """The statement as a text to fill in."""
+        if isinstance(self.statement, str):
+            return self.statement
+        return self.statement(state).replace("{", "{{").replace("}", "}}")
 
     def reached(self, state: State) -> Iterator[State]:
         """The states that the rules it uses lead to, one after the other."""

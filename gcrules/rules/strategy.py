@@ -14,10 +14,10 @@ from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.identity import Identity, rewritten
 from gcrules.rules.incidence import Claim, claims
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.rule import EntityRule, Incidence, Rule
+from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, Rule
 from gcrules.rules.state import State
 
-__all__ = ["MAX_TERMS", "Strategy", "recognise", "recorded"]
+__all__ = ["MAX_TERMS", "Strategy", "of_plugins", "recognise", "recorded"]
 
 MAX_TERMS = 8
 """Entities are looked for in forms with no more terms than this."""
@@ -72,9 +72,24 @@ def recognise(
     return _first(short, oracle, strategy) or _first(_rewritten(forms, structure, strategy), oracle, strategy)
 
 
-def _first(states: Sequence[State], oracle: Oracle, strategy: Strategy) -> list[Claim]:
+def of_plugins(
+    forms: Sequence[SuperbracketForm], structure: Structure, oracle: Oracle, strategy: Strategy, found: str
+) -> list[list[Claim]]:
+    """The claims of each incidence rule that a plugin brought, the rule that `found` the condition left out."""
+    brought = [r for r in strategy.incidences if r.owner != SHIPPED and r.id != found]
+    short = [State.start(form, structure) for form in forms if len(form.polynomial) <= MAX_TERMS] if brought else []
+    states = _with_tetrahedra(short, strategy)
+    return [list(claims(incidence, states, oracle)) for incidence in brought]
+
+
+def _with_tetrahedra(states: Sequence[State], strategy: Strategy) -> list[State]:
     if any(r.id == TETRAHEDRA.id for r in strategy.rules):
-        states = [s for state in states for s in TETRAHEDRA.applied(state)]
+        return [s for state in states for s in TETRAHEDRA.applied(state)]
+    return list(states)
+
+
+def _first(states: Sequence[State], oracle: Oracle, strategy: Strategy) -> list[Claim]:
+    states = _with_tetrahedra(states, strategy)
     for incidence in strategy.incidences:
         found = list(claims(incidence, states, oracle))
         if found:

@@ -1,0 +1,51 @@
+"""Flat tetrahedra read as legs that meet: one that stands on two legs without a common joint is flat just then."""
+
+from itertools import combinations
+
+from gcrules.plugins import Incidence, State, bracket, extensor, leg_text, meet, mul, points
+
+
+def crossing(state: State, row: tuple[int, ...]) -> tuple[tuple[str, str], tuple[str, str]] | None:
+    """Two legs without a common joint among the four points of a tetrahedron."""
+    names = set(state.named(row))
+    legs = [leg for leg in state.structure.oriented if set(leg) <= names]
+    return next(((g, h) for g, h in combinations(legs, 2) if not set(g) & set(h)), None)
+
+
+def expression(state: State):
+    """The tetrahedra, each that stands on two legs as the meet of these; None where none does."""
+    pairs = [crossing(state, row) for row in state.tetrahedra]
+    if not any(pairs):
+        return None
+    return mul(
+        *(
+            meet(extensor(pair[0]), extensor(pair[1])) if pair else bracket(*points(state.named(row)))
+            for row, pair in zip(state.tetrahedra, pairs, strict=True)
+        )
+    )
+
+
+def statement(state: State) -> str:
+    meeting, flat = [], []
+    for row in state.tetrahedra:
+        pair = crossing(state, row)
+        if pair:
+            meeting.append(f"the legs {leg_text(pair[0])} and {leg_text(pair[1])} meet (possibly at infinity)")
+        else:
+            flat.append(f"the tetrahedron {extensor(state.named(row))} is flat")
+    return f"The robot is singular exactly when {', or '.join(dict.fromkeys(flat + meeting))}."
+
+
+RULES = (
+    Incidence(
+        id="legs-meet",
+        sentence="A tetrahedron that stands on two legs without a common joint is flat just when the two legs meet.",
+        source="derived here",
+        fires=("Aa Ab Ac Ba Bd Ce", "Aa Ab Ac Ba Bb Cc"),
+        silent=("Aa Ab Ac Bd Be Cf", "ab af cb cd ed ef"),
+        degree=0,
+        expression=expression,
+        statement=statement,
+        group="g",
+    ),
+)

@@ -1,0 +1,26 @@
+"""A plugin from outside: one incidence rule in Python, one identity in the language."""
+
+from pathlib import Path
+
+from gcrules.plugins import Incidence, Plugin, bracket, mul, points
+
+
+def volumes(state):
+    """The product of the tetrahedra, each six times a volume."""
+    return mul(*(bracket(*points(state.named(row))) for row in state.tetrahedra))
+
+
+PLUGIN = Plugin(
+    rules=(
+        Incidence(
+            id="volumes",
+            sentence="Three common brackets are six times the volumes of three tetrahedra.",
+            fires=("Aa Ab Ac Bd Be Cf",),
+            silent=("ab af cb cd ed ef",),
+            degree=0,
+            expression=volumes,
+            statement="The robot is singular exactly when the product of the volumes of {tetrahedra} is 0.",
+        ),
+    ),
+    files=(Path(__file__).with_name("outside.gca"),),
+)

@@ -1,0 +1,183 @@
+"""Plugins: packs that come with gcrules, folders of the user's, and packages installed by entry point."""
+
+from __future__ import annotations
+
+import json
+import os
+import pickle
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import gcrules as gc
+from gcrules.errors import FileError, InputError
+from gcrules.plugins import load_rules, plugins_in, shipped_folder
+
+RULE = """
+from gcrules.plugins import Incidence, bracket, mul, points
+
+RULES = (
+    Incidence(
+        id="mine",
+        sentence="Three tetrahedra, in words of my own.",
+        fires=("Aa Ab Ac Bd Be Cf",),
+        silent=("ab af cb cd ed ef",),
+        degree=0,
+        expression=lambda s: mul(*(bracket(*points(s.named(row))) for row in s.tetrahedra)),
+        statement="Mine: {tetrahedra} and {expression}.",
+    ),
+)
+"""
+LEGS = "Aa Ab Ac Bd Be Cf"
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Callable[..., Path]:
+    """Writes a folder of plugins with one plugin, `mine`."""
+
+    def write(code: str | None = None, identities: str | None = None) -> Path:
+        (tmp_path / "mine").mkdir(exist_ok=True)
+        if code is not None:
+            (tmp_path / "mine" / "rules.py").write_text(code, encoding="utf-8")
+        if identities is not None:
+            (tmp_path / "mine" / "mine.gca").write_text(identities, encoding="utf-8")
+        return tmp_path
+
+    return write
+
+
+def test_shipped_plugins_are_found() -> None:
+    assert shipped_folder() is not None
+    owners = {r.owner.partition(",")[0] for r in load_rules()}
+    assert owners >= {"gcrules", "plugin plucker", "plugin legs-meet"}
+
+
+def test_legs_that_meet_are_a_reading() -> None:
+    a = gc.analyze("Aa Ab Ac Ba Bd Ce")
+    assert a.condition.kind == "three-tetrahedra"
+    (reading,) = (r for r in a.readings if r.kind == "legs-meet")
+    assert str(reading.expression) == r"[ABCe](Aa /\ Bd)[Aabc]"
+    assert reading.certificate.method == "normal-form"
+    assert "the legs Aa and Bd meet (possibly at infinity)" in reading.statement
+    assert gc.prove(f"[[Aa, Ab, Ac, Ba, Bd, Ce]] == {reading.coefficient} * ({reading.expression})").proved
+
+
+def test_a_rule_of_a_folder_adds_a_reading(folder: Callable[..., Path]) -> None:
+    strategy = load_rules(folders=[folder(RULE)], identities=False).strategy()
+    a = gc.analyze(LEGS, strategy=strategy)
+    assert a.condition.kind == "three-tetrahedra"
+    (reading,) = (r for r in a.readings if r.kind == "mine")
+    assert reading.statement.startswith("Mine: ")
+    assert str(reading.expression) in reading.statement
+
+
+def test_a_rule_of_a_folder_can_be_the_only_one(folder: Callable[..., Path]) -> None:
+    a = gc.analyze(LEGS, strategy=load_rules(folders=[folder(RULE)]).strategy(["mine"]))
+    assert a.condition.kind == "mine"
+    assert a.strategy.ids == ("tetrahedra", "mine")
+    assert a.derivation.check()
+
+
+def test_a_wrong_claim_is_never_made(folder: Callable[..., Path]) -> None:
+    wrong = RULE.replace("for row in s.tetrahedra", "for row in s.tetrahedra[:2]")
+    strategy = load_rules(folders=[folder(wrong)]).strategy(["mine"])
+    assert gc.analyze(LEGS, strategy=strategy).condition.kind == "linear-complex"
+
+
+BROKEN = [
+    ("syntax", "RULES = (", "rules.py:1", "was never closed"),
+    ("error", "x = 1\n\nraise ValueError('no')\n", "rules.py:3", "ValueError: no"),
+    ("import", "import gcrules.no_such_module\n", "rules.py:1", "ModuleNotFoundError"),
+    ("no rules", "x = 1\n", "rules.py", "defines no tuple RULES"),
+    ("a list", "RULES = []\n", "rules.py", "defines no tuple RULES"),
+    ("no rule", "RULES = (1,)\n", "rules.py", "which is no rule"),
+]
+
+
+@pytest.mark.parametrize(("code", "place", "words"), [b[1:] for b in BROKEN], ids=[b[0] for b in BROKEN])
+def test_a_broken_plugin_is_reported_with_its_place(
+    folder: Callable[..., Path], code: str, place: str, words: str
+) -> None:
+    with pytest.raises(FileError) as caught:
+        load_rules(folders=[folder(code)])
+    assert place in caught.value.filename
+    assert words in caught.value.message
+
+
+def test_a_folder_that_is_none() -> None:
+    with pytest.raises(FileError, match="folder of plugins"):
+        load_rules(folders=["no/such/folder"])
+
+
+def test_clashes_name_both_owners(folder: Callable[..., Path]) -> None:
+    path = folder(RULE.replace('id="mine"', 'id="four-planes"'), "rule exchange: ab /\\ cd => [abcd]")
+    with pytest.raises(InputError) as caught:
+        load_rules(folders=[path], identities=False)
+    assert caught.value.message == "two rules are called four-planes: one of gcrules, one of plugin mine"
+    (path / "mine" / "rules.py").unlink()
+    with pytest.raises(InputError) as caught:
+        load_rules(folders=[path])
+    assert "one of plugin plucker, plucker.gca:4, one of plugin mine, mine.gca:1" in caught.value.message
+
+
+def test_identities_of_a_folder_are_proved(folder: Callable[..., Path]) -> None:
+    path = folder(identities="rule mine: ab /\\ cd => -[abcd]")
+    assert [p.owner for p in plugins_in(path)] == ["plugin mine"]
+    load_rules(folders=[path], identities=False)
+    with pytest.raises(InputError, match="the rule mine is no identity"):
+        load_rules(folders=[path])
+
+
+def test_analyses_with_rules_of_plugins_can_be_pickled() -> None:
+    a = gc.analyze("Aa Ab Ac Ba Bd Ce")
+    assert pickle.loads(pickle.dumps(a)).condition == a.condition
+
+
+@pytest.fixture(scope="module")
+def outside(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the distribution of tests/outside installed."""
+    target = tmp_path_factory.mktemp("outside")
+    command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation", "--no-index"]
+    subprocess.run([*command, "--target", str(target), str(root / "tests" / "outside")], check=True, timeout=300)
+    return target
+
+
+def run(outside: Path, root: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    path = os.pathsep.join([str(outside), str(root)])
+    return subprocess.run(
+        [sys.executable, "-m", "gcrules", *words],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=300,
+        env={**os.environ, "PYTHONPATH": path, "PYTHONUTF8": "1"},
+    )
+
+
+def test_an_outside_package_plugs_in(outside: Path, root: Path) -> None:
+    rules = {r["id"]: r for r in json.loads(run(outside, root, "rules", "list", "--json").stdout)}
+    assert rules["volumes"]["owner"] == "package gcrules-outside"
+    assert rules["outside"]["owner"] == "package gcrules-outside, outside.gca:1"
+    found = json.loads(run(outside, root, "analyze", LEGS, "--json").stdout)
+    (reading,) = (r for r in found["readings"] if r["kind"] == "volumes")
+    assert reading["statement"].startswith("The robot is singular exactly when the product of the volumes of ")
+    rewritten = run(outside, root, "rewrite", "pq /\\ rs", "--rules", "outside", "--json")
+    assert json.loads(rewritten.stdout)["after"] == "[pqrs]"
+    checked = run(outside, root, "rules", "check")
+    assert checked.returncode == 0
+    assert "volumes" in checked.stdout
+
+
+def test_an_outside_package_that_clashes_is_named(outside: Path, root: Path, tmp_path: Path) -> None:
+    mine = tmp_path / "mine.gca"
+    mine.write_text("rule outside: ab /\\ cd => [abcd]\n", encoding="utf-8")
+    result = run(outside, root, "rules", "list", "--rules", str(mine))
+    assert result.returncode == 2
+    assert "one of package gcrules-outside, outside.gca:1, one of " in result.stderr
+
+
+def test_without_the_package_its_rules_are_gone(root: Path, tmp_path: Path) -> None:
+    assert '"volumes"' not in run(tmp_path, root, "rules", "list", "--json").stdout
