@@ -3,21 +3,36 @@
 from __future__ import annotations
 
 import json
+import os
+import random
 import re
+import subprocess
+import sys
 import xml.etree.ElementTree as ET
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from itertools import combinations
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
 
 from gcrules.algebra.evaluate import evaluate
-from gcrules.analysis import analyze
+from gcrules.algebra.expr import Point, join
+from gcrules.algebra.syntax import parse
+from gcrules.analysis import Analysis, analyze
 from gcrules.catalog import Catalog, Entry
 from gcrules.catalog_file import load
 from gcrules.cli import cli
+from gcrules.numeric.incidence import free_motions
+from gcrules.render import bsp, graph, labels, legend, poses, sample, scene, solids, view
 from gcrules.render import catalog_pages as renderer
-from gcrules.render.catalog_pages import HEAD, bibliography, catalog_pages, neighbours
+from gcrules.render.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages, neighbours
+from gcrules.render.drawing import Circle, Drawing, Line, Polygon, Text
+from gcrules.render.figures import graph_figure, named_lines, robot_figure, shown_entities, thumbnail
+from gcrules.render.labels import label_box, overlap
+from gcrules.render.markdown import inline, reference
+from gcrules.render.page_names import page_names
 
 ENTRIES = load().entries
 REGULAR = [e for e in ENTRIES if e.status != "always-singular"]
@@ -38,9 +53,9 @@ def known(pages: Pages, monkeypatch: pytest.MonkeyPatch) -> None:
     """The command takes the pages of shipped classes from the fixture and computes the others."""
     shipped = {e.id for e in ENTRIES}
 
-    def quick(catalog: Catalog, sources: dict[str, str]) -> Pages:
+    def quick(catalog: Catalog, sources: dict[str, str], catalogs: Sequence[str] = ()) -> Pages:
         own = Catalog(tuple(e for e in catalog.entries if e.id not in shipped), catalog.statements)
-        return pages | (catalog_pages(own, sources) if own.entries else {})
+        return pages | (catalog_pages(own, sources, catalogs) if own.entries else {})
 
     monkeypatch.setattr(renderer, "catalog_pages", quick)
 
@@ -82,6 +97,7 @@ def test_stale_missing_and_left_over_pages(tmp_path: Path, pages: Pages) -> None
     (tmp_path / "6-5-graph.svg").unlink()
     (tmp_path / "7-7.md").write_text(HEAD, encoding="utf-8")
     (tmp_path / "7-7-robot.svg").write_text("", encoding="utf-8")
+    (tmp_path / "6-2-singular.svg").write_text("", encoding="utf-8")
     (tmp_path / "notes.md").write_text("by hand", encoding="utf-8")
     before = contents(tmp_path)
     result = run("--check", "--out", str(tmp_path))
@@ -89,11 +105,12 @@ def test_stale_missing_and_left_over_pages(tmp_path: Path, pages: Pages) -> None
     assert result.stdout.splitlines()[:-1] == [
         "6-6.md is stale",
         "6-5-graph.svg is missing",
+        "6-2-singular.svg is no longer generated",
         "7-7.md is no longer generated",
         "7-7-robot.svg is no longer generated",
     ]
     assert contents(tmp_path) == before
-    assert "2 written, 2 removed" in run("--out", str(tmp_path)).stdout
+    assert "2 written, 3 removed" in run("--out", str(tmp_path)).stdout
     assert contents(tmp_path) == pages | {"notes.md": "by hand"}
 
 
@@ -110,7 +127,7 @@ def test_a_file_in_place_of_the_folder(tmp_path: Path) -> None:
     path = tmp_path / "file"
     path.write_text("x", encoding="utf-8")
     result = run("--out", str(path))
-    assert (result.exit_code, "cannot be made" in result.stderr) == (2, True)
+    assert (result.exit_code, "cannot be written" in result.stderr) == (2, True)
 
 
 @pytest.mark.usefixtures("known")
@@ -123,17 +140,161 @@ def test_a_catalog_of_the_users_own_adds_a_page(tmp_path: Path, pages: Pages) ->
     path.write_text(json.dumps({"classes": [own]}), encoding="utf-8")
     assert run("--out", str(tmp_path / "pages"), "--catalog", str(path)).exit_code == 0
     found = contents(tmp_path / "pages")
-    assert found.keys() == pages.keys() | {"mine.md", "mine-graph.svg", "mine-robot.svg"}
+    assert found.keys() == pages.keys() | {"mine.md", *(f"mine-{kind}.svg" for kind in FIGURES)}
     assert found["mine.md"].startswith(f"{HEAD}\n# Class mine: my robot\n")
     assert "[mine](mine.md)" in found["README.md"]
+
+
+@pytest.mark.usefixtures("known")
+def test_summary_for_programs(tmp_path: Path, pages: Pages) -> None:
+    first = json.loads(run("--json", "--out", str(tmp_path)).stdout)
+    assert first == {"folder": str(tmp_path), "files": [*pages], "written": [*pages], "removed": [], "stale": []}
+    (tmp_path / "6-6.md").unlink()
+    (tmp_path / "7-7.md").write_text(HEAD, encoding="utf-8")
+    checked = run("--json", "--check", "--out", str(tmp_path))
+    stale = [{"file": "6-6.md", "state": "missing"}, {"file": "7-7.md", "state": "no longer generated"}]
+    assert (checked.exit_code, json.loads(checked.stdout)) == (1, first | {"written": [], "stale": stale})
+    again = json.loads(run("--json", "--out", str(tmp_path)).stdout)
+    assert again == first | {"written": ["6-6.md"], "removed": ["7-7.md"]}
+
+
+OWN = """
+classes:
+  - id: '../x'
+    name: '<b> [x](javascript:y) | `z` $w$ {: .c }'
+    note: "# no heading"
+    legs: ab bc ca Dd Ee Ff
+    sources: ['https://example.org/a_b', '<img src=x>', SinguLab2008]
+    condition:
+      kind: one-incidence
+      coefficient: -1
+      expression: '((Dd /\\ abc) \\/ (Ee /\\ abc)) /\\ Ff'
+      statement: '<i>{Dd}</i>, {Ee} and {Ff} pierce the plane {abc} in points of one line.'
+  - id: Mine
+    legs: S1A1 S1B1 S2A2 S2B2 S3A3 S3B3
+    condition: {kind: four-planes, coefficient: -1, expression: 'S1A1B1 /\\ S2A2B2 /\\ S3A3B3 /\\ S1S2S3'}
+  - id: mine
+    legs: Aa Ba Ca Db Eb Fb
+    condition: {kind: always-singular, expression: '0'}
+  - id: edges
+    legs: ab ac ad bc bd cd
+    condition: {kind: three-tetrahedra, expression: '[abcd][abcd][abcd]', coefficient: 1}
+  - id: README
+    legs: Aa Bb Cc Dd Ee Ff
+    condition: {kind: linear-complex, expression: '[[Aa, Bb, Cc, Dd, Ee, Ff]]'}
+  - id: unnamed lines
+    legs: Aa Ab Bc Cd De Ef
+    condition:
+      kind: transversals
+      cofactor: '(A \\/ Bc) /\\ (A \\/ Cd) /\\ ab'
+      coefficient: -1
+      expression: >-
+        ((A \\/ Bc) /\\ (A \\/ Cd) /\\ De) * (((Bc /\\ Aab) \\/ (Cd /\\ Aab)) /\\ Ef)
+        - ((A \\/ Bc) /\\ (A \\/ Cd) /\\ Ef) * (((Bc /\\ Aab) \\/ (Cd /\\ Aab)) /\\ De)
+      statement: Something.
+"""
+
+
+@pytest.mark.usefixtures("known")
+def test_odd_catalogs(tmp_path: Path, pages: Pages) -> None:
+    path = tmp_path / "own.yaml"
+    path.write_text(OWN, encoding="utf-8")
+    folder = tmp_path / "pages"
+    result = run("--out", str(folder), "--catalog", str(path))
+    assert result.exit_code == 0, result.stderr
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["own.yaml", "pages"]
+    found = contents(folder)
+    own = {name.removesuffix(".md") for name in found if name.endswith(".md")} - {n.removesuffix(".md") for n in pages}
+    assert own == {"x", "Mine", "mine-2", "edges", "README-2", "unnamed-lines"}
+    text = "".join(found[f"{name}.md"] for name in own)
+    assert not re.search(r"<(?!!-- Generated|https://example)|\]\(javascript|\{:|^# no", text, re.MULTILINE)
+    assert "&#60;i&#62;Dd&#60;/i&#62;, Ee and Ff pierce" in found["x.md"]
+    assert "the line Ff and" in found["x.md"] or "the lines r and Ff meet in the point M" in found["x.md"]
+    assert "* <https://example.org/a_b>\n* &#60;img src=x&#62;\n* Ben-Horin" in found["x.md"]
+    assert "planes A1B1S1, A2B2S2, S1S2S3 and A3B3S3 meet in the point M = (" in found["Mine.md"]
+    assert "No singular pose with small numbers was found." in found["edges.md"]
+    assert found["edges-robot.svg"].count("</text>") == 5  # a to d, and one tetrahedron in the legend
+    for name in own:
+        assert not [t for t in LINK.findall(found[f"{name}.md"]) if t not in found]
+        for kind in FIGURES:
+            if f"{name}-{kind}.svg" in found:
+                ET.fromstring(found[f"{name}-{kind}.svg"])
+    assert run("--check", "--out", str(folder), "--catalog", str(path)).exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("ids", "names"),
+    [
+        (["6-6", "4-4.s", "a_b"], ["6-6", "4-4.s", "a_b"]),
+        (["../x", "..", "/etc/passwd", "a\\b", "a b"], ["x", "class", "etc-passwd", "a-b", "a-b-2"]),
+        (["X", "x", "x-2"], ["X", "x-3", "x-2"]),
+        (["readme", "Index", "con", "nul.x"], ["readme-2", "Index-2", "con-2", "nul-x-2"]),
+        (["Würfel", "日本", "a" * 300, ".hidden", "-o", "x."], ["Wurfel", "class", "a" * 60, "hidden", "o", "x"]),
+        (["x y", "x-y"], ["x-y-2", "x-y"]),
+    ],
+    ids=["good", "paths", "case", "reserved", "letters", "good names stay"],
+)
+def test_names_of_pages(ids: list[str], names: list[str]) -> None:
+    assert page_names(ids) == dict(zip(ids, names, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("text", "markdown"),
+    [
+        ("plain (text), S1 – 'A'", "plain (text), S1 – 'A'"),
+        ("a\nb  c", "a b c"),
+        ("", ""),
+        ("*a* _b_ `c` ~d~", "&#42;a&#42; &#95;b&#95; &#96;c&#96; &#126;d&#126;"),
+        ("# a", "&#35; a"),
+        ("1. a", "&#49;. a"),
+        ("!!! note", "&#33;!! note"),
+        ("&lt;", "&#38;lt;"),
+    ],
+)
+def test_text_as_markdown(text: str, markdown: str) -> None:
+    assert inline(text) == markdown
+
+
+def test_addresses_as_markdown() -> None:
+    assert reference("https://example.org/a_b") == "<https://example.org/a_b>"
+    assert reference("https://example.org/<b>") == "https://example.org/&#60;b&#62;"
+    assert reference("javascript:alert(1)") == "javascript:alert(1)"
+
+
+def test_pages_are_the_same_in_every_process(root: Path) -> None:
+    """Whatever the seed of Python's hashes, which is another one here, and without a UTF-8 locale."""
+    command = [sys.executable, "-m", "gcrules", "catalog", "docs", "--check"]
+    environment = {**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONHASHSEED": "1"}
+    child = subprocess.run(command, cwd=root, env=environment, capture_output=True, text=True, check=False)
+    assert child.returncode == 0, child.stdout + child.stderr
+
+
+def test_pages_do_not_depend_on_the_last_bit(pages: Pages, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Sines, roots and sums may differ in their last bit between machines and versions of Python; pages may not."""
+    rng = random.Random(1)
+
+    def shaken(function: Callable[..., float]) -> Callable[..., float]:
+        return lambda *given: function(*given) * (1 + rng.choice((-2.3e-16, 0, 2.3e-16)))
+
+    names = ("cos", "sin", "atan2", "hypot", "dist", "sqrt", "dot")
+    for module in (bsp, graph, labels, legend, poses, sample, scene, solids, view):
+        for name in set(names) & vars(module).keys():
+            monkeypatch.setattr(module, name, shaken(getattr(module, name)))
+    some = ("6-5", "6-2", "5-5.1", "4-4.2", "4-3.3", "3-3.3")
+    shipped = load()
+    found = catalog_pages(
+        Catalog(tuple(e for e in shipped.entries if e.id in some), shipped.statements), bibliography()
+    )
+    assert [n for n, svg in found.items() if n.endswith(".svg") and svg != pages[n]] == []
 
 
 # --- the pages -----------------------------------------------------------------------------------------------------
 
 
 def test_every_class_has_a_page_and_figures(pages: Pages) -> None:
-    files = {f"{e.id}{end}" for e in ENTRIES for end in (".md", "-graph.svg", "-robot.svg")}
-    assert pages.keys() == {"README.md", *files}
+    files = {f"{e.id}{end}" for e in ENTRIES for end in (".md", "-graph.svg", "-robot.svg", "-small.svg")}
+    singular = {f"{e.id}-singular.svg" for e in REGULAR}
+    assert pages.keys() == {"README.md", *files, *singular}
 
 
 def test_links_lead_to_pages(pages: Pages) -> None:
@@ -148,13 +309,22 @@ def test_links_lead_to_pages(pages: Pages) -> None:
 def test_page(pages: Pages, entry: Entry) -> None:
     page = pages[f"{entry.id}.md"]
     assert page.startswith(HEAD)
-    assert f"**{analyze(entry.structure).condition.statement}**" in page
+    a = analyze(entry.structure)
+    assert f"**{inline(a.condition.statement)}**" in page
     assert not re.search(r"\{\w+\}", page)
+    headings = ["Superbracket", "Shortest form", "Derivation", "Condition", "Sources"]
+    assert [h for h in re.findall(r"^## (.*)", page, re.MULTILINE) if h in headings] == headings
+    assert [int(n) for n in re.findall(r"^\*\*(\d+)\. ", page, re.MULTILINE)] == [
+        *range(1, 1 + len(tuple(a.derivation)))
+    ]
     sources = page.partition("## Sources\n")[2]
     assert not [key for key in entry.sources if f"* {key}" in sources]  # spelt out, not named by their keys
     assert sources.count("\n* ") == len(entry.sources)
-    for kind in ("graph", "robot"):
-        ET.fromstring(pages[f"{entry.id}-{kind}.svg"])
+    shown = {target for target in LINK.findall(page) if target.endswith(".svg")}
+    kinds = set(FIGURES) - {"small"} - ({"singular"} if entry not in REGULAR else set())
+    assert shown == {f"{entry.id}-{kind}.svg" for kind in kinds}
+    for target in shown:
+        ET.fromstring(pages[target])
 
 
 def worked(page: str) -> dict[str, tuple[dict[str, tuple[Fraction, ...]], Fraction]]:
@@ -191,6 +361,94 @@ def test_worked_poses_are_what_they_say(pages: Pages, entry: Entry) -> None:
 @pytest.mark.parametrize("entry", [e for e in ENTRIES if e not in REGULAR], ids=lambda e: e.id)
 def test_what_is_always_singular_has_no_worked_poses(pages: Pages, entry: Entry) -> None:
     assert "Worked poses" not in pages[f"{entry.id}.md"]
+
+
+def figures(pages: Pages, entry: Entry) -> dict[str, Drawing]:
+    """The drawings of a class as the pages hold them."""
+    a = analyze(entry.structure)
+    poses = worked(pages[f"{entry.id}.md"]) if entry in REGULAR else {}
+    at = {kind: {n: c[:3] for n, c in pose.items()} for kind, (pose, _) in poses.items()}
+    found = {"graph": graph_figure(a), "robot": robot_figure(a, at.get("regular"))}
+    found |= {"singular": robot_figure(a, at["singular"])} if "singular" in at else {}
+    return found | {"small": thumbnail(a, at.get("regular"))}
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda e: e.id)
+def test_drawings(pages: Pages, entry: Entry) -> None:
+    """Labels keep clear of each other and stay inside; every entity of the condition and the legend is to be seen."""
+    a = analyze(entry.structure)
+    for kind, drawing in figures(pages, entry).items():
+        assert pages[f"{entry.id}-{kind}.svg"] == drawing.svg()
+        texts = [s for s in drawing.shapes if isinstance(s, Text)]
+        boxes = [label_box(t) for t in texts]
+        assert not [1 for p, q in combinations(boxes, 2) if overlap(p, q) > 0], kind
+        assert all(min(x, y) >= 0 and u <= drawing.width and v <= drawing.height for x, y, u, v in boxes), kind
+        words = [("".join(run.text for run in t.runs), t.fill) for t in texts]
+        if kind == "small":
+            assert not texts
+            assert drawing.width <= 260
+            assert drawing.height <= 100
+            continue
+        legend = [word for word, _ in words if " " in word and not word.endswith(" joint")]
+        expected = [f"{e.kind} {''.join(e.points)}" for e in shown_entities(a.condition)]
+        assert {w.removesuffix(", flat") for w in legend} >= set(expected) - {f"line {x}" for x in named(a)}, kind
+        if kind != "graph":
+            assert {n for n, _ in named_lines(a)} <= {w.rpartition(" ")[2] for w in legend}, kind
+            points = [w.rpartition(" ")[2] for w in legend if "point" in w or "axis" in w]
+            assert points == [word for word, fill in words if fill == "mark" and " " not in word]
+        assert len(legend) <= len(painted_outside_legend(drawing)), kind
+
+
+def named(a: Analysis) -> set[str]:
+    """The lines of joints that have a name of their own."""
+    return {str(e) for _, e in a.condition.lines}
+
+
+def painted_outside_legend(drawing: Drawing) -> set[str]:
+    """The roles of entities and marks in the picture itself, left of the legend."""
+    edge = min(
+        (t.at[0] for t in drawing.shapes if isinstance(t, Text) and t.anchor == "start" and t.at[0] > 100), default=1e9
+    )
+    roles: set[str | None] = set()
+    for s in drawing.shapes:
+        match s:
+            case Polygon() if s.points[0][0] < edge - 30:
+                roles.add(s.fill)
+            case Line() if s.start[0] < edge - 30:
+                roles.add(s.stroke)
+            case Circle() if s.center[0] < edge - 30:
+                roles |= {s.fill, s.stroke}
+    return {r for r in roles if r and (r.startswith("entity") or r == "mark")}
+
+
+@pytest.mark.parametrize("entry", REGULAR, ids=lambda e: e.id)
+def test_the_singular_pose_shows_why(pages: Pages, entry: Entry) -> None:
+    """The sentence below the figure is true in the pose of the table."""
+    page = pages[f"{entry.id}.md"]
+    a = analyze(entry.structure)
+    pose, _ = worked(page)["singular"]
+    sentence = next(line for line in page.splitlines() if line.startswith("In the singular pose"))
+    meeting = re.search(r"meet in the point M = \((.*)\)\.", sentence)
+    flat = re.search(r"tetrahedron (\w+) is flat", sentence)
+    if meeting:
+        at = (*map(Fraction, meeting[1].split(",")), Fraction(1))
+        for e in a.condition.entities:
+            if e.kind in ("plane", "line"):
+                joined = join(Point("M'"), *map(Point, e.points))
+                value = evaluate(joined, pose | {"M'": at})
+                assert not any(value if isinstance(value, tuple) else (value,))
+    elif flat:
+        assert evaluate(parse(f"[{flat[1]}]"), pose) == 0
+    else:
+        assert "screw motion about the axis s with pitch" in sentence
+        assert len(free_motions(a.structure.legs, pose)) == 1
+
+
+def test_filters_of_the_index(pages: Pages) -> None:
+    index = pages["README.md"]
+    anchors = [re.sub(r"[^\w -]", "", h).lower().replace(" ", "-") for h in re.findall("^## (.*)", index, re.MULTILINE)]
+    assert re.findall(r"\]\(#([^)]*)\)", index) == anchors
+    assert re.search(r"\[Four planes \(group c\)\]\(#four-planes-group-c\) \(6\)", index)
 
 
 def test_neighbours_are_mutual() -> None:

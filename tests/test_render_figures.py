@@ -7,17 +7,24 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ET
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from fractions import Fraction
 from itertools import combinations
 from math import dist
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 
+from gcrules.algebra.syntax import parse
+from gcrules.analysis import Analysis, analyze
 from gcrules.catalog_file import load
+from gcrules.condition import Certificate, Condition
 from gcrules.errors import FileError, InputError
 from gcrules.legs import legs_text
+from gcrules.numeric.incidence import common_point, factors, free_motions
 from gcrules.render.drawing import Circle, Drawing, Line, Polygon, Run, Text, name_runs, save, text_width
+from gcrules.render.figures import graph_figure, incidence_in_words, robot_figure, thumbnail
 from gcrules.render.graph import count_crossings, draw_graph, layered_order
 from gcrules.render.labels import Label, label_box, overlap, place_labels
 from gcrules.render.legend import rounded
@@ -260,6 +267,141 @@ def test_rounded_outlines_keep_their_distance(points: list[tuple[float, float]])
 
 def test_colours_have_both_values() -> None:
     assert all(value.startswith("#") and len(value) == 7 for pair in ROLES.values() for value in pair)
+
+
+# --- figures of an analysis ----------------------------------------------------------------------------------------
+
+SQUARE: dict[str, tuple[int, ...]] = {
+    "o": (0, 0, 0, 1), "x": (1, 0, 0, 1), "y": (0, 1, 0, 1), "z": (0, 0, 1, 1), "u": (1, 1, 0, 1), "v": (1, 1, 1, 1),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("expression", "point"),
+    [
+        ("oxy /\\ oxz /\\ oyz /\\ ouv", (0, 0, 0)),
+        ("oxy /\\ oyz /\\ ov", (0, 0, 0)),
+        ("oxy /\\ x", (1, 0, 0)),
+        ("ou /\\ xy", (Fraction(1, 2), Fraction(1, 2), 0)),
+        ("(oxy /\\ oxz) /\\ yu", None),
+        ("((ov /\\ oxy) \\/ x) /\\ ozv /\\ oyz", (0, 0, 0)),
+        ("oxy /\\ oxu /\\ ov", (0, 0, 0)),
+        ("oxy /\\ oxy /\\ oyz /\\ oyz", None),
+        ("[oxyu]", None),
+        ("oxy /\\ zv", None),
+    ],
+    ids=[
+        "planes",
+        "planes and line",
+        "plane and point",
+        "lines",
+        "at infinity",
+        "constructed",
+        "twice",
+        "line",
+        "bracket",
+        "line at infinity",
+    ],
+)
+def test_common_points(expression: str, point: tuple[int | Fraction, ...] | None) -> None:
+    found = common_point(parse(expression), SQUARE)
+    assert (tuple(c / found[3] for c in found[:3]) if found and found[3] else None) == point
+    assert (found is not None and found[3] == 0) == (expression in ("(oxy /\\ oxz) /\\ yu", "oxy /\\ zv"))
+
+
+@pytest.mark.parametrize(
+    ("expression", "parts"),
+    [
+        ("2 * [abcd] * (ab /\\ cd)**2", ["[abcd]", "ab /\\ cd"]),
+        ("-[abcd][abce][abcd]", ["[abcd]", "[abce]"]),
+        ("[abcd] + [abce]", ["[abcd] + [abce]"]),
+        ("0", []),
+    ],
+)
+def test_factors(expression: str, parts: list[str]) -> None:
+    assert list(map(str, factors(parse(expression)))) == parts
+
+
+def test_free_motions() -> None:
+    """Five legs that meet a line leave the turn about it; three parallel legs two shifts and a turn."""
+    at = {n: (i, i * i, 0, 1) for i, n in enumerate("ABCDE")}
+    at |= {"p": (1, 2, 5, 1), "q": (4, 1, 5, 1), "r": (0, 0, 7, 1)}
+    legs = [("A", "p"), ("B", "p"), ("C", "p"), ("D", "q"), ("E", "q")]
+    (turn,) = free_motions(legs, at)
+    x, y, z = turn.axis
+    assert turn.pitch == 0
+    assert (x, z) == (-3 * y, 0)
+    assert turn.foot is not None
+    assert turn.foot[2] == 5
+    assert not free_motions([*legs, ("E", "r")], at)
+    upright = {n: (x, y, 0, 1) for n, x, y in (("a", 0, 0), ("b", 1, 0), ("c", 0, 1))}
+    upright |= {n.upper(): (x, y, 1, 1) for n, (x, y, *_) in upright.items()}
+    motions = free_motions([("a", "A"), ("b", "B"), ("c", "C")], upright)
+    assert [m.foot is None for m in motions] == [True, True, False]
+
+
+def analysis(kind: str, expression: str, legs: str = "Aa Ab Bc Bd Ce Cf", **more: Any) -> Analysis:
+    """An analysis whose condition no rule has found."""
+    condition = Condition(kind, parse(expression), "words", Certificate("none", "not proved"), **more)
+    return replace(analyze(legs), condition=condition)
+
+
+POSE = {"A": (0, 0, 0), "B": (6, 0, 0), "C": (0, 6, 0), "a": (0, 1, 5), "b": (1, 0, 6), "c": (4, 1, 5), "d": (5, 2, 6),
+        "e": (1, 4, 5), "f": (2, 5, 7)}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("expression", "legend"),
+    [
+        ("Aab /\\ Bcd /\\ Cef /\\ ABC", "plane Aab, plane Bcd, plane Cef, plane ABC"),
+        ("[Aabc](ABd /\\ ACe /\\ Bf)", "tetrahedron Aabc, plane ABd, plane ACe, line Bf"),
+        ("(AB /\\ Ce)(Aab /\\ Bcd /\\ Cf)", "plane Aab, plane Bcd, line AB, line Ce, line Cf"),
+        ("((Aa /\\ Bcd) \\/ (Ab /\\ Bcd)) /\\ Ce", "plane Bcd, line Aa, line Ab, line Ce, line r"),
+        ("(Aab /\\ Bcd) /\\ (C \\/ (Ab /\\ Bef)) /\\ (A \\/ B)", None),
+        ("0", ""),
+        ("[[Aa, Ab, Bc, Bd, Ce, Cf]]", ""),
+        ("[ABab][Ccde] - [ABac][Cdef]", "tetrahedron ABab, tetrahedron Ccde, tetrahedron ABac, tetrahedron Cdef"),
+        ("[ABab]**2 * 3", "tetrahedron ABab"),
+    ],
+)
+def test_a_kind_that_is_known_only_from_a_catalog_is_drawn(expression: str, legend: str | None) -> None:
+    if legend is None:
+        with pytest.raises(InputError):
+            parse(expression)
+        return
+    a = analysis("a kind of its own", expression)
+    for drawing in (robot_figure(a), robot_figure(a, POSE)):
+        words = ["".join(run.text for run in t.runs) for t in all_texts(drawing)]
+        found = [w for w in words if w.split()[0] in ("tetrahedron", "plane", "line")]
+        assert ", ".join(found).replace(", outside", "").replace(", flat", "") == legend
+        ET.fromstring(drawing.svg())
+    ET.fromstring(graph_figure(a).svg())
+    assert not all_texts(thumbnail(a, POSE))
+    assert incidence_in_words(a, POSE)
+
+
+def test_the_common_point_is_found_without_the_kind() -> None:
+    pose = {**POSE, "M": (0, 0, 0)}
+    a = analysis("something new", "AB /\\ AC", legs="AB AC Aa Ba Cb Cc")
+    words = incidence_in_words(a, pose)
+    assert words == "the lines AB and AC meet in the point M = (0, 0, 0)."
+    marks = [s for s in robot_figure(a, pose).shapes if isinstance(s, Circle) and s.fill == "mark"]
+    assert len(marks) == 2  # in the picture and in the legend
+
+
+def test_what_lies_outside_the_picture_is_said_to() -> None:
+    at = {"a": (0, 0, 0), "b": (1, 0, 0), "c": (0, 1, 0), "d": (0, 0, 1)}
+    far = ((9, 9, 9), (9, 9, 10), "p")
+    drawing = draw_platform([("a", "b"), ("c", "d")], at, lines=[far], marks=[((9, 9, 9), "common point M")])
+    words = ["".join(run.text for run in t.runs) for t in all_texts(drawing)]
+    assert words[-2:] == ["line p, outside", "common point M, outside"]
+
+
+def test_numbers_beside_a_tie_are_rounded_alike() -> None:
+    values = [k / 8 for k in range(-40, 40)]
+    for value in values:
+        texts = {Drawing(v, 1, ()).svg() for v in (value, value * (1 + 2e-16), value * (1 - 2e-16))}
+        assert len(texts) == 1
 
 
 # --- files ---------------------------------------------------------------------------------------------------------

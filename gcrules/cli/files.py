@@ -57,7 +57,7 @@ def write_file(path: str, text: str) -> None:
 
 def _replace(target: str, temporary: str, text: str) -> None:
     try:
-        with open(temporary, "x", encoding="utf-8") as file:
+        with open(temporary, "x", encoding="utf-8", newline="\n") as file:
             file.write(text)
         os.replace(temporary, target)
     except BaseException:

@@ -62,7 +62,7 @@ def _ordered(
 ) -> list[Piece[T]]:
     """The first polygon's plane divides the rest; each piece keeps the plane of the polygon that it was cut from."""
     if not polygons:
-        return _ordered_strokes(strokes, eye)
+        return _ordered_strokes(strokes, eye, tolerance)
     first, plane = polygons[0]
     sides: dict[int, tuple[list[tuple[Piece[T], _Plane]], list[Piece[T]]]] = {s: ([], []) for s in (-1, 0, 1)}
     for polygon, own in polygons[1:]:
@@ -76,26 +76,26 @@ def _ordered(
         *_ordered(*sides[-near], eye, tolerance),
         first,
         *(polygon for polygon, _ in sides[0][0]),
-        *_ordered_strokes(sides[0][1], eye),
+        *_ordered_strokes(sides[0][1], eye, tolerance),
         *_ordered(*sides[near], eye, tolerance),
     ]
 
 
-def _ordered_strokes(strokes: list[Piece[T]], eye: XYZ) -> list[Piece[T]]:
+def _ordered_strokes(strokes: list[Piece[T]], eye: XYZ, tolerance: float) -> list[Piece[T]]:
     """The farthest first: always one with no crossing stroke behind it, the one with the farthest ends among these."""
-    left = sorted(strokes, key=lambda s: sum(dot(c, eye) for c in s.corners))
+    left = sorted(strokes, key=lambda s: round(sum(dot(c, eye) for c in s.corners), 6))
     out = []
     while left:
-        free = (s for s in left if not any(_behind(o, s, eye) for o in left if o is not s))
+        free = (s for s in left if not any(_behind(o, s, eye, tolerance) for o in left if o is not s))
         first = next(free, left[0])
         left = [s for s in left if s is not first]
         out.append(first)
     return out
 
 
-def _behind(a: Piece[T], b: Piece[T], eye: XYZ) -> bool:
+def _behind(a: Piece[T], b: Piece[T], eye: XYZ, tolerance: float) -> bool:
     found = crossing(a.corners, b.corners, eye)
-    return found is not None and found[2] > 0
+    return found is not None and found[2] > tolerance
 
 
 def crossing(a: Sequence[XYZ], b: Sequence[XYZ], eye: XYZ) -> tuple[float, float, float] | None:
@@ -128,13 +128,15 @@ def _plane(corners: Sequence[XYZ]) -> _Plane | None:
 def _split(piece: Piece[T], plane: _Plane, tolerance: float) -> list[tuple[int, Piece[T]]]:
     normal, offset = plane
     heights = [dot(normal, c) - offset for c in piece.corners]
-    if all(abs(h) <= tolerance for h in heights):
+    # A corner in the plane is exactly there: else the last bit, not the same everywhere, would cut off a sliver.
+    heights = [0.0 if abs(h) <= tolerance else h for h in heights]
+    if not any(heights):
         return [(0, piece)]
     found = []
     for side in (1, -1):
-        if not any(side * h > tolerance for h in heights):
+        if not any(side * h > 0 for h in heights):
             continue
-        if all(side * h >= -tolerance for h in heights):
+        if all(side * h >= 0 for h in heights):
             return [(side, piece)]
         part = _half(piece, [side * h for h in heights])
         if len(part.corners) >= min(len(piece.corners), 3):

@@ -7,18 +7,35 @@ installed fonts or on the time: equal drawings give equal bytes.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from html import escape
+from math import floor
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Literal
+from unicodedata import east_asian_width
 
 from gcrules.errors import FileError, InputError
 from gcrules.render.notation import split_name
 from gcrules.render.palette import ROLES
 
-__all__ = ["XY", "Circle", "Drawing", "Line", "Polygon", "Run", "Shape", "Text", "name_runs", "save", "text_width"]
+__all__ = [
+    "XY",
+    "Circle",
+    "Drawing",
+    "Line",
+    "Polygon",
+    "Run",
+    "Shape",
+    "Text",
+    "beside",
+    "name_runs",
+    "save",
+    "scaled",
+    "text_width",
+    "without_text",
+]
 
 XY = tuple[float, float]
 
@@ -112,6 +129,59 @@ class Drawing:
         return self.svg()
 
 
+def scaled(drawing: Drawing, factor: float) -> Drawing:
+    """The whole drawing, strokes included, larger or smaller."""
+    shapes = tuple(_mapped(s, factor, (0.0, 0.0)) for s in drawing.shapes)
+    return Drawing(drawing.width * factor, drawing.height * factor, shapes, drawing.title)
+
+
+def beside(drawings: Sequence[Drawing], gap: float = 8.0, title: str = "") -> Drawing:
+    """Drawings in one row, centred, as one."""
+    height = max(d.height for d in drawings)
+    shapes: list[Shape] = []
+    left = 0.0
+    for d in drawings:
+        shapes += [_mapped(s, 1.0, (left, (height - d.height) / 2)) for s in d.shapes]
+        left += d.width + gap
+    return Drawing(left - gap, height, tuple(shapes), title)
+
+
+def without_text(drawing: Drawing) -> Drawing:
+    """The drawing without its words, cut to what is left."""
+    shapes = tuple(s for s in drawing.shapes if not isinstance(s, Text))
+    places = [p for s in shapes for p in _extent(s)] or [(0.0, 0.0), (drawing.width, drawing.height)]
+    (left, right), (top, bottom) = ((min(c) - 3, max(c) + 3) for c in zip(*places, strict=True))
+    moved = tuple(_mapped(s, 1.0, (-left, -top)) for s in shapes)
+    return Drawing(right - left, bottom - top, moved, drawing.title)
+
+
+def _extent(shape: Shape) -> tuple[XY, ...]:
+    """The places between which a shape (not a text) lies."""
+    match shape:
+        case Polygon():
+            return shape.points
+        case Line():
+            return shape.start, shape.end
+        case Circle(center=(x, y), radius=r):
+            return (x - r, y - r), (x + r, y + r)
+    return (shape.at,)
+
+
+def _mapped(shape: Shape, factor: float, shift: XY) -> Shape:
+    def at(p: XY) -> XY:
+        return p[0] * factor + shift[0], p[1] * factor + shift[1]
+
+    match shape:
+        case Polygon():
+            return replace(shape, points=tuple(map(at, shape.points)), width=shape.width * factor)
+        case Line():
+            dash = (shape.dash[0] * factor, shape.dash[1] * factor) if shape.dash else None
+            return replace(shape, start=at(shape.start), end=at(shape.end), width=shape.width * factor, dash=dash)
+        case Circle():
+            return replace(shape, center=at(shape.center), radius=shape.radius * factor, width=shape.width * factor)
+    return replace(shape, at=at(shape.at), size=shape.size * factor)
+
+
 def name_runs(*names: str) -> tuple[Run, ...]:
     """Names of points side by side, as they are set in formulas: S1 is an italic S with a subscript.
 
@@ -129,9 +199,15 @@ def name_runs(*names: str) -> tuple[Run, ...]:
 
 
 def text_width(text: Text) -> float:
-    """The width of a text in points, from a constant estimate for each letter (on the safe side)."""
-    factors = {"upright": 0.54, "italic": 0.6, "subscript": 0.42}
-    return sum(len(run.text) * factors[run.style] for run in text.runs) * text.size
+    """The width of a text in points, from a constant estimate for each letter that is on the safe side in all fonts."""
+    return sum(_letter_width(c) * _WIDTHS[run.style] for run in text.runs for c in run.text) * text.size
+
+
+_WIDTHS = {"upright": 0.6, "italic": 0.62, "subscript": 0.45}
+
+
+def _letter_width(c: str) -> float:
+    return 1.6 if c in "MWmw@%—" or east_asian_width(c) in "FW" else 0.6 if c in "ijl.,:;'′|! " else 1.0
 
 
 def save(drawing: Drawing, path: str | PathLike[str]) -> None:
@@ -201,8 +277,10 @@ def _style(body: str) -> str:
 
 
 def _n(value: float) -> str:
-    """A number with at most two decimals."""
-    out = f"{value:.2f}".rstrip("0").rstrip(".")
+    """A number with at most two decimals. Numbers half way between two are common (positions are half widths and the
+    like), so the limit lies a little beside it: otherwise the last bit, which is not the same everywhere, would decide.
+    """
+    out = f"{floor(value * 100 + 0.5001) / 100:.2f}".rstrip("0").rstrip(".")
     return "0" if out == "-0" else out
 
 

@@ -64,12 +64,14 @@ def place_labels(
     for label in labels:
         options = [(text, label_box(text), bias) for text, bias in _options(label)]
         choices.append([(bias + _cost(box, discs, strokes, taken, bounds), text, box) for text, box, bias in options])
-    chosen = [min(placed, key=lambda o: o[0]) for placed in choices]
+    chosen = [min(placed, key=lambda o: round(o[0], 6)) for placed in choices]  # equals are decided by their order
     for _ in range(_SWEEPS):
         before = list(chosen)
         for i, placed in enumerate(choices):
             others = [box for j, (_, _, box) in enumerate(chosen) if j != i]
-            chosen[i] = min(placed, key=lambda o: o[0] + _AGAINST * sum(overlap(o[2], box, 1.5) for box in others))
+            chosen[i] = min(
+                placed, key=lambda o: round(o[0] + _AGAINST * sum(overlap(o[2], box, 1.5) for box in others), 6)
+            )
         if chosen == before:
             break
     return [text for _, text, _ in chosen]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from math import atan2, ceil, cos, pi, sin
 from typing import Protocol
 
@@ -30,11 +30,15 @@ _SIZE = 13.0
 _SAMPLE = 18.0
 
 
-def entity_entries(entities: Sequence[EntityLike]) -> list[LegendEntry]:
-    """One legend entry for each entity: its kind and its points."""
+def entity_entries(entities: Sequence[EntityLike], flat: Collection[int] = ()) -> list[LegendEntry]:
+    """One legend entry for each entity: its kind and its points; `flat` says which tetrahedra are so in the pose."""
     looks = {"line": "dashed", "point": "ring"}
     return [
-        (entity_role(i), (Run(f"{e.kind} "), *name_runs(*e.points)), looks.get(e.kind, "area"))
+        (
+            entity_role(i),
+            (Run(f"{e.kind} "), *name_runs(*e.points), *([Run(", flat")] if i in flat else [])),
+            looks.get(e.kind, "area"),
+        )
         for i, e in enumerate(entities)
     ]
 
@@ -92,7 +96,7 @@ def rounded(points: Sequence[XY], radius: float, step: float = pi / 12) -> tuple
             last = atan2(after[1] - y, after[0] - x) - pi / 2
             while last < first - 1e-9:
                 last += 2 * pi
-        count = max(1, ceil((last - first) / step))
+        count = max(1, ceil((last - first) / step - 1e-6))
         angles = [first + (last - first) * k / count for k in range(count + 1)]
         outline += [(x + radius * cos(a), y + radius * sin(a)) for a in angles]
     return tuple(outline)

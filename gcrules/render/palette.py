@@ -1,4 +1,5 @@
-"""Colours by role. Entities take the colours of Okabe and Ito, which colour-blind readers can tell apart.
+"""Colours by role. The first entities take colours of Okabe and Ito, which colour-blind readers can tell apart;
+the later ones, mostly those of thin lines, are stronger.
 
 Each role has a value for light and for dark surroundings; an SVG switches between them by itself, and a page that holds
 it may set `--gc-ink`, `--gc-paper`, … to values of its own.
@@ -19,9 +20,9 @@ ROLES: dict[str, tuple[str, str]] = {
     "entity1": ("#0072B2", "#56B4E9"),
     "entity2": ("#D55E00", "#F0803C"),
     "entity3": ("#009E73", "#2FC49B"),
-    "entity4": ("#CC79A7", "#E29AC2"),
-    "entity5": ("#E69F00", "#F0E442"),
-    "entity6": ("#56B4E9", "#4C8DD9"),
+    "entity4": ("#A3327E", "#D65DB1"),
+    "entity5": ("#8F5B00", "#F0E442"),
+    "entity6": ("#6A3FB5", "#B79CF2"),
 }
 """Role: (light, dark)."""
 

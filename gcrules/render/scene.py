@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import combinations
 from math import dist, isfinite
 
 from gcrules.errors import InputError
 from gcrules.legs import leg_text, legs_text
-from gcrules.render.bsp import XYZ, Piece, crossing, dot, minus, painted
+from gcrules.render.bsp import XYZ, Piece, cross, crossing, dot, minus, painted
 from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs
 from gcrules.render.labels import Label, place_labels
 from gcrules.render.legend import ROW, EntityLike, LegendEntry, entity_entries, legend, legend_width
 from gcrules.render.palette import entity_role
 from gcrules.render.sample import sample_coordinates
-from gcrules.render.solids import center, flat_normal, outline, patch, stretched, tetrahedron, through_ball
+from gcrules.render.solids import center, direction, flat_normal, outline, patch, stretched, tetrahedron, through_ball
 from gcrules.render.view import View, choose_view
 
 __all__ = ["draw_platform", "sample_coordinates"]
@@ -31,7 +32,9 @@ _MARGIN = 34.0
 _JOINT = 5.0
 _CASING = 9.0
 _KEY_WIDTH = 118.0
-_REACH = 2.2
+_REACH = 2.2  # how far from the middle of the joints a constructed point is drawn, in radii
+_BALL = 1.15
+_SAME = 1e-6  # radii: what is nearer counts as one
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,55 +71,69 @@ def draw_platform(
     entities: Sequence[EntityLike] = (),
     lines: Sequence[NamedLine] = (),
     marks: Sequence[NamedPoint] = (),
+    *,
+    key: bool = True,
 ) -> Drawing:
     """The robot seen orthographically, the z axis upright, from a viewpoint chosen so that little is hidden.
 
     `coordinates` gives (x, y, z) for each point in any one unit of length; `base` and `platform` name the points of the
     two bodies, which are drawn as areas. Entities have a kind (tetrahedron, plane, line or point) and names of points.
     `lines` are constructed lines, two points in space and a label such as p; `marks` are constructed points, for
-    example where planes meet. Those far outside the robot are left out of the picture but not of the legend. What lies
-    behind is drawn first, areas that intersect are split. Raises InputError for no legs, a point without three finite
-    coordinates and a leg of length zero.
+    example where planes meet. Before the name a label may say what it is in the legend ("common point M"); a line that
+    does so is drawn as a mark. What is far outside the robot is not drawn; the legend (`key`) says so.
+    A flat tetrahedron is drawn as the area that it covers. What lies behind is drawn first, areas that intersect are
+    split. Raises InputError for no legs, a point without three finite coordinates and a leg of length zero.
     """
     if not legs:
         raise InputError("there are no legs to draw")
-    points = _checked(legs, coordinates, entities)
+    given = _checked(legs, coordinates, entities)
+    unit = _Unit.of([given[name] for leg in legs for name in leg])
+    points = {name: unit.of_radius_one(p) for name, p in given.items()}
     joints = {name: points[name] for leg in legs for name in leg}
-    middle = center(list(joints.values()))
-    radius = max((dist(p, middle) for p in joints.values()), default=0.0) or 1.0
-    near = {label: xyz for p, label in marks if dist(xyz := _xyz(p, f"point {label}"), middle) <= _REACH * radius}
+    near = {
+        _last_word(label): xyz
+        for p, label in marks
+        if dist(xyz := unit.of_radius_one(_xyz(p, f"point {label}")), _ORIGIN) <= _REACH
+    }
+    ends = [(unit.of_radius_one(_xyz(p, f"line {n}")), unit.of_radius_one(_xyz(q, f"line {n}"))) for p, q, n in lines]
+    roles = [_line_role(n, len(entities) + i) for i, (_, _, n) in enumerate(lines)]
+    flat = {i for i, e in enumerate(entities) if e.kind == "tetrahedron" and _is_flat([points[n] for n in e.points])}
     pieces = [
         *_bodies(joints, base, platform),
-        *_entities(points, entities, list(near.values()), radius),
-        *_constructed(lines, len(entities), middle, radius),
+        *_entities(points, entities, list(near.values()), flat),
+        *_constructed(ends, roles),
     ]
     drawn = {frozenset(e.points): i for i, e in enumerate(entities) if e.kind == "line"}
     for i, (a, b) in enumerate(legs):
         role = entity_role(drawn[frozenset((a, b))]) if frozenset((a, b)) in drawn else "leg"
         pieces.append(Piece((points[a], points[b]), _Look(role, width=3.2, leg=i)))
     normals = [n for p in pieces if len(p.corners) > 2 and (n := flat_normal(p.corners))]
-    view = choose_view(joints, legs, normals)
-    entries = [*entity_entries(entities), *_constructed_entries(lines, marks, len(entities))]
+    along = [u for p in pieces if p.tag.line is not None and (u := direction(*p.corners))]
+    view, _ = choose_view(joints, legs, normals, along)
+    entries = [*entity_entries(entities, flat), *_constructed_entries(lines, roles, marks, pieces, near)]
     frame = _framed(view, [*(c for p in pieces for c in p.corners), *near.values()])
     shapes: list[Shape] = []
     over = _crossings(legs, points, view.eye)
-    for piece in painted(pieces, view.eye, 1e-6 * radius):
+    for piece in painted(pieces, view.eye, _SAME):
         shapes += _shapes(piece, frame, over)
     shapes += _rings(points, entities, frame)
     shapes += [
         Circle(frame.place(p), _JOINT, "paper" if name in platform else "ink", "ink", 1.6)
-        for name, p in sorted(joints.items(), key=lambda item: dot(item[1], view.eye))
+        for name, p in sorted(joints.items(), key=lambda item: round(dot(item[1], view.eye), 6))
     ]
     strokes = [(frame.place(p.corners[0]), frame.place(p.corners[1])) for p in pieces if len(p.corners) == 2]
-    shapes += [Circle(frame.place(p), 4.0, "mark", "paper", 1.2) for p in near.values()]
-    labels = [*_joint_labels(joints, platform, frame), *_line_labels(pieces, lines, len(entities), frame)]
-    labels += [Label(name_runs(name), frame.place(p), (1.0, -1.0), 4.0, fill="mark") for name, p in near.items()]
+    shapes += [Circle(frame.place(p), 5.0, "mark", "paper", 1.4) for p in near.values()]
+    labels = [*_joint_labels(joints, platform, frame), *_line_labels(pieces, lines, roles, frame)]
+    labels += [Label(name_runs(name), frame.place(p), (1.0, -1.0), 5.0, fill="mark") for name, p in near.items()]
     shapes += place_labels(
         labels,
         discs=[(frame.place(p), _JOINT) for p in (*joints.values(), *near.values())],
         strokes=strokes,
         bounds=(4, 4, _WIDTH - 2, _HEIGHT - 4),
     )
+    title = f"Robot with legs {legs_text(legs)}"
+    if not key:
+        return Drawing(_WIDTH, _HEIGHT, tuple(shapes), title)
     keyed = bool(base and platform)
     side = max(legend_width(entries), _KEY_WIDTH if keyed else 0.0)
     shapes += legend(entries, _WIDTH + 6, 14)
@@ -124,7 +141,7 @@ def draw_platform(
         shapes += _key(_WIDTH + 6, max(14 + ROW * len(entries) + 10, _HEIGHT - 56))
     height = max(_HEIGHT, ROW * len(entries) + 90)
     width = _WIDTH + (side + 20 if side else 0)
-    return Drawing(width, height, tuple(shapes), f"Robot with legs {legs_text(legs)}")
+    return Drawing(width, height, tuple(shapes), title)
 
 
 def _checked(legs: Legs, coordinates: Coordinates, entities: Sequence[EntityLike]) -> dict[str, XYZ]:
@@ -137,6 +154,34 @@ def _checked(legs: Legs, coordinates: Coordinates, entities: Sequence[EntityLike
         if points[leg[0]] == points[leg[1]]:
             raise InputError(f"the leg {leg_text(leg)} has length zero")
     return points
+
+
+_ORIGIN = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class _Unit:
+    """A ball around the joints: in its coordinates distances need no unit, and nothing is far from the origin."""
+
+    middle: XYZ
+    radius: float
+
+    @classmethod
+    def of(cls, joints: Sequence[XYZ]) -> _Unit:
+        middle = center(joints)
+        return cls(middle, max((dist(p, middle) for p in joints), default=0.0) or 1.0)
+
+    def of_radius_one(self, p: XYZ) -> XYZ:
+        x, y, z = ((c - m) / self.radius for c, m in zip(p, self.middle, strict=True))
+        return x, y, z
+
+
+def _is_flat(corners: Sequence[XYZ]) -> bool:
+    """Whether four points lie in one plane (in the unit of the ball's radius)."""
+    if len(corners) != 4:
+        return False
+    a, b, c, d = corners
+    return abs(dot(minus(b, a), cross(minus(c, a), minus(d, a)))) <= 1e-9
 
 
 def _xyz(values: Sequence[float | Fraction], what: str) -> XYZ:
@@ -161,38 +206,65 @@ def _bodies(joints: Mapping[str, XYZ], base: Sequence[str], platform: Sequence[s
 
 
 def _entities(
-    points: Mapping[str, XYZ], entities: Sequence[EntityLike], marks: Sequence[XYZ], radius: float
+    points: Mapping[str, XYZ], entities: Sequence[EntityLike], marks: Sequence[XYZ], flat: Collection[int]
 ) -> list[Piece[_Look]]:
-    """A plane reaches to the constructed points that lie in it, so that planes are seen to meet there."""
+    """A plane or line reaches to the constructed points that lie in it, so that entities are seen to meet there."""
     pieces: list[Piece[_Look]] = []
     for i, e in enumerate(entities):
         corners = [points[name] for name in e.points]
         role = entity_role(i)
-        if e.kind == "tetrahedron" and len(corners) == 4:
+        if i in flat:
+            pieces += [
+                Piece(hull, _Look(role, fill=0.3, edge=0.9, width=1.6), edges) for hull, edges in outline(corners)
+            ]
+            pieces += [Piece(pair, _Look(role, width=1.2)) for pair in combinations(corners, 2)]
+        elif e.kind == "tetrahedron" and len(corners) == 4:
             pieces += [Piece(face, _Look(role, fill=0.14, edge=0.75, width=1.2)) for face in tetrahedron(corners)]
         elif e.kind == "plane" and len(corners) == 3:
-            polygon = patch(corners, 0.14 * radius, also=marks)
+            polygon = patch(corners, 0.14, also=marks)
             pieces += [Piece(polygon, _Look(role, fill=0.2, edge=0.85, width=1.4))] if polygon else []
         elif e.kind == "line" and len(corners) == 2:
-            pieces.append(Piece(stretched(corners, 0.45 * radius), _Look(role, width=2.2, dash=(6, 4))))
+            pieces.append(Piece(stretched(corners, 0.35, also=marks), _Look(role, width=2.2, dash=(6, 4))))
     return pieces
 
 
-def _constructed(lines: Sequence[NamedLine], first: int, middle: XYZ, radius: float) -> list[Piece[_Look]]:
+def _constructed(lines: Sequence[tuple[XYZ, XYZ]], roles: Sequence[str]) -> list[Piece[_Look]]:
     """The parts of constructed lines inside a ball around the robot; a line that misses it is left out."""
     pieces = []
-    for i, (start, end, label) in enumerate(lines):
-        ends = through_ball(_xyz(start, f"line {label}"), _xyz(end, f"line {label}"), middle, 1.3 * radius)
+    for i, (start, end) in enumerate(lines):
+        ends = through_ball(start, end, _ORIGIN, _BALL)
         if ends:
-            pieces.append(Piece(ends, _Look(entity_role(first + i), width=2.4, dash=(9, 4), line=i)))
+            pieces.append(Piece(ends, _Look(roles[i], width=2.8, dash=(10, 3), line=i)))
     return pieces
 
 
-def _constructed_entries(lines: Sequence[NamedLine], marks: Sequence[NamedPoint], first: int) -> list[LegendEntry]:
+def _line_role(label: str, index: int) -> str:
+    """What is marked in a pose, and so says what it is, has one colour; other lines continue those of the entities."""
+    return "mark" if " " in label else entity_role(index)
+
+
+def _constructed_entries(
+    lines: Sequence[NamedLine],
+    roles: Sequence[str],
+    marks: Sequence[NamedPoint],
+    pieces: Sequence[Piece[_Look]],
+    near: Collection[str],
+) -> list[LegendEntry]:
+    """Legend entries, which say so where something lies outside the picture."""
+    drawn = {p.tag.line for p in pieces}
     return [
-        *((entity_role(first + i), (Run("line "), *name_runs(line[2])), "dashed") for i, line in enumerate(lines)),
-        *(("mark", (Run("point "), *name_runs(label)), "dot") for _, label in marks),
+        *((roles[i], _entry("line", label, i in drawn), "dashed") for i, (_, _, label) in enumerate(lines)),
+        *(("mark", _entry("point", label, _last_word(label) in near), "dot") for _, label in marks),
     ]
+
+
+def _entry(kind: str, label: str, drawn: bool) -> tuple[Run, ...]:
+    words, _, name = label.rpartition(" ")
+    return (Run(f"{words or kind} "), *name_runs(name), *([] if drawn else [Run(", outside")]))
+
+
+def _last_word(label: str) -> str:
+    return label.rpartition(" ")[2]
 
 
 # --- onto the page -------------------------------------------------------------------------------------------------
@@ -214,7 +286,7 @@ def _crossings(legs: Legs, points: Mapping[str, XYZ], eye: XYZ) -> dict[int, lis
     for i, first in enumerate(ends):
         for j, second in enumerate(ends):
             cross_at = crossing(first, second, eye)
-            if cross_at and cross_at[2] < 0 and i != j:
+            if cross_at and cross_at[2] < -_SAME and i != j:
                 step = minus(first[1], first[0])
                 s = cross_at[0]
                 found.setdefault(i, []).append(
@@ -276,13 +348,15 @@ def _joint_labels(joints: Mapping[str, XYZ], platform: Sequence[str], frame: _Fr
     ]
 
 
-def _line_labels(pieces: Sequence[Piece[_Look]], lines: Sequence[NamedLine], first: int, frame: _Frame) -> list[Label]:
+def _line_labels(
+    pieces: Sequence[Piece[_Look]], lines: Sequence[NamedLine], roles: Sequence[str], frame: _Frame
+) -> list[Label]:
     """Names of constructed lines, at their upper ends."""
     drawn = {p.tag.line: p.corners for p in pieces if p.tag.line is not None}
     labels = []
     for i, corners in drawn.items():
         a, b = sorted((frame.place(c) for c in corners), key=lambda p: p[1])
-        labels.append(Label(name_runs(lines[i][2]), a, (a[0] - b[0], a[1] - b[1]), 1.0, fill=entity_role(first + i)))
+        labels.append(Label(name_runs(_last_word(lines[i][2])), a, (a[0] - b[0], a[1] - b[1]), 1.0, fill=roles[i]))
     return labels
 
 

@@ -9,7 +9,7 @@ from math import atan2, dist
 from gcrules.render.bsp import XYZ, cross, dot, minus
 from gcrules.render.legend import convex_hull, rounded
 
-__all__ = ["center", "flat_normal", "outline", "patch", "stretched", "tetrahedron", "through_ball"]
+__all__ = ["center", "direction", "flat_normal", "outline", "patch", "stretched", "tetrahedron", "through_ball"]
 
 
 def center(points: Sequence[XYZ]) -> XYZ:
@@ -21,10 +21,16 @@ def center(points: Sequence[XYZ]) -> XYZ:
 def flat_normal(corners: Sequence[XYZ]) -> XYZ | None:
     """The unit normal of the largest triangle of the corners; None if they are all in one line."""
     normals = [cross(minus(b, a), minus(c, a)) for a, b, c in combinations(corners[:12], 3)]
-    largest = max(normals, key=lambda n: dot(n, n), default=(0.0, 0.0, 0.0))
+    largest = max(normals, key=lambda n: round(dot(n, n), 9), default=(0.0, 0.0, 0.0))
     length = dot(largest, largest) ** 0.5
     size = max((dist(a, b) for a, b in combinations(corners[:12], 2)), default=0.0)
     return None if length <= 1e-6 * size * size else _scaled(largest, 1 / length)
+
+
+def direction(a: XYZ, b: XYZ) -> XYZ | None:
+    """The unit vector from one point to another; None if they coincide."""
+    length = dist(a, b)
+    return _scaled(minus(b, a), 1 / length) if length else None
 
 
 def outline(corners: Sequence[XYZ]) -> list[tuple[tuple[XYZ, ...], tuple[bool, ...]]]:
@@ -38,7 +44,7 @@ def outline(corners: Sequence[XYZ]) -> list[tuple[tuple[XYZ, ...], tuple[bool, .
         return []
     origin = center(corners)
     u, v = _basis(corners, normal)
-    flat = [(dot(minus(c, origin), u), dot(minus(c, origin), v)) for c in corners]
+    flat = [_flat(minus(c, origin), u, v) for c in corners]
     size = max(dist(c, origin) for c in corners)
     if all(abs(dot(minus(c, origin), normal)) <= 0.01 * size for c in corners):
         hull = convex_hull(flat)
@@ -64,16 +70,22 @@ def patch(corners: Sequence[XYZ], margin: float, also: Sequence[XYZ] = ()) -> tu
     origin = center(corners)
     u, v = _basis(corners, normal)
     covered = [*corners, *(p for p in also if abs(dot(minus(p, origin), normal)) <= margin / 20)]
-    flat = [(dot(minus(c, origin), u), dot(minus(c, origin), v)) for c in covered]
+    flat = [_flat(minus(c, origin), u, v) for c in covered]
     return tuple(_plus(origin, u, x, v, y) for x, y in rounded(flat, margin, step=0.4))
 
 
-def stretched(ends: Sequence[XYZ], extra: float) -> tuple[XYZ, XYZ]:
-    """A segment made longer at both ends."""
+def stretched(ends: Sequence[XYZ], extra: float, also: Sequence[XYZ] = ()) -> tuple[XYZ, XYZ]:
+    """A segment made longer at both ends, and up to those of the further points that lie on its line (within a
+    twentieth of that length).
+    """
     a, b = ends
-    t = extra / (dist(a, b) or 1.0)
-    step = _scaled(minus(b, a), t)
-    return minus(a, step), (b[0] + step[0], b[1] + step[1], b[2] + step[2])
+    u = _scaled(minus(b, a), 1 / (dist(a, b) or 1.0))
+    reach = [0.0, dist(a, b)]
+    for p in also:
+        along = dot(minus(p, a), u)
+        if dist(p, _plus(a, u, along, u, 0.0)) <= extra / 20:
+            reach.append(along)
+    return _plus(a, u, min(reach) - extra, u, 0.0), _plus(a, u, max(reach) + extra, u, 0.0)
 
 
 def through_ball(a: XYZ, b: XYZ, middle: XYZ, radius: float) -> tuple[XYZ, XYZ] | None:
@@ -94,11 +106,16 @@ def through_ball(a: XYZ, b: XYZ, middle: XYZ, radius: float) -> tuple[XYZ, XYZ] 
 def _basis(corners: Sequence[XYZ], normal: XYZ) -> tuple[XYZ, XYZ]:
     """Two unit vectors along a plane."""
     a = corners[0]
-    far = max(corners, key=lambda c: dist(a, c))
+    far = max(corners, key=lambda c: round(dot(minus(c, a), minus(c, a)), 9))
     along = minus(far, a)
     along = minus(along, _scaled(normal, dot(along, normal)))
     u = _scaled(along, 1 / (dot(along, along) ** 0.5))
     return u, cross(normal, u)
+
+
+def _flat(p: XYZ, u: XYZ, v: XYZ) -> tuple[float, float]:
+    """Coordinates along two vectors, rounded so that what is equal but for rounding is equal."""
+    return round(dot(p, u), 9), round(dot(p, v), 9)
 
 
 def _scaled(v: XYZ, factor: float) -> XYZ:

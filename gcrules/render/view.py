@@ -28,8 +28,9 @@ class View:
     def at(cls, azimuth: float, elevation: float) -> View:
         """From the given angles in degrees, with the z axis upright in the picture."""
         a, e = radians(azimuth), radians(elevation)
-        eye = (cos(a) * cos(e), sin(a) * cos(e), sin(e))
-        right = (-sin(a), cos(a), 0.0)
+        ca, sa, ce, se = (round(f(x), 12) for f, x in ((cos, a), (sin, a), (cos, e), (sin, e)))  # alike everywhere
+        eye = (ca * ce, sa * ce, se)
+        right = (-sa, ca, 0.0)
         return cls(eye, right, cross(eye, right))
 
     def flat(self, point: XYZ) -> XY:
@@ -37,14 +38,21 @@ class View:
         return dot(self.right, point), -dot(self.up, point)
 
 
-def choose_view(points: Mapping[str, XYZ], legs: Sequence[tuple[str, str]], normals: Sequence[XYZ] = ()) -> View:
-    """The best of a fixed set of viewpoints.
+def choose_view(
+    points: Mapping[str, XYZ],
+    legs: Sequence[tuple[str, str]],
+    normals: Sequence[XYZ] = (),
+    directions: Sequence[XYZ] = (),
+) -> tuple[View, float]:
+    """The best of a fixed set of viewpoints, and how much still hides each other there (0 for nothing).
 
     Joints should be apart from each other and from foreign legs, the planes with the given unit normals should not be
-    seen edge on. Equal merits are decided by the order of the viewpoints.
+    seen edge on, nor lines with the given unit directions from their ends. Equal merits are decided by the order of the
+    viewpoints.
     """
-    scored = ((round(_clutter(view, points, legs, normals), 6), i, view) for i, view in enumerate(_views()))
-    return min(scored, key=lambda s: s[:2])[2]
+    scored = ((round(_clutter(v, points, legs, normals, directions), 6), i, v) for i, v in enumerate(_views()))
+    cost, _, view = min(scored, key=lambda s: s[:2])
+    return view, cost
 
 
 def distance_to_stroke(p: XY, start: XY, end: XY) -> float:
@@ -61,7 +69,13 @@ def _views() -> Iterator[View]:
             yield View.at(azimuth - 60, elevation)
 
 
-def _clutter(view: View, points: Mapping[str, XYZ], legs: Sequence[tuple[str, str]], normals: Sequence[XYZ]) -> float:
+def _clutter(
+    view: View,
+    points: Mapping[str, XYZ],
+    legs: Sequence[tuple[str, str]],
+    normals: Sequence[XYZ],
+    directions: Sequence[XYZ],
+) -> float:
     at = {name: view.flat(p) for name, p in points.items()}
     xs, ys = [x for x, _ in at.values()], [y for _, y in at.values()]
     size = max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
@@ -74,6 +88,8 @@ def _clutter(view: View, points: Mapping[str, XYZ], legs: Sequence[tuple[str, st
                 total += _near(distance_to_stroke(p, at[a], at[b]) / size, 0.05)
     for normal in normals:
         total += _near(abs(dot(normal, view.eye)), 0.3)
+    for direction in directions:
+        total += _near(1 - abs(dot(direction, view.eye)), 0.3)
     return total
 
 
