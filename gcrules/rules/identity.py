@@ -37,6 +37,7 @@ from gcrules.rules.rule import RewriteRule
 __all__ = ["MAX_REWRITES", "Identity", "instance_fault", "only_brackets", "rewrite_all", "rewritten"]
 
 MAX_REWRITES = 1_000
+MAX_PARTS = 20_000
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -119,14 +120,28 @@ def rewrite_all(e: Expr, rules: tuple[RewriteRule, ...], space: Space) -> Iterat
                 break
         else:
             return
-        yield rule, after
         what = f"the rule {rule.id} loops: it" if len(rules) == 1 else f"the rules loop: {rule.id}"
+        if _parts(after) > MAX_PARTS:
+            raise LimitReached(f"{what} makes expressions of more than {MAX_PARTS:,} parts", hint=_GUARD)
         if after in seen:
             raise LimitReached(f"{what} comes back to {_short(after)}", hint=_GUARD)
         if len(seen) > MAX_REWRITES:
             raise LimitReached(f"{what} does not end within {MAX_REWRITES:,} applications", hint=_GUARD)
+        yield rule, after
         seen.add(after)
         e = after
+
+
+def _parts(e: Expr) -> int:
+    """The number of parts of an expression, shared ones counted each time they occur."""
+    known: dict[int, int] = {}
+
+    def count(x: Expr) -> int:
+        if id(x) not in known:
+            known[id(x)] = 1 + sum(map(count, x.children))
+        return known[id(x)]
+
+    return count(e)
 
 
 def _short(value: object) -> str:
