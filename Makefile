@@ -9,6 +9,7 @@ VENV := .venv
 BENCH_VENV := .venv-bench
 BIN := $(VENV)/bin
 DEMO := build/demo
+SITE := build/site
 # Quiet twice: errors only.
 PIP_QUIET := --disable-pip-version-check --quiet --quiet
 
@@ -49,10 +50,13 @@ check: $(READY) ## lint, formatting, types, documentation
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/python tools/check_docs.py
+	@$(build-site)
 
 .PHONY: docs
-docs: $(READY) ## write the generated pages of docs/ and check every link
+docs: $(READY) ## write the generated pages of docs/, check every link, build the guide
 	$(BIN)/python tools/check_docs.py --write
+	@$(build-site)
+	@echo "The guide is in $(CURDIR)/$(SITE)/index.html"
 
 .PHONY: bench
 bench: $(BENCH_READY) ## run the benchmarks beside naive forms and peers, in an environment of their own
@@ -80,6 +84,12 @@ $(BENCH_READY): pyproject.toml benchmarks/peers.txt
 	    || echo "make: the peer $$peer does not install here; its benchmarks go without it" >&2; \
 	done
 	@touch $@
+
+# A warning, a broken link or a load from the network is an error. (The variable silences news from the theme's makers.)
+define build-site
+NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --quiet --strict --site-dir $(SITE) && \
+  $(BIN)/python tools/check_site.py $(SITE)
+endef
 
 # Make the environment $(1) unless it is there, with the interpreter asked for, or else with the first on the path
 # that is new enough. Some distributions ship Python without the wheel of pip that venv copies; their own pip serves then.

@@ -113,7 +113,7 @@ WRONG = [
         "1:1",
         "no identity",
     ),
-    ("in one rank", "rank 3\nrule x: [abc] => [acb]", "2:1", "the left side is 2, the right side -2"),
+    ("in one rank", "rank 3\nrule x: [abc] => [acb]", "2:1", ", where the left side is 2, the right side -2"),
     ("not on the left", "rule x: [abcd] => [abce]", "1:19", "unbound point e"),
     ("in a guard", "rule x: [abcd] => -[bacd] if e < a", "1:30", "e is no point of the left side"),
     ("in an assumption", "rule x: [abcd] => -[bacd] if coplanar(a, b, c, e)", "1:30", "unbound point e"),

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from pathlib import Path
+from typing import Any
 
 import pytest
+import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import LONG_NAMES, RANKS, SHORT_NAMES, expressions
 
+from gcrules import errors
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import (
     Bracket,
@@ -249,71 +253,21 @@ def test_text(e: Expr, expected: str) -> None:
 
 # --- faults --------------------------------------------------------------------------------------------------------
 
+# Texts with the faults they have; the guide shows the same table with the whole messages.
+CASES = yaml.safe_load((Path(__file__).parent / "data" / "faults.yaml").read_text(encoding="utf-8"))
+
+
+def source_of(case: dict[str, Any]) -> str:
+    source = case["source"]
+    return source if isinstance(source, str) else source.get("before", "") + source["repeat"] * source["times"]
+
+
 # (id, source, place, class, words of the message, words of the hint)
 FAULTS: list[tuple[str, str, str, type[GcrulesError], str, str]] = [
-    ("empty", "", "1:1", SyntaxFault, "the input is empty; expected an expression", ""),
-    ("blank", "  \n ", "1:1", SyntaxFault, "the input is empty", ""),
-    ("comment only", "# nothing", "1:10", SyntaxFault, "ends too early", ""),
-    ("open parenthesis", "(ab", "1:4", SyntaxFault, "ends too early", "a parenthesis is not closed"),
-    ("open bracket", "[abcd", "1:6", SyntaxFault, "ends too early", "a bracket is not closed"),
-    ("closing parenthesis too many", "ab)", "1:3", SyntaxFault, "unexpected ')'", ""),
-    ("wrong closing", "[abcd)", "1:6", SyntaxFault, "unexpected ')'", "a bracket is not closed"),
-    ("ends in an operator", r"ab /\ ", "1:6", SyntaxFault, "ends too early; expected an expression", ""),
-    ("two operators", r"ab /\ \/ c", "1:7", SyntaxFault, r"unexpected '\\/'; expected an expression", ""),
-    ("on the second line", "ab +\n* c", "2:1", SyntaxFault, "unexpected '*'", ""),
-    ("single equals", "ab = cd", "1:4", SyntaxFault, "unexpected", "equality is written =="),
-    ("equation as an expression", "ab == cd", "1:4", SyntaxFault, "unexpected '=='", "only `prove` and `claim`"),
-    ("backslash", r"ab \ cd", "1:4", SyntaxFault, "unexpected character", "join is \\/"),
-    ("unknown TeX", r"ab \cap cde", "1:4", SyntaxFault, "unexpected character", "meet is /\\"),
-    ("slash", "ab / cde", "1:4", SyntaxFault, "unexpected character '/'", "fractions are written 1/2"),
-    ("decimal", "1.5[abcd]", "1:3", SyntaxFault, "unexpected '5'", "fractions are written 3/2"),
-    ("bar", "a | b", "1:3", SyntaxFault, "unexpected character '|'", "join is \\/"),
-    ("ampersand", "abc & def", "1:5", SyntaxFault, "unexpected character '&'", "meet is /\\"),
-    ("braces", "{ab}", "1:1", SyntaxFault, "unexpected character '{'", "group with ( )"),
-    ("trailing comma", "[a, b, c, d, ]", "1:14", SyntaxFault, "unexpected ']'", ""),
-    ("caret as power", "[abcd]^2", "1:1", StepError, "a meet with a number", "write powers with **"),
-    ("fraction as exponent", "[abcd]**1/2", "1:9", SyntaxFault, "must be a whole number", ""),
-    ("huge exponent", "[abcd]**99999999999", "1:9", SyntaxFault, "above the limit 64", ""),
-    ("division by zero", "1/0", "1:1", SyntaxFault, "division by zero", ""),
-    ("power of an extensor", "(ab)**2", "1:1", StepError, "a power of a line (step 2)", ""),
-    ("underscore alone", "a_b", "1:1", SyntaxFault, "is not made of point names", "S_2"),
-    ("dot outside a bracket", ".a", "1:1", SyntaxFault, "a dot outside a bracket", "[.a b c d]"),
-    ("dotted letter outside a bracket", "ȧb", "1:1", SyntaxFault, "a dot outside a bracket", ""),
-    ("dot and an extensor", r"[.a, (bc /\ def), g]", "1:7", SyntaxFault, "can only hold points", ""),
-    ("small bracket", "[abc]", "1:1", StepError, "a bracket of 3 points, expected 4 in rank 4", "rank 3"),
-    ("large bracket", "2 [abcde]", "1:3", StepError, "a bracket of 5 points, expected 4", "--rank 5"),
-    ("one point", "[a]", "1:1", StepError, "a bracket of 1 point, expected 4", ""),
-    ("small dotted bracket", "[.a b c]", "1:1", StepError, "a bracket of 3 points, expected 4", ""),
-    ("bracket of extensors", r"[ab, cde]", "1:1", StepError, "a bracket of 5 points, expected 4", ""),
-    ("bracket of meets", r"[ab /\ cde, fg]", "1:1", StepError, "a bracket of step 3, expected 4", ""),
-    (
-        "join beyond the rank",
-        r"abc \/ de",
-        "1:1",
-        StepError,
-        "step 5, beyond the rank 4 (steps found: 3 and 2)",
-        "meet",
-    ),
-    ("word beyond the rank", "ab + abcde", "1:6", StepError, "step 5, beyond the rank 4", ""),
-    ("small meet", r"a /\ bc", "1:1", StepError, "add up to 3, expected at least 4", "did you mean a join"),
-    ("meet with a scalar", r"[abcd] /\ abc", "1:1", StepError, "a meet with a scalar", "multiply scalars"),
-    (
-        "sum of unlike steps",
-        "ab + c",
-        "1:6",
-        StepError,
-        "cannot add a point (step 1) to a line (step 2)",
-        "equal steps",
-    ),
-    ("sum with a number", "[abcd] a + 1", "1:12", StepError, "cannot add a scalar", "equal steps"),
-    ("product of extensors", "ab * cd", "1:1", StepError, "a product of two extensors", "join"),
-    ("five lines", "[[ab, cd, ef, gh, ij]]", "1:1", StepError, "a superbracket of 5 lines, expected 6", ""),
-    ("a point for a line", "[[ab, c, ef, gh, ij, kl]]", "1:1", StepError, "entry 2", ""),
-    ("long number", "9" * 3000, "1:1", SyntaxFault, "a number of 3,000 characters", ""),
-    ("long word", "[abcd] + " + "a" * 3000, "1:10", SyntaxFault, "a word of 3,000 characters", ""),
-    ("accented letter", "é", "1:1", SyntaxFault, "unexpected character 'é'", ""),
-    ("control character", "ab\0", "1:3", SyntaxFault, "unexpected character '\\x00'", ""),
+    (c["id"], source_of(c), c["place"], getattr(errors, c["kind"]), c["message"], c.get("hint", ""))
+    for c in CASES["expressions"]
 ]
+SCRIPT_FAULTS = [(c["id"], source_of(c), c["place"], c["message"]) for c in CASES["scripts"]]
 
 
 @pytest.mark.parametrize(
@@ -430,26 +384,6 @@ def test_the_context_is_that_of_the_statement() -> None:
     before, after = parse_script("show abc\npoints c b a\nshow abc").statements
     assert before.context.points == ()
     assert after.context.points == ("c", "b", "a")
-
-
-SCRIPT_FAULTS = [
-    ("fault in a let", "rank 3\nlet p = ab /\\ c d e f", "2:15", "beyond the rank 3"),
-    ("fault in a claim", "rank 3\n\nclaim [abcd] == 0", "3:7", "a bracket of 4 points, expected 3"),
-    ("claim without equality", "claim [abcd]\nshow a", "2:1", "unexpected 'show'"),
-    ("claim of unlike steps", "show a\nclaim ab == c", "2:7", "cannot equal"),
-    ("unknown statement", "foo 3", "1:1", "unexpected 'foo'"),
-    ("late rank", "points a\nrank 3", "2:1", "`rank` must come before"),
-    ("rank as a fraction", "rank 7/2", "1:6", "a rank must be a whole number"),
-    ("rank divided by zero", "rank 7/0", "1:6", "a rank must be a whole number"),
-    ("rank out of range", "rank 9", "1:1", "outside the supported ranks"),
-    ("bound twice", "let p = a\nlet p = b", "2:5", "p is already declared"),
-    ("bound point", "points p\nlet p = b", "2:5", "p is already declared"),
-    ("declared bound name", "let p = a\npoints p", "2:8", "p is already bound"),
-    ("dotted name", "points ȧb", "1:8", "cannot name a point"),
-    ("let without a value", "let p =", "1:8", "ends too early"),
-    ("dots in a let", "let p = .a", "1:9", "a dot outside a bracket"),
-    ("label not closed", 'claim "x: a == a', "1:7", "unexpected character"),
-]
 
 
 @pytest.mark.parametrize(

@@ -138,7 +138,7 @@ def _where(proof: Proof, instance: Instance, rule: RuleText) -> str:
     """The exact points that refute a rule."""
     points = "; ".join(f"{n} = ({', '.join(map(str, c))})" for n, c in (proof.counterexample or {}).items())
     rank = f" in rank {instance.rank}" if len(rule.instances) > 1 else ""
-    values = "" if proof.values is None else f" the left side is {proof.values[0]}, the right side {proof.values[1]}"
+    values = "" if proof.values is None else f", where the left side is {proof.values[0]}, the right side {proof.values[1]}"
     return f"{rank}: at {points}{values}"
 
 

@@ -1,0 +1,577 @@
+"""The drawings of the guide, by name; `python tools/site_drawings.py FOLDER` writes them as SVG files.
+
+Pages ask for a drawing with a line `<!-- drawing: NAME | caption -->`. Everything is drawn by gcrules itself
+(`gcrules.render`), so the bytes are the same everywhere, and the colours follow the page from light to dark.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from math import cos, dist, hypot, pi, sin
+from pathlib import Path
+
+import gcrules as gc
+from gcrules.render.bsp import XYZ, Piece, cross, dot, minus, painted
+from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs, text_width
+from gcrules.render.figures import graph_figure, robot_figure
+from gcrules.render.labels import Label, place_labels
+from gcrules.render.solids import center, flat_normal, patch, stretched, tetrahedron
+from gcrules.render.view import View
+
+ROOT = Path(__file__).resolve().parent.parent
+
+_DOT = 4.6
+_BLUE, _ORANGE, _GREEN, _PINK = "entity1", "entity2", "entity3", "entity4"
+
+
+# --- a small kit for pictures of points, lines and planes ----------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Look:
+    role: str
+    fill: float = 0.0
+    edge: float = 0.0
+    width: float = 1.0
+    dash: tuple[float, float] | None = None
+
+
+@dataclass
+class Space:
+    """What there is to see in space; `draw` projects it orthographically, the z axis upright."""
+
+    points: dict[str, tuple[XYZ, str]] = field(default_factory=dict)
+    pieces: list[Piece[_Look]] = field(default_factory=list)
+    heads: list[tuple[XYZ, XYZ, str]] = field(default_factory=list)
+    names: list[tuple[str, XYZ, XY, str]] = field(default_factory=list)
+
+    def at(self, name: str) -> XYZ:
+        return self.points[name][0]
+
+    def point(self, role: str = "ink", **places: XYZ) -> None:
+        """Points with their names; the role `mark` is for points that were constructed."""
+        self.points |= {name: (xyz, role) for name, xyz in places.items()}
+
+    def line(
+        self,
+        a: str | XYZ,
+        b: str | XYZ,
+        role: str = _BLUE,
+        *,
+        beyond: float = 0.0,
+        width: float = 2.6,
+        dashed: bool = False,
+    ) -> None:
+        ends = stretched([self._xyz(a), self._xyz(b)], beyond)
+        self.pieces.append(Piece(ends, _Look(role, width=width, dash=(6, 4) if dashed else None)))
+
+    def plane(self, *names: str | XYZ, role: str = _BLUE, margin: float = 0.3, also: Sequence[XYZ] = ()) -> None:
+        polygon = patch([self._xyz(n) for n in names], margin, also)
+        if polygon:
+            self.pieces.append(Piece(polygon, _Look(role, fill=0.22, edge=0.9, width=1.3)))
+
+    def tetrahedron(self, *names: str, role: str = _BLUE) -> None:
+        for face in tetrahedron([self.at(n) for n in names]):
+            self.pieces.append(Piece(face, _Look(role, fill=0.15, edge=0.9, width=1.6)))
+
+    def turn(self, *names: str, role: str = _BLUE, radius: float = 0.25) -> None:
+        """A round arrow in the plane of three points, the way round that the points have."""
+        corners = [self.at(n) for n in names]
+        middle, normal = center(corners), flat_normal(corners)
+        assert normal is not None
+        u = minus(corners[0], middle)
+        u = _times(u, 1 / hypot(*u))
+        v = cross(normal, u)
+        if dot(v, minus(corners[1], middle)) < 0:
+            v = _times(v, -1)
+        ring = [
+            tuple(m + radius * (cos(t) * x + sin(t) * y) for m, x, y in zip(middle, u, v, strict=True))
+            for t in (2 * pi * k / 40 for k in range(33))
+        ]
+        for a, b in pairwise(ring):
+            self.pieces.append(Piece((a, b), _Look(role, width=2.0)))  # type: ignore[arg-type]
+        self.heads.append((ring[-2], ring[-1], role))  # type: ignore[arg-type]
+
+    def head(self, a: str | XYZ, b: str | XYZ, role: str = _BLUE) -> None:
+        """An arrow head at b, coming from a."""
+        self.heads.append((self._xyz(a), self._xyz(b), role))
+
+    def name(self, text: str, at: XYZ, toward: XY, role: str = "ink") -> None:
+        self.names.append((text, at, toward, role))
+
+    def draw(
+        self,
+        title: str,
+        *,
+        view: tuple[float, float],
+        size: tuple[float, float] = (250.0, 210.0),
+        caption: Sequence[Run] = (),
+        scale: float | None = None,
+    ) -> Drawing:
+        width, height = size
+        foot = 30.0 if caption else 0.0
+        eye = View.at(*view)
+        flat = [eye.flat(c) for p in self.pieces for c in p.corners] + [eye.flat(p) for p, _ in self.points.values()]
+        (x0, x1), (y0, y1) = ((min(c), max(c)) for c in zip(*flat, strict=True))
+        factor = scale or min((width - 56) / ((x1 - x0) or 1e-9), (height - 52) / ((y1 - y0) or 1e-9))
+        shift = (width / 2 - factor * (x0 + x1) / 2, height / 2 - factor * (y0 + y1) / 2)
+
+        def place(p: XYZ) -> XY:
+            x, y = eye.flat(p)
+            return factor * x + shift[0], factor * y + shift[1]
+
+        shapes: list[Shape] = []
+        for piece in painted(self.pieces, eye.eye, 1e-6):
+            shapes += _shapes(piece, [place(c) for c in piece.corners])
+        shapes += [_head(place(a), place(b), role) for a, b, role in self.heads]
+        discs = []
+        for p, role in self.points.values():
+            shapes.append(Circle(place(p), _DOT, role, "paper", 1.4))
+            discs.append((place(p), _DOT))
+        middle = center([(*place(p), 0.0) for p, _ in self.points.values()])
+        labels = [
+            Label(name_runs(n), place(p), _away(place(p), middle, len(self.points)), _DOT, 16.0, role)
+            for n, (p, role) in self.points.items()
+        ]
+        labels += [Label(name_runs(n), place(p), toward, 2.0, 16.0, role) for n, p, toward, role in self.names]
+        strokes = [(place(p.corners[0]), place(p.corners[1])) for p in self.pieces if len(p.corners) == 2]
+        strokes += [
+            (place(a), place(b))
+            for p in self.pieces
+            if len(p.corners) > 2
+            for a, b in zip(p.corners, (*p.corners[1:], p.corners[0]), strict=True)
+        ]
+        shapes += place_labels(labels, discs=discs, strokes=strokes, bounds=(2, 2, width - 2, height - 2))
+        if caption:
+            shapes.append(Text((width / 2, height + 16), tuple(caption), 14, "middle"))
+        return Drawing(width, height + foot, tuple(shapes), title)
+
+    def _xyz(self, p: str | XYZ) -> XYZ:
+        return self.at(p) if isinstance(p, str) else p
+
+
+def _away(at: XY, middle: XYZ, count: int) -> XY:
+    """Where the name of a point had better stand: outwards; above for the points of a line."""
+    return (0.0, -1.0) if count < 3 else (at[0] - middle[0], at[1] - middle[1] - 3)
+
+
+def _times(v: XYZ, factor: float) -> XYZ:
+    return v[0] * factor, v[1] * factor, v[2] * factor
+
+
+def _between(a: XYZ, b: XYZ, t: float) -> XYZ:
+    return tuple(x + t * (y - x) for x, y in zip(a, b, strict=True))  # type: ignore[return-value]
+
+
+def _shapes(piece: Piece[_Look], at: list[XY]) -> list[Shape]:
+    look = piece.tag
+    if len(at) == 2:
+        return [Line(at[0], at[1], look.role, look.width, dash=look.dash)]
+    edges = zip(at, [*at[1:], at[0]], piece.edges, strict=True)
+    return [
+        Polygon(tuple(at), look.role, fill_opacity=look.fill),
+        *(Line(a, b, look.role, look.width, look.edge) for a, b, original in edges if original),
+    ]
+
+
+def _head(a: XY, b: XY, role: str, size: float = 9.0) -> Shape:
+    length = dist(a, b) or 1.0
+    u = ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
+    tip = (b[0] + 0.5 * size * u[0], b[1] + 0.5 * size * u[1])
+    back = (b[0] - 0.6 * size * u[0], b[1] - 0.6 * size * u[1])
+    side = (-0.42 * size * u[1], 0.42 * size * u[0])
+    return Polygon((tip, (back[0] + side[0], back[1] + side[1]), (back[0] - side[0], back[1] - side[1])), fill=role)
+
+
+def _moved(shape: Shape, dx: float, dy: float) -> Shape:
+    match shape:
+        case Polygon():
+            return replace(shape, points=tuple((x + dx, y + dy) for x, y in shape.points))
+        case Line():
+            (a, b), (c, d) = shape.start, shape.end
+            return replace(shape, start=(a + dx, b + dy), end=(c + dx, d + dy))
+        case Circle():
+            return replace(shape, center=(shape.center[0] + dx, shape.center[1] + dy))
+        case Text():
+            return replace(shape, at=(shape.at[0] + dx, shape.at[1] + dy))
+
+
+def side_by_side(title: str, *drawings: Drawing, gap: float = 14.0) -> Drawing:
+    """Drawings in one row, centred on each other's height."""
+    height = max(d.height for d in drawings)
+    shapes: list[Shape] = []
+    x = 0.0
+    for d in drawings:
+        shapes += [_moved(s, x, (height - d.height) / 2) for s in d.shapes]
+        x += d.width + gap
+    return Drawing(x - gap, height, tuple(shapes), title)
+
+
+def _caption(formula: Sequence[str], words: str) -> tuple[Run, ...]:
+    return (*name_runs(*formula), Run(f"  {words}"))
+
+
+# --- the course ----------------------------------------------------------------------------------------------------
+
+
+def extensors() -> Drawing:
+    size = (180.0, 150.0)
+    one = Space()
+    one.point(a=(0.0, 0.0, 0.0))
+    two = Space()
+    two.point(a=(0.0, -0.75, -0.2), b=(0.0, 0.75, 0.35))
+    two.line("a", "b", beyond=0.3)
+    two.head("a", _between(two.at("a"), two.at("b"), 0.55))
+    three = Space()
+    three.point(a=(0.8, -0.7, 0.0), b=(0.5, 0.8, 0.05), c=(-0.9, 0.1, 0.3))
+    three.plane("a", "b", "c", margin=0.22)
+    three.turn("a", "b", "c", radius=0.3)
+    four = Space()
+    four.point(a=(0.7, -0.7, 0.0), b=(0.6, 0.75, 0.0), c=(-0.9, -0.2, 0.0), d=(0.0, 0.1, 1.15))
+    four.tetrahedron("a", "b", "c", "d")
+    view = (25.0, 26.0)
+    return side_by_side(
+        "A point, a line through two points, a plane through three and a tetrahedron of four",
+        one.draw("", view=view, size=size, scale=90, caption=_caption("a", "point, step 1")),
+        two.draw("", view=view, size=size, caption=_caption("ab", "line, step 2")),
+        three.draw("", view=view, size=size, caption=_caption("abc", "plane, step 3")),
+        four.draw("", view=view, size=size, caption=_caption("abcd", "space, step 4")),
+        gap=4,
+    )
+
+
+def join() -> Drawing:
+    left = Space()
+    left.point(a=(0.9, -0.9, 0.0), b=(0.6, 0.9, 0.1), c=(-0.9, 0.1, 0.25))
+    left.plane("a", "b", "c", margin=0.25)
+    left.line("a", "b", _ORANGE, beyond=0.3)
+    right = Space()
+    right.point(a=(1.0, -0.2, 0.0), b=(-0.7, 0.75, 0.0), c=(0.9, 0.0, 1.2), d=(-0.9, 0.4, 0.8))
+    right.tetrahedron("a", "b", "c", "d", role="muted")
+    right.line("a", "b", _ORANGE, beyond=0.25)
+    right.line("c", "d", _BLUE, beyond=0.25)
+    return side_by_side(
+        "The join of a line and a point is a plane; two skew lines span all of space",
+        left.draw(
+            "",
+            view=(25.0, 30.0),
+            size=(300.0, 190.0),
+            caption=(*name_runs("ab"), Run(" ∨ "), *name_runs("c"), Run("  is the plane "), *name_runs("abc")),
+        ),
+        right.draw(
+            "",
+            view=(30.0, 18.0),
+            size=(300.0, 190.0),
+            caption=(
+                *name_runs("ab"),
+                Run(" ∨ "),
+                *name_runs("cd"),
+                Run("  is "),
+                *name_runs("abcd"),
+                Run(", all of space"),
+            ),
+        ),
+    )
+
+
+def _pierce(a: XYZ, b: XYZ, c: XYZ, d: XYZ, e: XYZ) -> XYZ:
+    """Where the line ab pierces the plane cde, by the formula of the page: [acde] b − [bcde] a."""
+    at = {n: (*p, 1.0) for n, p in zip("abcde", (a, b, c, d, e), strict=True)}
+    x, y, z, w = gc.evaluate(r"ab /\ cde", at)
+    return float(x / w), float(y / w), float(z / w)
+
+
+def meet() -> Drawing:
+    left = Space()
+    left.point(
+        a=(0.35, -0.35, 1.0), b=(-0.15, 0.3, -0.8), c=(1.0, -0.85, 0.0), d=(0.75, 0.95, 0.05), e=(-1.0, 0.1, 0.1)
+    )
+    x = _pierce(*(left.at(n) for n in "abcde"))
+    left.plane("c", "d", "e", margin=0.25)
+    left.line("a", "b", _ORANGE, beyond=0.2)
+    left.points["x"] = (x, "mark")
+    right = Space()
+    right.point(
+        a=(0.9, -0.9, 0.0),
+        b=(0.9, 0.75, 0.0),
+        c=(-0.9, -0.1, 0.0),
+        d=(0.55, -0.55, 0.85),
+        e=(-0.45, 0.55, 0.85),
+        f=(0.3, -0.1, -0.75),
+    )
+    p = _pierce(right.at("d"), right.at("f"), right.at("a"), right.at("b"), right.at("c"))
+    q = _pierce(right.at("e"), right.at("f"), right.at("a"), right.at("b"), right.at("c"))
+    right.plane("a", "b", "c", margin=0.25)
+    right.plane("d", "e", "f", role=_ORANGE, margin=0.22)
+    right.line(p, q, "mark", beyond=0.35, width=3.0)
+    return side_by_side(
+        "A line pierces a plane in a point; two planes meet in a line",
+        left.draw(
+            "",
+            view=(28.0, 22.0),
+            size=(300.0, 215.0),
+            caption=(*name_runs("ab"), Run(" ∧ "), *name_runs("cde"), Run("  is the point "), *name_runs("x")),
+        ),
+        right.draw(
+            "",
+            view=(52.0, 20.0),
+            size=(300.0, 215.0),
+            caption=(*name_runs("abc"), Run(" ∧ "), *name_runs("def"), Run("  is a line")),
+        ),
+    )
+
+
+def bracket() -> Drawing:
+    size = (205.0, 190.0)
+    base = {"a": (0.9, -0.8, 0.0), "b": (0.5, 0.9, 0.0), "c": (-0.9, -0.3, 0.0)}
+    view = (25.0, 24.0)
+
+    def one(d: XYZ, caption: tuple[Run, ...], role: str, scale: float) -> Drawing:
+        s = Space()
+        s.point(**base)
+        s.point(d=d)
+        if abs(d[2]) < 1e-9:
+            s.plane("a", "b", "c", "d", role=role, margin=0.2)
+        else:
+            s.tetrahedron("a", "b", "c", "d", role=role)
+        s.turn("a", "b", "c", role=role, radius=0.27)
+        return s.draw("", view=view, size=size, caption=caption, scale=scale)
+
+    name = (Run("[ "), *name_runs("abcd"), Run(" ]"))
+    return side_by_side(
+        "The bracket of four points changes its sign as the fourth goes through the plane of the others",
+        one((0.1, 0.05, 1.15), (*name, Run(" < 0")), _BLUE, 84.0),
+        one((0.72, -0.22, 0.0), (*name, Run(" = 0, one plane")), "mark", 84.0),
+        one((0.1, 0.05, -1.15), (*name, Run(" > 0")), _ORANGE, 84.0),
+        gap=4,
+    )
+
+
+HUNT = {
+    "a": (6, -8, 0),
+    "c": (-9, 1, 0),
+    "e": (6, 8, 0),
+    "b": (1, -7, 10),
+    "d": (2, 8, 8),
+    "f": (-1, 1, 14),
+}
+"""An octahedral platform whose platform plane bdf holds the edge ae of the base: x = 6 − z/2. Example, invented."""
+
+
+def crossing_legs() -> Drawing:
+    """Six legs that all cross one line: the platform can turn about it."""
+    at = {n: _times(p, 0.1) for n, p in HUNT.items()}
+    s = Space()
+    for name, p in at.items():
+        s.point("ink" if name in "ace" else "leg", **{name: p})
+    s.pieces.append(Piece(tuple(at[n] for n in "ace"), _Look("base", fill=0.2, edge=0.9, width=1.3)))
+    s.pieces.append(Piece(tuple(at[n] for n in "bdf"), _Look("platform", fill=0.3, edge=0.9, width=1.3)))
+    for leg in ("ab", "af", "cb", "cd", "ed", "ef"):
+        role = _BLUE if "f" in leg else "leg"
+        s.line(leg[0], leg[1], role, width=3.2)
+    ends = stretched((at["b"], at["d"]), 0.5)
+    s.line(*ends, "mark", width=2.4, dashed=True)
+    s.name("p", ends[1], (1.0, -0.4), "mark")
+    return s.draw("An octahedral platform whose six legs all cross the line p", view=(-28.0, 17.0), size=(430.0, 330.0))
+
+
+def tableaux() -> Drawing:
+    """Straightening of the page's example, the tableaux with their signs."""
+    found = gc.straighten("[p1p4p5][p1p5p6][p2p3p4]", rank=3)
+    start = ("145", "156", "234")
+    signed: list[tuple[str, tuple[str, ...]]] = []
+    for factors, coefficient in _terms(found):
+        signed.append(("+" if coefficient > 0 else "−", factors))
+    cell, gap, top = 34.0, 46.0, 40.0
+    shapes: list[Shape] = []
+
+    def tableau(x: float, rows: Sequence[str], bad: frozenset[tuple[int, int]]) -> None:
+        for i, row in enumerate(rows):
+            for j, letter in enumerate(row):
+                left, up = x + j * cell, top + i * cell
+                corners = ((left, up), (left + cell, up), (left + cell, up + cell), (left, up + cell))
+                hit = (i, j) in bad
+                shapes.append(Polygon(corners, "mark" if hit else _BLUE, "muted", 0.28 if hit else 0.1, 1.0, 1.1))
+                shapes.append(
+                    Text(
+                        (left + cell / 2, up + cell / 2 + 5),
+                        name_runs(f"p{letter}"),
+                        16,
+                        "middle",
+                        "mark" if hit else "ink",
+                    )
+                )
+
+    tableau(14, start, frozenset({(1, 1), (2, 1), (1, 2), (2, 2)}))
+    x = 14 + 3 * cell
+    for i, (sign, rows) in enumerate(signed):
+        word = "=" if i == 0 else sign
+        if i == 0 and sign == "−":
+            word = "= −"
+        shapes.append(Text((x + gap / 2, top + 1.5 * cell + 6), (Run(word),), 20, "middle"))
+        tableau(x + gap, rows, frozenset())
+        x += gap + 3 * cell
+    shapes.append(Text((14 + 1.5 * cell, 26), (Run("not standard"),), 14, "middle", "mark"))
+    middle = (14 + 3 * cell + gap + x) / 2
+    shapes.append(Text((middle, 26), (Run("standard: no column falls"),), 14, "middle", "muted"))
+    return Drawing(
+        x + 14, top + 3 * cell + 14, tuple(shapes), "A tableau with falling columns as a sum of standard ones"
+    )
+
+
+def _terms(p: object) -> list[tuple[tuple[str, ...], int]]:
+    """Rows and coefficient of each term, read from the text of a polynomial in the points p1 … p6."""
+    out = []
+    text = str(p).replace(" - ", " + -")
+    for term in text.split(" + "):
+        rows = tuple(
+            part.replace("p", "").replace(" ", "") for part in term.strip("-").strip("]").lstrip("[").split("][")
+        )
+        out.append((rows, -1 if term.startswith("-") else 1))
+    return out
+
+
+def desargues() -> Drawing:
+    """Two triangles in perspective from o; corresponding sides meet on a line."""
+    o = (40.0, 150.0)
+    rays = ((1.0, -0.336), (1.0, 0.055), (1.0, 0.323))
+    first = [(o[0] + t * u, o[1] + t * v) for (u, v), t in zip(rays, (116.5, 183.9, 161.4), strict=True)]
+    second = [(o[0] + t * u, o[1] + t * v) for (u, v), t in zip(rays, (256.0, 298.4, 218.4), strict=True)]
+
+    def cut(p: XY, q: XY, r: XY, s: XY) -> XY:
+        at = {n: (*xy, 1.0) for n, xy in zip("abcd", (p, q, r, s), strict=True)}
+        x, y, w = gc.evaluate(r"ab /\ cd", at, rank=3)
+        return float(x / w), float(y / w)
+
+    pairs = ((1, 2), (2, 0), (0, 1))
+    axis = [cut(first[i], first[j], second[i], second[j]) for i, j in pairs]
+    everything = [o, *first, *second, *axis]
+    (x0, x1), (y0, y1) = ((min(c), max(c)) for c in zip(*everything, strict=True))
+    width, height = 560.0, 330.0
+    factor = min((width - 70) / (x1 - x0), (height - 60) / (y1 - y0))
+
+    def place(p: XY) -> XY:
+        return (p[0] - x0) * factor + 35, (p[1] - y0) * factor + 30
+
+    def long(points: Sequence[XY], extra: float) -> tuple[XY, XY]:
+        ends = sorted(points)
+        a, b = place(ends[0]), place(ends[-1])
+        n = dist(a, b)
+        u = ((b[0] - a[0]) / n * extra, (b[1] - a[1]) / n * extra)
+        return (a[0] - u[0], a[1] - u[1]), (b[0] + u[0], b[1] + u[1])
+
+    shapes: list[Shape] = []
+    strokes: list[tuple[XY, XY]] = []
+
+    def draw(ends: tuple[XY, XY], role: str, w: float, dash: tuple[float, float] | None = None) -> None:
+        shapes.append(Line(*ends, role, w, dash=dash))
+        strokes.append(ends)
+
+    for p, q in zip(first, second, strict=True):
+        draw(long((o, p, q), 14), "muted", 1.2)
+    for (i, j), x in zip(pairs, axis, strict=True):
+        draw(long((first[i], first[j], x), 10), _BLUE, 1.1, (5, 4))
+        draw(long((second[i], second[j], x), 10), _ORANGE, 1.1, (5, 4))
+    shapes.append(Polygon(tuple(map(place, first)), _BLUE, _BLUE, 0.18, 1.0, 2.0))
+    shapes.append(Polygon(tuple(map(place, second)), _ORANGE, _ORANGE, 0.18, 1.0, 2.0))
+    draw(long(axis, 18), "mark", 2.2)
+    named = [("o", o, "ink"), *((n, p, "ink") for n, p in zip("abc", first, strict=True))]
+    named += [(f"{n}'", p, "ink") for n, p in zip("abc", second, strict=True)]
+    named += [(n, p, "mark") for n, p in zip("xyz", axis, strict=True)]
+    discs = []
+    for _, p, role in named:
+        shapes.append(Circle(place(p), _DOT, role, "paper", 1.4))
+        discs.append((place(p), _DOT))
+    middle = (sum(place(p)[0] for _, p, _ in named) / len(named), sum(place(p)[1] for _, p, _ in named) / len(named))
+    labels = [
+        Label(name_runs(n), place(p), (place(p)[0] - middle[0], place(p)[1] - middle[1]), _DOT, 16.0, role)
+        for n, p, role in named
+    ]
+    shapes += place_labels(labels, discs=discs, strokes=strokes, bounds=(2, 2, width - 2, height - 2))
+    return Drawing(
+        width, height, tuple(shapes), "Desargues' theorem: two triangles in perspective from a point, and the axis"
+    )
+
+
+# --- the procedure -------------------------------------------------------------------------------------------------
+
+
+def _analysis(name: str) -> gc.Analysis:
+    return gc.analyze(gc.load_platform(ROOT / "examples" / f"{name}.yaml"))
+
+
+def octahedral_graph() -> Drawing:
+    return graph_figure(_analysis("octahedral"))
+
+
+def octahedral() -> Drawing:
+    return robot_figure(_analysis("octahedral"))
+
+
+def octahedral_singular() -> Drawing:
+    return robot_figure(_analysis("octahedral-singular"))
+
+
+def four_dof() -> Drawing:
+    return robot_figure(_analysis("four-dof"))
+
+
+def four_dof_limbs() -> Drawing:
+    """The lines along which each limb of the robot can push."""
+    platform = gc.load_platform(ROOT / "examples" / "four-dof.yaml")
+    at = {n: tuple(map(float, c)) for n, c in platform.points.items()}
+    s = Space()
+    s.point("ink", **{n: p for n, p in at.items() if n[0] != "S"})  # type: ignore[arg-type]
+    s.point("leg", **{n: p for n, p in at.items() if n[0] == "S"})  # type: ignore[arg-type]
+    s.pieces.append(Piece(tuple(at[n] for n in ("S1", "S2", "S3")), _Look("platform", fill=0.25, edge=0.9, width=1.3)))  # type: ignore[arg-type]
+    for end in ("A1", "B1", "C1"):
+        s.line(end, "S1", _BLUE, width=3.0)
+    s.line("A2", "S2", _GREEN, width=3.0)
+    s.plane("A3", "B3", "S3", role=_ORANGE, margin=0.07)
+    s.line("A3", "B3", "muted", width=1.4, dashed=True, beyond=0.12)
+    for end in ("A3", "B3"):
+        s.line(end, "S3", _ORANGE, width=3.0)
+    d = s.draw("The forces that the three limbs can apply", view=(-52.0, 20.0), size=(430.0, 300.0))
+    rows = (
+        (_BLUE, "limb 1: any force through S", "1"),
+        (_GREEN, "limb 2: a force along the leg", ""),
+        (_ORANGE, "limb 3: forces through S", "3"),
+    )
+    shapes = list(d.shapes)
+    for i, (role, words, index) in enumerate(rows):
+        y = 20.0 + 22 * i
+        runs = (Run(words[:-1]), Run("S", "italic"), Run(index, "subscript")) if index else (Run(words),)
+        shapes += [Line((438, y), (460, y), role, 3.0), Text((468, y + 4.5), runs, 14)]
+    shapes.append(Text((468, 20.0 + 22 * 2 + 22.5), (Run("in the plane with its axis"),), 14))
+    width = 468 + max(text_width(Text((0, 0), (Run(words),), 14)) for _, words, _ in rows)
+    return Drawing(width, d.height, tuple(shapes), d.title)
+
+
+DRAWINGS: dict[str, Callable[[], Drawing]] = {
+    "extensors": extensors,
+    "join": join,
+    "meet": meet,
+    "bracket": bracket,
+    "crossing-legs": crossing_legs,
+    "tableaux": tableaux,
+    "desargues": desargues,
+    "octahedral-graph": octahedral_graph,
+    "octahedral": octahedral,
+    "octahedral-singular": octahedral_singular,
+    "four-dof": four_dof,
+    "four-dof-limbs": four_dof_limbs,
+}
+"""Name in the pages: function that makes the drawing."""
+
+
+def main(folder: Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, make in DRAWINGS.items():
+        (folder / f"{name}.svg").write_text(make().svg(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))
