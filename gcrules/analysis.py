@@ -30,10 +30,11 @@ from gcrules.plugins import load_rules
 from gcrules.robots.geometry import Platform
 from gcrules.rules.conditions import best_first, certify, describe
 from gcrules.rules.degenerate import Degeneracy, explain
-from gcrules.rules.derivation import Derivation, Step
+from gcrules.rules.derivation import Derivation
+from gcrules.rules.deriving import derived, derived_zero
 from gcrules.rules.incidence import Claim
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.strategy import MAX_TERMS, Strategy, of_plugins, recognise, recorded
+from gcrules.rules.strategy import MAX_TERMS, Strategy, of_plugins, recognise
 
 __all__ = ["Analysis", "analyze"]
 
@@ -73,8 +74,12 @@ class Analysis:
         """The published group of entities, a … g; None where the procedure does not reach."""
         return self.condition.group
 
-    def to_json(self) -> dict[str, Any]:
-        """The interface's JSON object, schema 1."""
+    def unfolded(self) -> Derivation:
+        """The derivation, each step with the single steps that it is made of."""
+        return self.derivation.unfolded(self.strategy.rules)
+
+    def to_json(self, *, full: bool = False) -> dict[str, Any]:
+        """The interface's JSON object, schema 1; `full` gives each step of the derivation its single `steps`."""
         names = self.structure.names
         return {
             "schema": 1,
@@ -91,23 +96,23 @@ class Analysis:
             "condition": self.condition.to_json(names),
             "readings": [r.to_json(names) for r in self.readings],
             "certificate": self.condition.certificate.to_json(),
-            "derivation": [s.to_json(names) for s in self.derivation],
+            "derivation": (self.unfolded() if full else self.derivation).to_json(names),
             "strategy": self.strategy.to_json(),
             "pose": self.pose.to_json() if self.pose else None,
             "notes": list(self.notes),
         }
 
-    def text(self, *, unicode: bool = False) -> str:
-        """Every stage as plain text."""
+    def text(self, *, unicode: bool = False, full: bool = False) -> str:
+        """Every stage as plain text; `full` adds every single step of the derivation, here as in the other forms."""
         from gcrules.render.plain import as_text
 
-        return as_text(self, unicode=unicode)
+        return as_text(self, unicode=unicode, full=full)
 
-    def latex(self) -> str:
+    def latex(self, *, full: bool = False) -> str:
         """Every stage as a LaTeX document that compiles with the article class and amsmath."""
         from gcrules.render.latex_document import as_latex
 
-        return as_latex(self)
+        return as_latex(self, full=full)
 
     def __str__(self) -> str:
         return self.text(unicode=True)
@@ -154,9 +159,8 @@ def analyze(
     forms = _shortest(structure) if chosen is None else _in_order(structure, chosen)
     matches = list(catalog.matches(structure))
     match = matches[0] if matches else None
-    start = Derivation((_superbracket_step(structure, typed),), structure.ideal)
     if not straighten(typed.polynomial):
-        return _always_singular(structure, typed, match, start, catalog, strategy)
+        return _always_singular(structure, typed, match, catalog, strategy)
     notes = [f"{m.entry.id} ({m.entry.place}) has the same graph as class {matches[0].entry.id}" for m in matches[1:]]
     if structure.ideal:
         notes.append(
@@ -185,7 +189,8 @@ def analyze(
         known = catalog.readings(structure, m, oracle, recheck=recheck)
         conditions += [r for r in known if not any(_alike(r, c) for c in conditions)]
     conditions.append(_linear_complex(structure, catalog))
-    derivation = _derivation(start, structure, shortest, claim, conditions[0], oracle)
+    own_order = chosen is not None and shortest.order == chosen
+    derivation = derived(structure, shortest, conditions[0], claim, oracle, own_order=own_order)
     shown = SuperbracketForm(shortest.form, shortest.order, shortest.polynomial * structure.sign)
     if not derivation.check():
         raise EngineFault(f"the derivation of {structure.superbracket} does not replay")
@@ -241,19 +246,10 @@ def _in_order(structure: Structure, order: tuple[int, ...]) -> tuple[Superbracke
     return tuple(sorted(forms, key=lambda f: len(f.polynomial)))
 
 
-def _superbracket_step(structure: Structure, typed: SuperbracketForm) -> Step:
-    why = (
-        "the 24-term form of the superbracket; brackets with a repeated point are zero, like terms are collected: "
-        f"{_terms(len(typed.polynomial))} left"
-    )
-    return Step("superbracket", structure.superbracket, typed.polynomial.to_expr(), why)
-
-
 def _always_singular(
     structure: Structure,
     typed: SuperbracketForm,
     match: Match | None,
-    start: Derivation,
     catalog: Catalog,
     strategy: Strategy,
 ) -> Analysis:
@@ -268,11 +264,8 @@ def _always_singular(
         lines=(("", why.line),) if isinstance(why.line, ex.Meet) else (),
     )
     shortest = _shortest(structure)[0]
-    if typed.polynomial and shortest.polynomial:
-        start = start.then("straighten", ex.ZERO, "the normal form of standard tableaux has no term")
-    elif typed.polynomial:
-        start = start.then("shortest-form", ex.ZERO, f"the legs in the order {_order(shortest)} leave no term")
-    return Analysis(structure, typed, shortest, match, condition, (), start, strategy, degeneracy=why)
+    derivation = derived_zero(structure, typed, shortest)
+    return Analysis(structure, typed, shortest, match, condition, (), derivation, strategy, degeneracy=why)
 
 
 def _alike(a: Condition, b: Condition) -> bool:
@@ -287,37 +280,3 @@ def _linear_complex(structure: Structure, catalog: Catalog) -> Condition:
         statement=catalog.statements["linear-complex"],
         certificate=Certificate("normal-form", "holds by definition of the superbracket"),
     )
-
-
-def _terms(n: int) -> str:
-    return "1 term" if n == 1 else f"{n} terms"
-
-
-def _order(form: SuperbracketForm) -> str:
-    return " ".join(str(i + 1) for i in form.order)
-
-
-def _derivation(
-    start: Derivation,
-    structure: Structure,
-    form: SuperbracketForm,
-    claim: Claim | None,
-    condition: Condition,
-    oracle: Oracle,
-) -> Derivation:
-    """What the rules recorded: superbracket = shortest form = … = coefficient · expression."""
-    why = f"the {form.form}-term form with the legs in the order {_order(form)} has {_terms(len(form.polynomial))}"
-    steps = start.then("shortest-form", ex.signed(form.sign * structure.sign, form.polynomial.to_expr()), why)
-    if claim is None:
-        return steps
-    for rule, state in claim.state.trail:
-        after, reason = recorded(rule, state, oracle)
-        if after is not None and after != steps.steps[-1].after:
-            steps = steps.then(rule.id, after, reason)
-    if condition.right_side == steps.steps[-1].after:
-        return steps
-    rule, state = claim.state.trail[-1]
-    reasons = [claim.sentence, "Its expansion equals the line above"]
-    if rule.id != steps.steps[-1].rule:
-        reasons.insert(0, f"{recorded(rule, state, oracle)[1]}.")
-    return steps.then(claim.kind, condition.right_side, " ".join(reasons))

@@ -118,7 +118,8 @@ def prove(
     "LHS == RHS", "ideal i j". Only positions that satisfy them count, and `assumed` of the proof lists what else was
     assumed not to vanish. Raises InputError for assumptions that are not resolved.
     """
-    at = Context(rank or 4, split_names(points), split_names(ideal))
+    written_in = common_rank(rank, *(e for e in (claim, right) if isinstance(e, Expr)))
+    at = Context(written_in, split_names(points), split_names(ideal))
     for written in [given] if isinstance(given, str) else given:
         at = parse_assumption(written, at)
     if right is None:
@@ -128,7 +129,7 @@ def prove(
     else:
         left, other = (e if isinstance(e, Expr) else parse(e, context=at) for e in (claim, right))
         sides = left, other
-    return _prove(*sides, points=at.points, ideal=at.ideal, rank=rank, given=at.given, limit=limit)
+    return _prove(*sides, points=at.points, ideal=at.ideal, rank=written_in, given=at.given, limit=limit)
 
 
 def rewrite(

@@ -10,7 +10,7 @@ line 1: ab /\ cde = [acde] * b - [bcde] * a
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -62,6 +62,8 @@ class ClaimResult:
                 self.proof.text(unicode=unicode).splitlines()[1:] if self.proof is not None else [f"  {self.reason}"]
             )
             lines += ["  " + line for line in details]
+        elif self.proof is not None:
+            lines += ["  " + line for line in self.proof.conditions()]
         return "\n".join(lines)
 
     def __str__(self) -> str:
@@ -207,9 +209,9 @@ def _count(what: str, results: Sequence[Result]) -> str:
     return f"{total}: {found}" if found else total
 
 
-def results(script: Script, *, limit: int = MAX_TERMS) -> Iterator[Result]:
-    """The results one after the other, as they are found."""
-    rules: list[RewriteRule] = []
+def results(script: Script, *, limit: int = MAX_TERMS, rules: Iterable[RewriteRule] = ()) -> Iterator[Result]:
+    """The results one after the other, as they are found; `rules` are those that came before the script."""
+    rules = list(rules)
     for statement in script.statements:
         if isinstance(statement, Claim):
             yield _claim(statement, limit)
@@ -226,7 +228,9 @@ def results(script: Script, *, limit: int = MAX_TERMS) -> Iterator[Result]:
 def _claim(claim: Claim, limit: int) -> ClaimResult:
     at = claim.context
     try:
-        proof = prove(claim.left, claim.right, points=at.points, ideal=at.ideal, rank=at.rank, limit=limit)
+        proof = prove(
+            claim.left, claim.right, points=at.points, ideal=at.ideal, rank=at.rank, given=at.given, limit=limit
+        )
     except LimitReached as limited:
         return ClaimResult(claim.line, claim.label, "undecided", limited.message, None)
     return ClaimResult(claim.line, claim.label, proof.verdict, proof.reason, proof)

@@ -6,24 +6,24 @@ from collections.abc import Callable, Mapping
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.space import Assumption
+from gcrules.algebra.space import Assumption, Place
 from gcrules.algebra.syntax import Builder, Node, span_of
 from gcrules.errors import InputError, StepError
 
 __all__ = ["read_assumption"]
 
 
-def read_assumption(tree: Node, builder: Builder, text: str) -> Assumption:
-    """The assumption of a parse tree; `text` is how it was written. Raises StepError, InputError."""
+def read_assumption(tree: Node, builder: Builder, text: str, place: Place | None = None) -> Assumption:
+    """The assumption of a parse tree; `text` is how it was written, `place` where. Raises StepError, InputError."""
     if tree.data == "equal":
         left, right = builder.equation(tree.children[0])
         zero = left if right == ex.ZERO else right if left == ex.ZERO else ex.sub(left, right, rank=builder.rank)
-        return Assumption("zero", (zero,), text)
+        return Assumption("zero", (zero,), text, place)
     token, *parts = tree.children
     kind = str(token)
     args = tuple(map(builder.value, parts))
     _RELATIONS[kind](args, parts, builder.rank)
-    return Assumption(kind, args, text)
+    return Assumption(kind, args, text, place)
 
 
 def _points_only(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], None]:

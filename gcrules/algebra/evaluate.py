@@ -39,7 +39,18 @@ from gcrules.algebra.expr import (
 )
 from gcrules.errors import InputError, LimitReached
 
-__all__ = ["PRIME", "Evaluator", "evaluate", "plucker", "random_points", "random_rational_points", "vanishes"]
+__all__ = [
+    "PRIME",
+    "Evaluator",
+    "Table",
+    "evaluate",
+    "join_table",
+    "meet_table",
+    "plucker",
+    "random_points",
+    "random_rational_points",
+    "vanishes",
+]
 
 PRIME = 2**61 - 1
 """Modulus of the oracle's random points."""
@@ -152,12 +163,12 @@ class Evaluator:
         return values
 
     def _wedge(self, a: _Values, k: int, b: _Values, h: int, rank: int) -> _Values:
-        return self._combine(a, b, _join_table(rank, k, h))
+        return self._combine(a, b, join_table(rank, k, h))
 
     def _met(self, args: Sequence[Expr]) -> _Values:
         values, step = self.value(args[0]), args[0].step
         for a in args[1:]:
-            values = self._combine(values, self.value(a), _meet_table(self.rank, step, a.step))
+            values = self._combine(values, self.value(a), meet_table(self.rank, step, a.step))
             step += a.step - self.rank
         return values
 
@@ -165,11 +176,11 @@ class Evaluator:
         return [self.reduced(sum(s * self.reduced(a[i] * b[j]) for i, j, s in row)) for row in table]
 
 
-_Table = tuple[tuple[tuple[int, int, int], ...], ...]
+Table = tuple[tuple[tuple[int, int, int], ...], ...]
 
 
 @cache
-def _join_table(rank: int, k: int, h: int) -> _Table:
+def join_table(rank: int, k: int, h: int) -> Table:
     """For each coordinate of a join of steps k and h: the (i, j, sign) whose products add up to it."""
     left, right = _index(rank, k), _index(rank, h)
     return tuple(
@@ -183,7 +194,7 @@ def _join_table(rank: int, k: int, h: int) -> _Table:
 
 
 @cache
-def _meet_table(rank: int, k: int, h: int) -> _Table:
+def meet_table(rank: int, k: int, h: int) -> Table:
     """The same for a meet: e_I ∧ e_J = Σ over shuffles (I1, I2) of I of sgn · [e_I1 e_J] e_I2, nonzero for one I1."""
     left, right = _index(rank, k), _index(rank, h)
     table: dict[tuple[int, ...], list[tuple[int, int, int]]] = {r: [] for r in combinations(range(rank), k + h - rank)}

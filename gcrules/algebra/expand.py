@@ -43,12 +43,12 @@ from gcrules.algebra.expr import (
 from gcrules.algebra.superbracket import form_terms
 from gcrules.errors import LimitReached
 
-__all__ = ["MAX_TERMS", "expand"]
+__all__ = ["MAX_TERMS", "Expander", "Multivector", "expand", "shuffles"]
 
 MAX_TERMS = 200_000
 _SUPERBRACKET_WORK = 120  # what the 24 terms of a superbracket take, in products of terms
 
-_Multivector = dict[Row, Terms]  # extensor (increasing points; () for a scalar) -> its coefficient
+Multivector = dict[Row, Terms]  # extensor (increasing points; () for a scalar) -> its coefficient
 
 
 def expand(
@@ -69,28 +69,34 @@ def expand(
     at_infinity = tuple(dict.fromkeys(ideal))
     order = tableau_order(points_of(e), points, at_infinity)
     ideal_count = sum(n in at_infinity for n in order)
-    parts = _Expander(order, rank, ideal_count, limit).value(e)
+    parts = Expander(order, rank, ideal_count, limit).value(e)
     if e.step == 0:
         return BracketPolynomial(rank, order, parts.get((), {}), ideal_count)
     polynomials = {row: BracketPolynomial(rank, order, terms, ideal_count) for row, terms in parts.items()}
     return ExtensorPolynomial(rank, order, e.step, polynomials, ideal_count)
 
 
-class _Expander:
+class Expander:
+    """Values of expressions as Σ coefficient · extensor; parts that occur again are expanded once.
+
+    A coefficient is Σ number · monomial in brackets. Rows of one entry are letters of their own (parameters): they
+    commute and are never straightened.
+    """
+
     def __init__(self, order: Sequence[str], rank: int, ideal: int, limit: int) -> None:
         self.index = {n: i for i, n in enumerate(order)}
         self.rank = rank
         self.ideal = ideal
         self.limit = limit
         self.work = 0
-        self.known: dict[Expr, _Multivector] = {}
+        self.known: dict[Expr, Multivector] = {}
 
-    def value(self, e: Expr) -> _Multivector:
+    def value(self, e: Expr) -> Multivector:
         if e not in self.known:
             self.known[e] = self._value(e)
         return self.known[e]
 
-    def _value(self, e: Expr) -> _Multivector:
+    def _value(self, e: Expr) -> Multivector:
         match e:
             case Number(value=value):
                 return {(): {(): value}} if value else {}
@@ -105,7 +111,7 @@ class _Expander:
             case Superbracket(lines=lines):
                 return self._superbracket([self.value(line) for line in lines])
             case Sum(terms=terms):
-                total: _Multivector = {}
+                total: Multivector = {}
                 for t in terms:
                     for row, coefficients in self.value(t).items():
                         self._add(total, row, coefficients, 1)
@@ -118,8 +124,8 @@ class _Expander:
                 return self.value(e.written_out())
         raise TypeError(f"not an expression: {e!r}")
 
-    def _join(self, a: _Multivector, b: _Multivector) -> _Multivector:
-        out: _Multivector = {}
+    def _join(self, a: Multivector, b: Multivector) -> Multivector:
+        out: Multivector = {}
         for r, p in a.items():
             for s, q in b.items():
                 sign, row = sorted_row(r + s)
@@ -127,15 +133,15 @@ class _Expander:
                     self._add(out, row, self._times(p, q), sign)
         return out
 
-    def _closed(self, a: _Multivector) -> _Multivector:
+    def _closed(self, a: Multivector) -> Multivector:
         """Extensors of full step become brackets."""
-        out: _Multivector = {}
+        out: Multivector = {}
         for row, p in a.items():
             self._add(out, (), self._times_bracket(p, row), 1)
         return out
 
-    def _meet(self, a: _Multivector, b: _Multivector) -> _Multivector:
-        out: _Multivector = {}
+    def _meet(self, a: Multivector, b: Multivector) -> Multivector:
+        out: Multivector = {}
         for r, p in a.items():
             for s, q in b.items():
                 coefficient = self._times(p, q)
@@ -143,8 +149,8 @@ class _Expander:
                     self._add(out, rest, self._times_bracket(coefficient, bracket), sign)
         return out
 
-    def _superbracket(self, lines: list[_Multivector]) -> _Multivector:
-        out: _Multivector = {}
+    def _superbracket(self, lines: list[Multivector]) -> Multivector:
+        out: Multivector = {}
         for choice in product(*(line.items() for line in lines)):
             self._worked(_SUPERBRACKET_WORK)
             ends = [i for row, _ in choice for i in row]
@@ -177,7 +183,7 @@ class _Expander:
                 out[key] = value
         return out
 
-    def _add(self, total: _Multivector, row: Row, terms: Terms, sign: int) -> None:
+    def _add(self, total: Multivector, row: Row, terms: Terms, sign: int) -> None:
         into = total.setdefault(row, {})
         for m, c in terms.items():
             value = into.get(m, 0) + sign * c
@@ -202,7 +208,7 @@ class _Expander:
 
 
 @cache
-def _shuffles(step: int, first: int) -> tuple[tuple[int, Row, Row], ...]:
+def shuffles(step: int, first: int) -> tuple[tuple[int, Row, Row], ...]:
     """Sign and positions of every split of `step` places into `first` places and the rest, both increasing."""
     found = []
     for chosen in combinations(range(step), first):
@@ -219,7 +225,7 @@ def _meet_rows(rank: int, a: Row, b: Row) -> list[tuple[int, Row, Row]]:
         split, whole = b, a
         outer = -1 if (rank - k) * (rank - h) % 2 else 1
     found = []
-    for sign, first, rest in _shuffles(len(split), rank - len(whole)):
+    for sign, first, rest in shuffles(len(split), rank - len(whole)):
         s, bracket = sorted_row((*(split[i] for i in first), *whole))
         if s:
             found.append((outer * sign * s, bracket, tuple(split[i] for i in rest)))

@@ -1,5 +1,7 @@
 r"""Equality of expressions, decided: proved by equal normal forms, or refuted by exact points.
 
+Under assumptions both sides are written out with the points that satisfy them by construction (see `given`).
+
 >>> from gcrules.algebra.syntax import parse_equation
 >>> print(prove(*parse_equation("ab /\\ cd == [abcd]")).verdict)
 proved
@@ -11,13 +13,20 @@ refuted
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import combinations
 from typing import Any
 
+from gcrules.algebra.bracket import tableau_order
+from gcrules.algebra.construction import Construction
 from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, ZERO, Expr, common_rank, neg, points_of, sub
+from gcrules.algebra.given import resolve
+from gcrules.algebra.nonzero import words
+from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straighten import straighten
 from gcrules.algebra.text import text
 from gcrules.errors import LimitReached, StepError
@@ -26,6 +35,9 @@ from gcrules.frozen import FrozenMap
 __all__ = ["Proof", "prove"]
 
 _SAMPLES = 3
+_TRIES = 400  # small positions that are tried
+_BETTER = 60  # among these a counterexample is sought whose points all differ
+_EQUAL = f"; equal at {_SAMPLES} exact random points modulo a prime near 2**61 (error below 1e-30)"
 _SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
 
 
@@ -35,7 +47,8 @@ class Proof:
 
     `verdict` is "proved" (the normal form of the difference is 0), "refuted" (`counterexample` holds exact homogeneous
     coordinates at which the sides, `values`, differ) or "undecided" (`reason` names the limit and what is known).
-    `assumed` lists what was assumed not to vanish: nothing, an identity holds everywhere.
+    `assumed` lists, as text of the language, what was assumed not to vanish: a claim that is proved holds wherever its
+    assumptions hold and none of these is zero. Without assumptions that is everywhere; a refutation assumes nothing.
     """
 
     left: Expr
@@ -43,9 +56,10 @@ class Proof:
     verdict: str
     method: str
     reason: str = ""
-    counterexample: Mapping[str, tuple[int, ...]] | None = None
+    counterexample: Mapping[str, tuple[int | Fraction, ...]] | None = None
     values: tuple[Any, Any] | None = None
     assumed: tuple[str, ...] = ()
+    meanings: tuple[str, ...] = field(default=(), compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if self.counterexample is not None:
@@ -58,7 +72,7 @@ class Proof:
 
     def to_json(self) -> dict[str, Any]:
         """`{verdict, method, reason, counterexample {point: coordinates}, values [left, right], assumed}`."""
-        points = {n: list(c) for n, c in self.counterexample.items()} if self.counterexample is not None else None
+        points = {n: _plain(c) for n, c in self.counterexample.items()} if self.counterexample is not None else None
         values = [_plain(v) for v in self.values] if self.values else None
         return {
             "verdict": self.verdict,
@@ -76,7 +90,13 @@ class Proof:
         if self.counterexample is not None and self.values is not None:
             lines += [f"  {name} = ({', '.join(map(str, c))})" for name, c in self.counterexample.items()]
             lines += [f"  left side  = {_shown(self.values[0])}", f"  right side = {_shown(self.values[1])}"]
-        return "\n".join(lines)
+        return "\n".join([*lines, *self.conditions()])
+
+    def conditions(self) -> list[str]:
+        """The line that says what was assumed not to vanish, and what that means; none if nothing was."""
+        meanings = self.meanings or [""] * len(self.assumed)
+        shown = [f"{e} ({m})" if m else e for e, m in zip(self.assumed, meanings, strict=True)]
+        return [f"  assumed not to vanish: {', '.join(shown)}"] if shown else []
 
     def latex(self) -> str:
         """The sides with the sign that the verdict calls for, without dollar signs."""
@@ -98,29 +118,82 @@ def prove(
     points: Iterable[str] = (),
     ideal: Iterable[str] = (),
     rank: int | None = None,
+    given: Iterable[Assumption] = (),
     limit: int = MAX_TERMS,
 ) -> Proof:
     """Decide whether two expressions of equal step are equal for all positions of their points.
 
-    Points in `ideal` are at infinity (last coordinate 0). Raises StepError for unlike steps (zero goes with any).
+    Points in `ideal` are at infinity (last coordinate 0). With `given` only positions that satisfy these assumptions
+    count. Raises StepError for unlike steps (zero goes with any), InputError for assumptions that are not resolved.
     """
     if left.step != right.step and ZERO not in (left, right):
         raise StepError(f"an expression of step {left.step} cannot equal one of step {right.step}")
-    rank = common_rank(rank, left, right)
-    at_infinity = tuple(ideal)
+    assumptions = tuple(given)
+    rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
     difference = neg(right) if left == ZERO else left if right == ZERO else sub(left, right, rank=rank)
+    if assumptions:
+        space = Space(rank, tuple(points), tuple(ideal), assumptions)
+        return _under_assumptions(left, right, difference, space, limit)
+    at_infinity = tuple(ideal)
     known = ""
     try:
         if not vanishes(difference, rank=rank, ideal=at_infinity, samples=_SAMPLES):
             return _refuted(left, right, rank, at_infinity)
-        known = f"; equal at {_SAMPLES} exact random points modulo a prime near 2**61 (error below 1e-30)"
+        known = _EQUAL
         if straighten(difference, points=points, ideal=at_infinity, rank=rank, limit=limit):
             # The coefficients of the difference are multiples of that prime.
             return _refuted(left, right, rank, at_infinity)
     except LimitReached as limited:
-        advice = f"; {limited.hint}" if limited.hint else ""
-        return Proof(left, right, "undecided", "random-points", limited.message + known + advice)
+        return Proof(left, right, "undecided", "random-points", _reason(limited, known))
     return Proof(left, right, "proved", "normal-form", "both sides have the same normal form of standard tableaux")
+
+
+def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, limit: int) -> Proof:
+    construction = resolve(space, points_of(left, right))
+    assumed = tuple(text(e, names=space.declared()) for e in construction.nonzero)
+    meanings = tuple(words(e, space.declared()) for e in construction.nonzero)
+    known = ""
+    try:
+        if not construction.vanishes(difference, samples=_SAMPLES):
+            return _refuted_under(left, right, construction)
+        known = _EQUAL.replace("points", "points that satisfy the assumptions")
+        if not construction.is_zero(difference, limit=limit):
+            return _refuted_under(left, right, construction)
+    except LimitReached as limited:
+        reason = _reason(limited, known)
+        return Proof(left, right, "undecided", "random-points", reason, assumed=assumed, meanings=meanings)
+    reason = "both sides have the same normal form at the points that satisfy the assumptions"
+    return Proof(left, right, "proved", "normal-form", reason, assumed=assumed, meanings=meanings)
+
+
+def _reason(limited: LimitReached, known: str) -> str:
+    return limited.message + known + (f"; {limited.hint}" if limited.hint else "")
+
+
+def _refuted_under(left: Expr, right: Expr, construction: Construction) -> Proof:
+    """Small exact coordinates that satisfy the assumptions, at which the sides differ; best if no two points agree."""
+    best: tuple[bool, Mapping[str, Any], tuple[Any, Any]] | None = None
+    for seed in range(_TRIES):
+        found = construction.rational_points(seed, 1 + seed // 8)
+        if found is None:
+            continue
+        values = evaluate(left, found), evaluate(right, found)
+        if _differ(*values) and (best is None or _all_differ(found)):
+            best = _all_differ(found), found, values
+        if best is not None and (best[0] or seed >= _BETTER):
+            break
+    if best is None:
+        raise LimitReached("the sides differ modulo a prime, but no small coordinates that show it were found")
+    reason = "the sides differ at these points, which satisfy the assumptions (homogeneous coordinates)"
+    shown = {n: best[1][n] for n in tableau_order(best[1], construction.points, construction.ideal)}
+    return Proof(left, right, "refuted", "counterexample", reason, shown, best[2])
+
+
+def _all_differ(points: Mapping[str, Sequence[Any]]) -> bool:
+    return all(
+        any(a[i] * b[j] != a[j] * b[i] for i, j in combinations(range(len(a)), 2))
+        for a, b in combinations(points.values(), 2)
+    )
 
 
 def _refuted(left: Expr, right: Expr, rank: int, ideal: tuple[str, ...]) -> Proof:

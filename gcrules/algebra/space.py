@@ -3,12 +3,12 @@ r"""Where expressions live: the rank, the points in tableau order, those at infi
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from gcrules.algebra.expr import Expr
-from gcrules.errors import InputError
+from gcrules.errors import InputError, Span
 
-__all__ = ["MAX_NAMES", "NAME", "NAMES_HINT", "RANKS", "Assumption", "Space", "shortened"]
+__all__ = ["MAX_NAMES", "NAME", "NAMES_HINT", "RANKS", "Assumption", "Place", "Space", "shortened"]
 
 RANKS = range(2, 9)
 MAX_NAMES = 500
@@ -23,15 +23,25 @@ def shortened(word: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
+class Place:
+    """Where something stands: `span` of the text `source`, which came from the file `filename`."""
+
+    span: Span
+    source: str
+    filename: str
+
+
+@dataclass(frozen=True, slots=True)
 class Assumption:
     """What is assumed of points: `kind` is collinear, coplanar, concurrent, incident, or zero (args[0] vanishes).
 
-    `text` is the assumption as it was written.
+    `text` is the assumption as it was written, `place` where it was written, for messages.
     """
 
     kind: str
     args: tuple[Expr, ...]
     text: str
+    place: Place | None = field(default=None, compare=False, repr=False)
 
     def __str__(self) -> str:
         return self.text

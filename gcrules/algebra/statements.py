@@ -86,8 +86,8 @@ def parse_script(text: str, filename: str = "<input>", context: Context | None =
 
 
 def parse_assumption(text: str, context: Context | None = None) -> Context:
-    """The context with one more assumption, as `given` takes it: "collinear(a, b, c)", "[abcd] == 0", "ideal i j"."""
-    return read(text, "assumption", "<input>", lambda tree: _Reader(text, "<input>", context).assume(tree))
+    """The context with more assumptions, as `given` takes them: "collinear(a, b, c), [abcd] == 0", "ideal i j"."""
+    return read(text, "assumptions", "<input>", lambda tree: _Reader(text, "<input>", context).assumed(tree))
 
 
 class _Reader:
@@ -169,8 +169,16 @@ class _Reader:
     # --- assumptions ---
 
     def _given(self, item: Node) -> None:
-        for part in item.children:
-            self.assume(part)
+        self.assumed(item)
+
+    def assumed(self, tree: Node) -> Context:
+        for part in tree.children:
+            try:
+                self.assume(part)
+            except GcrulesError as fault:
+                fault.span = fault.span or span_of(part)
+                raise
+        return self.context
 
     def assume(self, tree: Node) -> Context:
         if tree.data == "at_infinity":

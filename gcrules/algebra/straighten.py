@@ -27,7 +27,7 @@ from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.expr import Expr, permutation_sign, sub
 from gcrules.errors import LimitReached
 
-__all__ = ["Straightening", "is_standard", "straighten", "straighten_steps"]
+__all__ = ["Straightening", "is_standard", "next_syzygy", "straighten", "straighten_steps"]
 
 WORK_PER_TERM = 25  # replacements that are made for each term that may be held
 _WORK_OF_A_SYZYGY = 5  # what one term of a syzygy takes, in replacements
@@ -234,23 +234,46 @@ def straighten_steps(
     while pending:
         monomial = max(pending)
         coefficient = pending.pop(monomial)
-        at = _offence(monomial)
-        if at is None:
+        step = _on_monomial(monomial, poly)
+        if step is None:
             normal[monomial] = coefficient
             continue
         if len(steps) == limit:
             raise LimitReached(f"straightening takes more than {limit:,} syzygies", hint="leave out --steps")
-        column = _column(monomial[at], monomial[at + 1])
-        assert column is not None
-        after: Terms = {}
-        for sign, (first, second) in _syzygy(monomial[at], monomial[at + 1], column):
-            if first[-1] < poly.ideal or second[-1] < poly.ideal:
-                continue
-            new = tuple(sorted((*monomial[:at], first, second, *monomial[at + 2 :])))
-            after[new] = after.get(new, 0) + sign
-        steps.append(Straightening(poly.with_terms({monomial: 1}), poly.with_terms(after), (at, at + 1), column))
-        for new, c in after.items():
+        steps.append(step)
+        for new, c in step.after.terms.items():
             pending[new] = pending.get(new, 0) + c * coefficient
             if not pending[new]:
                 del pending[new]
     return poly.with_terms(normal), tuple(steps)
+
+
+def next_syzygy(poly: BracketPolynomial) -> tuple[Straightening, BracketPolynomial] | None:
+    """The syzygy on the largest monomial that is not standard, and the polynomial after it; None in normal form.
+
+    >>> from gcrules.algebra.syntax import parse
+    >>> step, after = next_syzygy(expand(parse("2[ade][bcf]", rank=3)))
+    >>> print(step, after, sep="; ")
+    [ade][bcf] = -[abc][def] + [abd][cef] - [abe][cdf] - [acd][bef] + [ace][bdf]; -2[abc][def] + ...
+    """
+    for monomial in sorted(poly.terms, reverse=True):
+        step = _on_monomial(monomial, poly)
+        if step is not None:
+            return step, poly + (step.after - step.before) * poly.terms[monomial]
+    return None
+
+
+def _on_monomial(monomial: Monomial, poly: BracketPolynomial) -> Straightening | None:
+    """The syzygy on the first two rows that keep a monomial over the points of `poly` from being standard."""
+    at = _offence(monomial)
+    if at is None:
+        return None
+    column = _column(monomial[at], monomial[at + 1])
+    assert column is not None
+    after: Terms = {}
+    for sign, (first, second) in _syzygy(monomial[at], monomial[at + 1], column):
+        if first[-1] < poly.ideal or second[-1] < poly.ideal:
+            continue
+        new = tuple(sorted((*monomial[:at], first, second, *monomial[at + 2 :])))
+        after[new] = after.get(new, 0) + sign
+    return Straightening(poly.with_terms({monomial: 1}), poly.with_terms(after), (at, at + 1), column)

@@ -96,7 +96,7 @@ def _grammar(scripts: bool) -> Lark:
     return Lark(
         source,
         parser="lalr",
-        start=[*(("script", "assumption") if scripts else _EXPRESSIONS)],
+        start=[*(("script", "assumptions") if scripts else _EXPRESSIONS)],
         propagate_positions=True,
         maybe_placeholders=True,
     )

@@ -13,7 +13,7 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expand import expand as expanded
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.prove import prove as decide
-from gcrules.algebra.statements import parse_script
+from gcrules.algebra.statements import parse_assumption, parse_script
 from gcrules.algebra.straighten import Straightening, straighten_steps
 from gcrules.algebra.straighten import straighten as straightened
 from gcrules.algebra.syntax import Context, parse, parse_equation
@@ -43,25 +43,41 @@ _limit = click.option(
 
 @click.command(cls=ExpressionCommand)
 @click.argument("claim", metavar='"LHS == RHS"')
+@click.option(
+    "--given",
+    "assumptions",
+    multiple=True,
+    metavar="ASSUMPTIONS",
+    help='Assume them: "collinear(a, b, c), incident(p, X)", coplanar, concurrent, "LHS == RHS", "ideal i j".',
+)
 @space_options()
 @_limit
 @output_options()
 @click.pass_context
-def prove(ctx: click.Context, claim: str, space: Space, limit: int, out: Output) -> None:
+def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: Space, limit: int, out: Output) -> None:
     """Decide whether two expressions are equal for all positions of their points; "-" reads standard input.
 
     \b
     gcrules prove "ab /\\ cde == [acde] b - [bcde] a"
     gcrules prove "[[Aa,Ab,Ac,Bd,Be,Cf]] == [Aabc][ABde][ABCf]" --json
+    gcrules prove "[bcd] == 0" --rank 3 --given "collinear(a, b, c), collinear(a, b, d)"
+
+    With --given only positions that satisfy the assumptions count, and the answer says what else was assumed not to
+    vanish. (expand and straighten do without assumptions: their polynomials hold for all positions.)
 
     Exit code 0: proved, by equal normal forms. 1: refuted; exact points at which the sides differ are shown.
     3: not decided within the limit.
     """
-    sides = parse_equation(_given(claim), context=_context(space))
+    at = _context(space)
+    for written in assumptions:
+        at = parse_assumption(written, at)
+    sides = parse_equation(_given(claim), context=at)
     with working("proving"):
-        proof = decide(*sides, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
+        proof = decide(*sides, points=at.points, ideal=at.ideal, rank=at.rank, given=at.given, limit=limit)
     if out.latex:
-        out.write(f"{proof.latex()}\n% {proof.verdict}: {proof.reason}")
+        out.write(
+            "\n".join([proof.latex(), f"% {proof.verdict}: {proof.reason}", *(f"%{c}" for c in proof.conditions())])
+        )
     else:
         out.show(proof, _coloured(proof.verdict, proof.text(unicode=out.unicode)))
     ctx.exit(EXIT_CODES[proof.verdict])

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import re
+from dataclasses import dataclass
+from typing import Any
 
 import click
 
@@ -11,6 +13,7 @@ from gcrules.analysis import Analysis
 from gcrules.analysis import analyze as analyzed
 from gcrules.cli.base import ExpressionCommand, Output, Space, catalog_option, output_options, space_options
 from gcrules.cli.files import read_stdin, working, write_file
+from gcrules.cli.manual import Manual, manual_options, run_manual
 from gcrules.cli.rules import Choice, rules_options
 from gcrules.errors import InputError
 from gcrules.robots.geometry import Platform, load_platform, parse_platform
@@ -19,13 +22,16 @@ __all__ = ["analyze", "report"]
 
 _order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
 _recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
-_legs = click.argument("legs", nargs=-1, required=True, metavar="LEGS|FILE.yaml")
+_LEGS = "LEGS|FILE.yaml"
+_legs = click.argument("legs", nargs=-1, required=True, metavar=_LEGS)
 
 
 @click.command(cls=ExpressionCommand)
-@_legs
+@click.argument("legs", nargs=-1, metavar=_LEGS)
 @_order
 @_recheck
+@manual_options
+@click.option("--full", is_flag=True, help="Show every single step of the derivation.")
 @click.option("--figure", metavar="FILE", help="Draw the robot (FILE.yaml) or the graph of its legs: .svg or .pdf.")
 @catalog_option
 @rules_options
@@ -35,6 +41,8 @@ def analyze(
     legs: tuple[str, ...],
     order: str | None,
     recheck: bool,
+    manual: Manual,
+    full: bool,
     figure: str | None,
     catalogs: tuple[str, ...],
     choice: Choice,
@@ -50,11 +58,19 @@ def analyze(
 
     A leg is a joint of one body and a joint of the other, in this sequence throughout; joints that legs share bear
     one name. "-" reads legs or a geometry file from standard input.
+
+    With --manual you propose the entities and the condition, and each is confirmed or refused with the reason; commands
+    come from a prompt, from standard input, or from --propose. Then the exit code is 1 if anything was refused.
     """
+    if manual.wanted:
+        _check_manual(legs, recheck or full or catalogs or figure or choice != Choice() or out.latex, manual)
+        run_manual(_platform_or_legs(legs) if legs else None, order, manual, space, out)
+    if not legs:
+        raise click.UsageError(f"Missing argument '{_LEGS}...'.")
     analysis = _analysis(legs, order, recheck, catalogs, choice, space)
     if figure:
         _draw(analysis, figure)
-    out.show(analysis)
+    out.show(_InFull(analysis) if full else analysis)
 
 
 @click.command(cls=ExpressionCommand)
@@ -83,6 +99,30 @@ def report(
     from gcrules.render.report import report as rendered  # not needed by analyze
 
     write_file(path, rendered(_analysis(legs, order, recheck, catalogs, choice, space)))
+
+
+@dataclass(frozen=True)
+class _InFull:
+    """An analysis shown with every single step of its derivation."""
+
+    analysis: Analysis
+
+    def to_json(self) -> dict[str, Any]:
+        return self.analysis.to_json(full=True)
+
+    def text(self, *, unicode: bool = False) -> str:
+        return self.analysis.text(unicode=unicode, full=True)
+
+    def latex(self) -> str:
+        return self.analysis.latex(full=True)
+
+
+def _check_manual(legs: tuple[str, ...], others: object, manual: Manual) -> None:
+    """Raises UsageError for what does not go with manual mode."""
+    if others:
+        raise click.UsageError("Manual mode goes with --order, --points, --ideal and --json, no other options.")
+    if "-" in legs and not manual.proposals:
+        raise click.UsageError("In manual mode standard input holds the commands, not the legs.")
 
 
 def _analysis(

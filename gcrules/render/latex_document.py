@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 from gcrules.analysis import Analysis
-from gcrules.render.latex import latex, latex_lines
+from gcrules.render.derivation import as_align
+from gcrules.render.latex import latex, latex_lines, latex_words
 from gcrules.render.stages import Fact, Formula, Item, stages
 
 __all__ = ["as_latex"]
 
 
-def as_latex(a: Analysis) -> str:
-    """A document for the article class with amsmath."""
+def as_latex(a: Analysis, *, full: bool = False) -> str:
+    """A document for the article class with amsmath; `full` adds every single step of the derivation."""
     body = []
     for stage in stages(a):
-        body.append(f"\\section*{{{_escaped(stage.title)}}}")
+        body.append(f"\\section*{{{latex_words(stage.title)}}}")
         if stage.why:
-            body.append(_escaped(stage.why) + "\\par")
+            body.append(latex_words(stage.why) + "\\par")
         body += map(_item, stage.items)
+    if full:
+        body += ["\\section*{Derivation}", as_align(a.unfolded())]
     preamble = [
         "\\documentclass{article}",
         "\\usepackage[T1]{fontenc}",
@@ -33,8 +36,8 @@ def _item(item: Item) -> str:
         case Formula():
             return _formula(item)
         case Fact(key=key, value=value):
-            return f"{_escaped(key)}: {_escaped(value)}\\par"
-    return f"{_escaped(item)}\\par"
+            return f"{latex_words(key)}: {latex_words(value)}\\par"
+    return f"{latex_words(item)}\\par"
 
 
 def _formula(item: Formula) -> str:
@@ -43,23 +46,3 @@ def _formula(item: Formula) -> str:
         left = latex(item.left)
         lines = [f"{left} ={{}}& {lines[0].lstrip('&')}", *lines[1:]] if len(lines) == 1 else [f"&{left} = ", *lines]
     return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
-
-
-_LATEX = {
-    "\\": "\\textbackslash{}",
-    "{": "\\{",
-    "}": "\\}",
-    "_": "\\_",
-    "^": "\\^{}",
-    "&": "\\&",
-    "#": "\\#",
-    "%": "\\%",
-    "$": "\\$",
-    "→": "$\\to$",
-    "∧": "$\\wedge$",
-    "∨": "$\\vee$",
-}
-
-
-def _escaped(words: str) -> str:
-    return "".join(_LATEX.get(c, c) for c in words)

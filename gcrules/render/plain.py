@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
+from textwrap import indent
+
 from gcrules.algebra.expr import Expr, Sum
 from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
+from gcrules.render.derivation import as_text as derivation_text
+from gcrules.render.derivation import ascii_words
 from gcrules.render.stages import Fact, Item, stages
 
 __all__ = ["as_text"]
 
 _WIDTH = 100
-_ASCII = str.maketrans({"→": "->", "ü": "u", "–": "-", "⁹": "^9"})
 
 
-def as_text(a: Analysis, *, unicode: bool = False) -> str:
-    """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows."""
+def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
+    """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows, `full` adds the derivation step by step."""
     lines = [*_wrapped(a.condition.statement.split(), ""), ""]
     for n, stage in enumerate(stages(a), 1):
         lines += [f"{n}. {stage.title}"] + ([f"   {stage.why}"] if stage.why else [])
         for item in stage.items:
             lines += _text_item(item, a, unicode)
         lines.append("")
+    if full:
+        chain = derivation_text(a.unfolded(), unicode=unicode)
+        lines += [f"{n + 1}. Derivation", "   Every single step.", indent(chain, "   ")]
     out = "\n".join(lines).rstrip() + "\n"
-    return out if unicode else out.translate(_ASCII)
+    return out if unicode else ascii_words(out)
 
 
 def _text_item(item: Item, a: Analysis, unicode: bool) -> list[str]:

@@ -10,10 +10,12 @@ from gcrules.algebra.expr import Expr
 from gcrules.analysis import Analysis
 from gcrules.legs import legs_text
 from gcrules.numeric.value import PoseValue
+from gcrules.render.derivation import reasons
 from gcrules.render.figures import graph_figure, robot_figure
 from gcrules.render.mathml import mathml_terms
 from gcrules.render.stages import VERDICTS, Fact, Formula, Item, Stage, stages
 from gcrules.robots.geometry import Platform
+from gcrules.rules.derivation import Step
 
 __all__ = ["fragment", "report"]
 
@@ -108,12 +110,25 @@ def _formula(item: Formula) -> str:
 
 
 def _derivation(a: Analysis) -> str:
-    rows = "".join(
-        f"<tr><th>{escape(step.rule)}</th><td>{escape(step.why)}{_formula(Formula(None, step.after))}</td></tr>"
-        for step in a.derivation
-    )
-    first = _formula(Formula(None, a.derivation.steps[0].before))
-    return f'<h2>Derivation</h2>{first}<table class="derivation">{rows}</table>'
+    """The steps in one table, every single step in another that is folded away."""
+    first = _formula(Formula(None, a.derivation.before))
+    table = f'<table class="derivation">{"".join(_step(s, s.rule, s.why) for s in a.derivation)}</table>'
+    unfolded = a.unfolded()
+    words = reasons(unfolded)
+    rows = [
+        row
+        for step in unfolded
+        for row in [
+            *([f'<tr><th colspan="2">{escape(f"{step.rule}: {step.why}")}</th></tr>'] if step.steps else []),
+            *(_step(s, s.rule, next(words)) for s in step.steps or (step,)),
+        ]
+    ]
+    every = f'<table class="derivation">{"".join(rows)}</table>'
+    return f"<h2>Derivation</h2>{first}{table}<details><summary>Every single step</summary>{first}{every}</details>"
+
+
+def _step(step: Step, name: str, why: str) -> str:
+    return f"<tr><th>{escape(name)}</th><td>{escape(why)}{_formula(Formula(None, step.after))}</td></tr>"
 
 
 def _footer() -> str:

@@ -1,49 +1,37 @@
-r"""Derivations: chains of equal expressions, each link with the rule that made it, replayable on the exact oracle."""
+r"""Derivations: chains of equal expressions, each link with the rule that made it, replayable on the exact oracle.
+
+>>> from gcrules.algebra.syntax import parse
+>>> start = parse("[[ab, af, cb, cd, ed, ef]]")
+>>> two_terms = parse("[abce][abdf][cdef] - [abcf][acde][bdef]")
+>>> d = Derivation((Step("superbracket", start, two_terms, "brackets with a repeated point are 0"),))
+>>> [step.rule for step in d.full()], d.full().check()
+(['superbracket', 'vanishing', 'sorting'], True)
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from typing import Any
 
-from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import Expr, sub
-from gcrules.algebra.text import text
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.space import Space
+from gcrules.errors import LimitReached
+from gcrules.rules.rule import Rule
+from gcrules.rules.step import Step, joined
+from gcrules.rules.unfold import unfold
 
 __all__ = ["Derivation", "Step"]
 
-
-@dataclass(frozen=True)
-class Step:
-    """before = after by the named rule. `assumed` lists expressions that must not vanish for the step to hold."""
-
-    rule: str
-    before: Expr
-    after: Expr
-    why: str
-    assumed: tuple[Expr, ...] = ()
-
-    def check(self, *, ideal: tuple[str, ...] = (), samples: int = 2) -> bool:
-        """Whether both sides agree at exact random points (wrong with probability below 10⁻²⁰ when True)."""
-        return vanishes(sub(self.before, self.after), ideal=ideal, samples=samples)
-
-    def to_json(self, names: tuple[str, ...] = ()) -> dict[str, Any]:
-        """`{rule, before, after, why, assumed}` with expressions as text of the language."""
-        return {
-            "rule": self.rule,
-            "before": text(self.before, names=names),
-            "after": text(self.after, names=names),
-            "why": self.why,
-            "assumed": [text(e, names=names) for e in self.assumed],
-        }
+_SPACE = Space()
 
 
 @dataclass(frozen=True)
 class Derivation:
-    """Steps in sequence; each begins where the one before ended."""
+    """Steps in sequence in one space, each beginning where the one before ended: first = … = last expression."""
 
     steps: tuple[Step, ...] = ()
-    ideal: tuple[str, ...] = ()
+    space: Space = _SPACE
 
     def __iter__(self) -> Iterator[Step]:
         return iter(self.steps)
@@ -51,11 +39,76 @@ class Derivation:
     def __len__(self) -> int:
         return len(self.steps)
 
-    def then(self, rule: str, after: Expr, why: str) -> Derivation:
+    @property
+    def ideal(self) -> tuple[str, ...]:
+        """The points at infinity."""
+        return self.space.ideal
+
+    @property
+    def before(self) -> Expr:
+        """The expression that is derived from. Raises IndexError where there are no steps, as `after` does."""
+        return self.steps[0].before
+
+    @property
+    def after(self) -> Expr:
+        """The expression that is arrived at."""
+        return self.steps[-1].after
+
+    @property
+    def assumed(self) -> tuple[Expr, ...]:
+        """What must not vanish for the conclusion, all steps together."""
+        return tuple(dict.fromkeys(e for step in self.steps for e in step.assumed))
+
+    def then(self, rule: str, after: Expr, why: str, assumed: tuple[Expr, ...] = ()) -> Derivation:
         """The derivation with one more step from where this one ends."""
-        return Derivation((*self.steps, Step(rule, self.steps[-1].after, after, why)), self.ideal)
+        return replace(self, steps=(*self.steps, Step(rule, self.after, after, why, assumed)))
 
     def check(self) -> bool:
         """Replay on the exact oracle: every step holds, and each begins where the one before ended."""
-        joined = all(a.after == b.before for a, b in zip(self.steps, self.steps[1:], strict=False))
-        return joined and all(step.check(ideal=self.ideal) for step in self.steps)
+        return joined(self.steps) and all(step.check(self.space) for step in self.steps)
+
+    def unfolded(self, rules: Iterable[Rule] = ()) -> Derivation:
+        """The same steps, each with the single steps that it is made of; `rules` are known beside the elementary ones.
+
+        Where a step has too many of them, its reason says so.
+        """
+        known = tuple(rules)
+        return replace(self, steps=tuple(_unfolded(step, self.space, known) for step in self.steps))
+
+    def full(self, rules: Iterable[Rule] = ()) -> Derivation:
+        """The derivation in single steps, which replay like the longer ones."""
+        steps = self.unfolded(rules).steps
+        return replace(self, steps=tuple(single for step in steps for single in step.steps or (step,)))
+
+    def text(self, *, unicode: bool = False, full: bool = False) -> str:
+        """The chain, each expression with the reason below; `full` shows every single step."""
+        from gcrules.render.derivation import as_text
+
+        return as_text(self.unfolded() if full else self, unicode=unicode)
+
+    def latex(self, *, full: bool = False) -> str:
+        r"""The chain in an `aligned` environment (package amsmath), without dollar signs."""
+        from gcrules.render.derivation import as_aligned
+
+        return as_aligned(self.unfolded() if full else self)
+
+    def to_json(self, names: tuple[str, ...] = (), *, full: bool = False) -> list[dict[str, Any]]:
+        """`[{rule, before, after, why, assumed, upward}]`, with `full` each with its single `steps`."""
+        chosen = self.unfolded() if full else self
+        return [step.to_json(names or self.space.points) for step in chosen.steps]
+
+    def __str__(self) -> str:
+        return self.text(unicode=True)
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+
+def _unfolded(step: Step, space: Space, rules: tuple[Rule, ...]) -> Step:
+    if step.steps:
+        return step
+    try:
+        single = unfold(step, space, rules)
+    except LimitReached as limited:
+        return replace(step, why=f"{step.why} (Not shown in single steps: {limited.message}.)")
+    return step if single == (step,) else replace(step, steps=single)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from gcrules.errors import InputError
+from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.entities import ENTITY_RULES, TETRAHEDRA
 from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.rule import Incidence, Rule
@@ -60,4 +61,4 @@ class Library:
         return Strategy((*brought, *named)).without(without)
 
 
-ENGINE = Library((*ENTITY_RULES, *INCIDENCES))
+ENGINE = Library((*ENTITY_RULES, *INCIDENCES, *ELEMENTARY))

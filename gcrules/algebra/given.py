@@ -1,0 +1,311 @@
+r"""Assumptions resolved by construction, so that what is proved under them is proved exactly.
+
+>>> from gcrules.algebra.statements import parse_assumption
+>>> from gcrules.algebra.syntax import Context
+>>> space = parse_assumption("collinear(a, b, c), collinear(a, b, d)", Context(rank=3))
+>>> construction = resolve(space)
+>>> [f"{s.name} on {s.within}" for s in construction.steps], [str(e) for e in construction.nonzero]
+(['c on ab', 'd on ab'], ['ab'])
+>>> (assumption,) = parse_assumption("collinear(b, c, d)", Context(rank=3)).given
+>>> holds(assumption, space)
+True
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from itertools import islice
+from typing import TypeVar
+
+from gcrules.algebra.bracket import tableau_order
+from gcrules.algebra.construction import Construction, Step, Within, coordinates, step_on
+from gcrules.algebra.elimination import Turn, orders
+from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
+from gcrules.algebra.expand import MAX_TERMS
+from gcrules.algebra.expr import Expr, Meet, Point, points_of
+from gcrules.algebra.incidences import Condition, Facts, Helper, equations, facts, fault, named_meets
+from gcrules.algebra.nonzero import assumed, fewest
+from gcrules.algebra.space import Assumption, Space
+from gcrules.errors import InputError, StepError
+
+_T = TypeVar("_T")
+
+__all__ = ["equations", "holds", "resolve"]
+
+MAX_ORDERS = 200  # orders of a group that are tried
+_ENOUGH = 500  # conditions of the constructions among which the simplest is chosen
+_NAME_IT = "name the common point: given incident(p, X), incident(p, Y)"
+
+
+def resolve(space: Space, names: Iterable[str] = ()) -> Construction:
+    """A construction of all points (those named, and those of the assumptions) that satisfies what is given.
+
+    Where assumptions allow several kinds of positions (components), the construction reaches one of them, and
+    `nonzero` tells which: it leaves out positions at which one of these extensors vanishes, and no others.
+    Raises InputError for assumptions that are not resolved, with the place of one of them.
+    """
+    used = (*names, *(n for a in space.given for e in a.args for n in points_of(e)))
+    order = tableau_order(used, space.points, space.ideal)
+    return _resolved(space.rank, order, tuple(n for n in order if n in space.ideal), space.given)
+
+
+@lru_cache(maxsize=64)
+def _resolved(
+    rank: int, points: tuple[str, ...], ideal: tuple[str, ...], given: tuple[Assumption, ...]
+) -> Construction:
+    if not given:
+        return Construction(rank, points, ideal, points=points)
+    wanted = tuple(e for a in given for e in _understood(a, lambda a: equations(a, rank)))
+    failure: _Failure | None = None
+    for road in (_as_written, _with_named_meets):
+        try:
+            found = road(given, rank)
+            if found is not None:
+                return _Builder(rank, points, ideal, given, found, wanted).construction()
+        except _Failure as failed:
+            failure = failed if failure is None or failed.depth > failure.depth else failure
+        except InputError:
+            if failure is None:
+                raise
+    assert failure is not None
+    raise fault(failure.cause, failure.why, failure.hint)
+
+
+def holds(assumption: Assumption, space: Space, *, limit: int = MAX_TERMS) -> bool:
+    """Whether an assumption follows from what is given in a space, proved by normal forms.
+
+    As all that is proved there, it follows where the construction's `nonzero` extensors do not vanish; in a space
+    without assumptions, everywhere. Raises InputError as `resolve` does, LimitReached beyond `limit` terms.
+    """
+    wanted = equations(assumption, space.rank)
+    construction = resolve(space, points_of(*wanted))
+    return all(construction.vanishes(e) for e in wanted) and all(construction.is_zero(e, limit=limit) for e in wanted)
+
+
+# --- conditions ----------------------------------------------------------------------------------------------------
+
+
+def _as_written(given: Sequence[Assumption], rank: int) -> list[Facts] | None:
+    return [_understood(a, lambda a: facts(a, rank)) for a in given]
+
+
+def _with_named_meets(given: Sequence[Assumption], rank: int) -> list[Facts] | None:
+    helpers: dict[Expr, Helper] = {}
+    found = [_understood(a, lambda a: named_meets(a, rank, helpers)) for a in given]
+    return found if helpers else None
+
+
+def _understood(assumption: Assumption, read: Callable[[Assumption], _T]) -> _T:
+    """What is read from an assumption; extensors that cannot be joined or met as it asks are its fault."""
+    try:
+        return read(assumption)
+    except StepError as wrong:
+        raise fault(assumption, wrong.message, wrong.hint) from None
+
+
+# --- construction --------------------------------------------------------------------------------------------------
+
+
+class _Failure(Exception):
+    """An order of construction that leads nowhere: at which assumption, and why."""
+
+    def __init__(self, depth: int, cause: Assumption, why: str, hint: str | None = None) -> None:
+        super().__init__(why)
+        self.depth, self.cause, self.why, self.hint = depth, cause, why, hint
+
+
+class _Builder:
+    """Tries orders of construction on random points modulo a prime, and keeps the simplest that works."""
+
+    def __init__(
+        self,
+        rank: int,
+        points: tuple[str, ...],
+        ideal: tuple[str, ...],
+        given: tuple[Assumption, ...],
+        found: list[Facts],
+        wanted: tuple[Expr, ...],
+    ) -> None:
+        self.rank, self.points, self.ideal, self.given, self.wanted = rank, points, ideal, given, wanted
+        named = (e for a in given if a.kind in ("incident", "concurrent") for e in a.args if e.step > 1)
+        self.extensors = tuple(dict.fromkeys(named))
+        self.helpers = {h.name: h for f in found for h in f.helpers}
+        self.nonzero = tuple(dict.fromkeys(e for f in found for e in f.nonzero))
+        place = {n: i for i, n in enumerate((*points, *self.helpers))}
+        conditions = {c.equation: c for f in found for c in f.conditions}
+        self.conditions = sorted(
+            (c for c in conditions.values() if not self._always(c)),
+            key=lambda c: (c.equation.step, sorted(place[n] for n in c.names), str(c.equation)),
+        )
+
+    def _always(self, c: Condition) -> bool:
+        names = [*self.points, *self.helpers]
+        points = random_points(names, rank=self.rank, ideal=self.ideal, seed=3)
+        return not any(Evaluator(points, self.rank, PRIME).value(c.equation))
+
+    def construction(self) -> Construction:
+        """Raises _Failure where none of the orders tried works."""
+        # What fails in one order mostly fails in others, so orders with the same turn come in the second round only.
+        barren: set[Turn] = set()
+        worst: _Failure | None = None
+        for left_out in (barren, ()):
+            order, late = (*self.points, *self.helpers), (*self.helpers, *self.ideal)
+            for group in orders(self.conditions, order, late, self.rank, left_out):
+                found: list[Construction] = []
+                for turns in islice(group, MAX_ORDERS):
+                    try:
+                        found.append(self._attempt(turns))
+                    except _Failure as failed:
+                        barren |= set(turns[failed.depth : failed.depth + 1])
+                        worst = failed if worst is None or failed.depth > worst.depth else worst
+                    if len(found) * len(self.conditions) > _ENOUGH:
+                        break
+                if found:
+                    return min(found, key=_cost)
+        raise worst or self._no_order()
+
+    def _no_order(self) -> _Failure:
+        stuck = next((c for c in self.conditions if not c.within), self.conditions[0])
+        why = "no point of it can be constructed from the others"
+        if not stuck.within:
+            why = "it is not linear in any of its points"
+        return _Failure(
+            0, stuck.cause, why, "name the points that it is about, and say on which lines and planes they lie"
+        )
+
+    def _attempt(self, turns: list[Turn]) -> Construction:
+        constructed = {n for n, _ in turns}
+        free = tuple(n for n in (*self.points, *self.helpers) if n not in constructed)
+        values = random_points(free, rank=self.rank, ideal=self.ideal, seed=1)
+        state = _State(self, values)
+        for depth, (name, conditions) in enumerate(turns):
+            state.place(depth, name, conditions)
+        return state.construction(free)
+
+
+@dataclass
+class _State:
+    """The points placed so far, with random coordinates modulo the prime."""
+
+    builder: _Builder
+    values: dict[str, tuple[int, ...]]
+    steps: list[Step] = field(default_factory=list)
+    causes: list[tuple[Condition, ...]] = field(default_factory=list)
+    rng: random.Random = field(default_factory=lambda: random.Random(2))
+
+    def zero(self, e: Expr) -> bool:
+        return not any(Evaluator(self.values, self.builder.rank, PRIME).value(e))
+
+    def place(self, depth: int, name: str, conditions: tuple[Condition, ...]) -> None:
+        rank = self.builder.rank
+        usable = sorted((c for c in conditions if name in c.within), key=lambda c: (not c.exact, c.within[name].step))
+        within: Within | None = None
+        used: list[Condition] = []
+        for c in usable:
+            if within is not None:
+                self.put(step_on(within, rank, exact=used[0].exact))
+                if self.zero(c.equation):
+                    continue
+            s = c.within[name]
+            if self.zero(s):
+                continue
+            smaller = Within(name, s, (s,)) if within is None else self.smaller(within, c, used[0].exact)
+            if smaller is not None:
+                within = smaller
+                used.append(c)
+        if within is None:
+            raise _Failure(depth, conditions[0].cause, f"the other assumptions leave nothing on which {name} could lie")
+        step = step_on(within, rank, exact=used[0].exact)
+        self.put(step)
+        for c in conditions:
+            if not self.zero(c.equation):
+                why = (
+                    f"together with the others it asks too much of the point {name}"
+                    if name in c.within
+                    else "it is not linear in the points that the others leave, nor does it follow from them"
+                )
+                raise _Failure(depth, c.cause, why, "leave out an assumption, or name more points")
+        self.check(depth, step, used)
+        self.steps.append(step)
+        self.causes.append(tuple(used))
+
+    def smaller(self, within: Within, c: Condition, exact: bool) -> Within | None:
+        """Where a point lies that satisfies one more condition, if that can be told and is not nothing."""
+        rank, s = self.builder.rank, c.within[within.name]
+        if exact or c.exact:
+            return None
+        candidates = [within.met(s, rank)]
+        for extra in range(1, rank):
+            candidates += within.met_inside(s, rank, extra)
+        for found in candidates:
+            if found is not None and not any(self.zero(e) for e in found.nonzero):
+                step = step_on(found, rank)
+                self.put(step)
+                if any(self.values[found.name]) and self.zero(c.equation):
+                    return found
+        return None
+
+    def put(self, step: Step) -> None:
+        b = self.builder
+        points = {**self.values, **random_points(step.fresh, rank=b.rank, seed=len(self.steps) + 10)}
+        value = coordinates(step, points, b.rank, lambda: self.rng.randrange(1, PRIME), PRIME)
+        self.values[step.name] = tuple(value)
+
+    def check(self, depth: int, step: Step, used: list[Condition]) -> None:
+        """Points stay what they are: not zero, at infinity or not as declared, and different from the others."""
+        b, value, cause = self.builder, self.values[step.name], used[-1].cause
+        if not any(value):
+            raise _Failure(depth, cause, f"it leaves no place for the point {step.name}")
+        if step.name in b.helpers:
+            return
+        if step.name in b.ideal and value[-1]:
+            hint = f"leave out `ideal {step.name}`, or say on which line or plane at infinity it lies"
+            raise _Failure(depth, cause, f"the point {step.name} at infinity would have to be a finite point", hint)
+        if step.name not in b.ideal and not value[-1]:
+            hint = f"declare it with `ideal {step.name}`"
+            raise _Failure(depth, cause, f"the finite point {step.name} would have to lie at infinity", hint)
+        if len(used) == 1 and step.within.step == 1:
+            return  # so it was asked for
+        for other, there in self.values.items():
+            if other != step.name and ":" not in other and _parallel(value, there):
+                hint = "say so with == if that is meant"
+                why = f"with the others it makes {other} and {step.name} one point"
+                raise _Failure(depth, cause, why, hint)
+
+    def construction(self, free: tuple[str, ...]) -> Construction:
+        b, cause = self.builder, self.causes[-1][-1].cause if self.causes else self.builder.given[-1]
+        nonzero = assumed(self.steps, b.nonzero, free, b.ideal, b.helpers, b.rank)
+        if nonzero is None:
+            raise _Failure(len(self.steps), cause, "the common point of the lines needs a name", _NAME_IT)
+        for e in (*nonzero, *b.extensors):
+            if self.zero(e):
+                raise _Failure(len(self.steps), cause, f"together with the others it makes {e} zero", _NAME_IT)
+        return Construction(b.rank, free, b.ideal, tuple(self.steps), fewest(nonzero), b.wanted, b.points, b.extensors)
+
+
+def _parallel(a: Sequence[int], b: Sequence[int]) -> bool:
+    return all((a[i] * b[j] - a[j] * b[i]) % PRIME == 0 for i in range(len(a)) for j in range(i))
+
+
+def _cost(c: Construction) -> tuple[int, int]:
+    """How many points satisfy several conditions at once, and about how many terms the constructed points have.
+
+    Where points may be in several kinds of positions, the first tells the general one from one that was not meant: of
+    coplanar(a, b, c, d), coplanar(b, c, d, e) that all lie in one plane, and not that b lies on cd.
+    """
+    sizes: dict[str, int] = {}
+
+    def size(e: Expr) -> int:
+        if isinstance(e, Point):
+            return sizes.get(e.name, 1)
+        found = 1
+        for child in e.children:
+            found *= size(child)
+        return found * (2 * len(e.children) if isinstance(e, Meet) else 1)
+
+    for s in c.steps:
+        sizes[s.name] = sum(map(size, s.parts))
+    return sum(isinstance(s.within, Meet) for s in c.steps), sum(sizes.values())

@@ -1,0 +1,56 @@
+r"""Rewriting the parts of an expression."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Power, Product, Sum, Superbracket
+
+__all__ = ["everywhere", "first_part", "rebuilt"]
+
+At = Callable[[Expr], Expr | None]
+
+
+def rebuilt(e: Expr, children: tuple[Expr, ...], rank: int) -> Expr:
+    """The same operation on other parts; −1 times a sum becomes the sum with the other signs."""
+    match e:
+        case Join():
+            return ex.join(*children, rank=rank)
+        case Meet():
+            return ex.meet(*children, rank=rank)
+        case Bracket():
+            return ex.bracket(*children, rank=rank)
+        case Superbracket():
+            return ex.superbracket(*children)
+        case Sum():
+            return ex.add(*children, rank=rank)
+        case Product():
+            match children:
+                case (Number(value=-1), Sum() as total):
+                    return ex.signed(-1, total)
+            return ex.mul(*children)
+        case Power(exponent=n):
+            return ex.power(children[0], n, rank)
+    raise TypeError(f"no parts: {e!r}")
+
+
+def first_part(e: Expr, at: At, rank: int) -> Expr | None:
+    """The expression with the first part, from the outside in, that `at` replaces; None where it replaces none."""
+    found = at(e)
+    if found is not None:
+        return found
+    for i, child in enumerate(e.children):
+        new = first_part(child, at, rank)
+        if new is not None:
+            return rebuilt(e, (*e.children[:i], new, *e.children[i + 1 :]), rank)
+    return None
+
+
+def everywhere(e: Expr, at: At, rank: int) -> Expr:
+    """The expression with all parts replaced that `at` replaces, from the inside out."""
+    children = tuple(everywhere(c, at, rank) for c in e.children)
+    if any(new is not old for new, old in zip(children, e.children, strict=True)):
+        e = rebuilt(e, children, rank)
+    found = at(e)
+    return e if found is None else found
