@@ -17,10 +17,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.given import resolve
 from gcrules.algebra.space import Space
 from gcrules.algebra.text import text
 from gcrules.rules.derivation import Step
-from gcrules.rules.identity import rewrite_all
+from gcrules.rules.identity import Identity, rewrite_all
 from gcrules.rules.rule import RewriteRule
 
 __all__ = ["Rewriting", "rewrite"]
@@ -54,6 +55,9 @@ class Rewriting:
         for step in self.steps:
             why = f": {step.why}" if step.why else ""
             lines += [f"  = {text(step.after, unicode=unicode, names=names)}", f"      by {step.rule}{why}"]
+            if step.assumed:
+                shown = ", ".join(text(e, unicode=unicode, names=names) for e in step.assumed)
+                lines.append(f"      assumed not to vanish: {shown}")
         return "\n".join(lines if self.steps else [*lines, "  no rule fires"])
 
     def latex(self) -> str:
@@ -77,6 +81,12 @@ def rewrite(e: Expr, rules: Iterable[RewriteRule], space: Space | None = None) -
     steps = []
     before = e
     for rule, after in rewrite_all(e, tuple(rules), space):
-        steps.append(Step(rule.id, before, after, rule.sentence))
+        steps.append(Step(rule.id, before, after, rule.sentence, _assumed(rule, space)))
         before = after
     return Rewriting(e, tuple(steps), space)
+
+
+def _assumed(rule: RewriteRule, space: Space) -> tuple[Expr, ...]:
+    """What must not vanish for a rule with assumptions to hold."""
+    instance = rule.instance(space.rank) if isinstance(rule, Identity) else None
+    return resolve(space).nonzero if instance is not None and instance.given else ()

@@ -20,7 +20,7 @@ from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.rule_text import Order
 from gcrules.algebra.space import Space
-from gcrules.algebra.statements import parse_script
+from gcrules.algebra.statements import parse_assumption, parse_script
 from gcrules.algebra.syntax import parse
 from gcrules.errors import GcrulesError, InputError, LimitReached
 from gcrules.plugins import load_rules
@@ -360,6 +360,34 @@ def test_rewrite_in_python(tmp_path: Path) -> None:
     assert "by exchange" in r.text()
     assert r.latex().count("\\\\") == 1
     assert gc.rewrite("[abcd]", ["exchange"]).text().endswith("no rule fires")
+
+
+ON_A_LINE = "rule l: [a b d e][a c f g] => [a c d e][a b f g] if collinear(a, b, c), b < c, d < f"
+
+
+def test_a_rule_with_an_assumption_fires_only_where_it_is_given() -> None:
+    rule = rule_of(ON_A_LINE)
+    e = parse("[abde][acfg]")
+    assert not rewrite(e, [rule], Space()).steps
+    space = parse_assumption("collinear(a, b, c)")
+    found = rewrite(e, [rule], space)
+    assert str(found.after) == "[abfg][acde]"
+    assert [str(x) for x in found.steps[0].assumed] == ["ab"] or not found.steps[0].assumed
+    assert found.steps[0].check(space)
+    assert not found.steps[0].check()
+    assert not rewrite(e, [rule], parse_assumption("collinear(a, b, d)")).steps
+    assert rewrite(e, [rule], parse_assumption("collinear(a, b, x), collinear(a, x, c)")).steps
+
+
+def test_an_assumption_of_a_rule_is_what_makes_it_true() -> None:
+    (found,) = check_script(parse_script(ON_A_LINE.replace("if collinear(a, b, c),", "if")))
+    assert found.verdict == "refuted"
+    (found,) = check_script(parse_script("rule l: [a b d e][a c f g] => [a b f g] if collinear(a, b, c)"))
+    assert found.verdict == "refuted"
+    assert found.proof is not None
+    at = found.proof.counterexample
+    assert at is not None
+    assert not any(gc.evaluate("a b c", dict(at)))
 
 
 # --- strategies ----------------------------------------------------------------------------------------------------

@@ -38,6 +38,11 @@ class Instance:
     guards: tuple[Order | Assumption, ...] = ()
     runs: Mapping[str, tuple[str, ...]] = FrozenMap()
 
+    @property
+    def given(self) -> tuple[Assumption, ...]:
+        """The guards under which the two sides are equal; the others only choose where the rule is applied."""
+        return tuple(g for g in self.guards if isinstance(g, Assumption))
+
 
 @dataclass(frozen=True, slots=True)
 class Case:

@@ -41,15 +41,18 @@ _limit = click.option(
 )
 
 
-@click.command(cls=ExpressionCommand)
-@click.argument("claim", metavar='"LHS == RHS"')
-@click.option(
+_assumptions = click.option(
     "--given",
     "assumptions",
     multiple=True,
     metavar="ASSUMPTIONS",
     help='Assume them: "collinear(a, b, c), incident(p, X)", coplanar, concurrent, "LHS == RHS", "ideal i j".',
 )
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("claim", metavar='"LHS == RHS"')
+@_assumptions
 @space_options()
 @_limit
 @output_options()
@@ -68,9 +71,7 @@ def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: S
     Exit code 0: proved, by equal normal forms. 1: refuted; exact points at which the sides differ are shown.
     3: not decided within the limit.
     """
-    at = _context(space)
-    for written in assumptions:
-        at = parse_assumption(written, at)
+    at = _context(space, assumptions)
     sides = parse_equation(_given(claim), context=at)
     with working("proving"):
         proof = decide(*sides, points=at.points, ideal=at.ideal, rank=at.rank, given=at.given, limit=limit)
@@ -86,23 +87,26 @@ def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: S
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
 @rules_options
+@_assumptions
 @space_options()
 @output_options()
-def rewrite(expression: str, choice: Choice, space: Space, out: Output) -> None:
+def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space: Space, out: Output) -> None:
     """Rewrite an expression by rules, the first that fires each time, until all stay silent; every step is shown.
 
     \b
     gcrules rewrite "[abce][abdf] - [abcd][abef]" --rules mine.gca
     gcrules rewrite "ab /\\ cde" --rules expansion
 
-    --rules takes files of identities and names of rewriting rules (see `gcrules rules list`).
+    --rules takes files of identities and names of rewriting rules (see `gcrules rules list`). Rules that ask for
+    collinear points and the like fire where --given says so.
     """
-    e = parse(_given(expression), context=_context(space))
+    at = _context(space, assumptions)
+    e = parse(_given(expression), context=at)
     rules = choice.rewriting()
     if not rules:
         raise InputError("no rules to rewrite by", hint="name some:  --rules mine.gca  or  --rules expansion")
     with working("rewriting"):
-        out.show(rewritten(e, rules, _context(space)))
+        out.show(rewritten(e, rules, at))
 
 
 @click.command(cls=ExpressionCommand)
@@ -215,8 +219,11 @@ def _given(argument: str) -> str:
     return read_stdin() if argument == "-" else argument
 
 
-def _context(space: Space) -> Context:
-    return Context(space.rank, space.points, space.ideal)
+def _context(space: Space, assumptions: tuple[str, ...] = ()) -> Context:
+    at = Context(space.rank, space.points, space.ideal)
+    for written in assumptions:
+        at = parse_assumption(written, at)
+    return at
 
 
 def _latex(e: Expr) -> str:

@@ -28,6 +28,8 @@ from gcrules.algebra.expr import (
     points_of,
     substitute,
 )
+from gcrules.algebra.given import holds
+from gcrules.algebra.prove import prove
 from gcrules.algebra.rule_text import Instance, Order
 from gcrules.algebra.space import Assumption, Space
 from gcrules.errors import LimitReached
@@ -52,18 +54,24 @@ class Identity(RewriteRule):
 
     def rewrite(self, e: Expr, space: Space) -> Expr | None:
         """One application. A sum of bracket monomials is rewritten as a bracket polynomial; in any other expression the
-        first part, from the outside in, that looks like the left side.
+        first part, from the outside in, that looks like the left side. What a rule with assumptions makes is proved
+        once more, under the assumptions of the space, before it is used.
         """
         instance = self.instance(space.rank)
         if instance is None:
             return None
-        if only_brackets(instance.left):
-            if not only_brackets(e):
-                return _inside(e, lambda part: self.rewrite(part, space) if only_brackets(part) else None, space.rank)
-            polynomial = _polynomial(e, space)
-            found = self.step(polynomial, space)
-            return None if found is None else found.to_expr()
-        return _rewrite_expression(instance, e, space)
+        found = self._rewritten(instance, e, space)
+        if found is not None and instance.given and not _proved(e, found, space):
+            return None
+        return found
+
+    def _rewritten(self, instance: Instance, e: Expr, space: Space) -> Expr | None:
+        if not only_brackets(instance.left):
+            return _rewrite_expression(instance, e, space)
+        if not only_brackets(e):
+            return _inside(e, lambda part: self.rewrite(part, space) if only_brackets(part) else None, space.rank)
+        found = self.step(_polynomial(e, space), space)
+        return None if found is None else found.to_expr()
 
     def step(self, polynomial: BracketPolynomial, space: Space) -> BracketPolynomial | None:
         """One application to a bracket polynomial; None where the rule stays silent."""
@@ -247,10 +255,13 @@ def _holds(guard: Order | Assumption, binding: Mapping[str, int], polynomial: Br
 
 def _assumed(guard: Assumption, values: Mapping[str, Expr], space: Space) -> bool:
     """Whether an assumption, with its points replaced, is proved in the space: where nothing is known, it is not."""
-    from gcrules.algebra.given import holds  # exact proofs from assumptions are rarely needed
-
     args = tuple(substitute(a, dict(values), space.rank) for a in guard.args)
     return holds(Assumption(guard.kind, args, guard.text), space)
+
+
+def _proved(before: Expr, after: Expr, space: Space) -> bool:
+    found = prove(before, after, points=space.points, ideal=space.ideal, rank=space.rank, given=space.given)
+    return found.proved
 
 
 # --- expressions ---------------------------------------------------------------------------------------------------

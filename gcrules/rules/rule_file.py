@@ -12,7 +12,7 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import points_of
 from gcrules.algebra.prove import Proof, prove
 from gcrules.algebra.rule_text import Case, Instance, Order, RuleText
-from gcrules.algebra.space import Assumption, Space
+from gcrules.algebra.space import Space
 from gcrules.algebra.statements import Script, parse_script
 from gcrules.errors import FileError, GcrulesError, InputError, LimitReached, join_faults
 from gcrules.rules.identity import Identity, instance_fault, rewrite_all
@@ -128,17 +128,16 @@ def check_rule(rule: RuleText, script: Script, *, limit: int = MAX_TERMS) -> Rul
 
 
 def _proof(instance: Instance, limit: int) -> Proof:
-    given = tuple(g for g in instance.guards if isinstance(g, Assumption))
-    if not given:
-        return prove(instance.left, instance.right, rank=instance.rank, limit=limit)
-    return prove(instance.left, instance.right, rank=instance.rank, given=given, limit=limit)
+    return prove(instance.left, instance.right, rank=instance.rank, given=instance.given, limit=limit)
 
 
 def _where(proof: Proof, instance: Instance, rule: RuleText) -> str:
     """The exact points that refute a rule."""
     points = "; ".join(f"{n} = ({', '.join(map(str, c))})" for n, c in (proof.counterexample or {}).items())
     rank = f" in rank {instance.rank}" if len(rule.instances) > 1 else ""
-    values = "" if proof.values is None else f", where the left side is {proof.values[0]}, the right side {proof.values[1]}"
+    values = (
+        "" if proof.values is None else f", where the left side is {proof.values[0]}, the right side {proof.values[1]}"
+    )
     return f"{rank}: at {points}{values}"
 
 
@@ -146,9 +145,8 @@ def _runs(identity: Identity, rule: RuleText) -> GcrulesError | None:
     """What goes wrong on the rule's own left side and on its cases: silence, firing, or a loop."""
     fires = 0
     for instance in rule.instances:
-        given = tuple(g for g in instance.guards if isinstance(g, Assumption))
         try:
-            space = Space(instance.rank, _in_order(instance), given=given)
+            space = Space(instance.rank, _in_order(instance), given=instance.given)
         except CycleError as cycle:
             return InputError(f"the guards of the rule {rule.id} contradict each other: {' < '.join(cycle.args[1])}")
         try:
