@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 
 from gcrules.errors import FileError
 
@@ -10,10 +11,13 @@ __all__ = ["write_file"]
 
 
 def write_file(path: str, text: str) -> None:
-    """Write a file by way of a temporary one, so that it appears complete or not at all.
+    """Write a file by way of a temporary one, so that it appears complete or not at all; "-" is standard output.
 
     Raises FileError where that is not possible.
     """
+    if path == "-":
+        sys.stdout.write(text)
+        return
     target = os.path.realpath(path)
     if os.path.isdir(target):
         raise FileError("this is a directory, expected the name of a file", filename=path)

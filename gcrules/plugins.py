@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import copyreg
 import sys
-import traceback
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache
@@ -26,6 +25,7 @@ from gcrules.algebra.expr import Expr, Point, add, bracket, join, meet, mul, sub
 from gcrules.errors import FileError
 from gcrules.legs import leg_text
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES, TETRAHEDRA
+from gcrules.rules.fault import plugin_fault
 from gcrules.rules.identity import Identity
 from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.rule import Elementary, EntityRule, Incidence, Rule
@@ -62,6 +62,7 @@ __all__ = [
 ]
 
 GROUP = "gcrules.plugins"
+_UNLOADED = "a plugin cannot be loaded"
 
 
 def points(names: Iterable[str]) -> list[Expr]:
@@ -144,7 +145,8 @@ def installed() -> Iterator[Plugin]:
         try:
             plugin = entry.load()
         except Exception as fault:
-            raise _broken(fault, f"{owner} (entry point {entry.name} = {entry.value})") from fault
+            place = f"{owner} (entry point {entry.name} = {entry.value})"
+            raise plugin_fault(fault, place, _UNLOADED) from fault
         if not isinstance(plugin, Plugin):
             raise FileError(f"{entry.value} is no gcrules.Plugin but {type(plugin).__name__}", filename=owner)
         yield _owned(plugin, owner, owner)
@@ -169,21 +171,11 @@ def _rules_of(path: Path) -> tuple[Rule, ...]:
         spec.loader.exec_module(module)
     except Exception as fault:
         del sys.modules[name]
-        raise _broken(fault, str(path)) from fault
+        raise plugin_fault(fault, str(path), _UNLOADED) from fault
     rules = getattr(module, "RULES", None)
     if not isinstance(rules, tuple):
         raise FileError("defines no tuple RULES", filename=str(path), hint="RULES = (rule, …)")
     return rules
-
-
-def _broken(fault: Exception, place: str) -> FileError:
-    """The fault of a plugin's code, with the last line of the plugin's own that it passed through."""
-    if isinstance(fault, SyntaxError) and fault.filename:
-        return FileError(f"a plugin cannot be loaded: {fault.msg}", filename=f"{fault.filename}:{fault.lineno}")
-    here = str(Path(__file__).parent)
-    frames = [f for f in traceback.extract_tb(fault.__traceback__) if not f.filename.startswith((here, "<"))]
-    where = f"{frames[-1].filename}:{frames[-1].lineno}" if frames else place
-    return FileError(f"a plugin cannot be loaded: {type(fault).__name__}: {fault}", filename=where)
 
 
 # --- copies --------------------------------------------------------------------------------------------------------

@@ -97,6 +97,30 @@ BROKEN = [
 ]
 
 
+WHOLE = "mul(*(bracket(*points(s.named(row))) for row in s.tetrahedra))"
+FAILING = [
+    ("an error", "for row in s.tetrahedra", "for row in s.no_such_thing", "rules.py:11", "AttributeError"),
+    ("a step", WHOLE, "points(s.named(s.tetrahedra[0]))[0]", "plugin mine", "has step 1"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "place", "words"), [f[1:] for f in FAILING], ids=[f[0] for f in FAILING])
+def test_a_rule_that_fails_is_reported_with_its_place(
+    folder: Callable[..., Path], old: str, new: str, place: str, words: str
+) -> None:
+    strategy = load_rules(folders=[folder(RULE.replace(old, new))]).strategy()
+    with pytest.raises(FileError) as caught:
+        gc.analyze(LEGS, strategy=strategy)
+    assert "the rule mine fails" in caught.value.message
+    assert words in caught.value.message
+    assert caught.value.filename.endswith(place)
+
+
+def test_a_statement_with_an_unknown_part(folder: Callable[..., Path]) -> None:
+    with pytest.raises(FileError, match="cannot be filled into the statement of mine"):
+        load_rules(folders=[folder(RULE.replace("{expression}", "{expresion}"))])
+
+
 @pytest.mark.parametrize(("code", "place", "words"), [b[1:] for b in BROKEN], ids=[b[0] for b in BROKEN])
 def test_a_broken_plugin_is_reported_with_its_place(
     folder: Callable[..., Path], code: str, place: str, words: str

@@ -16,8 +16,8 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from gcrules.cli.files import write_out
 from gcrules.errors import GcrulesError, InputError
+from gcrules.files import write_file
 
 __all__ = [
     "ExpressionCommand",
@@ -170,7 +170,7 @@ class Output:
     def write(self, text: str) -> None:
         """Print, or write to the file of --output (complete or not at all)."""
         if self.path:
-            write_out(self.path, click.unstyle(text).rstrip("\n") + "\n")
+            write_file(self.path, click.unstyle(text).rstrip("\n") + "\n")
         else:
             click.echo(text.rstrip("\n"))
 

@@ -11,8 +11,9 @@ import click
 
 from gcrules.catalog_file import load
 from gcrules.cli.base import Output, catalog_option
-from gcrules.cli.files import working, write_out
+from gcrules.cli.files import working
 from gcrules.errors import FileError
+from gcrules.files import write_file
 
 __all__ = ["docs"]
 
@@ -46,7 +47,7 @@ def docs(ctx: click.Context, check: bool, out: str, as_json: bool, catalogs: tup
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for name in (n for n in pages if n in stale):
-            write_out(str(folder / name), pages[name])
+            write_file(str(folder / name), pages[name])
         for name in gone:
             os.unlink(folder / name)
     except OSError as fault:

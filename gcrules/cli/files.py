@@ -1,4 +1,4 @@
-"""Reading what a command is given, writing what it makes, and saying that it still works."""
+"""Reading what a command is given, and saying that it still works."""
 
 from __future__ import annotations
 
@@ -10,9 +10,8 @@ from contextlib import contextmanager
 import click
 
 from gcrules.errors import FileError
-from gcrules.files import write_file
 
-__all__ = ["Status", "read_stdin", "working", "write_out"]
+__all__ = ["Status", "read_stdin", "working"]
 
 MAX_STDIN = 4_000_000
 _PATIENCE = 1.0  # seconds before progress is shown
@@ -27,14 +26,6 @@ def read_stdin() -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as fault:
         raise FileError(f"this is not text in UTF-8 (byte {fault.start + 1})", filename="<stdin>") from None
-
-
-def write_out(path: str, text: str) -> None:
-    """Write a file, complete or not at all; "-" is standard output. Raises FileError where that is not possible."""
-    if path == "-":
-        click.echo(text, nl=False)
-    else:
-        write_file(path, text)
 
 
 class Status:

@@ -12,10 +12,11 @@ import click
 from gcrules.analysis import Analysis
 from gcrules.analysis import analyze as analyzed
 from gcrules.cli.base import ExpressionCommand, Output, Space, catalog_option, output_options, space_options
-from gcrules.cli.files import read_stdin, working, write_out
+from gcrules.cli.files import read_stdin, working
 from gcrules.cli.manual import Manual, manual_options, run_manual
 from gcrules.cli.rules import Choice, rules_options
 from gcrules.errors import InputError
+from gcrules.files import write_file
 from gcrules.robots.geometry import Platform, load_platform, parse_platform
 
 __all__ = ["analyze", "report"]
@@ -98,7 +99,7 @@ def report(
     """
     from gcrules.render.report import report as rendered  # not needed by analyze
 
-    write_out(path, rendered(_analysis(legs, order, recheck, catalogs, choice, space)))
+    write_file(path, rendered(_analysis(legs, order, recheck, catalogs, choice, space)))
 
 
 @dataclass(frozen=True)

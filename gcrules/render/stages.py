@@ -147,7 +147,10 @@ def _condition(condition: Condition, a: Analysis) -> list[Item]:
 
 def _replay(a: Analysis) -> list[Item]:
     rules = " → ".join(step.rule for step in a.derivation)
-    return [f"Derivation {rules}: replayed at exact random points, holds."]
+    found: list[Item] = [f"Derivation {rules}: replayed at exact random points, holds."]
+    if a.condition.kind != "always-singular":
+        found.append(f"Strategy, the rules that could run, in this order: {a.strategy}.")
+    return found
 
 
 def _starred(entity: Entity) -> str:

@@ -13,10 +13,12 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
 from gcrules.algebra.expr import Expr, Meet, Point, meet
 from gcrules.condition import ONE
+from gcrules.errors import StepError
 from gcrules.legs import Leg
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES
+from gcrules.rules.fault import plugin_fault
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.rule import Incidence
+from gcrules.rules.rule import SHIPPED, Incidence
 from gcrules.rules.state import State, extensor
 
 __all__ = ["INCIDENCES", "Claim", "claims"]
@@ -49,13 +51,28 @@ class Claim:
 
 
 def claims(incidence: Incidence, states: Sequence[State], oracle: Oracle) -> Iterator[Claim]:
-    """The claims of one rule that hold, in any of the states."""
+    """The claims of one rule that hold, in any of the states.
+
+    Raises FileError, with the plugin's file and line, where the code of a plugin's rule fails.
+    """
+    try:
+        yield from _claims(incidence, states, oracle)
+    except Exception as fault:
+        if incidence.owner == SHIPPED:
+            raise
+        raise plugin_fault(fault, incidence.owner, f"the rule {incidence.id} fails") from fault
+
+
+def _claims(incidence: Incidence, states: Sequence[State], oracle: Oracle) -> Iterator[Claim]:
     for state in states:
         for reached in incidence.reached(state):
             expression = incidence.expression(reached)
             if expression is None:
                 continue
             cofactor = incidence.cofactor(reached)
+            for e in (expression, cofactor):
+                if e.step:
+                    raise StepError(f"{e} has step {e.step}; a claim is about scalars")
             coefficient = oracle.coefficient(expression, cofactor)
             if coefficient == -1 and isinstance(expression, Meet) and len(expression.args) == 4:
                 expression, coefficient = _last_two_exchanged(expression), 1

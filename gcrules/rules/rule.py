@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from string import Formatter
 from typing import ClassVar
 
 from gcrules.algebra.expr import Expr
@@ -22,6 +23,7 @@ from gcrules.rules.state import State
 __all__ = ["SHIPPED", "Elementary", "EntityRule", "Incidence", "RewriteRule", "Rule"]
 
 SHIPPED = "gcrules"
+_PARTS = {"tetrahedra", "planes", "lines", "expression"}
 _ID = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 
 
@@ -115,6 +117,14 @@ class Incidence(Rule):
     pencils: Callable[[State], tuple[Expr, Expr]] | None = None
     statement: str | Callable[[State], str] = ""
     group: str | None = None
+
+    def __post_init__(self) -> None:
+        Rule.__post_init__(self)
+        if isinstance(self.statement, str):
+            unknown = {name for _, name, _, _ in Formatter().parse(self.statement) if name} - _PARTS
+            if unknown:
+                hint = f"it is filled with {', '.join(f'{{{p}}}' for p in sorted(_PARTS))}"
+                raise InputError(f"{{{min(unknown)}}} cannot be filled into the statement of {self.id}", hint=hint)
 
     def sentence_for(self, state: State) -> str:
         """The statement as a text to fill in."""
