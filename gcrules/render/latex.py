@@ -7,6 +7,8 @@ r"""Expressions as LaTeX mathematics, in the notation of the papers.
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from fractions import Fraction
 
 from gcrules.algebra.expr import Expr
@@ -35,7 +37,8 @@ def latex(e: Expr) -> str:
 def latex_lines(e: Expr, width: int = 60) -> list[str]:
     r"""A sum broken into lines for an `aligned` environment, each starting with `&`.
 
-    `width` is the number of printed signs to a line (a bracket of four points has 6); a single term may be wider.
+    `width` is the number of printed signs to a line (a bracket of four points has 6). A single term that is wider is
+    broken before ∧, ∨ and parentheses; what cannot be broken may stay wider.
     Join the lines with `\\`. An expression that is no sum is one line.
     """
     lines: list[str] = []
@@ -48,7 +51,25 @@ def latex_lines(e: Expr, width: int = 60) -> list[str]:
         else:
             lines[-1] += _spelled(term)
             used += size
-    return lines
+    return [part for line in lines for part in _broken(line, width)]
+
+
+_BREAKS = re.compile(r"(?= \\(?:wedge|vee)(?![A-Za-z]))|(?<=\))(?=[(\[])|(?<=\])(?=\()")
+_COMMANDS = re.compile(r"\\[A-Za-z]+|\\.|[{}&_^]")
+
+
+def _broken(line: str, width: int) -> Iterator[str]:
+    """A line and its continuations, each about as wide as allowed."""
+    now, used = "", 0
+    for piece in _BREAKS.split(line):
+        size = len(_COMMANDS.sub(lambda m: "+++" if m[0] in (r"\wedge", r"\vee") else "", piece).replace(" ", ""))
+        outside = now.count("{") == now.count("}")  # a group of braces stays on its line
+        if now and outside and used + size > width * 5 // 4:
+            yield now
+            now, used = r"&\quad{}", 2
+        now += piece
+        used += size
+    yield now
 
 
 def latex_aligned(e: Expr, width: int = 60) -> str:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
 from gcrules.render.derivation import as_align
 from gcrules.render.latex import latex, latex_lines, latex_words
 from gcrules.render.stages import Fact, Formula, Item, stages
 
 __all__ = ["as_latex"]
+
+_WIDTH = 75
 
 
 def as_latex(a: Analysis, *, full: bool = False) -> str:
@@ -44,5 +47,6 @@ def _formula(item: Formula) -> str:
     lines = latex_lines(item.right)
     if item.left is not None:
         left = latex(item.left)
-        lines = [f"{left} ={{}}& {lines[0].lstrip('&')}", *lines[1:]] if len(lines) == 1 else [f"&{left} = ", *lines]
+        short = len(lines) == 1 and len(text(item.left)) + len(text(item.right)) < _WIDTH
+        lines = [f"{left} ={{}}& {lines[0].lstrip('&')}"] if short else [f"&{left} = ", *lines]
     return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"

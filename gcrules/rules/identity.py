@@ -29,6 +29,7 @@ from gcrules.algebra.expr import (
     substitute,
 )
 from gcrules.algebra.given import holds
+from gcrules.algebra.parts import first_part
 from gcrules.algebra.prove import prove
 from gcrules.algebra.rule_text import Instance, Order
 from gcrules.algebra.space import Assumption, Space
@@ -69,7 +70,7 @@ class Identity(RewriteRule):
         if not only_brackets(instance.left):
             return _rewrite_expression(instance, e, space)
         if not only_brackets(e):
-            return _inside(e, lambda part: self.rewrite(part, space) if only_brackets(part) else None, space.rank)
+            return first_part(e, lambda part: self.rewrite(part, space) if only_brackets(part) else None, space.rank)
         found = self.step(_polynomial(e, space), space)
         return None if found is None else found.to_expr()
 
@@ -280,7 +281,7 @@ def _rewrite_expression(instance: Instance, e: Expr, space: Space) -> Expr | Non
                 return after
         return None
 
-    return _inside(e, at, space.rank)
+    return first_part(e, at, space.rank)
 
 
 def _satisfied(guard: Order | Assumption, values: Mapping[str, Expr], space: Space) -> bool:
@@ -309,35 +310,3 @@ def _with_rest(part: Expr, new: Expr, rest: tuple[Expr, ...], rank: int) -> Expr
         case Meet():
             return ex.meet(new, *rest, rank=rank)
     return ex.mul(new, *rest)
-
-
-def _inside(e: Expr, at: object, rank: int) -> Expr | None:
-    """The expression with its first part, from the outside in, replaced by what `at` makes of it."""
-    assert callable(at)
-    found: Expr | None = at(e)
-    if found is not None:
-        return found
-    for i, child in enumerate(e.children):
-        new = _inside(child, at, rank)
-        if new is not None:
-            return _rebuilt(e, (*e.children[:i], new, *e.children[i + 1 :]), rank)
-    return None
-
-
-def _rebuilt(e: Expr, children: tuple[Expr, ...], rank: int) -> Expr:
-    match e:
-        case Join():
-            return ex.join(*children, rank=rank)
-        case Meet():
-            return ex.meet(*children, rank=rank)
-        case Bracket():
-            return ex.bracket(*children, rank=rank)
-        case Sum():
-            return ex.add(*children, rank=rank)
-        case Product():
-            return ex.mul(*children)
-        case Power(exponent=n):
-            return ex.power(children[0], n, rank)
-        case ex.Superbracket():
-            return ex.superbracket(*children)
-    raise TypeError(f"no parts: {e!r}")
