@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 import re
+import subprocess
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -480,3 +481,29 @@ def test_the_report_folds_the_single_steps_away() -> None:
     page = gc.report(analyze(OCTAHEDRON))
     assert page.count("<details>") == page.count("</details>") == 1
     assert "by expansion, read backwards" in page[page.index("<details>") :]
+
+
+# --- LaTeX is compiled ----------------------------------------------------------------------------------------------
+
+COMPILED = {
+    "octahedral": OCTAHEDRON,
+    "four-dof": "S1A1 S1B1 S1C1 S2A2 S3A3 S3B3",
+    "one incidence": "Aa Ab Bc Cd De Ef",
+    "two ratios": "Aa Ab Bc Bd Ce Df",
+    "always singular": "Aa Ba Ca Db Eb Fb",
+    "long names": "left_top right_a, left_top b, c b, c d, e d, e right_a",
+}
+
+
+@pytest.mark.needs("pdflatex")
+@pytest.mark.parametrize("full", [False, True], ids=["folded", "full"])
+@pytest.mark.parametrize("legs", COMPILED.values(), ids=COMPILED)
+def test_latex_compiles_with_the_article_class(legs: str, full: bool, tmp_path: Path) -> None:
+    long = "left_top right_a" if "," in legs else ""
+    (tmp_path / "a.tex").write_text(analyze(legs, points=long).latex(full=full), encoding="utf-8")
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "a.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=120, check=False)
+    log = (tmp_path / "a.log").read_text(encoding="utf-8", errors="replace")
+    assert done.returncode == 0, log[-2000:]
+    assert (tmp_path / "a.pdf").stat().st_size > 10_000
+    assert not [w for w in re.findall(r"Overfull .hbox \(([0-9.]+)pt", log) if float(w) > (100 if long else 40)]
