@@ -23,6 +23,7 @@ COMMANDS = {
     "straighten": ("gcrules.cli.algebra:straighten", "Bring an expression into its normal form of standard tableaux."),
     "run": ("gcrules.cli.algebra:run", "Run a script of statements and report every claim."),
     "rewrite": ("gcrules.cli.algebra:rewrite", "Rewrite an expression by rules, step by step."),
+    "repl": ("gcrules.cli.repl:repl", "Type expressions and statements, and get an answer to each."),
     "rules": ("gcrules.cli.rules:rules", "List, show and check rules."),
     "catalog": ("gcrules.cli.catalog:catalog", "List, show, check or enumerate the classes of platforms."),
     "completion": ("gcrules.cli.completion:completion", "Print the script that completes commands in a shell."),
