@@ -42,7 +42,7 @@ demo: $(READY) ## analyse the octahedral platform, every stage, and write its re
 
 .PHONY: test
 test: $(READY) ## run the tests and doctests with branch coverage; ends with what was left out
-	$(BIN)/python -m pytest --cov --cov-branch --cov-report=term
+	$(BIN)/python -m pytest -n auto --dist worksteal --cov --cov-branch --cov-report=term
 
 .PHONY: check
 check: $(READY) ## lint, formatting, types, documentation

@@ -55,6 +55,7 @@ __all__ = [
     "load_rules",
     "meet",
     "mul",
+    "packs",
     "plugins_in",
     "points",
     "shipped_folder",
@@ -99,19 +100,30 @@ def load_rules(
     all others when they are loaded. Raises InputError where a rule is wrong or ids clash (both owners are named),
     FileError where a plugin is broken.
     """
-    shipped = _shipped()
-    others = [*installed(), *(p for folder in folders for p in plugins_in(Path(folder)))]
-    library = ENGINE.plus(r for p in (*shipped, *others) for r in p.rules)
+    found = packs(folders)
+    library = ENGINE.plus(r for p in found for r in p.rules)
     if identities:
-        library = library.plus(i for p in shipped for i in p.identities(proved=False))
-        library = library.plus(i for p in others for i in p.identities())
+        library = library.plus(i for p in found for i in p.identities(proved=p not in _shipped()))
     return library.plus(Plugin(files=tuple(files)).identities())
+
+
+def packs(folders: Iterable[str | PathLike[str]] = ()) -> tuple[Plugin, ...]:
+    """All plugins: those that come with gcrules, those of installed packages, those of the folders.
+
+    Raises FileError where one is broken.
+    """
+    return (*_shipped(), *_installed(), *(p for folder in folders for p in plugins_in(Path(folder))))
 
 
 @cache
 def _shipped() -> tuple[Plugin, ...]:
     folder = shipped_folder()
     return tuple(plugins_in(folder)) if folder else ()
+
+
+@cache
+def _installed() -> tuple[Plugin, ...]:
+    return tuple(installed())
 
 
 def shipped_folder() -> Path | None:

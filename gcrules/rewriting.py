@@ -20,7 +20,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.given import resolve
 from gcrules.algebra.space import Space
 from gcrules.algebra.text import text
-from gcrules.rules.derivation import Step
+from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.identity import Identity, rewrite_all
 from gcrules.rules.rule import RewriteRule
 
@@ -37,15 +37,21 @@ class Rewriting:
 
     @property
     def after(self) -> Expr:
+        """The expression on which all rules stay silent."""
         return self.steps[-1].after if self.steps else self.before
 
+    @property
+    def derivation(self) -> Derivation:
+        """The steps as a chain that replays and unfolds."""
+        return Derivation(self.steps, self.space)
+
     def to_json(self) -> dict[str, Any]:
-        """`{before, after, derivation [{rule, before, after, why, assumed}]}`."""
+        """`{before, after, derivation}`, the derivation as in `Derivation.to_json`."""
         names = self.space.points
         return {
             "before": text(self.before, names=names),
             "after": text(self.after, names=names),
-            "derivation": [s.to_json(names) for s in self.steps],
+            "derivation": self.derivation.to_json(),
         }
 
     def text(self, *, unicode: bool = False) -> str:
@@ -76,7 +82,10 @@ class Rewriting:
 
 
 def rewrite(e: Expr, rules: Iterable[RewriteRule], space: Space | None = None) -> Rewriting:
-    """Apply rules, the first that fires each time, until all stay silent. Raises LimitReached where they never do."""
+    """Apply rules, the first that fires each time, until all stay silent.
+
+    Raises LimitReached where they never do, or where matching takes too long.
+    """
     space = space or Space()
     steps = []
     before = e

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import fields
+from dataclasses import fields, replace
 from itertools import permutations
 from pathlib import Path
 
@@ -26,6 +26,7 @@ from gcrules.errors import GcrulesError, InputError, LimitReached
 from gcrules.plugins import load_rules
 from gcrules.rewriting import rewrite
 from gcrules.rules.check import check_cases, check_rules, fires_on
+from gcrules.rules.entities import LEFT_OVER_PLANE, PLANES, TETRAHEDRA
 from gcrules.rules.identity import Identity, rewrite_all
 from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.matching import Budget, match_monomial
@@ -91,6 +92,25 @@ def test_all_rules_hold() -> None:
     assert len(found) >= 18
     assert [f.rule.id for f in found if not f.ok] == []
     assert {"exchange", "four-planes", "legs-meet"} <= {f.rule.id for f in found}
+
+
+def test_checking_runs_the_code_of_a_plugin_once(tmp_path: Path) -> None:
+    runs = tmp_path / "runs"
+    (tmp_path / "mine").mkdir()
+    code = f"with open({str(runs)!r}, 'a') as file:\n    file.write('x')\nRULES = ()\n"
+    (tmp_path / "mine" / "rules.py").write_text(code, encoding="utf-8")
+    next(check_rules(folders=[tmp_path]))
+    assert runs.read_text() == "x"
+
+
+def test_an_entity_rule_is_tried_among_the_rules_of_its_library() -> None:
+    legs = "ab af cb cd ed ef"
+    assert fires_on(PLANES, legs)
+    assert not fires_on(PLANES, legs, Library((TETRAHEDRA, PLANES)))
+    own = replace(PLANES, id="own-planes", owner="plugin mine")
+    assert not fires_on(own, legs, ENGINE.plus([own]))
+    uses = replace(ENGINE["four-planes"], id="own-four-planes", uses=((own, 3), (LEFT_OVER_PLANE, 1)))
+    assert fires_on(own, legs, ENGINE.plus([own, uses]))
 
 
 @pytest.mark.parametrize("rule", [r for r in load_rules() if isinstance(r, Identity)], ids=lambda r: r.id)
@@ -253,8 +273,7 @@ SHAPES = [
 def test_rewriting_to_the_end_is_an_equality(text: str) -> None:
     e = parse(text)
     found = rewrite(e, CALM, Space())
-    for step in found.steps:
-        assert step.check()
+    assert found.derivation.check()
     assert gc.prove(e, found.after).proved
 
 

@@ -27,11 +27,13 @@ def strategy() -> Strategy:
 
 @lru_cache(maxsize=32)
 def automatic(structure: Structure) -> Analysis:
+    """The automatic analysis, which the hints follow."""
     return analyze(structure, strategy=strategy())
 
 
 @lru_cache(maxsize=32)
 def oracle_of(structure: Structure) -> Oracle:
+    """The exact points on which claims about a structure are tested."""
     return Oracle(structure)
 
 

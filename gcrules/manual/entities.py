@@ -18,7 +18,7 @@ __all__ = ["propose_line", "propose_plane", "propose_tetrahedron"]
 
 
 def propose_tetrahedron(board: Board, words: Words) -> tuple[Board, Outcome]:
-    """tetrahedron Aabc"""
+    """tetrahedron Aabc. Raises InputError where the points make no sense or are confirmed already."""
     row = _row(board, words, 4, "for example: tetrahedron Aabc")
     label = f"[{board.label(row)}]"
     fault = _broken(board, row)
@@ -32,7 +32,7 @@ def propose_tetrahedron(board: Board, words: Words) -> tuple[Board, Outcome]:
 
 
 def propose_plane(board: Board, words: Words) -> tuple[Board, Outcome]:
-    """plane Aab"""
+    """plane Aab. Raises InputError as for a tetrahedron."""
     row = _row(board, words, 3, "for example: plane Aab")
     _not_twice(board, row, words)
     fault = _broken(board, row)
@@ -44,7 +44,7 @@ def propose_plane(board: Board, words: Words) -> tuple[Board, Outcome]:
 
 
 def propose_line(board: Board, words: Words) -> tuple[Board, Outcome]:
-    """line AB"""
+    """line AB. Raises InputError as for a tetrahedron."""
     row = _row(board, words, 2, "for example: line AB")
     _not_twice(board, row, words)
     fault = _broken(board, row)

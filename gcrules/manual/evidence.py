@@ -9,6 +9,7 @@ from functools import lru_cache
 from itertools import combinations, pairwise
 
 from gcrules.algebra.evaluate import PRIME, Evaluator, evaluate, random_points, random_rational_points
+from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number, Point, bracket, mul
 from gcrules.algebra.shortest import superbracket_form
 from gcrules.algebra.straighten import straighten
@@ -207,8 +208,6 @@ def relation(structure: Structure, e: Expr, cofactor: Expr, degree: int) -> str:
 
 
 def _degree(e: Expr) -> int:
-    from gcrules.algebra.expand import expand
-
     degrees = expand(e, rank=4).degrees()  # type: ignore[union-attr]
     return sum(degrees.values()) if degrees else 0
 

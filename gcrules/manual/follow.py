@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from gcrules.algebra.expr import Expr
 from gcrules.manual.automatic import oracle_of, strategy
-from gcrules.manual.board import Board
+from gcrules.manual.board import KINDS, Board
 from gcrules.manual.words import counted
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES
 from gcrules.rules.incidence import Claim, claims
-from gcrules.rules.rule import Incidence
+from gcrules.rules.rule import EntityRule, Incidence
 
-__all__ = ["Following", "follow"]
+__all__ = ["LEFT_OVER", "Following", "follow"]
 
 _ENTITIES = {PLANES.id: 3, LINES.id: 2}
-_LEFT_OVER = {LEFT_OVER_PLANE.id: (3,), LEFT_OVER_LINE.id: (2,), LEFT_OVER_LINES.id: (2, 2)}
-_WORDS = {3: "plane", 2: "line"}
+
+LEFT_OVER: Mapping[tuple[int, ...], EntityRule] = {
+    (3,): LEFT_OVER_PLANE,
+    (2,): LEFT_OVER_LINE,
+    (2, 2): LEFT_OVER_LINES,
+}
+"""Numbers of left-over points that are taken together -> the rule that takes them."""
+
+_SIZES = {rule.id: sizes for sizes, rule in LEFT_OVER.items()}
 
 
 @dataclass(frozen=True)
@@ -58,13 +66,12 @@ def _lacking(rule: Incidence, board: Board) -> str | None:
     for used, number in rule.uses:
         if used.id in _ENTITIES:
             wanted[_ENTITIES[used.id]] += number
-        elif used.id in _LEFT_OVER:
-            left = _LEFT_OVER[used.id]
+        elif used.id in _SIZES:
+            left = _SIZES[used.id]
         else:
             return None
     tetrahedra = 0 if rule.degree is None else 3 - rule.degree
     numbers = {4: tetrahedra, **wanted}
-    names = {4: "tetrahedron", **_WORDS}
     parts = []
     if tetrahedra > board.common:
         return None
@@ -73,13 +80,13 @@ def _lacking(rule: Incidence, board: Board) -> str | None:
         if have > number:
             return None
         if have < number:
-            parts.append(_more(number - have, names[size]))
+            parts.append(_more(number - have, KINDS[size]))
     sizes = sorted((len(row) for row in board.taken), reverse=True)
     if sizes != list(left[: len(sizes)]):
         return None
     open_points = left[len(sizes) :]
     if open_points:
-        noun = _WORDS[open_points[0]]
+        noun = KINDS[open_points[0]]
         parts.append(f"the left-over points as {counted(len(open_points), noun).replace('one ', 'a ')}")
     return ", ".join(parts)
 

@@ -20,7 +20,7 @@ __all__ = ["choose_form", "choose_order", "form_text", "orders", "orders_text", 
 
 
 def choose_order(board: Board, words: Words) -> tuple[Board, Outcome]:
-    """order 2 1 3 4 6 5, or the legs themselves."""
+    """order 2 1 3 4 6 5, or the legs themselves. Raises InputError for anything that is no order."""
     if not words.text:
         raise words.fault("which order?", "for example: order 2 1 3 4 6 5")
     try:
@@ -32,7 +32,7 @@ def choose_order(board: Board, words: Words) -> tuple[Board, Outcome]:
 
 
 def choose_form(board: Board, words: Words) -> tuple[Board, Outcome]:
-    """form 16"""
+    """form 16. Raises InputError for other numbers than 24 and 16."""
     if words.text not in map(str, FORMS):
         raise words.fault(f"there is no form {words.text}".rstrip(), "form 24 or form 16")
     return _taken(board, board.form.order, int(words.text))

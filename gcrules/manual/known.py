@@ -11,7 +11,7 @@ from gcrules.condition import Condition, Entity, starred
 from gcrules.manual.automatic import automatic, oracle_of
 from gcrules.manual.board import KINDS, Board
 from gcrules.manual.follow import follow
-from gcrules.rules.conditions import PROVED, describe
+from gcrules.rules.conditions import PROVED, describe, listed
 
 __all__ = ["named_condition", "shape"]
 
@@ -75,9 +75,9 @@ def _by_shape(e: Expr, statements: Mapping[str, str]) -> tuple[str, tuple[Entity
     if kind == "three-tetrahedra" and len({frozenset(n) for n in brackets}) == 1:
         template = statements["three-tetrahedra/one"]
     words = {
-        "tetrahedra": _listed(names["tetrahedron"]),
-        "planes": _listed(sorted(names["plane"])),
-        "line": _listed(names["line"]),
+        "tetrahedra": listed(names["tetrahedron"]),
+        "planes": listed(sorted(names["plane"])),
+        "line": listed(names["line"]),
     }
     return kind, starred(found), template.format(**words)
 
@@ -93,8 +93,3 @@ _SHAPES = {
 def _points(args: tuple[Expr, ...]) -> tuple[str, ...]:
     """Names of points; () if there is anything else."""
     return tuple(a.name for a in args if isinstance(a, Point)) if all(isinstance(a, Point) for a in args) else ()
-
-
-def _listed(names: list[str]) -> str:
-    names = list(dict.fromkeys(names))
-    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

@@ -108,10 +108,12 @@ def _in_style(words: str, unicode: bool) -> str:
 
 
 def confirmed(reason: str, *words: str, formulas: tuple[Formula, ...] = (), **data: Any) -> Outcome:
+    """The answer yes."""
     return Outcome(True, reason, words, formulas, FrozenMap(data))
 
 
 def refused(reason: str, *words: str, formulas: tuple[Formula, ...] = (), **data: Any) -> Outcome:
+    """The answer no."""
     return Outcome(False, reason, words, formulas, FrozenMap(data))
 
 

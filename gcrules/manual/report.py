@@ -15,12 +15,12 @@ from gcrules.errors import InputError
 from gcrules.legs import legs_text
 from gcrules.manual.automatic import automatic, oracle_of
 from gcrules.manual.board import Board
-from gcrules.manual.follow import follow
+from gcrules.manual.follow import LEFT_OVER, follow
 from gcrules.manual.forms import form_text
 from gcrules.manual.session import Session
 from gcrules.rules.derivation import Derivation
 from gcrules.rules.deriving import from_claim, terms_of
-from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES, TETRAHEDRA
+from gcrules.rules.entities import LINES, PLANES, TETRAHEDRA
 from gcrules.rules.incidence import Claim
 from gcrules.rules.rule import EntityRule
 from gcrules.rules.state import State
@@ -138,11 +138,4 @@ def _trail(state: State) -> Iterator[tuple[EntityRule, State]]:
     if state.lines:
         yield LINES, replace(state, taken=())
     if state.taken:
-        yield _LEFT_OVER[tuple(map(len, state.taken))], state
-
-
-_LEFT_OVER: dict[tuple[int, ...], EntityRule] = {
-    (3,): LEFT_OVER_PLANE,
-    (2,): LEFT_OVER_LINE,
-    (2, 2): LEFT_OVER_LINES,
-}
+        yield LEFT_OVER[tuple(map(len, state.taken))], state

@@ -14,7 +14,7 @@ from gcrules.errors import GcrulesError, LimitReached
 from gcrules.render.latex import latex
 from gcrules.repl.reading import as_typed
 from gcrules.repl.state import Settings
-from gcrules.script import ClaimResult, Result, RewriteResult, RuleResult, ShowResult
+from gcrules.script import ClaimResult, Result, RewriteResult, ShowResult
 
 __all__ = [
     "Answer",
@@ -61,6 +61,7 @@ def worst(codes: Iterable[int]) -> int:
 
 
 def fault_answer(fault: GcrulesError) -> Answer:
+    """The message with its place; a limit that was reached leaves the question undecided."""
     return Answer(_here(fault.render()), "undecided" if isinstance(fault, LimitReached) else "fault", fault)
 
 
@@ -104,16 +105,16 @@ def result_of(result: Result) -> Expr | None:
             return polynomial.to_expr()
         case RewriteResult(rewriting=rewriting) if rewriting is not None:
             return rewriting.after
-        case ClaimResult() | RuleResult():
-            return None
     return None
 
 
 def value_text(e: Expr, settings: Settings, names: tuple[str, ...]) -> str:
+    """An expression as the settings ask for it; `names` are the declared points."""
     return latex(e) if settings.latex else text(e, unicode=settings.unicode, names=names)
 
 
 def polynomial_text(p: Polynomial, settings: Settings, context: Context) -> str:
+    """A polynomial as the settings ask for it."""
     return value_text(p.to_expr(), settings, (*context.points, *p.points))
 
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from gcrules.repl.help import TOPICS
 from gcrules.repl.reading import first_word, split_command
 from gcrules.repl.state import State
-from gcrules.repl.tables import COMMANDS, RELATIONS, RULE_WORDS, STATEMENTS, SYMBOLS
+from gcrules.repl.tables import COMMANDS, RELATIONS, RULE_WORDS, STATEMENTS, SYMBOLS, meant
 
 __all__ = ["Candidate", "candidates"]
 
@@ -41,8 +41,7 @@ def candidates(before: str, state: State) -> list[Candidate]:
     """What may stand at the cursor, given the text before it."""
     symbol = _SYMBOL.search(before)
     if symbol:
-        names = [n for n in SYMBOLS if n == symbol[0]] or [n for n in SYMBOLS if n.startswith(symbol[0])]
-        return [Candidate(SYMBOLS[n], len(symbol[0]), SYMBOLS[n], n) for n in names]
+        return [Candidate(SYMBOLS[n], len(symbol[0]), SYMBOLS[n], n) for n in meant(symbol[0], SYMBOLS)]
     called = split_command(before)
     if called is None:
         return list(_words(before, state))
@@ -50,7 +49,7 @@ def candidates(before: str, state: State) -> list[Candidate]:
     if at == len(before) and not before[-1:].isspace():
         begun = before.lstrip()
         return list(_starting(begun, _COMMANDS))
-    names = [n for n in COMMANDS if n == name] or [n for n in COMMANDS if n.startswith(name)]
+    names = meant(name)
     return list(_arguments(COMMANDS[names[0]].takes, COMMANDS[names[0]].words, before[at:], state)) if names else []
 
 

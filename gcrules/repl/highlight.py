@@ -11,7 +11,7 @@ import re
 from collections.abc import Collection, Iterator
 
 from gcrules.repl.reading import first_word, split_command
-from gcrules.repl.tables import COMMANDS, RELATIONS, RULE_WORDS, STATEMENTS
+from gcrules.repl.tables import COMMANDS, RELATIONS, RULE_WORDS, STATEMENTS, meant
 
 __all__ = ["KINDS", "tokens"]
 
@@ -49,10 +49,9 @@ def tokens(text: str, names: Collection[str] = ()) -> Iterator[tuple[str, str]]:
     at = 0
     if called is not None:
         at = called[1]
-        known = any(n.startswith(called[0]) for n in COMMANDS) or called[0] == "?"
-        yield "command" if known else "fault", text[:at]
-        begun = [n for n in COMMANDS if n.startswith(called[0])]
-        if begun and COMMANDS[begun[0]].takes not in ("expression", "equation", "legs", "latex"):
+        names = meant(called[0])
+        yield "command" if names or called[0] == "?" else "fault", text[:at]
+        if names and COMMANDS[names[0]].takes not in ("expression", "equation", "legs", "latex"):
             yield "", text[at:]
             return
     for found in _TOKEN.finditer(text, at):

@@ -17,7 +17,7 @@ from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.syntax import Context, read, span_of
 from gcrules.algebra.text import text as text_of
 from gcrules.errors import GcrulesError, InputError, Span
-from gcrules.repl.tables import COMMANDS, RULE_WORDS, STATEMENTS
+from gcrules.repl.tables import COMMANDS, RULE_WORDS, STATEMENTS, meant
 
 __all__ = [
     "Piece",
@@ -76,7 +76,7 @@ def unfinished(text: str) -> bool:
     start, body = "expression", text
     found = split_command(text)
     if found:
-        names = [n for n in COMMANDS if n == found[0]] or [n for n in COMMANDS if n.startswith(found[0])]
+        names = meant(found[0])
         start = _EXPRESSIONS.get(COMMANDS[names[0]].takes, "") if len(names) == 1 else ""
         body = text[found[1] :]
         if not start or is_blank(body):

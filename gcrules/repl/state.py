@@ -35,6 +35,7 @@ class State:
         return self.context, self.rules, self.statements, self.ranked
 
     def with_result(self, e: Expr) -> State:
+        """The state with one more result, the oldest one forgotten where there are too many."""
         return replace(self, results=(e, *self.results)[:MAX_RESULTS])
 
     def script(self) -> str:

@@ -4,13 +4,24 @@ the same tables.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from gcrules.errors import InputError
 from gcrules.yamlfile import near
 
-__all__ = ["COMMANDS", "KEYS", "OPERATIONS", "RELATIONS", "RULE_WORDS", "STATEMENTS", "SYMBOLS", "Command", "command"]
+__all__ = [
+    "COMMANDS",
+    "KEYS",
+    "OPERATIONS",
+    "RELATIONS",
+    "RULE_WORDS",
+    "STATEMENTS",
+    "SYMBOLS",
+    "Command",
+    "command",
+    "meant",
+]
 
 STATEMENTS: Mapping[str, tuple[str, str]] = {
     "rank": ("rank N", "the rank, before everything else; 4 if left out"),
@@ -102,9 +113,15 @@ KEYS: tuple[tuple[str, str], ...] = (
 )
 
 
+def meant(begun: str, names: Iterable[str] = COMMANDS) -> list[str]:
+    """The names that a word may stand for: its own, else those that begin so."""
+    names = list(names)
+    return [begun] if begun in names else [n for n in names if n.startswith(begun)]
+
+
 def command(name: str) -> Command:
     """The command of this name or of the one name that begins so. Raises InputError, with a suggestion."""
-    found = [name] if name in COMMANDS else [n for n in COMMANDS if name and n.startswith(name)]
+    found = meant(name) if name else []
     if len(found) == 1:
         return COMMANDS[found[0]]
     if found:

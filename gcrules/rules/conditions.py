@@ -15,7 +15,7 @@ from gcrules.rules.incidence import Claim
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.state import extensor
 
-__all__ = ["PROVED", "best_first", "certify", "describe", "entities_of"]
+__all__ = ["PROVED", "best_first", "certify", "describe", "entities_of", "listed"]
 
 PROVED = Certificate("normal-form", "proved: both sides have the same normal form of standard tableaux")
 _TESTED = Certificate("random-points", "holds at exact random points")
@@ -75,9 +75,9 @@ def describe(claim: Claim, structure: Structure, oracle: Oracle, statements: Map
     tetrahedra = [e for e in entities if e.kind == "tetrahedron"]
     planes = [e for e in entities if e.kind == "plane"]
     parts = {
-        "tetrahedra": _listed([_tetrahedron(e) for e in tetrahedra]),
-        "planes": _listed(sorted(str(extensor(e.points)) for e in planes)),
-        "lines": _listed([str(extensor(e.points)) for e in entities if e.kind == "line"]),
+        "tetrahedra": listed([_tetrahedron(e) for e in tetrahedra]),
+        "planes": listed(sorted(str(extensor(e.points)) for e in planes)),
+        "lines": listed([str(extensor(e.points)) for e in entities if e.kind == "line"]),
         "expression": str(claim.expression),
     }
     if kind == "three-tetrahedra" and len(set(map(_tetrahedron, tetrahedra))) == 1:
@@ -104,7 +104,8 @@ def _tetrahedron(entity: Entity) -> str:
     return str(extensor(entity.points))
 
 
-def _listed(names: Sequence[str]) -> str:
+def listed(names: Sequence[str]) -> str:
+    """ "ab, cd and ef", each name once."""
     names = list(dict.fromkeys(names))
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 

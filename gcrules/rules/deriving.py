@@ -15,7 +15,8 @@ from gcrules.legs import Structure, leg_text
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.incidence import Claim
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.strategy import recorded
+from gcrules.rules.rule import EntityRule, Rule
+from gcrules.rules.state import State
 
 __all__ = ["derived", "derived_zero", "from_catalog", "from_claim", "terms_of"]
 
@@ -46,7 +47,7 @@ def from_claim(
     """What the rules recorded on the way to a claim."""
     found = terms_of(structure, claim.state.form, claim.cofactor, own_order=own_order)
     for rule, state in claim.state.trail:
-        after, why = recorded(rule, state, oracle)
+        after, why = _recorded(rule, state, oracle)
         after = None if after is None else ex.mul(claim.cofactor, after)
         if after is not None and after != found.after:
             found = found.then(rule.id, after, why)
@@ -55,8 +56,15 @@ def from_claim(
     rule, state = claim.state.trail[-1]
     reasons = [claim.sentence, "Its expansion equals the line above"]
     if rule.id != found.steps[-1].rule:
-        reasons.insert(0, f"{recorded(rule, state, oracle)[1]}.")
+        reasons.insert(0, f"{_recorded(rule, state, oracle)[1]}.")
     return found.then(claim.kind, condition.right_side, " ".join(reasons))
+
+
+def _recorded(rule: Rule, state: State, oracle: Oracle) -> tuple[Expr | None, str]:
+    """What the superbracket equals after a rule on the trail of a claim, if the rule rewrote it, and why."""
+    if isinstance(rule, EntityRule):
+        return rule.after(state, oracle), rule.why(state)
+    return ex.signed(state.sign, state.rest.to_expr()), rule.sentence
 
 
 def from_catalog(structure: Structure, condition: Condition) -> Derivation:

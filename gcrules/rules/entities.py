@@ -12,7 +12,7 @@ from itertools import combinations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
-from gcrules.algebra.expr import Expr, Point
+from gcrules.algebra.expr import Expr
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.rule import EntityRule
 from gcrules.rules.state import State
@@ -44,8 +44,7 @@ def _tetrahedra(state: State, _: int) -> Iterator[State]:
 def _factored(state: State, _: Oracle) -> Expr | None:
     if not state.tetrahedra:
         return None
-    outer = [ex.bracket(*map(Point, state.named(row))) for row in state.tetrahedra]
-    return ex.mul(ex.Number(state.sign), *outer, state.rest.to_expr())
+    return ex.mul(ex.Number(state.sign), *state.brackets, state.rest.to_expr())
 
 
 TETRAHEDRA = EntityRule(
@@ -85,24 +84,21 @@ def _collected(state: State, _: Oracle) -> Expr:
     return ex.signed(state.sign, state.collected())
 
 
-PLANES, LINES = (
-    EntityRule(
+def _together_rule(kind: str, sets: str, size: int, fires: str) -> EntityRule:
+    return EntityRule(
         id=kind,
         sentence=f"{sets} of points that stay together in one bracket of every term are {kind}.",
         source=_SOURCE,
-        fires=fires,
-        silent=silent,
-        find=lambda s, number, size=size: _together(s, size, number),  # type: ignore[misc]
+        fires=(fires,),
+        silent=("Aa Bb Cc Dd Ee Ff",),
+        find=lambda s, number: _together(s, size, number),
         after=_collected,
-        why=lambda s, sets=sets, kind=kind: (  # type: ignore[misc]
-            f"{sets.lower()} that stay together in one bracket of every term: {s.labels(getattr(s, kind))}"
-        ),
+        why=lambda s: f"{sets.lower()} that stay together in one bracket of every term: {s.labels(getattr(s, kind))}",
     )
-    for kind, sets, size, fires, silent in (
-        ("planes", "Triples", 3, ("ab af cb cd ed ef",), ("Aa Bb Cc Dd Ee Ff",)),
-        ("lines", "Pairs", 2, ("Aa Ab Ba Bb Cc Dd",), ("Aa Bb Cc Dd Ee Ff",)),
-    )
-)
+
+
+PLANES = _together_rule("planes", "Triples", 3, "ab af cb cd ed ef")
+LINES = _together_rule("lines", "Pairs", 2, "Aa Ab Ba Bb Cc Dd")
 
 
 # --- left-over points ----------------------------------------------------------------------------------------------
@@ -119,22 +115,21 @@ def _dotted(state: State, oracle: Oracle) -> Expr | None:
     return None if factor is None else ex.mul(ex.Number(factor), dotted)
 
 
-LEFT_OVER_PLANE, LEFT_OVER_LINE = (
-    EntityRule(
-        id=f"left-over-{word}",
-        sentence=f"The {count} points that no entity has taken, shared out among the planes' brackets, are a {word}.",
+def _left_over_rule(kind: str, number: str, size: int, fires: str, silent: str) -> EntityRule:
+    return EntityRule(
+        id=f"left-over-{kind}",
+        sentence=f"The {number} points that no entity has taken, shared out among the planes' brackets, are a {kind}.",
         source=_SOURCE,
-        fires=fires,
-        silent=silent,
-        find=lambda s, _, size=size: _left_over(s, size),  # type: ignore[misc]
+        fires=(fires,),
+        silent=(silent,),
+        find=lambda s, _: _left_over(s, size),
         after=_dotted,
         why=lambda s: f"the left-over points {s.listed(s.left)} are shared out among the planes' brackets",
     )
-    for size, count, word, fires, silent in (
-        (3, "three", "plane", ("ab af cb cd ed ef",), ("Aa Ab Ac Bd Ce Df",)),
-        (2, "two", "line", ("Aa Ab Ac Bd Ce Df",), ("ab af cb cd ed ef",)),
-    )
-)
+
+
+LEFT_OVER_PLANE = _left_over_rule("plane", "three", 3, fires="ab af cb cd ed ef", silent="Aa Ab Ac Bd Ce Df")
+LEFT_OVER_LINE = _left_over_rule("line", "two", 2, fires="Aa Ab Ac Bd Ce Df", silent="ab af cb cd ed ef")
 
 
 def _pairs(state: State, _: int) -> Iterator[State]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
-from gcrules.algebra.expr import Expr, Meet, Point, meet
+from gcrules.algebra.expr import Expr, Meet, meet
 from gcrules.condition import ONE
 from gcrules.errors import StepError
 from gcrules.legs import Leg
@@ -95,10 +95,6 @@ def _last_two_exchanged(e: Meet) -> Expr:
     return meet(*e.args[:2], e.args[3], e.args[2])
 
 
-def _outer(state: State) -> list[Expr]:
-    return [ex.bracket(*map(Point, state.named(row))) for row in state.tetrahedra]
-
-
 def _extensors(state: State, *rows: Row) -> list[Expr]:
     return [extensor(state.named(row)) for row in rows]
 
@@ -107,7 +103,7 @@ def _ratio(state: State, pencils: tuple[Expr, Expr]) -> Expr:
     """Tetrahedra times (p ∧ g)(q ∧ h) − (p ∧ h)(q ∧ g)."""
     p, q = pencils
     g, h = _extensors(state, *state.taken)
-    return ex.mul(*_outer(state), ex.sub(ex.mul(meet(p, g), meet(q, h)), ex.mul(meet(p, h), meet(q, g))))
+    return ex.mul(*state.brackets, ex.sub(ex.mul(meet(p, g), meet(q, h)), ex.mul(meet(p, h), meet(q, g))))
 
 
 def _two_lines(state: State) -> tuple[Expr, Expr]:
@@ -129,7 +125,7 @@ INCIDENCES = (
         silent=("ab af cb cd ed ef",),
         group="g",
         degree=0,
-        expression=lambda s: ex.mul(*_outer(s)),
+        expression=lambda s: ex.mul(*s.brackets),
     ),
     Incidence(
         id="tetrahedron-planes-line",
@@ -140,7 +136,7 @@ INCIDENCES = (
         group="d",
         degree=2,
         uses=((PLANES, 2), (LEFT_OVER_LINE, 1)),
-        expression=lambda s: ex.mul(*_outer(s), meet(*_extensors(s, *s.planes, *s.taken))),
+        expression=lambda s: ex.mul(*s.brackets, meet(*_extensors(s, *s.planes, *s.taken))),
     ),
     Incidence(
         id="tetrahedron-four-lines",

@@ -44,6 +44,7 @@ class Library:
         raise InputError(f"there is no rule {rule_id}", hint=hint or "gcrules rules list shows them")
 
     def plus(self, rules: Iterable[Rule]) -> Library:
+        """The library with more rules behind its own. Raises InputError where ids clash."""
         return Library((*self.rules, *rules))
 
     def strategy(self, ids: Iterable[str] | None = None, without: Iterable[str] = ()) -> Strategy:

@@ -41,6 +41,7 @@ class Budget:
     left: int = MAX_TRIALS
 
     def spend(self) -> None:
+        """One trial more. Raises LimitReached where there have been too many."""
         self.left -= 1
         if self.left < 0:
             raise LimitReached(f"matching a rule takes more than {MAX_TRIALS:,} trials")

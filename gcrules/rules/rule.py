@@ -8,7 +8,7 @@ used.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from string import Formatter
 from typing import ClassVar
@@ -20,7 +20,7 @@ from gcrules.errors import InputError
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.state import State
 
-__all__ = ["SHIPPED", "Elementary", "EntityRule", "Incidence", "RewriteRule", "Rule"]
+__all__ = ["SHIPPED", "Elementary", "EntityRule", "Incidence", "RewriteRule", "Rule", "reductions"]
 
 SHIPPED = "gcrules"
 _PARTS = {"tetrahedra", "planes", "lines", "expression"}
@@ -59,6 +59,17 @@ class RewriteRule(Rule):
     def rewrite(self, e: Expr, space: Space) -> Expr | None:
         """The expression after one application of the rule, or None where it stays silent."""
         raise NotImplementedError
+
+
+def reductions(e: Expr, rules: Sequence[RewriteRule], space: Space) -> Iterator[tuple[RewriteRule, Expr]]:
+    """The first rule that fires, with what it makes, and so on from there until all stay silent. It may never end."""
+    while True:
+        fired = ((rule, after) for rule in rules if (after := rule.rewrite(e, space)) is not None)
+        found = next(fired, None)
+        if found is None:
+            return
+        yield found
+        _, e = found
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -70,6 +70,11 @@ class State:
     def named(self, row: Row) -> Names:
         return tuple(self.form.polynomial.points[i] for i in row)
 
+    @property
+    def brackets(self) -> list[Expr]:
+        """The tetrahedra as brackets, the factors in front of the rest."""
+        return [ex.bracket(*map(Point, self.named(row))) for row in self.tetrahedra]
+
     def labels(self, rows: Iterable[Row], between: str = ", ") -> str:
         """Entities as text: "Aab, Bcd"."""
         return between.join(str(extensor(self.named(row))) for row in rows)
@@ -116,7 +121,7 @@ class State:
             [*((n, False) for n in self.named(plane)), (self.named((point,))[0], True)]
             for plane, point in zip(self.planes, self.left, strict=True)
         ]
-        return ex.mul(*(ex.bracket(*map(Point, self.named(row))) for row in self.tetrahedra), ex.dotted(*brackets))
+        return ex.mul(*self.brackets, ex.dotted(*brackets))
 
     def collected(self) -> Expr:
         """The form's polynomial with tetrahedra in front and each bracket beginning with its entity."""
@@ -132,5 +137,4 @@ class State:
                 sign *= s
                 factors.append(ex.bracket(*map(Point, self.named(row))))
             terms.append(ex.mul(ex.Number(sign), *factors))
-        outer = [ex.bracket(*map(Point, self.named(row))) for row in self.tetrahedra]
-        return ex.mul(*outer, ex.add(*terms)) if self.degree else ex.mul(*terms, *outer)
+        return ex.mul(*self.brackets, ex.add(*terms)) if self.degree else ex.mul(*terms, *self.brackets)

@@ -8,6 +8,7 @@ from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import Expr, points_of, sub
+from gcrules.algebra.given import resolve
 from gcrules.algebra.space import Space
 from gcrules.algebra.text import text
 
@@ -67,6 +68,4 @@ def _zero(e: Expr, space: Space, samples: int) -> bool:
     """Whether an expression vanishes at exact random points of a space, those that fulfil what is given there."""
     if not space.given:
         return vanishes(e, rank=space.rank, ideal=space.ideal, samples=samples)
-    from gcrules.algebra.given import resolve  # assumptions are rarely made
-
     return resolve(space, points_of(e)).vanishes(e, samples=samples)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from gcrules.algebra.expr import Expr, signed
 from gcrules.algebra.shortest import SuperbracketForm
 from gcrules.algebra.space import Space
 from gcrules.errors import InputError, LimitReached
@@ -17,7 +16,7 @@ from gcrules.rules.oracle import Oracle
 from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, Rule
 from gcrules.rules.state import State
 
-__all__ = ["MAX_TERMS", "Strategy", "of_plugins", "recognise", "recorded"]
+__all__ = ["MAX_TERMS", "Strategy", "of_plugins", "recognise"]
 
 MAX_TERMS = 8
 """Entities are looked for in forms with no more terms than this."""
@@ -112,10 +111,3 @@ def _rewritten(forms: Sequence[SuperbracketForm], structure: Structure, strategy
                 state = replace(state, rest=rest, homes=((),) * len(rest)).after(identity, state)
                 found.append(state)
     return found
-
-
-def recorded(rule: Rule, state: State, oracle: Oracle) -> tuple[Expr | None, str]:
-    """What the superbracket equals after a rule on the trail of a claim, if the rule rewrote it, and why."""
-    if isinstance(rule, EntityRule):
-        return rule.after(state, oracle), rule.why(state)
-    return signed(state.sign, state.rest.to_expr()), rule.sentence

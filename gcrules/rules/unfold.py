@@ -14,14 +14,14 @@ ac /\ bde (up by expansion)
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 
 from gcrules.algebra.expr import Expr, Sum
 from gcrules.algebra.space import Space
 from gcrules.errors import LimitReached
 from gcrules.rules.elementary import ELEMENTARY
-from gcrules.rules.rule import RewriteRule, Rule
+from gcrules.rules.rule import RewriteRule, Rule, reductions
 from gcrules.rules.step import Step
 
 __all__ = ["MAX_STEPS", "MAX_TERMS", "follows", "unfold"]
@@ -86,25 +86,13 @@ def follows(step: Step, space: Space, rules: Iterable[Rule]) -> bool:
 def _trace(e: Expr, rules: Sequence[RewriteRule], space: Space, limit: int) -> _Trace:
     """The expression and what it becomes, step by step, by the first rule that fires, until all stay silent."""
     found = [("", e)]
-    for rule, after in _descent(e, rules, space):
+    for rule, after in reductions(e, rules, space):
         found.append((rule.id, after))
         if len(found) > limit:
             raise LimitReached(f"it takes more than {limit} single steps", hint=_HINT)
         if isinstance(after, Sum) and len(after.terms) > MAX_TERMS:
             raise LimitReached(f"its single steps have more than {MAX_TERMS} terms", hint=_HINT)
     return found
-
-
-def _descent(e: Expr, rules: Sequence[RewriteRule], space: Space) -> Iterator[tuple[RewriteRule, Expr]]:
-    fired = True
-    while fired:
-        fired = False
-        for rule in rules:
-            after = rule.rewrite(e, space)
-            if after is not None:
-                yield rule, after
-                e, fired = after, True
-                break
 
 
 def _meeting(down: _Trace, up: _Trace) -> tuple[int, int] | None:
