@@ -152,8 +152,8 @@ def analyze(
     if isinstance(legs, Platform):
         return _in_pose(legs, order, split_names(points), split_names(ideal), catalogs, recheck, strategy)
     structure = legs if isinstance(legs, Structure) else read_legs(legs, points=points, ideal=ideal)
-    catalog = load(catalogs)
     strategy = strategy or load_rules(identities=False).strategy()
+    catalog = load(catalogs, (r.id for r in strategy.incidences))
     typed = superbracket_form(structure.legs, points=structure.points, ideal=structure.ideal)
     chosen = None if order is None else read_order(order, structure)
     forms = _shortest(structure) if chosen is None else _in_order(structure, chosen)

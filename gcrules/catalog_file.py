@@ -17,20 +17,21 @@ from gcrules.catalog import FROM_CATALOG, LABELS, SHIPPED, Catalog, Entry, Readi
 from gcrules.errors import FileError, GcrulesError, join_faults
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg, Structure, read_legs
-from gcrules.plugins import load_rules
 from gcrules.rules.incidence import INCIDENCES
-from gcrules.rules.rule import Incidence
 from gcrules.yamlfile import Document, Node, near
 
 __all__ = ["KINDS", "STATUSES", "load", "load_file"]
 
 
-def load(own: Iterable[str | PathLike[str]] = ()) -> Catalog:
-    """The shipped catalog with the user's own files. Raises FileError for faults and for ids that clash."""
+def load(own: Iterable[str | PathLike[str]] = (), kinds: Iterable[str] = ()) -> Catalog:
+    """The shipped catalog with the user's own files, in which kinds of condition that plugins bring may stand too.
+
+    Raises FileError for faults and for ids that clash.
+    """
     shipped = _shipped()
     entries, statements = list(shipped.entries), dict(shipped.statements)
     for path in own:
-        more = load_file(path)
+        more = load_file(path, kinds)
         clashes = [(e, other) for e in more.entries for other in entries if e.id == other.id]
         if clashes:
             raise join_faults(
@@ -47,12 +48,12 @@ def _shipped() -> Catalog:
     return _read(Document.parse(source, SHIPPED), SHIPPED)
 
 
-def load_file(path: str | PathLike[str]) -> Catalog:
+def load_file(path: str | PathLike[str], kinds: Iterable[str] = ()) -> Catalog:
     """A catalog file of its own. Raises FileError with line and column of every fault, all at once."""
-    return _read(Document.load(path), fspath(path))
+    return _read(Document.load(path), fspath(path), tuple(kinds))
 
 
-def _read(document: Document, owner: str) -> Catalog:
+def _read(document: Document, owner: str, kinds: tuple[str, ...] = ()) -> Catalog:
     top = document.root.mapping(required={"classes"}, optional={"statements"})
     statements = {}
     if "statements" in top:
@@ -63,7 +64,7 @@ def _read(document: Document, owner: str) -> Catalog:
     entries: list[Entry] = []
     if "classes" in top:
         for node in top["classes"].sequence():
-            entry = _Reader(node, owner).entry()
+            entry = _Reader(node, owner, kinds).entry()
             if entry and any(e.id == entry.id for e in entries):
                 node.fault(f"class {entry.id} stands here a second time")
             elif entry:
@@ -105,11 +106,6 @@ STATUSES = ("inferred", "added", "always-singular")
 KINDS = (*(rule.id for rule in INCIDENCES), *FROM_CATALOG, "linear-complex", "always-singular")
 
 
-def _brought() -> tuple[str, ...]:
-    """Kinds of condition that plugins bring."""
-    return tuple(r.id for r in load_rules(identities=False) if isinstance(r, Incidence) and r.id not in KINDS)
-
-
 def _fewest(legs: tuple[Leg, ...]) -> dict[int, int]:
     """The fewest terms of both forms, for an entry that leaves them out."""
     from gcrules.algebra.shortest import counts  # loads numpy, which the shipped entries do not need
@@ -120,9 +116,10 @@ def _fewest(legs: tuple[Leg, ...]) -> dict[int, int]:
 class _Reader:
     """Reads one entry; faults are recorded at their nodes."""
 
-    def __init__(self, node: Node, owner: str) -> None:
+    def __init__(self, node: Node, owner: str, kinds: tuple[str, ...]) -> None:
         self.node = node
         self.owner = owner
+        self.kinds = kinds
 
     def entry(self) -> Entry | None:
         top = self.node.mapping(required=_REQUIRED, optional=_OPTIONAL)
@@ -182,7 +179,7 @@ class _Reader:
         top = node.mapping(required={"kind", "expression"}, optional={"cofactor", "coefficient", "statement", "lines"})
         if "kind" not in top or "expression" not in top:
             return None
-        kind = top["kind"].choice(KINDS if self.owner == SHIPPED else (*KINDS, *_brought()))
+        kind = top["kind"].choice(dict.fromkeys((*KINDS, *self.kinds)))
         texts = {key: top[key].string() if key in top else "1" for key in ("expression", "cofactor")}
         coefficient = top["coefficient"].integer() if "coefficient" in top else 1
         if self.owner != SHIPPED:  # the shipped file is proved by its tests; its expressions are parsed when used

@@ -11,8 +11,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
 import gcrules as gc
+from gcrules.cli import cli
 from gcrules.errors import FileError, InputError
 from gcrules.plugins import load_rules, plugins_in, shipped_folder
 
@@ -158,6 +160,27 @@ def test_identities_of_a_folder_are_proved(folder: Callable[..., Path]) -> None:
 def test_analyses_with_rules_of_plugins_can_be_pickled() -> None:
     a = gc.analyze("Aa Ab Ac Ba Bd Ce")
     assert pickle.loads(pickle.dumps(a)).condition == a.condition
+
+
+OWN = """
+classes:
+  - id: own-1
+    legs: Aa Ab Ac Bd Be Cf
+    condition: {kind: mine, expression: '[Aabc][ABde][ABCf]', statement: 'In my own words.'}
+"""
+
+
+def test_a_catalog_may_have_kinds_that_a_plugin_brings(folder: Callable[..., Path], tmp_path: Path) -> None:
+    plugins, own = str(folder(RULE)), tmp_path / "own.yaml"
+    own.write_text(OWN, encoding="utf-8")
+    words = ["--catalog", str(own), "--plugins", plugins]
+    shown = CliRunner().invoke(cli, ["catalog", "show", "own-1", *words])
+    assert (shown.exit_code, "mine: superbracket =" in shown.output) == (0, True)
+    found = json.loads(CliRunner().invoke(cli, ["analyze", LEGS, "--json", *words]).output)
+    assert "In my own words." in {r["statement"] for r in found["readings"]}
+    refused = CliRunner().invoke(cli, ["catalog", "show", "own-1", *words[:2]])
+    assert refused.exit_code == 2
+    assert "'mine' is not one of" in refused.stderr
 
 
 @pytest.fixture(scope="module")

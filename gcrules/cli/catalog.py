@@ -12,9 +12,11 @@ from gcrules.catalog import Catalog, Entry, Match, Reading
 from gcrules.catalog_file import load
 from gcrules.cli.base import LazyGroup, Output, catalog_option, output_options
 from gcrules.cli.files import working
+from gcrules.cli.rules import plugins_option
 from gcrules.condition import Certificate, Condition
 from gcrules.errors import InputError
 from gcrules.legs import Leg, Structure, legs_text
+from gcrules.plugins import load_rules
 from gcrules.yamlfile import near
 
 if TYPE_CHECKING:
@@ -38,35 +40,44 @@ def catalog() -> None:
 
 @click.command("list")
 @catalog_option
+@plugins_option
 @output_options(latex=False)
-def list_(catalogs: tuple[str, ...], out: Output) -> None:
+def list_(catalogs: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
     """List the classes: legs, fewest terms of the 24- and 16-term forms, group of entities, condition.
 
     \b
     gcrules catalog list
     gcrules catalog list --json
     """
-    out.show(_List(tuple(map(_Class, load(catalogs).entries))))
+    out.show(_List(tuple(map(_Class, _loaded(catalogs, folders).entries))))
+
+
+def _loaded(catalogs: tuple[str, ...], folders: tuple[str, ...]) -> Catalog:
+    """The catalog with the user's files; rules of plugins may bring kinds of condition."""
+    rules = load_rules(folders=folders, identities=False).strategy()
+    return load(catalogs, (r.id for r in rules.incidences))
 
 
 @click.command()
 @click.argument("class_id", metavar="ID")
 @catalog_option
+@plugins_option
 @output_options(latex=False)
-def show(class_id: str, catalogs: tuple[str, ...], out: Output) -> None:
+def show(class_id: str, catalogs: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
     """Show what is known about a class, in the class's own labels.
 
     \b
     gcrules catalog show 6-3.2
     """
-    out.show(_Class(_entry(load(catalogs), class_id)))
+    out.show(_Class(_entry(_loaded(catalogs, folders), class_id)))
 
 
 @click.command()
 @catalog_option
+@plugins_option
 @output_options(latex=False)
 @click.pass_context
-def check(ctx: click.Context, catalogs: tuple[str, ...], out: Output) -> None:
+def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
     """Prove every identity from scratch and compute every number again. Exit code 1 if anything is wrong.
 
     \b
@@ -75,7 +86,7 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], out: Output) -> None:
     """
     from gcrules.catalog_check import check_entry  # slower to load than the other commands need
 
-    loaded = load(catalogs)
+    loaded = _loaded(catalogs, folders)
     checked = []
     with working("checking") as status:
         for i, entry in enumerate(loaded.entries, 1):
@@ -88,9 +99,10 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], out: Output) -> None:
 
 @click.command("enumerate")
 @catalog_option
+@plugins_option
 @click.option("--yaml", "as_yaml", is_flag=True, help="Write entries for a catalog, with all that can be computed.")
 @output_options(latex=False)
-def enumerate_(catalogs: tuple[str, ...], as_yaml: bool, out: Output) -> None:
+def enumerate_(catalogs: tuple[str, ...], folders: tuple[str, ...], as_yaml: bool, out: Output) -> None:
     """Derive all classes from nothing: bipartite graphs of six legs, no two alike, at most three at a joint.
 
     \b
@@ -99,7 +111,7 @@ def enumerate_(catalogs: tuple[str, ...], as_yaml: bool, out: Output) -> None:
     """
     from gcrules.catalog_check import enumerate_classes  # slower to load than the other commands need
 
-    loaded = load(catalogs)
+    loaded = _loaded(catalogs, folders)
     with working("enumerating"):
         found = tuple((legs, loaded.match(Structure(legs))) for legs in enumerate_classes())
         if as_yaml:

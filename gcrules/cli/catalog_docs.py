@@ -12,8 +12,10 @@ import click
 from gcrules.catalog_file import load
 from gcrules.cli.base import Output, catalog_option
 from gcrules.cli.files import working
+from gcrules.cli.rules import plugins_option
 from gcrules.errors import FileError
 from gcrules.files import write_file
+from gcrules.plugins import load_rules
 
 __all__ = ["docs"]
 
@@ -23,8 +25,11 @@ __all__ = ["docs"]
 @click.option("--out", default="docs/catalog", show_default=True, metavar="DIR", help="The folder of the pages.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @catalog_option
+@plugins_option
 @click.pass_context
-def docs(ctx: click.Context, check: bool, out: str, as_json: bool, catalogs: tuple[str, ...]) -> None:
+def docs(
+    ctx: click.Context, check: bool, out: str, as_json: bool, catalogs: tuple[str, ...], folders: tuple[str, ...]
+) -> None:
     """Write a page for each class of the catalog, with figures, and an index.
 
     \b
@@ -34,9 +39,10 @@ def docs(ctx: click.Context, check: bool, out: str, as_json: bool, catalogs: tup
     """
     from gcrules.render.catalog_pages import bibliography, catalog_pages
 
-    loaded = load(catalogs)
+    strategy = load_rules(folders=folders, identities=False).strategy()
+    loaded = load(catalogs, (r.id for r in strategy.incidences))
     with working("computing the pages"):
-        pages = catalog_pages(loaded, bibliography(), catalogs)
+        pages = catalog_pages(loaded, bibliography(), catalogs, strategy)
     folder = Path(out)
     gone = _left_over(folder, pages)
     stale = {name: "stale" if (folder / name).exists() else "missing" for name in _stale(folder, pages)}

@@ -25,6 +25,7 @@ from gcrules.render.figures import graph_figure, incidence_in_words, robot_figur
 from gcrules.render.markdown import block, inline, reference
 from gcrules.render.page_names import page_names
 from gcrules.render.poses import telling_regular, telling_singular
+from gcrules.rules.strategy import Strategy
 
 __all__ = ["FIGURES", "HEAD", "bibliography", "catalog_pages", "neighbours"]
 
@@ -43,18 +44,21 @@ and the small drawing of the index.
 
 
 def catalog_pages(
-    catalog: Catalog, bibliography: Mapping[str, str], catalogs: Sequence[str | PathLike[str]] = ()
+    catalog: Catalog,
+    bibliography: Mapping[str, str],
+    catalogs: Sequence[str | PathLike[str]] = (),
+    strategy: Strategy | None = None,
 ) -> dict[str, str]:
     """File names (relative to the folder of the pages) and contents.
 
     `bibliography` gives a line for each source; `catalogs` names the files that the catalog was loaded from besides the
-    shipped one, for the analysis.
+    shipped one, `strategy` the rules that run, for the analysis.
     """
     names = page_names(e.id for e in catalog.entries)
     links = neighbours(catalog)
     pages: dict[str, str] = {}
     for entry in catalog.entries:
-        a = analyze(entry.structure, catalogs=catalogs)
+        a = analyze(entry.structure, catalogs=catalogs, strategy=strategy)
         poses = _worked(a)
         at = {word: _cartesian(pose) for word, pose in poses.items()}
         name = names[entry.id]
