@@ -34,7 +34,7 @@ from gcrules.rules.derivation import Derivation
 from gcrules.rules.deriving import derived, derived_zero
 from gcrules.rules.incidence import Claim
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.strategy import MAX_TERMS, Strategy, of_plugins, recognise
+from gcrules.rules.strategy import CATALOG, MAX_TERMS, SHORTEST, Strategy, of_plugins, recognise
 
 __all__ = ["Analysis", "analyze"]
 
@@ -156,7 +156,9 @@ def analyze(
     catalog = load(catalogs, (r.id for r in strategy.incidences))
     typed = superbracket_form(structure.legs, points=structure.points, ideal=structure.ideal)
     chosen = None if order is None else read_order(order, structure)
-    forms = _shortest(structure) if chosen is None else _in_order(structure, chosen)
+    if chosen is None and SHORTEST not in strategy.ids:
+        chosen = tuple(range(6))
+    forms = _shortest(structure, strategy) if chosen is None else _in_order(structure, chosen, strategy)
     matches = list(catalog.matches(structure))
     match = matches[0] if matches else None
     if not straighten(typed.polynomial):
@@ -168,8 +170,8 @@ def analyze(
         )
     oracle = Oracle(structure)
     found = best_first(recognise(forms, structure, oracle, strategy), structure, oracle)
-    if not found and chosen is not None:
-        forms = _shortest(structure)
+    if not found and chosen is not None and SHORTEST in strategy.ids:
+        forms = _shortest(structure, strategy)
         found = best_first(recognise(forms, structure, oracle, strategy), structure, oracle)
         notes.append("the order given shows no entities; the shortest order was used instead")
     elif chosen is not None:
@@ -185,7 +187,7 @@ def analyze(
             certify(describe(c, structure, oracle, catalog.statements), structure)
             for c in best_first(more, structure, oracle)[:_MOST_READINGS]
         ]
-    for m in matches:
+    for m in matches if CATALOG in strategy.ids else ():
         known = catalog.readings(structure, m, oracle, recheck=recheck)
         conditions += [r for r in known if not any(_alike(r, c) for c in conditions)]
     conditions.append(_linear_complex(structure, catalog))
@@ -233,15 +235,16 @@ def _in_pose(
     return replace(found, platform=platform, pose=pose)
 
 
-def _shortest(structure: Structure) -> tuple[SuperbracketForm, ...]:
-    return shortest_forms(structure.neutral, points=structure.points, ideal=structure.ideal)
+def _shortest(structure: Structure, strategy: Strategy) -> tuple[SuperbracketForm, ...]:
+    at = {"points": structure.points, "ideal": structure.ideal}
+    return shortest_forms(structure.neutral, **at, forms=strategy.forms)
 
 
-def _in_order(structure: Structure, order: tuple[int, ...]) -> tuple[SuperbracketForm, ...]:
+def _in_order(structure: Structure, order: tuple[int, ...], strategy: Strategy) -> tuple[SuperbracketForm, ...]:
     """Both forms in the user's own order, the shorter one first."""
     forms = (
         superbracket_form(structure.neutral, order, form, points=structure.points, ideal=structure.ideal)
-        for form in (24, 16)
+        for form in strategy.forms
     )
     return tuple(sorted(forms, key=lambda f: len(f.polynomial)))
 
@@ -263,7 +266,7 @@ def _always_singular(
         entities=entities,
         lines=(("", why.line),) if isinstance(why.line, ex.Meet) else (),
     )
-    shortest = _shortest(structure)[0]
+    shortest = _shortest(structure, strategy)[0]
     derivation = derived_zero(structure, typed, shortest)
     return Analysis(structure, typed, shortest, match, condition, (), derivation, strategy, degeneracy=why)
 

@@ -20,6 +20,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.given import resolve
 from gcrules.algebra.space import Space
 from gcrules.algebra.text import text
+from gcrules.errors import EngineFault
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.identity import Identity, rewrite_all
 from gcrules.rules.rule import RewriteRule
@@ -67,18 +68,18 @@ class Rewriting:
         return "\n".join(lines if self.steps else [*lines, "  no rule fires"])
 
     def latex(self) -> str:
-        """The chain as lines of an `align*`, without the environment."""
+        """The chain in an `aligned` environment (package amsmath), without dollar signs."""
         from gcrules.render.latex import latex  # needed for LaTeX only
 
         lines = [f"&{latex(self.before)}"]
-        lines += [f"&={{}} {latex(s.after)} && \\text{{{s.rule}}}" for s in self.steps]
-        return " \\\\\n".join(lines)
+        lines += [f"&={{}} {latex(s.after)} && \\text{{{s.rule}}}".replace("_", "\\_") for s in self.steps]
+        return "\n".join(["\\begin{aligned}", " \\\\\n".join(lines), "\\end{aligned}"])
 
     def __str__(self) -> str:
         return self.text()
 
     def _repr_latex_(self) -> str:
-        return f"$\\begin{{aligned}} {self.latex()} \\end{{aligned}}$"
+        return f"$\\displaystyle {self.latex()}$"
 
 
 def rewrite(e: Expr, rules: Iterable[RewriteRule], space: Space | None = None) -> Rewriting:
@@ -90,7 +91,10 @@ def rewrite(e: Expr, rules: Iterable[RewriteRule], space: Space | None = None) -
     steps = []
     before = e
     for rule, after in rewrite_all(e, tuple(rules), space):
-        steps.append(Step(rule.id, before, after, rule.sentence, _assumed(rule, space)))
+        step = Step(rule.id, before, after, rule.sentence, _assumed(rule, space))
+        if not step.check(space):
+            raise EngineFault(f"the rule {rule.id} makes {after} of {before}, which is not equal")
+        steps.append(step)
         before = after
     return Rewriting(e, tuple(steps), space)
 

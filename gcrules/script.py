@@ -113,13 +113,13 @@ class RuleResult:
 
     @property
     def verdict(self) -> str:
-        return "proved" if self.check.ok else self.check.verdict if self.check.verdict != "proved" else "refuted"
+        return "refuted" if self.check.verdict == "refused" else self.check.verdict
 
     def to_json(self) -> dict[str, Any]:
         return {"kind": "rule", "line": self.line, "label": self.label, **self.check.to_json()}
 
     def text(self, *, unicode: bool = False) -> str:
-        lines = [f"line {self.line}: {self.verdict}: {self.label}"]
+        lines = [f"line {self.line}: {self.check.verdict}: {self.label}"]
         return "\n".join(lines if self.check.ok else [*lines, f"    {self.check.reason}"])
 
     def __str__(self) -> str:

@@ -338,6 +338,38 @@ def test_matching_is_bounded() -> None:
         list(match_monomial(pattern, monomial, {}, Budget(10_000)))
 
 
+SUMS = [
+    ("rule x: (ab + ac) \\/ d => abd + acd", "(qp + rp) \\/ s", "-(pqs + prs)"),
+    ("rule x: (ab + ac) \\/ d => abd + acd", "(qp + pr) \\/ s", None),
+    ("rule x: (ab + ac) /\\ def => (ab /\\ def) + (ac /\\ def)", "(pq + rp) /\\ stu", None),
+    ("rule x: [a, b, ce + cd] => [abce] + [abcd]", "[p, q, rt + sr]", None),
+    ("rule x: ([abcd] - [abce]) * f => [abcd] * f - [abce] * f", "([pqrs] - [qprt]) * u", None),
+]
+
+
+@pytest.mark.parametrize(("rule", "text", "after"), SUMS)
+def test_the_terms_of_a_sum_have_one_sign(rule: str, text: str, after: str | None) -> None:
+    found = rule_of(rule).rewrite(parse(text), Space())
+    assert (found is None) == (after is None)
+    if found is not None and after is not None:
+        assert gc.prove(found, parse(after)).proved
+        assert gc.prove(parse(text), found).proved
+
+
+def test_a_rule_with_assumptions_does_not_rewrite_forms_where_they_hold_by_accident(tmp_path: Path) -> None:
+    """Points that coincide are collinear, but the rule was proved for different ones only."""
+    text = "rule g: [bcdx][ayzw] => 0 if collinear(a, b, c), collinear(a, b, d)"
+    (checked,) = check_script(parse_script(text))
+    assert checked.assumed == ("ab",)
+    assert checked.reason == "proved in rank 4, where ab does not vanish"
+    p = expand(parse("[pcdx][pyzw]"))
+    assert checked.rule.step(p, Space()) is None
+    path = tmp_path / "g.gca"
+    path.write_text(text, encoding="utf-8")
+    strategy = load_rules(files=[path]).strategy(["g", "four-planes"])
+    assert gc.analyze("Aa Bb Cc Dd Ee Fa", strategy=strategy).condition.kind == "linear-complex"
+
+
 # --- in scripts, in the shell, in Python ---------------------------------------------------------------------------
 
 SCRIPT = """rank 3
@@ -412,12 +444,17 @@ def test_an_assumption_of_a_rule_is_what_makes_it_true() -> None:
 # --- strategies ----------------------------------------------------------------------------------------------------
 
 
+FIRST = ("superbracket", "superbracket-16", "shortest-form")
+
+
 def test_strategies_are_values() -> None:
     library = load_rules()
     assert library.strategy() == load_rules().strategy()
     assert hash(library.strategy()) == hash(load_rules().strategy())
-    assert library.strategy(["four-planes"]).ids == ("tetrahedra", "planes", "left-over-plane", "four-planes")
+    assert library.strategy(["four-planes"]).ids == (*FIRST, "tetrahedra", "planes", "left-over-plane", "four-planes")
     assert library.strategy(without=["lines"]).ids == tuple(i for i in library.strategy().ids if i != "lines")
+    with pytest.raises(InputError, match="needs one form of the superbracket"):
+        library.strategy(without=["superbracket", "superbracket-16"])
     with pytest.raises(InputError, match="the rule nothing is not in the strategy"):
         library.strategy(without=["nothing"])
     with pytest.raises(InputError, match="there is no rule four_planes") as caught:
@@ -433,6 +470,11 @@ def test_strategies_are_values() -> None:
         (OCTAHEDRON, ("four-planes", "two-planes-three-lines"), "linear-complex"),
         (OCTAHEDRON, ("planes",), "linear-complex"),
         ("Aa Ab Ba Bb Cc Dd", ("lines",), "one-incidence"),
+        ("Aa Ab Ba Bb Cc Dd", ("lines", "catalog"), "linear-complex"),
+        ("Aa Ab Bc Cd De Ef", ("catalog",), "linear-complex"),
+        (OCTAHEDRON, ("shortest-form",), "four-planes"),
+        (OCTAHEDRON, ("superbracket",), "four-planes"),
+        (OCTAHEDRON, ("superbracket-16", "catalog"), "four-planes"),
     ],
 )
 def test_leaving_rules_out(legs: str, without: tuple[str, ...], kind: str) -> None:

@@ -92,13 +92,15 @@ def superbracket_form(
 
 
 def shortest_forms(
-    lines: Sequence[Line], *, points: Sequence[str] = (), ideal: Sequence[str] = ()
+    lines: Sequence[Line], *, points: Sequence[str] = (), ideal: Sequence[str] = (), forms: Sequence[int] = (24, 16)
 ) -> tuple[SuperbracketForm, ...]:
     """All different polynomials with the fewest terms, up to sign; the first is *the* shortest form.
 
+    `forms` says which forms are looked at.
+
     Deterministic: the 24-term form comes before the 16-term form, then orders in lexicographic sequence.
     """
-    tables = _tables(lines, points, ideal)
+    tables = {form: t for form, t in _tables(lines, points, ideal).items() if form in forms}
     least = min(int(t.counts.min()) for t in tables.values())
     found: dict[Any, SuperbracketForm] = {}
     for form, table in tables.items():

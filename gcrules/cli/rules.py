@@ -36,11 +36,15 @@ class Choice:
 
     @property
     def files(self) -> tuple[str, ...]:
-        return tuple(w for w in self.words if _is_file(w))
+        return tuple(w for w in self._pieces if _is_file(w))
 
     @property
     def ids(self) -> tuple[str, ...]:
-        return tuple(i for w in self.words if not _is_file(w) for i in w.replace(",", " ").split())
+        return tuple(w for w in self._pieces if not _is_file(w))
+
+    @property
+    def _pieces(self) -> tuple[str, ...]:
+        return tuple(p for w in self.words for p in ([w] if os.path.isfile(w) else w.replace(",", " ").split()))
 
     @property
     def library(self) -> Library:
@@ -61,6 +65,8 @@ class Choice:
         for rule in chosen:
             if rule.family != "rewriting":
                 raise InputError(f"the rule {rule.id} recognises entities; it rewrites no expressions")
+        for name in self.without:
+            library[name]  # an id that is not there is a fault
         found = (*(r for r in _of_files(library, self.files) if r not in chosen), *chosen)
         return tuple(r for r in found if r.id not in self.without)
 

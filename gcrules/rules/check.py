@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from os import PathLike, fspath
+from pathlib import Path
 from typing import Any
 
+from gcrules.algebra.evaluate import evaluate, random_rational_points
+from gcrules.algebra.expr import mul
 from gcrules.algebra.shortest import shortest_forms
 from gcrules.algebra.space import Space
 from gcrules.algebra.statements import parse_script
@@ -18,7 +22,8 @@ from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, RewriteRule, Rule
-from gcrules.rules.rule_file import RuleCheck, check_script
+from gcrules.rules.rule_file import RuleCheck, check_script, identities
+from gcrules.rules.state import State
 from gcrules.rules.strategy import Strategy, recognise
 from gcrules.yamlfile import read_text
 
@@ -62,14 +67,17 @@ def check_rules(
     Raises FileError where a file holds no rules or a plugin is broken, InputError where a file cannot be read as rules
     or ids clash; what is wrong with a rule stands in its check.
     """
-    paths = [fspath(f) for f in files]
+    paths, found = [fspath(f) for f in files], packs(folders)
+    library = ENGINE.plus(r for p in found for r in p.rules)
     if not paths:
-        found = packs(folders)
-        library = ENGINE.plus(r for p in found for r in p.rules)
         yield from (check_cases(rule, library) for rule in library)
         paths = [fspath(f) for p in found for f in p.files]
+    known = library.plus(i for p in found for i in p.identities(proved=False))
+    own = {Path(f).resolve() for p in found for f in p.files}
     for path in paths:
         script = parse_script(read_text(path), path)
+        if Path(path).resolve() not in own:
+            known = known.plus(identities(script))  # raises where an id is taken
         if not script.rules:
             raise FileError("the file holds no rules", filename=path)
         yield from check_script(script)
@@ -83,10 +91,41 @@ def check_cases(rule: Rule, library: Library | None = None) -> CaseCheck:
     for case, expected in cases:
         if fires_on(rule, case, library) != expected:
             what = "stays silent on" if expected else "fires on"
-            return CaseCheck(rule, len(cases), InputError(f"the rule {rule.id} {what} {case}", filename=rule.owner))
+            refuted = _refuted_claim(rule, case) if expected and isinstance(rule, Incidence) else ""
+            fault = InputError(f"the rule {rule.id} {what} {case}{refuted}", filename=_place(rule))
+            return CaseCheck(rule, len(cases), fault)
     if not rule.fires:
         return CaseCheck(rule, 0, InputError(f"the rule {rule.id} has no case where it fires", filename=rule.owner))
     return CaseCheck(rule, len(cases))
+
+
+def _place(rule: Rule) -> str:
+    """The file and line of the function that makes a rule's claims, else who brought the rule."""
+    code = getattr(getattr(rule, "expression", None), "__code__", None)
+    return f"{code.co_filename}:{code.co_firstlineno}" if code is not None and rule.owner != SHIPPED else rule.owner
+
+
+def _refuted_claim(rule: Incidence, case: str) -> str:
+    """The first claim that a rule makes on six legs and that is wrong, with exact points that refute it."""
+    structure = read_legs(case)
+    forms = shortest_forms(structure.neutral, points=structure.points, ideal=structure.ideal)
+    states = [s for form in forms for s in TETRAHEDRA.applied(State.start(form, structure))]
+    for state in (reached for s in states for reached in rule.reached(s)):
+        e = rule.expression(state)
+        if e is None or e.step:
+            continue
+        ratios: dict[Fraction | None, str] = {}
+        for seed in range(60):
+            points = random_rational_points(structure.names, ideal=structure.ideal, seed=seed, size=2)
+            left = evaluate(mul(rule.cofactor(state), structure.superbracket), points)
+            right = evaluate(e, points)
+            if left or right:
+                shown = "; ".join(f"{n} = ({', '.join(map(str, c))})" for n, c in points.items())
+                ratios[Fraction(left, right) if right else None] = f"at {shown} the sides are {left} and {right}"
+            if len(ratios) > 1:
+                one, other = list(ratios.values())[:2]
+                return f": its claim that the superbracket is a multiple of {e} is wrong: {one}, but {other}"
+    return ""
 
 
 def fires_on(rule: Rule, case: str, library: Library | None = None) -> bool:

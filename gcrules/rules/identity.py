@@ -63,7 +63,10 @@ class Identity(RewriteRule):
         instance = self.instance(polynomial.rank)
         if instance is None or not only_brackets(instance.left):
             return None
-        return next(applications(instance, polynomial, space), None)
+        for after in applications(instance, polynomial, space):
+            if not instance.given or _proved(polynomial.to_expr(), after.to_expr(), space):
+                return after
+        return None
 
 
 def _proved(before: Expr, after: Expr, space: Space) -> bool:

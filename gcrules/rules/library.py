@@ -10,7 +10,7 @@ from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.entities import ENTITY_RULES, TETRAHEDRA
 from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.rule import Incidence, Rule
-from gcrules.rules.strategy import Strategy
+from gcrules.rules.strategy import CATALOG, FORMS, SHORTEST, Strategy
 from gcrules.yamlfile import near
 
 __all__ = ["ENGINE", "Library"]
@@ -50,16 +50,22 @@ class Library:
     def strategy(self, ids: Iterable[str] | None = None, without: Iterable[str] = ()) -> Strategy:
         """The rules named, in that order, each incidence rule bringing the entity rules that it uses.
 
-        By default all rules of recognition; identities run only when they are named.
+        By default all rules of recognition, and last the identities of the catalog; identities run only when they are
+        named. The forms of the superbracket and the search for the shortest order always come first. Raises InputError
+        for rules that are not there, and where no form of the superbracket is left.
         """
+        first = sorted((r for r in self.rules if r.id in _FIRST), key=lambda r: _FIRST.index(r.id))
+        last = [r for r in self.rules if r.id == CATALOG]
         if ids is None:
-            return Strategy(tuple(r for r in self.rules if r.family != "rewriting")).without(without)
+            recognising = [r for r in self.rules if r.family != "rewriting"]
+            return Strategy((*first, *recognising, *last)).without(without)
         named = [self[i] for i in dict.fromkeys(ids)]
         used = {rule.id for r in named if isinstance(r, Incidence) for rule, _ in r.uses}
         if any(isinstance(r, Incidence) for r in named):
             used.add(TETRAHEDRA.id)
         brought = [r for r in self.rules if r.id in used and r not in named]
-        return Strategy((*brought, *named)).without(without)
+        return Strategy(tuple(dict.fromkeys((*first, *brought, *named)))).without(without)
 
 
+_FIRST = (*FORMS, SHORTEST)
 ENGINE = Library((*ENTITY_RULES, *INCIDENCES, *ELEMENTARY))

@@ -140,7 +140,7 @@ def _match(pattern: Expr, target: Expr, known: Values, rank: int, budget: Budget
         case Product(factors=a), Product(factors=b):
             yield from _parts(a, b, known, rank, budget, whole, lambda x: 0)
         case Sum(terms=a), Sum(terms=b):
-            yield from _parts(a, b, known, rank, budget, True, lambda x: 0)
+            yield from _sums(a, b, known, rank, budget)
         case Superbracket(lines=a), Superbracket(lines=b):
             yield from _in_sequence(a, b, known, rank, budget)
         case Power(base=a, exponent=n), Power(base=b, exponent=m):
@@ -173,6 +173,26 @@ def _parts(
                     yield from walk(done + 1, (*chosen, i), found, sign * s)
 
     yield from walk(0, (), known, 1)
+
+
+def _sums(
+    pattern: tuple[Expr, ...], target: tuple[Expr, ...], known: Values, rank: int, budget: Budget
+) -> Iterator[_Found]:
+    """All terms of the target for those of the pattern, in any sequence, all of them with the same sign."""
+    if len(pattern) != len(target):
+        return
+
+    def walk(chosen: tuple[int, ...], known: Values, sign: int) -> Iterator[_Found]:
+        if len(chosen) == len(pattern):
+            yield known, sign, ()
+            return
+        for i, part in enumerate(target):
+            if i not in chosen:
+                for found, s, _ in _match(pattern[len(chosen)], part, known, rank, budget, whole=True):
+                    if not chosen or s == sign:
+                        yield from walk((*chosen, i), found, s)
+
+    yield from walk((), known, 1)
 
 
 def _in_sequence(

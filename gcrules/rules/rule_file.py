@@ -23,7 +23,8 @@ __all__ = ["RuleCheck", "check_rule", "check_script", "identities", "load_rule_f
 
 @dataclass(frozen=True)
 class RuleCheck:
-    """What became of a rule: `verdict` is proved, refuted or undecided; `fault` says what is wrong, with its place.
+    """What became of a rule: `verdict` is proved, refuted, undecided, or refused (it loops, never fires or fails one of
+    its cases); `fault` says what is wrong, with its place.
 
     `ranks` are those in which the identity was proved; `proof` is the one that failed, where one did.
     """
@@ -34,6 +35,7 @@ class RuleCheck:
     ranks: tuple[int, ...]
     fault: GcrulesError | None = None
     proof: Proof | None = None
+    assumed: tuple[str, ...] = ()
 
     @property
     def ok(self) -> bool:
@@ -44,7 +46,8 @@ class RuleCheck:
         """What was found, in words."""
         if self.fault is not None:
             return self.fault.message
-        return f"proved in rank {self.ranks[0]}" if len(self.ranks) == 1 else f"proved in {_listed(self.ranks)}"
+        ranks = f"rank {self.ranks[0]}" if len(self.ranks) == 1 else _listed(self.ranks)
+        return f"proved in {ranks}" + (f", where {', '.join(self.assumed)} does not vanish" if self.assumed else "")
 
     def to_json(self) -> dict[str, Any]:
         return {
@@ -52,6 +55,7 @@ class RuleCheck:
             "place": self.place,
             "verdict": self.verdict,
             "ranks": list(self.ranks),
+            "assumed": list(self.assumed),
             "fault": self.fault.message if self.fault else None,
             "counterexample": self.proof.to_json()["counterexample"] if self.proof else None,
         }
@@ -108,6 +112,7 @@ def check_rule(rule: RuleText, script: Script, *, limit: int = MAX_TERMS) -> Rul
     identity = _identity(rule, script.filename)
     place = f"{script.filename}:{rule.line}"
     proved: list[int] = []
+    assumed: dict[str, None] = {}
 
     def wrong(fault: GcrulesError, verdict: str = "refuted", proof: Proof | None = None) -> RuleCheck:
         fault.span = fault.span or rule.span
@@ -116,15 +121,18 @@ def check_rule(rule: RuleText, script: Script, *, limit: int = MAX_TERMS) -> Rul
     for instance in rule.instances:
         shape = instance_fault(instance)
         if shape:
-            return wrong(InputError(f"the rule {rule.id} {shape}"))
+            return wrong(InputError(f"the rule {rule.id} {shape}"), "refused")
         proof = _proof(instance, limit)
         if proof.verdict == "refuted":
             return wrong(InputError(f"the rule {rule.id} is no identity{_where(proof, instance, rule)}"), proof=proof)
         if proof.verdict != "proved":
             return wrong(LimitReached(f"the rule {rule.id} is not decided: {proof.reason}"), "undecided", proof)
         proved.append(instance.rank)
+        assumed.update(dict.fromkeys(proof.assumed))
     fault = _runs(identity, rule)
-    return wrong(fault, "proved") if fault else RuleCheck(identity, place, "proved", tuple(proved))
+    if fault:
+        return wrong(fault, "refused")
+    return RuleCheck(identity, place, "proved", tuple(proved), assumed=tuple(assumed))
 
 
 def _proof(instance: Instance, limit: int) -> Proof:

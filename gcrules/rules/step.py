@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from gcrules.algebra.evaluate import vanishes
+from gcrules.algebra.evaluate import Evaluator, random_rational_points, vanishes
 from gcrules.algebra.expr import Expr, points_of, sub
 from gcrules.algebra.given import resolve
 from gcrules.algebra.space import Space
@@ -37,7 +37,8 @@ class Step:
         single steps, if there are any, lead from the one to the other and hold.
         """
         space = space or Space(ideal=ideal)
-        if not _zero(sub(self.before, self.after, rank=space.rank), space, samples):
+        difference = sub(self.before, self.after, rank=space.rank)
+        if not _zero(difference, space, samples) or not _exactly_zero(difference, space):
             return False
         if not self.steps:
             return True
@@ -69,3 +70,13 @@ def _zero(e: Expr, space: Space, samples: int) -> bool:
     if not space.given:
         return vanishes(e, rank=space.rank, ideal=space.ideal, samples=samples)
     return resolve(space, points_of(e)).vanishes(e, samples=samples)
+
+
+def _exactly_zero(e: Expr, space: Space) -> bool:
+    """The same at one position with small whole coordinates, where a multiple of the prime shows; positions under
+    assumptions are left to the prime.
+    """
+    if space.given:
+        return True
+    points = random_rational_points(points_of(e), rank=space.rank, ideal=space.ideal, seed=5)
+    return not any(Evaluator(points, space.rank).value(e))

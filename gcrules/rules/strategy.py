@@ -16,10 +16,16 @@ from gcrules.rules.oracle import Oracle
 from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, Rule
 from gcrules.rules.state import State
 
-__all__ = ["MAX_TERMS", "Strategy", "of_plugins", "recognise"]
+__all__ = ["CATALOG", "FORMS", "MAX_TERMS", "SHORTEST", "Strategy", "of_plugins", "recognise"]
 
 MAX_TERMS = 8
 """Entities are looked for in forms with no more terms than this."""
+
+
+CATALOG = "catalog"
+SHORTEST = "shortest-form"
+FORMS = {"superbracket": 24, "superbracket-16": 16}
+"""Rules that an analysis asks for by name, and the number of terms of both forms of the superbracket."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +43,11 @@ class Strategy:
         return tuple(r.id for r in self.rules)
 
     @property
+    def forms(self) -> tuple[int, ...]:
+        """The forms of the superbracket that are looked at; both where a strategy says nothing about them."""
+        return tuple(terms for name, terms in FORMS.items() if name in self.ids) or tuple(FORMS.values())
+
+    @property
     def identities(self) -> tuple[Identity, ...]:
         return tuple(r for r in self.rules if isinstance(r, Identity))
 
@@ -51,6 +62,8 @@ class Strategy:
         left_out = set(ids)
         for name in left_out - set(self.ids):
             raise InputError(f"the rule {name} is not in the strategy", hint=f"it has {', '.join(self.ids)}")
+        if left_out.issuperset(FORMS):
+            raise InputError("an analysis needs one form of the superbracket", hint="leave out one of them at most")
         return Strategy(tuple(r for r in self.rules if r.id not in left_out))
 
     def to_json(self) -> list[str]:
