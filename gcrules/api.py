@@ -21,6 +21,8 @@ from gcrules.algebra.text import Names, split_names
 from gcrules.analysis import Analysis, analyze
 from gcrules.condition import Condition
 from gcrules.errors import GcrulesError, InputError, LimitReached, StepError, SyntaxFault
+from gcrules.factoring.limits import MAX_EXTENSORS, SECONDS
+from gcrules.factoring.result import Factorization
 from gcrules.legs import Structure, read_legs, read_order
 from gcrules.plugins import Plugin, load_rules
 from gcrules.render.report import report
@@ -37,6 +39,7 @@ __all__ = [
     "Condition",
     "Expr",
     "ExtensorPolynomial",
+    "Factorization",
     "GcrulesError",
     "InputError",
     "Library",
@@ -52,6 +55,7 @@ __all__ = [
     "analyze",
     "evaluate",
     "expand",
+    "factor",
     "load_platform",
     "load_rules",
     "parse",
@@ -100,6 +104,39 @@ def straighten(
         return _straighten(e, limit=limit)
     expression = _expression(e, rank, points, ideal)
     return _straighten(expression, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit)
+
+
+def factor(
+    e: str | Expr | BracketPolynomial,
+    *,
+    rank: int | None = None,
+    points: Names = (),
+    ideal: Names = (),
+    all: bool = False,
+    cofactor: bool = False,
+    limit: int = MAX_EXTENSORS,
+    seconds: float = SECONDS,
+) -> Factorization:
+    """Decide whether a scalar is coefficient · Π brackets · ONE expression of joins and meets of its points.
+
+    The answer has `found`, `expression` (None where the family that it names holds none) and `certificate`. `all` asks
+    for every expression instead of the simplest, `cofactor` for an expression that equals a multiple of the scalar
+    where there is none. Raises InputError for zero and for what is not homogeneous in the points, LimitReached beyond
+    `limit` extensors or `seconds`.
+    """
+    from gcrules.factoring.factorize import factor as decided  # numpy, for this function only
+
+    given = e if isinstance(e, BracketPolynomial) else _expression(e, rank, points, ideal)
+    return decided(
+        given,
+        points=split_names(points),
+        ideal=split_names(ideal),
+        rank=rank,
+        limit=limit,
+        seconds=seconds,
+        every=all,
+        cofactor=cofactor,
+    )
 
 
 def prove(

@@ -21,6 +21,7 @@ COMMANDS = {
     "prove": ("gcrules.cli.algebra:prove", 'Decide an identity "LHS == RHS".'),
     "expand": ("gcrules.cli.algebra:expand", "Expand an expression into brackets."),
     "straighten": ("gcrules.cli.algebra:straighten", "Bring an expression into its normal form of standard tableaux."),
+    "factor": ("gcrules.cli.factor:factor", "Decide whether a scalar is one expression of joins and meets."),
     "run": ("gcrules.cli.algebra:run", "Run a script of statements and report every claim."),
     "rewrite": ("gcrules.cli.algebra:rewrite", "Rewrite an expression by rules, step by step."),
     "repl": ("gcrules.cli.repl:repl", "Type expressions and statements, and get an answer to each."),

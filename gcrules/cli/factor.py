@@ -1,0 +1,81 @@
+"""The command `factor`."""
+
+from __future__ import annotations
+
+import click
+
+from gcrules.algebra.syntax import Context, parse
+from gcrules.cli.base import ExpressionCommand, Output, Space, output_options, space_options
+from gcrules.cli.files import read_stdin, working
+from gcrules.factoring.limits import MAX_EXTENSORS, SECONDS
+
+__all__ = ["factor"]
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("expression", metavar="EXPR")
+@click.option("--all", "every", is_flag=True, help="Show every expression, not the simplest only.")
+@click.option("--cofactor", is_flag=True, help="Where there is none, seek one that equals a cofactor times EXPR.")
+@click.option(
+    "--limit",
+    type=click.IntRange(min=1),
+    default=MAX_EXTENSORS,
+    show_default=True,
+    metavar="N",
+    help="Give up beyond this many extensors.",
+)
+@click.option(
+    "--seconds",
+    type=click.FloatRange(min=0),
+    default=SECONDS,
+    show_default=True,
+    metavar="S",
+    help="Give up after this time.",
+)
+@space_options()
+@output_options()
+@click.pass_context
+def factor(
+    ctx: click.Context,
+    expression: str,
+    every: bool,
+    cofactor: bool,
+    limit: int,
+    seconds: float,
+    space: Space,
+    out: Output,
+) -> None:
+    """Decide whether a scalar is a product of brackets and one expression of joins and meets.
+
+    \b
+    gcrules factor "[abfc][acde][bdef] + [abfd][acbe][cdef]"
+    gcrules factor "[[Aa,Ab,Bc,Bd,Ca,Dc]]" --cofactor --json
+    gcrules factor "[abd][ace] - [abe][acd]" --rank 3 --all
+
+    "-" reads standard input. What is found is proved by normal forms; "none exists" is the result of testing every
+    expression of the family that is named. docs/factor.md says what it covers.
+
+    Exit code 0: found. 1: none exists in the family. 3: not decided within the limits.
+    """
+    from gcrules.factoring.factorize import factor as factored  # numpy, for this command only
+
+    source = read_stdin() if expression == "-" else expression
+    e = parse(source, context=Context(space.rank, space.points, space.ideal))
+    with working("factoring") as status:
+
+        def progress(done: str) -> None:
+            status.text = f"factoring: {done}"
+
+        found = factored(
+            e,
+            points=space.points,
+            ideal=space.ideal,
+            rank=space.rank,
+            limit=limit,
+            seconds=seconds,
+            every=every,
+            cofactor=cofactor,
+            progress=progress,
+        )
+    out.show(found)
+    ctx.exit(0 if found.found else 1)

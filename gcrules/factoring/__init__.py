@@ -1,0 +1,1 @@
+"""Factorization: is a bracket polynomial one expression of joins and meets? See docs/factor.md."""

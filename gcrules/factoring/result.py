@@ -1,0 +1,173 @@
+"""What a factorization is, as a frozen value that shows itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.text import text
+from gcrules.condition import ONE, Certificate
+
+__all__ = ["Factorization", "Family", "Form"]
+
+
+@dataclass(frozen=True)
+class Family:
+    """The expressions among which one was sought.
+
+    `size` counts the expressions tested, `extensors` the different extensors that they were made of (different: not
+    equal up to one constant at the positions of the test), `seconds` the time. The multilinear algorithm makes no
+    extensors; `size` then counts the meets of atomic extensors that were tried.
+    """
+
+    name: str
+    size: int = 0
+    extensors: int = 0
+    seconds: float = field(default=0.0, compare=False)
+
+    def searched(self) -> str:
+        """What was tested and how long it took, in words."""
+        time = "under 1 s" if self.seconds < 1 else f"{self.seconds:.0f} s"
+        if self.extensors:
+            return f"{self.size:,} expressions made of {self.extensors:,} extensors, {time}"
+        return f"{self.size:,} meets of atomic extensors, {time}" if self.size else time
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "name": self.name,
+            "size": self.size,
+            "extensors": self.extensors,
+            "seconds": round(self.seconds, 3),
+        }
+
+
+@dataclass(frozen=True)
+class Form:
+    """cofactor · input = coefficient · Π factors · expression."""
+
+    coefficient: int | Fraction
+    factors: tuple[Expr, ...]
+    expression: Expr
+    cofactor: Expr = ONE
+
+    def product(self) -> Expr:
+        """The right side."""
+        return ex.mul(ex.Number(self.coefficient), *self.factors, self.expression)
+
+
+@dataclass(frozen=True)
+class Factorization:
+    """input = coefficient · Π factors · expression, or the certificate that the family holds no such expression.
+
+    `points` is the tableau order. Where there is none, `expression` is None and input = coefficient · Π factors ·
+    `remainder`. `alternatives` are further expressions, each with its own coefficient; `more` counts those that were
+    found but not asked for. Where a cofactor was sought, `rational` holds the expressions found with one (cofactor ·
+    input = coefficient · Π factors · expression) and `excluded` says in words which cofactors were tried in vain.
+    """
+
+    rank: int
+    points: tuple[str, ...]
+    coefficient: int | Fraction
+    factors: tuple[Expr, ...]
+    expression: Expr | None
+    family: Family
+    certificate: Certificate
+    alternatives: tuple[Form, ...] = ()
+    more: int = 0
+    remainder: BracketPolynomial | None = None
+    rational: tuple[Form, ...] = ()
+    excluded: tuple[str, ...] = ()
+
+    @property
+    def found(self) -> bool:
+        """Whether there is an expression."""
+        return self.expression is not None
+
+    def to_expr(self) -> Expr | None:
+        """coefficient · Π factors · expression, equal to the input; None if no expression exists in the family."""
+        if self.expression is None:
+            return None
+        return Form(self.coefficient, self.factors, self.expression).product()
+
+    def to_json(self) -> dict[str, Any]:
+        """`{coefficient, factors, expression, alternatives, more, family, certificate}`, text of the language.
+
+        Where no expression exists `remainder` is the polynomial that has none. `rational` and `excluded` are there
+        if a cofactor was sought.
+        """
+        found: dict[str, Any] = {
+            "coefficient": _number(self.coefficient),
+            "factors": [self._text(f) for f in self.factors],
+            "expression": None if self.expression is None else self._text(self.expression),
+            "alternatives": [self._form(form) for form in self.alternatives],
+            "more": self.more,
+            "family": self.family.to_json(),
+            "certificate": self.certificate.to_json(),
+        }
+        if self.remainder is not None:
+            found["remainder"] = str(self.remainder)
+        if self.rational or self.excluded:
+            found["rational"] = [{"cofactor": self._text(f.cofactor), **self._form(f)} for f in self.rational]
+            found["excluded"] = list(self.excluded)
+        return found
+
+    def text(self, *, unicode: bool = False) -> str:
+        """The factorization, or that there is none, with the family and the certificate."""
+        lines = [
+            self._headline(unicode),
+            f"  family       {self.family.name}",
+            f"  searched     {self.family.searched()}",
+            f"  certificate  {self.certificate.method}: {self.certificate.detail}",
+        ]
+        for form in self.alternatives:
+            lines.append(f"  also         {self._text(form.product(), unicode)}")
+        if self.more:
+            lines.append(f"  also         {self.more} other expression{'s' * (self.more != 1)} (shown with --all)")
+        times = " · " if unicode else " * "
+        for form in self.rational:
+            left, right = self._text(form.cofactor, unicode), self._text(form.product(), unicode)
+            lines.append(f"  cofactor     {left}{times}input = {right}")
+        lines += [f"  excluded     {e}" for e in self.excluded]
+        return "\n".join(lines)
+
+    def latex(self) -> str:
+        """The factorization as LaTeX without dollar signs; what is left stands as a bracket polynomial."""
+        from gcrules.render.latex import latex  # needed for LaTeX only
+
+        return latex(self._whole())
+
+    def _whole(self) -> Expr:
+        if self.expression is not None:
+            return Form(self.coefficient, self.factors, self.expression).product()
+        assert self.remainder is not None
+        return Form(self.coefficient, self.factors, self.remainder.to_expr()).product()
+
+    def _headline(self, unicode: bool) -> str:
+        if self.expression is not None:
+            return self._text(self._whole(), unicode)
+        left = " · ".join(self._text(f, unicode) for f in self.factors)
+        return "none exists in the family" + (f" for what is left after the brackets {left}" if left else "")
+
+    def _form(self, form: Form) -> dict[str, Any]:
+        return {
+            "coefficient": _number(form.coefficient),
+            "factors": [self._text(f) for f in form.factors],
+            "expression": self._text(form.expression),
+        }
+
+    def _text(self, e: Expr, unicode: bool = False) -> str:
+        return text(e, unicode=unicode, names=self.points)
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+
+def _number(value: int | Fraction) -> int | str:
+    return int(value) if value.denominator == 1 else str(value)
