@@ -1,8 +1,9 @@
-r"""Manual mode: the user proposes forms, entities and a condition; each is confirmed, or refused with the reason.
+r"""Manual mode: the user proposes forms, entities and a condition; each is confirmed or refused with the reason.
 
 A `Session` is a frozen value; each proposal gives a new one. `session.outcome` is the last answer, an `Outcome` with
-`confirmed`, `reason` (a key of `REASONS`), `words`, `formulas` and `data`; `session.board` is what stands (the form,
-the entities, the condition), `session.history` all proposals with their answers.
+`answer` (confirmed, refused, or possible for a trial that stands unproved), `reason` (a key of `REASONS`), `words`,
+`formulas` and `data`; `session.board` is what stands (the form, the entities, the condition), `session.history` all
+proposals with their answers.
 
 >>> from gcrules.manual import Session
 >>> s = Session.start("Aa Ab Ac Bd Ce Df").shortest().tetrahedron("Aabd")

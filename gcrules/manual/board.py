@@ -39,7 +39,7 @@ def placements(monomial: Monomial, entities: tuple[Row, ...]) -> Iterator[tuple[
 @dataclass(frozen=True)
 class Board:
     """`form` is written for the structure's neutral legs; `entities` (four, three or two points that stay together) and
-    `taken` (what left-over points make) hold positions of `structure.names`, each in the sequence of confirmation.
+    `taken` (what left-over points make, or may make) hold positions of `structure.names`, in the sequence of proposals.
     `chosen` says that the user chose the form; `condition` is the one confirmed.
     """
 
@@ -109,7 +109,7 @@ class Board:
 
     @property
     def starred(self) -> tuple[Entity, ...]:
-        """Everything that is confirmed, stars telling repeated points apart."""
+        """Everything that stands (confirmed, or possible), stars telling repeated points apart."""
         return starred([(KINDS[len(row)], self.named(row)) for row in (*self.entities, *self.taken)])
 
     def broken(self, row: Row) -> int | None:

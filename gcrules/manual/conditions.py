@@ -12,8 +12,9 @@ from typing import Any
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import expand
-from gcrules.algebra.expr import Expr, Number, Product, mul, sub
+from gcrules.algebra.expr import Expr, Number, Power, Product, mul, sub
 from gcrules.algebra.straighten import straighten
+from gcrules.algebra.text import text
 from gcrules.catalog_file import load
 from gcrules.condition import ONE, Condition
 from gcrules.errors import EngineFault, LimitReached
@@ -84,12 +85,18 @@ def _judge(board: Board, e: Expr, cofactor: Expr) -> tuple[Board, Outcome]:
     for what, x in (("expression", e), ("cofactor", cofactor)):
         if vanishes(x, ideal=structure.ideal) and not _normal(x, board):
             return board, refused("zero", f"the {what} is zero for all positions of the points")
+    c = _coefficient(board, e, cofactor)
+    return (board, _disproved(board, e, cofactor)) if c is None else _proved(board, e, cofactor, c)
+
+
+def _coefficient(board: Board, e: Expr, cofactor: Expr) -> Fraction | None:
+    """The number c with cofactor · superbracket = c · expression, proved by the normal form. Raises LimitReached."""
     c = _ratio(board, e, cofactor)
-    if c is not None:
-        identity = sub(mul(Number(c.denominator), cofactor, structure.superbracket), mul(Number(c.numerator), e))
-        if not _normal(identity, board):
-            return _proved(board, e, cofactor, c)
-    return board, _disproved(board, e, cofactor)
+    if c is None:
+        return None
+    superbracket = board.structure.superbracket
+    identity = sub(mul(Number(c.denominator), cofactor, superbracket), mul(Number(c.numerator), e))
+    return None if _normal(identity, board) else c
 
 
 def _normal(e: Expr, board: Board) -> BracketPolynomial:
@@ -145,15 +152,18 @@ def _disproved(board: Board, e: Expr, cofactor: Expr) -> Outcome:
     """Degrees that differ, how one divides the other, and exact points."""
     structure = board.structure
     wanted = Counter(n for leg in structure.legs for n in leg)
-    wanted.update(_degrees(cofactor, board) or {})
+    factor = _degrees(cofactor, board)
+    wanted.update(factor or {})
     said = [f"the expression is no constant times the {'' if cofactor == ONE else 'cofactor times the '}superbracket"]
     data: dict[str, Any] = {}
     try:
         degrees: Mapping[str, int] | None = _degrees(e, board)
     except LimitReached:  # the points alone have to tell
         degrees = wanted
-    if degrees is None:
-        said.append("its terms have unlike degrees in the points")
+    if degrees is None or factor is None:
+        whose = "its" if degrees is None else "the cofactor's"
+        said.append(f"{whose} terms have unlike degrees in the points")
+        degrees = None
     elif degrees is not wanted:
         unlike = [n for n in structure.names if degrees.get(n, 0) != wanted[n]]
         if unlike:
@@ -162,7 +172,7 @@ def _disproved(board: Board, e: Expr, cofactor: Expr) -> Outcome:
             data["degrees"] = {n: (degrees.get(n, 0), wanted[n]) for n in unlike}
         how = relation(structure, e, cofactor, sum(degrees.values()))
         data["relation"] = how
-        said += _related(board, how, degrees, wanted, cofactor)
+        said += _related(board, how, degrees, wanted, e, cofactor)
     seen = separating(structure, e, cofactor)
     if seen is None and degrees is not None and "degrees" not in data:
         raise EngineFault(f"no points tell {e} from the superbracket of {structure.superbracket}")
@@ -174,25 +184,55 @@ def _disproved(board: Board, e: Expr, cofactor: Expr) -> Outcome:
 
 
 def _degrees(e: Expr, board: Board) -> dict[str, int] | None:
+    """Degrees in the points; None if they are unlike even in the normal form, where terms of sum zero are gone."""
     s = board.structure
     found = expand(e, points=s.points, ideal=s.ideal, rank=4)
     assert isinstance(found, BracketPolynomial)
-    return found.degrees()
+    degrees = found.degrees()
+    return _normal(e, board).degrees() if degrees is None else degrees
 
 
-def _related(board: Board, how: str, degrees: Mapping[str, int], wanted: Counter[str], cofactor: Expr) -> list[str]:
-    """What to say of one dividing the other (found at exact random points)."""
+def _related(
+    board: Board, how: str, degrees: Mapping[str, int], wanted: Counter[str], e: Expr, cofactor: Expr
+) -> list[str]:
+    """What to say of one dividing the other (found at exact random points). With a cofactor it is the product with the
+    superbracket that divides or is divided, which tells nothing about singular poses.
+    """
+    whole = "the superbracket" if cofactor == ONE else "cofactor times superbracket"
+    if how == "factor" and not any(degrees.values()):  # a number
+        return []
+    if how == "factor" and cofactor != ONE:
+        return [f"it divides {whole}"]
     if how == "factor":
-        return ["it is a factor only: wherever it is zero the robot is singular, but not the other way round"]
+        divides = "it divides the superbracket: wherever it is zero the robot is singular"
+        return _power(board, degrees, wanted, e) or [f"{divides}; the other factors may vanish elsewhere"]
     if how == "shares":
-        return ["it has a factor in common with the superbracket"]
+        return [f"it has a factor in common with {whole}"]
     if how != "multiple":
         return []
+    if cofactor != ONE:
+        return [f"{whole} divides it: it has a factor too many, which the cofactor lacks"]
     more = {n: degrees.get(n, 0) - wanted[n] for n in board.structure.names}
     names = tuple(n for n, d in more.items() if d)
-    if cofactor == ONE and len(names) == 4 and all(more[n] == 1 for n in names):
+    if len(names) == 4 and all(more[n] == 1 for n in names):
         return [f"the superbracket divides it; the cofactor [{board.label(board.row(names))}] may be what is missing"]
     return ["the superbracket divides it: it has a factor too many, which a cofactor could make up for"]
+
+
+def _power(board: Board, degrees: Mapping[str, int], wanted: Counter[str], e: Expr) -> list[str]:
+    """What to say where the superbracket is a constant times the square or the cube of the expression, proved."""
+    names, bare = board.structure.names, _number(e)[1]
+    for k, power in ((2, "square"), (3, "cube")):
+        if any(k * degrees.get(n, 0) != wanted[n] for n in names):
+            continue
+        try:
+            c = _coefficient(board, Power(bare, k), ONE)
+        except LimitReached:  # then it is only known to divide
+            continue
+        if c is not None:
+            same = f"the superbracket is a constant times its {power}: the robot is singular exactly when it is zero"
+            return [f"{same}; propose: condition {text(Power(bare, k), names=names)}"]
+    return []
 
 
 def _seen(seen: Evidence, cofactor: Expr) -> list[str]:

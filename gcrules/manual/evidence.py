@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, pairwise
 
+from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import PRIME, Evaluator, evaluate, random_points, random_rational_points
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number, Point, bracket, mul
@@ -208,8 +209,10 @@ def relation(structure: Structure, e: Expr, cofactor: Expr, degree: int) -> str:
 
 
 def _degree(e: Expr) -> int:
-    degrees = expand(e, rank=4).degrees()  # type: ignore[union-attr]
-    return sum(degrees.values()) if degrees else 0
+    """The highest degree of a term in all points together."""
+    found = expand(e, rank=4)
+    assert isinstance(found, BracketPolynomial)
+    return max((4 * len(monomial) for monomial in found.terms), default=0)
 
 
 def _interpolated(values: Sequence[int]) -> list[int]:

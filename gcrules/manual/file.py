@@ -115,10 +115,10 @@ def _read(document: Document) -> Session:
     session = _replayed(session, steps["history"])
     undone = steps.get("undone", [])
     again = _replayed(session, undone)
-    for _ in range(sum(r.outcome.confirmed for r in again.history[len(session.history) :])):
+    for _ in range(sum(not r.outcome.refused for r in again.history[len(session.history) :])):
         again = again.undo()
     if again.history != session.history:
-        raise document.error(undone[0][0].span, "what was undone begins with a confirmed proposal")
+        raise document.error(undone[0][0].span, "what was undone begins with a confirmed or possible proposal")
     return again
 
 
@@ -139,7 +139,7 @@ def _steps(node: Node) -> list[_Step]:
         command = step["do"].string()
         if command is not None and command.split()[0] not in (*PROPOSALS, "auto"):
             step["do"].fault(f"{command.split()[0]} is not recorded in sessions", f"there are {', '.join(PROPOSALS)}")
-        answer, reason = step["answer"].choice({"confirmed", "refused"}), step["reason"].choice(REASONS)
+        answer, reason = step["answer"].choice({"confirmed", "possible", "refused"}), step["reason"].choice(REASONS)
         if command is not None and answer is not None and reason is not None:
             found.append((step["do"], command, step["answer"], answer, step["reason"], reason))
     return found

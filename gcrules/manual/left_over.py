@@ -12,7 +12,7 @@ from gcrules.algebra.straighten import straighten
 from gcrules.manual.automatic import oracle_of
 from gcrules.manual.board import Board
 from gcrules.manual.follow import follow
-from gcrules.manual.outcome import Formula, Outcome, confirmed, refused
+from gcrules.manual.outcome import Formula, Outcome, confirmed, possible, refused
 from gcrules.manual.words import Words
 from gcrules.rules.state import State
 
@@ -54,7 +54,7 @@ def propose_lines(board: Board, words: Words) -> tuple[Board, Outcome]:
 def _propose(board: Board, pairs: tuple[Row, ...], words: Words) -> tuple[Board, Outcome]:
     for row in pairs:
         if row in board.taken:
-            raise words.fault(f"line {board.label(row)} is confirmed already")
+            raise words.fault(f"line {board.label(row)} is on the board already")
     data: dict[str, Any] = {"proposed": [board.named(row) for row in pairs]}
     gone = Counter(i for row in pairs for i in row) - Counter(board.left)
     if gone:
@@ -70,8 +70,9 @@ def _propose(board: Board, pairs: tuple[Row, ...], words: Words) -> tuple[Board,
         return new, confirmed("swapped", *said, **data)
     undecided = all(t.hidden for t in failed)
     if undecided and len(new.left) >= 2:
-        said.append("it stays possible, by trial: a repeated point can hide a vanished term")
-        return new, confirmed("trial", *said, **data)
+        why = "a repeated point can hide a vanished term; a condition made of it is proved or refused"
+        said = [t.words if t.passed else f"{t.words}, but {why}" for t in tests]
+        return new, possible("trial", *said, **data)
     if undecided and follow(new).claims:
         said.append("found by trial: a repeated point hides a vanished term, and the incidence of the entities holds")
         return new, confirmed("trial", *said, **data)

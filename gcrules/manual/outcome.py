@@ -1,4 +1,4 @@
-"""What a proposal leads to: confirmed, or refused with the reason in words and as data; and hints."""
+"""What a proposal leads to: confirmed, possible, or refused with the reason in words and as data; and hints."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from gcrules.algebra.expr import Expr, Sum
 from gcrules.algebra.text import text
 from gcrules.frozen import FrozenMap
 
-__all__ = ["REASONS", "Formula", "Hint", "Outcome", "confirmed", "plain", "refused"]
+__all__ = ["REASONS", "Formula", "Hint", "Outcome", "confirmed", "plain", "possible", "refused"]
 
 REASONS = {
     # confirmed
@@ -21,7 +21,9 @@ REASONS = {
     "together": "the points stay together in one bracket of every term, a bracket of their own",
     "left-over": "the left-over points are shared out among the planes' brackets",
     "swapped": "P(x,y) + P(y,x) = 0",
+    # confirmed, or possible
     "trial": "the test fails as it stands, but a repeated point can hide a vanished term: possible, or found by trial",
+    # confirmed
     "incidence": "the incidence follows from the entities and was proved",
     "proved": "cofactor times superbracket is a constant times the expression, proved by normal forms",
     # refused
@@ -54,23 +56,28 @@ class Formula:
 class Outcome:
     """The answer to one proposal.
 
+    `answer` is confirmed, refused, or possible: then what was proposed stands on the board as a trial, unproved.
     `reason` is a key of `REASONS`; `words` says it, one sentence for each line; `formulas` are polynomials to show;
     `data` holds the same for programs: points, terms (counted from 1), exact coordinates and values.
     """
 
-    confirmed: bool
+    answer: str
     reason: str
     words: tuple[str, ...]
     formulas: tuple[Formula, ...] = ()
     data: Mapping[str, Any] = FrozenMap()
 
     @property
-    def refused(self) -> bool:
-        return not self.confirmed
+    def confirmed(self) -> bool:
+        return self.answer == "confirmed"
 
     @property
-    def answer(self) -> str:
-        return "confirmed" if self.confirmed else "refused"
+    def possible(self) -> bool:
+        return self.answer == "possible"
+
+    @property
+    def refused(self) -> bool:
+        return self.answer == "refused"
 
     def text(self, *, unicode: bool = False, names: tuple[str, ...] = ()) -> str:
         """The answer, the words, the formulas and the coordinates as lines of text."""
@@ -109,12 +116,17 @@ def _in_style(words: str, unicode: bool) -> str:
 
 def confirmed(reason: str, *words: str, formulas: tuple[Formula, ...] = (), **data: Any) -> Outcome:
     """The answer yes."""
-    return Outcome(True, reason, words, formulas, FrozenMap(data))
+    return Outcome("confirmed", reason, words, formulas, FrozenMap(data))
+
+
+def possible(reason: str, *words: str, formulas: tuple[Formula, ...] = (), **data: Any) -> Outcome:
+    """The answer perhaps: kept as a trial."""
+    return Outcome("possible", reason, words, formulas, FrozenMap(data))
 
 
 def refused(reason: str, *words: str, formulas: tuple[Formula, ...] = (), **data: Any) -> Outcome:
     """The answer no."""
-    return Outcome(False, reason, words, formulas, FrozenMap(data))
+    return Outcome("refused", reason, words, formulas, FrozenMap(data))
 
 
 @dataclass(frozen=True)

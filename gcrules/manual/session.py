@@ -71,7 +71,8 @@ class Session:
     """A sequence of proposals on six legs; every method returns a new session.
 
     `first` is the board at the start, `history` the proposals with their outcomes, refused ones among them. `undone`
-    holds what `redo` brings back, the latest first: each time a confirmed proposal with the refusals that followed it.
+    holds what `redo` brings back, the latest first: each time a confirmed or possible proposal with the
+    refusals that followed it.
     Methods raise InputError (with place) where a proposal makes no sense, LimitReached where it could not be decided.
     """
 
@@ -187,10 +188,10 @@ class Session:
         return self._propose("condition", " cofactor ".join(parts))
 
     def undo(self) -> Session:
-        """Take back the last confirmed proposal and the refusals after it. Raises InputError where there is none."""
-        at = next((i for i in reversed(range(len(self.history))) if self.history[i].outcome.confirmed), None)
+        """Take back the last proposal that was not refused and the refusals after it. Raises InputError without one."""
+        at = next((i for i in reversed(range(len(self.history))) if not self.history[i].outcome.refused), None)
         if at is None:
-            raise InputError("nothing to undo: no proposal is confirmed")
+            raise InputError("nothing to undo: no proposal stands")
         return Session(self.first, self.history[:at], (self.history[at:], *self.undone))
 
     def redo(self) -> Session:
@@ -235,7 +236,7 @@ class Session:
         return self._recorded(command, board, outcome)
 
     def _recorded(self, command: str, board: Board, outcome: Outcome) -> Session:
-        undone = () if outcome.confirmed else self.undone
+        undone = self.undone if outcome.refused else ()
         return Session(self.first, (*self.history, Record(command, outcome, board)), undone)
 
     def _check_open(self, command: str) -> None:

@@ -44,7 +44,7 @@ def suggest(board: Board) -> Hint:
 
 
 def _fits(board: Board, claim: Claim) -> bool:
-    """Whether everything that is confirmed stands in the claim."""
+    """Whether everything on the board stands in the claim."""
     state = claim.state
     known = Counter((*state.tetrahedra, *state.planes, *state.lines))
     return not Counter(board.entities) - known and not Counter(board.taken) - Counter(state.taken)
