@@ -17,9 +17,11 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
+import gcrules
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Point, join
 from gcrules.algebra.syntax import parse
+from gcrules.algebra.text import text as formula
 from gcrules.analysis import Analysis, analyze
 from gcrules.catalog import Catalog, Entry
 from gcrules.catalog_file import load
@@ -33,6 +35,7 @@ from gcrules.render.figures import graph_figure, named_lines, robot_figure, show
 from gcrules.render.labels import label_box, overlap
 from gcrules.render.markdown import inline, reference
 from gcrules.render.page_names import page_names
+from gcrules.rules.strategy import Strategy
 
 ENTRIES = load().entries
 REGULAR = [e for e in ENTRIES if e.status != "always-singular"]
@@ -53,9 +56,11 @@ def known(pages: Pages, monkeypatch: pytest.MonkeyPatch) -> None:
     """The command takes the pages of shipped classes from the fixture and computes the others."""
     shipped = {e.id for e in ENTRIES}
 
-    def quick(catalog: Catalog, sources: dict[str, str], catalogs: Sequence[str] = ()) -> Pages:
+    def quick(
+        catalog: Catalog, sources: dict[str, str], catalogs: Sequence[str] = (), strategy: Strategy | None = None
+    ) -> Pages:
         own = Catalog(tuple(e for e in catalog.entries if e.id not in shipped), catalog.statements)
-        return pages | (catalog_pages(own, sources, catalogs) if own.entries else {})
+        return pages | (catalog_pages(own, sources, catalogs, strategy) if own.entries else {})
 
     monkeypatch.setattr(renderer, "catalog_pages", quick)
 
@@ -327,6 +332,31 @@ def test_page(pages: Pages, entry: Entry) -> None:
         ET.fromstring(pages[target])
 
 
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda e: e.id)
+def test_formulas_are_whole_and_fit_the_page(pages: Pages, entry: Entry) -> None:
+    blocks = re.findall(r"^```text\n(.*?)^```$", pages[f"{entry.id}.md"], re.MULTILINE | re.DOTALL)
+    assert max(len(line) for block in blocks for line in block.splitlines()) <= 92
+    a = analyze(entry.structure)
+    shown = [" ".join(block.split()) for block in blocks]
+    for e in (a.shortest.polynomial.to_expr(), *(step.after for step in a.derivation)):
+        assert formula(e, unicode=True, names=a.structure.names) in shown or len(tuple(a.derivation)) == 1
+
+
+def test_an_identity_of_the_catalog_is_proved_on_its_page(pages: Pages) -> None:
+    page = pages["6-5.md"]
+    assert "instance of an identity" not in "".join(pages.values())
+    assert "**1. catalog**: this identity is proved from scratch: both sides have the same normal form" in page
+    derivation = page.partition("## Derivation")[2].partition("## Condition")[0]
+    assert "```text\n(ABc ∧ ACd ∧ ab)[[Aa, Ab, Bc, Cd, De, Ef]]\n=\n" in derivation
+
+
+def test_bibliography() -> None:
+    lines = bibliography()
+    assert lines["McMillanWhite1991"].startswith("McMillan, Timothy and White, Neil L. 1991. *(")
+    assert lines["White1991"].startswith("White, Neil L. Multilinear Cayley factorization. Journal of Symbolic")
+    assert lines["Downing2002"].startswith("Downing, David M. et al. 2002. *(")
+
+
 def worked(page: str) -> dict[str, tuple[dict[str, tuple[Fraction, ...]], Fraction]]:
     """The table of worked poses: coordinates of the joints and the superbracket's value."""
     rows = [
@@ -459,3 +489,14 @@ def test_neighbours_are_mutual() -> None:
     joints = {e.id: len(e.structure.names) for e in ENTRIES}
     for (entry, other), what in links.items():
         assert joints[entry] - joints[other] == (1 if what.startswith("merge") else -1)
+
+
+# --- beside the catalog --------------------------------------------------------------------------------------------
+
+
+def test_every_public_name_is_on_the_page_for_python(root: Path) -> None:
+    page = (root / "docs" / "api.md").read_text(encoding="utf-8")
+    shown = {path.rpartition(".")[2] for path in re.findall(r"^::: (\S+)$", page, re.MULTILINE)}
+    shown |= {name for names in re.findall(r"members:\s*\[([^\]]*)\]", page) for name in re.split(r",\s*", names)}
+    shown |= set(re.findall(r"`gc\.(\w+)`", page))
+    assert set(gcrules.__all__) - {"factor", "Factorization"} <= shown

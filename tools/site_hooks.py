@@ -46,13 +46,18 @@ def on_config(config: MkDocsConfig) -> MkDocsConfig:
     return config
 
 
-def _classes(docs: Path) -> list[dict[str, str]]:
-    """The pages of the catalog in the sequence of its overview."""
-    overview = (docs / "catalog" / "README.md").read_text(encoding="utf-8")
-    listed = list(dict.fromkeys(re.findall(r"\]\(([^)/]+)\.md\)", overview)))
-    names = [n for n in listed if (docs / "catalog" / f"{n}.md").exists()]
-    names += sorted(p.stem for p in (docs / "catalog").glob("*.md") if p.stem not in (*names, "README"))
-    return [{name: f"catalog/{name}.md"} for name in names]
+def _classes(docs: Path) -> list[dict[str, list[dict[str, str]]]]:
+    """The pages of the catalog under the headings of its overview, each where it is listed first."""
+    folder = docs / "catalog"
+    left = {p.stem for p in folder.glob("*.md")} - {"README"}
+    groups: dict[str, list[str]] = {}
+    for section in re.split(r"^## ", (folder / "README.md").read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
+        title, _, body = section.partition("\n")
+        names = [n for n in dict.fromkeys(re.findall(r"\]\(([^)/]+)\.md\)", body)) if n in left]
+        left -= set(names)
+        groups[unescape(title)] = names
+    groups["Others"] = sorted(left)
+    return [{title: [{n: f"catalog/{n}.md"} for n in names]} for title, names in groups.items() if names]
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:

@@ -12,8 +12,9 @@ from fractions import Fraction
 from importlib.resources import files
 from itertools import combinations
 from os import PathLike
+from textwrap import wrap
 
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import Expr, Sum
 from gcrules.algebra.text import text
 from gcrules.analysis import Analysis, analyze
 from gcrules.catalog import SHIPPED, Catalog, Entry
@@ -58,7 +59,7 @@ def catalog_pages(
     links = neighbours(catalog)
     pages: dict[str, str] = {}
     for entry in catalog.entries:
-        a = analyze(entry.structure, catalogs=catalogs, strategy=strategy)
+        a = analyze(entry.structure, catalogs=catalogs, recheck=True, strategy=strategy)
         poses = _worked(a)
         at = {word: _cartesian(pose) for word, pose in poses.items()}
         name = names[entry.id]
@@ -122,8 +123,11 @@ def _reference(fields: str) -> str:
     }
     where = ", ".join(found[key] for key in ("journal", "booktitle") if key in found)
     eprint = f"arXiv:{found['eprint']}" if "eprint" in found else ""
-    parts = [found.get("author", ""), found.get("title", ""), where, eprint, found.get("year", "")]
-    return ". ".join(p for p in parts if p) + "." + (f" *({found['note']})*" if "note" in found else "")
+    authors = re.sub(r" and others$", " et al.", found.get("author", ""))
+    parts = [authors, found.get("title", ""), where, eprint, found.get("year", "")]
+    return " ".join(f"{p.removesuffix('.')}." for p in parts if p) + (
+        f" *({found['note']})*" if "note" in found else ""
+    )
 
 
 _ACCENTS = {"'": "\u0301", "`": "\u0300", '"': "\u0308", "^": "\u0302"}
@@ -132,7 +136,7 @@ _ACCENTS = {"'": "\u0301", "`": "\u0300", '"': "\u0308", "^": "\u0302"}
 def _plain(words: str) -> str:
     """BibTeX text without braces and accent commands."""
     accents = re.sub(r"\{?\\(['`\"^])\{?(\w)\}?\}?", lambda m: m[2] + _ACCENTS[m[1]], words)
-    return unicodedata.normalize("NFC", re.sub(r"[{}]", "", accents).replace(" and ", ", ").replace("--", "–"))
+    return unicodedata.normalize("NFC", re.sub(r"[{}]", "", accents).replace("--", "–"))
 
 
 def _page(
@@ -166,14 +170,14 @@ def _page(
         "",
         "## Superbracket",
         "",
-        *block(f"{_math(a, a.structure.superbracket)} =", _math(a, a.typed.polynomial.to_expr())),
+        *block(f"{_math(a, a.structure.superbracket)} =", *_formula(a, a.typed.polynomial.to_expr())),
         "## Shortest form",
         "",
         f"Fewest terms over all 720 orders of the legs: {entry.terms[24]} in the 24-term form, {entry.terms[16]} in "
         f"the 16-term form. The {a.shortest.form}-term form with the legs in the order "
         f"{', '.join(leg_text(a.structure.legs[i]) for i in a.shortest.order)}:",
         "",
-        *block(_math(a, a.shortest.polynomial.to_expr())),
+        *block(*_formula(a, a.shortest.polynomial.to_expr())),
         "## Derivation",
         "",
         *_derivation(a),
@@ -204,8 +208,14 @@ def _status(entry: Entry) -> str:
 
 def _derivation(a: Analysis) -> list[str]:
     lines = []
-    for number, step in enumerate(a.derivation, 1):
-        lines += [f"**{number}. {step.rule}**: {inline(step.why)}", "", *block(_math(a, step.after))]
+    steps = tuple(a.derivation)
+    for number, step in enumerate(steps, 1):
+        why, before = step.why, []
+        if step.rule == "catalog" and len(steps) == 1:
+            before = [*_formula(a, step.before), "="]
+            if a.condition.certificate.method == "normal-form":
+                why = re.sub("^proved:", "this identity is proved from scratch:", why)
+        lines += [f"**{number}. {step.rule}**: {inline(why)}", "", *block(*before, *_formula(a, step.after))]
     return lines
 
 
@@ -226,10 +236,38 @@ def _math(a: Analysis, e: Expr) -> str:
     return text(e, unicode=True, names=a.structure.names)
 
 
+_WIDTH = 92
+
+
+def _formula(a: Analysis, e: Expr, indent: str = "") -> list[str]:
+    """The lines of an expression: broken between terms, a term that is too long for a line at its operations."""
+    first, *others = (_math(a, t) for t in (e.terms if isinstance(e, Sum) else (e,)))
+    terms = [first, *(f"− {t[1:]}" if t[0] == "−" else f"+ {t}" for t in others)]
+    return _wrapped(terms, indent)
+
+
+def _wrapped(pieces: Iterable[str], indent: str) -> list[str]:
+    kept = (_SPACE_IN_PIECE.sub("\u00a0", p) if len(p) > _WIDTH - 4 else p.replace(" ", "\u00a0") for p in pieces)
+    found = wrap(
+        " ".join(kept),
+        _WIDTH,
+        initial_indent=indent,
+        subsequent_indent=f"{indent}  ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return [line.replace("\u00a0", " ") for line in found]
+
+
+_SPACE_IN_PIECE = re.compile(r" (?![∧∨+−·] )")
+
+
 def _condition(a: Analysis, c: Condition) -> list[str]:
-    cofactor = "" if str(c.cofactor) == "1" else f"({_math(a, c.cofactor)}) · "
-    lines = block(f"{cofactor}{_math(a, a.structure.superbracket)} =", f"  {_math(a, c.right_side)}")
-    return [*lines, f"Certificate: {inline(c.certificate.detail)}.", ""]
+    cofactor = [] if str(c.cofactor) == "1" else [f"({_math(a, c.cofactor)}) ·"]
+    left = _wrapped([*cofactor, f"{_math(a, a.structure.superbracket)} ="], "")
+    lines = block(*left, *_formula(a, c.right_side, "  "))
+    detail = re.sub("^proved:", "proved from scratch:", c.certificate.detail)
+    return [*lines, f"Certificate: {inline(detail)}.", ""]
 
 
 def _other_readings(a: Analysis) -> list[str]:
