@@ -907,6 +907,65 @@ def test_no_fault_ends_the_session(
     assert repl.state == State()
 
 
+class Interrupted:
+    """Is interrupted while it is collected, where Python only prints exceptions."""
+
+    def __del__(self) -> None:
+        signal.raise_signal(signal.SIGINT)
+        time.sleep(0)  # here at the latest
+
+
+def pause() -> None:
+    """Long enough for an interrupt; on Windows in pieces, since one delivered again does not end a system call."""
+    for _ in range(200 if sys.platform == "win32" else 1):
+        time.sleep(0.1 if sys.platform == "win32" else 20)
+    raise AssertionError("not interrupted")
+
+
+def test_an_interrupt_in_a_destructor_is_not_lost(capsys: pytest.CaptureFixture[str]) -> None:
+    from gcrules.repl.interrupts import interruptible
+
+    def compute() -> None:
+        with interruptible():
+            Interrupted()
+            pause()
+
+    before = sys.unraisablehook
+    for _ in range(3):
+        with pytest.raises(KeyboardInterrupt):
+            compute()
+        assert sys.unraisablehook is before
+    assert "Exception ignored" not in capsys.readouterr().err
+
+
+def test_an_interrupt_of_what_is_collected_first_is_not_lost(
+    repl: Interpreter, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    import gcrules.script
+    from gcrules.repl.terminal import respond
+
+    monkeypatch.setattr(gcrules.script, "expand", lambda *args, **options: pause())
+    left = Interrupted()
+    left.itself = left  # type: ignore[attr-defined]
+    del left
+    respond(repl, "show [abcd]")
+    assert "interrupted; what is declared stays" in capsys.readouterr().err
+
+
+def test_other_faults_of_destructors_are_still_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    from gcrules.repl.interrupts import interruptible
+
+    class Broken:
+        def __del__(self) -> None:
+            raise ValueError("broken")
+
+    told: list[type[BaseException]] = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda ignored: told.append(ignored.exc_type))
+    with interruptible():
+        Broken()
+    assert told == [ValueError]
+
+
 def test_toolbar(repl: Interpreter) -> None:
     from gcrules.repl.terminal import toolbar
 

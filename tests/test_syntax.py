@@ -28,7 +28,7 @@ from gcrules.algebra.expr import (
     Superbracket,
     points_of,
 )
-from gcrules.algebra.statements import Claim, Show, parse_script
+from gcrules.algebra.statements import Claim, Show, parse_assumption, parse_script
 from gcrules.algebra.syntax import Context, parse, parse_equation
 from gcrules.algebra.text import text
 from gcrules.errors import GcrulesError, InputError, StepError, SyntaxFault
@@ -394,6 +394,36 @@ def test_script_fault(source: str, place: str, message: str) -> None:
         parse_script(source, "x.gca")
     assert caught.value.place == f"x.gca:{place}"
     assert message in caught.value.message
+
+
+@pytest.mark.parametrize(
+    ("source", "hint"),
+    [
+        ("colinear(a, b, c)", "did you mean collinear(…)?"),
+        ("collinear(a, b, c), Concurent ((ab), cd, ef)", "did you mean concurrent(…)?"),
+        (r"coplaner((ab) /\ (cd), b, c, d)", "did you mean coplanar(…)?"),
+        ("parallel(ab, cd)", "a parenthesis is not closed"),
+        ("(a, b)", "a parenthesis is not closed"),
+        ("a, b", None),
+        (f"{'collinear' * 50}(a, b)", "a parenthesis is not closed"),
+    ],
+)
+def test_misspelt_relation(source: str, hint: str | None) -> None:
+    with pytest.raises(SyntaxFault) as caught:
+        parse_assumption(source, Context(rank=3))
+    assert caught.value.hint == hint
+
+
+def test_relations_are_not_suggested_in_expressions() -> None:
+    with pytest.raises(SyntaxFault) as caught:
+        parse("colinear(a, b, c)")
+    assert caught.value.hint == "a parenthesis is not closed"
+
+
+@pytest.mark.parametrize(("source", "found"), [("collinear(a)", "1 point is"), ("coplanar(a, b)", "2 points are")])
+def test_too_few_points_are_counted(source: str, found: str) -> None:
+    with pytest.raises(InputError, match=f": {found} always so; at least"):
+        parse_assumption(source, Context())
 
 
 def test_labels_do_not_count_as_nesting() -> None:

@@ -34,7 +34,8 @@ def _points_only(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], N
                 what = f"{ex.step_name(arg.step, rank)} where a point is expected"
                 raise StepError(what, span=span_of(tree), hint=hint)
         if len(args) < number:
-            raise InputError(f"{len(args)} points are always so; at least {number} are expected")
+            found = "1 point is" if len(args) == 1 else f"{len(args)} points are"
+            raise InputError(f"{found} always so; at least {number} are expected")
 
     return check
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from difflib import get_close_matches
 from typing import Any
 
 from gcrules.algebra.space import shortened
@@ -43,6 +44,8 @@ _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"(?<=[0-9]\.)[0-9]"), "fractions are written 3/2"),
     (re.compile(r"==|!=|<|>"), "only `prove` and `claim` compare two expressions, with =="),
 )
+_LAST_WORD = re.compile(r"(?<![A-Za-z0-9_'])[A-Za-z][A-Za-z0-9_']*\Z")
+_LONGEST = 30  # characters of a word that may be a relation misspelt
 
 
 def syntax_fault(found: object, text: str, literals: Mapping[str, str]) -> SyntaxFault:
@@ -64,11 +67,28 @@ def syntax_fault(found: object, text: str, literals: Mapping[str, str]) -> Synta
         accepted = set(getattr(found, "accepts", None) or ())
         what = "the input ends too early" if text.strip() else "the input is empty"
     hint = next((h for pattern, h in _HINTS if pattern.match(text, span.start)), None)
+    hint = hint or _misspelt(text, span.start, literals)
     if hint is None and "RPAR" in accepted and _unclosed(text[: span.start], "()"):
         hint = "a parenthesis is not closed"
     elif hint is None and "RSQB" in accepted and _unclosed(text[: span.start], "[]"):
         hint = "a bracket is not closed"
     return SyntaxFault(f"{what}; expected {_expected(accepted, literals)}", span=span, hint=hint)
+
+
+def _misspelt(text: str, at: int, literals: Mapping[str, str]) -> str | None:
+    """The relation that is meant where a comma stands in parentheses behind a word like it: colinear(a, b, c)."""
+    if "RELATION" not in literals or not text.startswith(",", at):
+        return None
+    open_at, depth = at, 1
+    while depth and open_at:
+        open_at -= 1
+        depth += (text[open_at] == ")") - (text[open_at] == "(")
+    before = _LAST_WORD.search(text[:open_at].rstrip())
+    if depth or before is None or len(before[0]) > _LONGEST:
+        return None
+    relations = literals["RELATION"].partition(")")[0].lstrip("(").split("|")
+    near = get_close_matches(before[0].lower(), relations, n=1, cutoff=0.7)
+    return f"did you mean {near[0]}(…)?" if near and near[0] != before[0] else None
 
 
 def _unclosed(text: str, pair: str) -> bool:

@@ -33,6 +33,7 @@ from gcrules.repl.completion import candidates
 from gcrules.repl.highlight import tokens
 from gcrules.repl.history import history_path, private_file
 from gcrules.repl.interpreter import Interpreter
+from gcrules.repl.interrupts import interruptible
 from gcrules.repl.lines import CONTINUED, PROMPT, tell
 from gcrules.repl.reading import unfinished
 
@@ -66,18 +67,17 @@ def run_terminal(repl: Interpreter, session: PromptSession[str] | None = None) -
     click.echo(WELCOME)
     while not repl.over:
         try:
-            text = session.prompt()
+            respond(repl, session.prompt())
         except KeyboardInterrupt:  # clears the line
             continue
         except EOFError:
             break
-        respond(repl, text)
 
 
 def respond(repl: Interpreter, text: str) -> None:
     """Print the answers to an input. An interrupt ends the computation and leaves the state as it was before it."""
     try:
-        with closing(repl.feed(text)) as answers:
+        with interruptible(), closing(repl.feed(text)) as answers:
             while True:
                 with working("computing"):
                     answer = next(answers, None)
