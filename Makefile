@@ -41,7 +41,11 @@ demo: $(READY) ## analyse the octahedral platform, every stage, and write its re
 	@echo "The report is in $(CURDIR)/$(DEMO)/octahedral.html"
 
 .PHONY: test
-test: $(READY) ## run the tests and doctests with branch coverage; ends with what was left out
+test: $(READY) ## run the tests and doctests; ends with what was left out
+	$(BIN)/python -m pytest -n auto --dist worksteal
+
+.PHONY: coverage
+coverage: $(READY) ## the same with branch coverage, which takes twice as long
 	$(BIN)/python -m pytest -n auto --dist worksteal --cov --cov-branch --cov-report=term
 
 .PHONY: check
