@@ -8,210 +8,19 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
-from itertools import pairwise
-from math import cos, dist, hypot, pi, sin
+from math import dist
 from pathlib import Path
 
+from drawing_kit import BLUE, DOT, GREEN, ORANGE, Look, Space, between, caption, side_by_side, times
+
 import gcrules as gc
-from gcrules.render.bsp import XYZ, Piece, cross, dot, minus, painted
+from gcrules.render.bsp import XYZ, Piece
 from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs, text_width
 from gcrules.render.figures import graph_figure, robot_figure
 from gcrules.render.labels import Label, place_labels
-from gcrules.render.solids import center, flat_normal, patch, stretched, tetrahedron
-from gcrules.render.view import View
+from gcrules.render.solids import stretched
 
 ROOT = Path(__file__).resolve().parent.parent
-
-_DOT = 4.6
-_BLUE, _ORANGE, _GREEN, _PINK = "entity1", "entity2", "entity3", "entity4"
-
-
-# --- a small kit for pictures of points, lines and planes ----------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class _Look:
-    role: str
-    fill: float = 0.0
-    edge: float = 0.0
-    width: float = 1.0
-    dash: tuple[float, float] | None = None
-
-
-@dataclass
-class Space:
-    """What there is to see in space; `draw` projects it orthographically, the z axis upright."""
-
-    points: dict[str, tuple[XYZ, str]] = field(default_factory=dict)
-    pieces: list[Piece[_Look]] = field(default_factory=list)
-    heads: list[tuple[XYZ, XYZ, str]] = field(default_factory=list)
-    names: list[tuple[str, XYZ, XY, str]] = field(default_factory=list)
-
-    def at(self, name: str) -> XYZ:
-        return self.points[name][0]
-
-    def point(self, role: str = "ink", **places: XYZ) -> None:
-        """Points with their names; the role `mark` is for points that were constructed."""
-        self.points |= {name: (xyz, role) for name, xyz in places.items()}
-
-    def line(
-        self,
-        a: str | XYZ,
-        b: str | XYZ,
-        role: str = _BLUE,
-        *,
-        beyond: float = 0.0,
-        width: float = 2.6,
-        dashed: bool = False,
-    ) -> None:
-        ends = stretched([self._xyz(a), self._xyz(b)], beyond)
-        self.pieces.append(Piece(ends, _Look(role, width=width, dash=(6, 4) if dashed else None)))
-
-    def plane(self, *names: str | XYZ, role: str = _BLUE, margin: float = 0.3, also: Sequence[XYZ] = ()) -> None:
-        polygon = patch([self._xyz(n) for n in names], margin, also)
-        if polygon:
-            self.pieces.append(Piece(polygon, _Look(role, fill=0.22, edge=0.9, width=1.3)))
-
-    def tetrahedron(self, *names: str, role: str = _BLUE) -> None:
-        for face in tetrahedron([self.at(n) for n in names]):
-            self.pieces.append(Piece(face, _Look(role, fill=0.15, edge=0.9, width=1.6)))
-
-    def turn(self, *names: str, role: str = _BLUE, radius: float = 0.25) -> None:
-        """A round arrow in the plane of three points, the way round that the points have."""
-        corners = [self.at(n) for n in names]
-        middle, normal = center(corners), flat_normal(corners)
-        assert normal is not None
-        u = minus(corners[0], middle)
-        u = _times(u, 1 / hypot(*u))
-        v = cross(normal, u)
-        if dot(v, minus(corners[1], middle)) < 0:
-            v = _times(v, -1)
-        ring = [
-            tuple(m + radius * (cos(t) * x + sin(t) * y) for m, x, y in zip(middle, u, v, strict=True))
-            for t in (2 * pi * k / 40 for k in range(33))
-        ]
-        for a, b in pairwise(ring):
-            self.pieces.append(Piece((a, b), _Look(role, width=2.0)))  # type: ignore[arg-type]
-        self.heads.append((ring[-2], ring[-1], role))  # type: ignore[arg-type]
-
-    def head(self, a: str | XYZ, b: str | XYZ, role: str = _BLUE) -> None:
-        """An arrow head at b, coming from a."""
-        self.heads.append((self._xyz(a), self._xyz(b), role))
-
-    def name(self, text: str, at: XYZ, toward: XY, role: str = "ink") -> None:
-        self.names.append((text, at, toward, role))
-
-    def draw(
-        self,
-        title: str,
-        *,
-        view: tuple[float, float],
-        size: tuple[float, float] = (250.0, 210.0),
-        caption: Sequence[Run] = (),
-        scale: float | None = None,
-    ) -> Drawing:
-        width, height = size
-        foot = 30.0 if caption else 0.0
-        eye = View.at(*view)
-        flat = [eye.flat(c) for p in self.pieces for c in p.corners] + [eye.flat(p) for p, _ in self.points.values()]
-        (x0, x1), (y0, y1) = ((min(c), max(c)) for c in zip(*flat, strict=True))
-        factor = scale or min((width - 56) / ((x1 - x0) or 1e-9), (height - 52) / ((y1 - y0) or 1e-9))
-        shift = (width / 2 - factor * (x0 + x1) / 2, height / 2 - factor * (y0 + y1) / 2)
-
-        def place(p: XYZ) -> XY:
-            x, y = eye.flat(p)
-            return factor * x + shift[0], factor * y + shift[1]
-
-        shapes: list[Shape] = []
-        for piece in painted(self.pieces, eye.eye, 1e-6):
-            shapes += _shapes(piece, [place(c) for c in piece.corners])
-        shapes += [_head(place(a), place(b), role) for a, b, role in self.heads]
-        discs = []
-        for p, role in self.points.values():
-            shapes.append(Circle(place(p), _DOT, role, "paper", 1.4))
-            discs.append((place(p), _DOT))
-        middle = center([(*place(p), 0.0) for p, _ in self.points.values()])
-        labels = [
-            Label(name_runs(n), place(p), _away(place(p), middle, len(self.points)), _DOT, 16.0, role)
-            for n, (p, role) in self.points.items()
-        ]
-        labels += [Label(name_runs(n), place(p), toward, 2.0, 16.0, role) for n, p, toward, role in self.names]
-        strokes = [(place(p.corners[0]), place(p.corners[1])) for p in self.pieces if len(p.corners) == 2]
-        strokes += [
-            (place(a), place(b))
-            for p in self.pieces
-            if len(p.corners) > 2
-            for a, b in zip(p.corners, (*p.corners[1:], p.corners[0]), strict=True)
-        ]
-        shapes += place_labels(labels, discs=discs, strokes=strokes, bounds=(2, 2, width - 2, height - 2))
-        if caption:
-            shapes.append(Text((width / 2, height + 16), tuple(caption), 14, "middle"))
-        return Drawing(width, height + foot, tuple(shapes), title)
-
-    def _xyz(self, p: str | XYZ) -> XYZ:
-        return self.at(p) if isinstance(p, str) else p
-
-
-def _away(at: XY, middle: XYZ, count: int) -> XY:
-    """Where the name of a point had better stand: outwards; above for the points of a line."""
-    return (0.0, -1.0) if count < 3 else (at[0] - middle[0], at[1] - middle[1] - 3)
-
-
-def _times(v: XYZ, factor: float) -> XYZ:
-    return v[0] * factor, v[1] * factor, v[2] * factor
-
-
-def _between(a: XYZ, b: XYZ, t: float) -> XYZ:
-    return tuple(x + t * (y - x) for x, y in zip(a, b, strict=True))  # type: ignore[return-value]
-
-
-def _shapes(piece: Piece[_Look], at: list[XY]) -> list[Shape]:
-    look = piece.tag
-    if len(at) == 2:
-        return [Line(at[0], at[1], look.role, look.width, dash=look.dash)]
-    edges = zip(at, [*at[1:], at[0]], piece.edges, strict=True)
-    return [
-        Polygon(tuple(at), look.role, fill_opacity=look.fill),
-        *(Line(a, b, look.role, look.width, look.edge) for a, b, original in edges if original),
-    ]
-
-
-def _head(a: XY, b: XY, role: str, size: float = 9.0) -> Shape:
-    length = dist(a, b) or 1.0
-    u = ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
-    tip = (b[0] + 0.5 * size * u[0], b[1] + 0.5 * size * u[1])
-    back = (b[0] - 0.6 * size * u[0], b[1] - 0.6 * size * u[1])
-    side = (-0.42 * size * u[1], 0.42 * size * u[0])
-    return Polygon((tip, (back[0] + side[0], back[1] + side[1]), (back[0] - side[0], back[1] - side[1])), fill=role)
-
-
-def _moved(shape: Shape, dx: float, dy: float) -> Shape:
-    match shape:
-        case Polygon():
-            return replace(shape, points=tuple((x + dx, y + dy) for x, y in shape.points))
-        case Line():
-            (a, b), (c, d) = shape.start, shape.end
-            return replace(shape, start=(a + dx, b + dy), end=(c + dx, d + dy))
-        case Circle():
-            return replace(shape, center=(shape.center[0] + dx, shape.center[1] + dy))
-        case Text():
-            return replace(shape, at=(shape.at[0] + dx, shape.at[1] + dy))
-
-
-def side_by_side(title: str, *drawings: Drawing, gap: float = 14.0) -> Drawing:
-    """Drawings in one row, centred on each other's height."""
-    height = max(d.height for d in drawings)
-    shapes: list[Shape] = []
-    x = 0.0
-    for d in drawings:
-        shapes += [_moved(s, x, (height - d.height) / 2) for s in d.shapes]
-        x += d.width + gap
-    return Drawing(x - gap, height, tuple(shapes), title)
-
-
-def _caption(formula: Sequence[str], words: str) -> tuple[Run, ...]:
-    return (*name_runs(*formula), Run(f"  {words}"))
 
 
 # --- the course ----------------------------------------------------------------------------------------------------
@@ -224,7 +33,7 @@ def extensors() -> Drawing:
     two = Space()
     two.point(a=(0.0, -0.75, -0.2), b=(0.0, 0.75, 0.35))
     two.line("a", "b", beyond=0.3)
-    two.head("a", _between(two.at("a"), two.at("b"), 0.55))
+    two.head("a", between(two.at("a"), two.at("b"), 0.55))
     three = Space()
     three.point(a=(0.8, -0.7, 0.0), b=(0.5, 0.8, 0.05), c=(-0.9, 0.1, 0.3))
     three.plane("a", "b", "c", margin=0.22)
@@ -235,10 +44,10 @@ def extensors() -> Drawing:
     view = (25.0, 26.0)
     return side_by_side(
         "A point, a line through two points, a plane through three and a tetrahedron of four",
-        one.draw("", view=view, size=size, scale=90, caption=_caption("a", "point, step 1")),
-        two.draw("", view=view, size=size, caption=_caption("ab", "line, step 2")),
-        three.draw("", view=view, size=size, caption=_caption("abc", "plane, step 3")),
-        four.draw("", view=view, size=size, caption=_caption("abcd", "space, step 4")),
+        one.draw("", view=view, size=size, scale=90, caption=caption("a", "point, step 1")),
+        two.draw("", view=view, size=size, caption=caption("ab", "line, step 2")),
+        three.draw("", view=view, size=size, caption=caption("abc", "plane, step 3")),
+        four.draw("", view=view, size=size, caption=caption("abcd", "space, step 4")),
         gap=4,
     )
 
@@ -247,12 +56,12 @@ def join() -> Drawing:
     left = Space()
     left.point(a=(0.9, -0.9, 0.0), b=(0.6, 0.9, 0.1), c=(-0.9, 0.1, 0.25))
     left.plane("a", "b", "c", margin=0.25)
-    left.line("a", "b", _ORANGE, beyond=0.3)
+    left.line("a", "b", ORANGE, beyond=0.3)
     right = Space()
     right.point(a=(1.0, -0.2, 0.0), b=(-0.7, 0.75, 0.0), c=(0.9, 0.0, 1.2), d=(-0.9, 0.4, 0.8))
     right.tetrahedron("a", "b", "c", "d", role="muted")
-    right.line("a", "b", _ORANGE, beyond=0.25)
-    right.line("c", "d", _BLUE, beyond=0.25)
+    right.line("a", "b", ORANGE, beyond=0.25)
+    right.line("c", "d", BLUE, beyond=0.25)
     return side_by_side(
         "The join of a line and a point is a plane; two skew lines span all of space",
         left.draw(
@@ -291,7 +100,7 @@ def meet() -> Drawing:
     )
     x = _pierce(*(left.at(n) for n in "abcde"))
     left.plane("c", "d", "e", margin=0.25)
-    left.line("a", "b", _ORANGE, beyond=0.2)
+    left.line("a", "b", ORANGE, beyond=0.2)
     left.points["x"] = (x, "mark")
     right = Space()
     right.point(
@@ -305,7 +114,7 @@ def meet() -> Drawing:
     p = _pierce(right.at("d"), right.at("f"), right.at("a"), right.at("b"), right.at("c"))
     q = _pierce(right.at("e"), right.at("f"), right.at("a"), right.at("b"), right.at("c"))
     right.plane("a", "b", "c", margin=0.25)
-    right.plane("d", "e", "f", role=_ORANGE, margin=0.22)
+    right.plane("d", "e", "f", role=ORANGE, margin=0.22)
     right.line(p, q, "mark", beyond=0.35, width=3.0)
     return side_by_side(
         "A line pierces a plane in a point; two planes meet in a line",
@@ -329,7 +138,7 @@ def bracket() -> Drawing:
     base = {"a": (0.9, -0.8, 0.0), "b": (0.5, 0.9, 0.0), "c": (-0.9, -0.3, 0.0)}
     view = (25.0, 24.0)
 
-    def one(d: XYZ, caption: tuple[Run, ...], role: str, scale: float) -> Drawing:
+    def one(d: XYZ, words: tuple[Run, ...], role: str, scale: float) -> Drawing:
         s = Space()
         s.point(**base)
         s.point(d=d)
@@ -338,14 +147,14 @@ def bracket() -> Drawing:
         else:
             s.tetrahedron("a", "b", "c", "d", role=role)
         s.turn("a", "b", "c", role=role, radius=0.27)
-        return s.draw("", view=view, size=size, caption=caption, scale=scale)
+        return s.draw("", view=view, size=size, caption=words, scale=scale)
 
     name = (Run("[ "), *name_runs("abcd"), Run(" ]"))
     return side_by_side(
         "The bracket of four points changes its sign as the fourth goes through the plane of the others",
-        one((0.1, 0.05, 1.15), (*name, Run(" < 0")), _BLUE, 84.0),
+        one((0.1, 0.05, 1.15), (*name, Run(" < 0")), BLUE, 84.0),
         one((0.72, -0.22, 0.0), (*name, Run(" = 0, one plane")), "mark", 84.0),
-        one((0.1, 0.05, -1.15), (*name, Run(" > 0")), _ORANGE, 84.0),
+        one((0.1, 0.05, -1.15), (*name, Run(" > 0")), ORANGE, 84.0),
         gap=4,
     )
 
@@ -363,14 +172,14 @@ HUNT = {
 
 def crossing_legs() -> Drawing:
     """Six legs that all cross one line: the platform can turn about it."""
-    at = {n: _times(p, 0.1) for n, p in HUNT.items()}
+    at = {n: times(p, 0.1) for n, p in HUNT.items()}
     s = Space()
     for name, p in at.items():
         s.point("ink" if name in "ace" else "leg", **{name: p})
-    s.pieces.append(Piece(tuple(at[n] for n in "ace"), _Look("base", fill=0.2, edge=0.9, width=1.3)))
-    s.pieces.append(Piece(tuple(at[n] for n in "bdf"), _Look("platform", fill=0.3, edge=0.9, width=1.3)))
+    s.pieces.append(Piece(tuple(at[n] for n in "ace"), Look("base", fill=0.2, edge=0.9, width=1.3)))
+    s.pieces.append(Piece(tuple(at[n] for n in "bdf"), Look("platform", fill=0.3, edge=0.9, width=1.3)))
     for leg in ("ab", "af", "cb", "cd", "ed", "ef"):
-        role = _BLUE if "f" in leg else "leg"
+        role = BLUE if "f" in leg else "leg"
         s.line(leg[0], leg[1], role, width=3.2)
     ends = stretched((at["b"], at["d"]), 0.5)
     s.line(*ends, "mark", width=2.4, dashed=True)
@@ -394,7 +203,7 @@ def tableaux() -> Drawing:
                 left, up = x + j * cell, top + i * cell
                 corners = ((left, up), (left + cell, up), (left + cell, up + cell), (left, up + cell))
                 hit = (i, j) in bad
-                shapes.append(Polygon(corners, "mark" if hit else _BLUE, "muted", 0.28 if hit else 0.1, 1.0, 1.1))
+                shapes.append(Polygon(corners, "mark" if hit else BLUE, "muted", 0.28 if hit else 0.1, 1.0, 1.1))
                 shapes.append(
                     Text(
                         (left + cell / 2, up + cell / 2 + 5),
@@ -473,21 +282,21 @@ def desargues() -> Drawing:
     for p, q in zip(first, second, strict=True):
         draw(long((o, p, q), 14), "muted", 1.2)
     for (i, j), x in zip(pairs, axis, strict=True):
-        draw(long((first[i], first[j], x), 10), _BLUE, 1.1, (5, 4))
-        draw(long((second[i], second[j], x), 10), _ORANGE, 1.1, (5, 4))
-    shapes.append(Polygon(tuple(map(place, first)), _BLUE, _BLUE, 0.18, 1.0, 2.0))
-    shapes.append(Polygon(tuple(map(place, second)), _ORANGE, _ORANGE, 0.18, 1.0, 2.0))
+        draw(long((first[i], first[j], x), 10), BLUE, 1.1, (5, 4))
+        draw(long((second[i], second[j], x), 10), ORANGE, 1.1, (5, 4))
+    shapes.append(Polygon(tuple(map(place, first)), BLUE, BLUE, 0.18, 1.0, 2.0))
+    shapes.append(Polygon(tuple(map(place, second)), ORANGE, ORANGE, 0.18, 1.0, 2.0))
     draw(long(axis, 18), "mark", 2.2)
     named = [("o", o, "ink"), *((n, p, "ink") for n, p in zip("abc", first, strict=True))]
     named += [(f"{n}'", p, "ink") for n, p in zip("abc", second, strict=True)]
     named += [(n, p, "mark") for n, p in zip("xyz", axis, strict=True)]
     discs = []
     for _, p, role in named:
-        shapes.append(Circle(place(p), _DOT, role, "paper", 1.4))
-        discs.append((place(p), _DOT))
+        shapes.append(Circle(place(p), DOT, role, "paper", 1.4))
+        discs.append((place(p), DOT))
     middle = (sum(place(p)[0] for _, p, _ in named) / len(named), sum(place(p)[1] for _, p, _ in named) / len(named))
     labels = [
-        Label(name_runs(n), place(p), (place(p)[0] - middle[0], place(p)[1] - middle[1]), _DOT, 16.0, role)
+        Label(name_runs(n), place(p), (place(p)[0] - middle[0], place(p)[1] - middle[1]), DOT, 16.0, role)
         for n, p, role in named
     ]
     shapes += place_labels(labels, discs=discs, strokes=strokes, bounds=(2, 2, width - 2, height - 2))
@@ -526,19 +335,19 @@ def four_dof_limbs() -> Drawing:
     s = Space()
     s.point("ink", **{n: p for n, p in at.items() if n[0] != "S"})  # type: ignore[arg-type]
     s.point("leg", **{n: p for n, p in at.items() if n[0] == "S"})  # type: ignore[arg-type]
-    s.pieces.append(Piece(tuple(at[n] for n in ("S1", "S2", "S3")), _Look("platform", fill=0.25, edge=0.9, width=1.3)))  # type: ignore[arg-type]
+    s.pieces.append(Piece(tuple(at[n] for n in ("S1", "S2", "S3")), Look("platform", fill=0.25, edge=0.9, width=1.3)))  # type: ignore[arg-type]
     for end in ("A1", "B1", "C1"):
-        s.line(end, "S1", _BLUE, width=3.0)
-    s.line("A2", "S2", _GREEN, width=3.0)
-    s.plane("A3", "B3", "S3", role=_ORANGE, margin=0.07)
+        s.line(end, "S1", BLUE, width=3.0)
+    s.line("A2", "S2", GREEN, width=3.0)
+    s.plane("A3", "B3", "S3", role=ORANGE, margin=0.07)
     s.line("A3", "B3", "muted", width=1.4, dashed=True, beyond=0.12)
     for end in ("A3", "B3"):
-        s.line(end, "S3", _ORANGE, width=3.0)
+        s.line(end, "S3", ORANGE, width=3.0)
     d = s.draw("The forces that the three limbs can apply", view=(-52.0, 20.0), size=(430.0, 300.0))
     rows = (
-        (_BLUE, "limb 1: any force through S", "1"),
-        (_GREEN, "limb 2: a force along the leg", ""),
-        (_ORANGE, "limb 3: forces through S", "3"),
+        (BLUE, "limb 1: any force through S", "1"),
+        (GREEN, "limb 2: a force along the leg", ""),
+        (ORANGE, "limb 3: forces through S", "3"),
     )
     shapes = list(d.shapes)
     for i, (role, words, index) in enumerate(rows):
