@@ -1,0 +1,85 @@
+r"""Screw theory for limbs of parallel robots: twists of joints, wrenches reciprocal to them, mobility, Jacobians.
+
+Exact on fractions and modulo a prime, and in floats for many configurations at once; numpy is loaded when there are
+floats.
+
+    >>> from gcrules.screws import joint, limb
+    >>> leg = limb(joint("R", point=(1, 0, 0), axis=(0, 1, 0)), joint("P", direction=(0, 0, 1), actuated=True),
+    ...            joint("S", point=(1, 0, 2)))
+    >>> print(leg.locked_system().classify())
+    planar pencil at (1, 0, 2) in the plane x = 1
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from gcrules.screws.fields import RATIONALS, RESIDUES, Field, Rationals, Residues
+from gcrules.screws.jacobians import Jacobian, RowLabel, jacobian
+from gcrules.screws.joints import JOINTS, Joint, JointKind, joint
+from gcrules.screws.kinds import KINDS, Classification
+from gcrules.screws.limbs import Limb, limb
+from gcrules.screws.lines import LineFamily
+from gcrules.screws.platforms import Mobility, mobility
+from gcrules.screws.screw import (
+    Axis,
+    axis,
+    from_plucker,
+    helix,
+    line_through,
+    moved,
+    pitch,
+    plucker,
+    product,
+    slide,
+    turn,
+)
+from gcrules.screws.systems import ScrewSystem, reciprocal
+
+if TYPE_CHECKING:
+    from gcrules.screws.floats import FLOATS, Floats
+
+__all__ = [
+    "FLOATS",
+    "JOINTS",
+    "KINDS",
+    "RATIONALS",
+    "RESIDUES",
+    "Axis",
+    "Classification",
+    "Field",
+    "Floats",
+    "Jacobian",
+    "Joint",
+    "JointKind",
+    "Limb",
+    "LineFamily",
+    "Mobility",
+    "Rationals",
+    "Residues",
+    "RowLabel",
+    "ScrewSystem",
+    "axis",
+    "from_plucker",
+    "helix",
+    "jacobian",
+    "joint",
+    "limb",
+    "line_through",
+    "mobility",
+    "moved",
+    "pitch",
+    "plucker",
+    "product",
+    "reciprocal",
+    "slide",
+    "turn",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in ("FLOATS", "Floats"):
+        from gcrules.screws import floats  # numpy is loaded when there are floats
+
+        return getattr(floats, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

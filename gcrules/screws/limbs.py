@@ -1,0 +1,129 @@
+r"""Limbs: joints from the base to the platform, their twists, and the wrenches that they apply to the platform.
+
+>>> from gcrules.screws.joints import joint
+>>> A, B = (0, 0, 0), (1, 2, 3)
+>>> x, y = (1, 0, 0), (0, 1, 0)
+>>> leg = limb(
+...     joint("U", point=A, first=x, second=y),
+...     joint("P", direction=B, actuated=True),
+...     joint("S", point=B),
+... )
+>>> print(leg, leg.freedoms, len(leg.constraints()), [list(map(str, force)) for force in leg.actuations()])
+UP̲S 6 0 [['1/14', '1/7', '3/14', '0', '0', '0']]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from gcrules.errors import InputError
+from gcrules.screws.fields import Field, Matrix, field_of
+from gcrules.screws.joints import Joint
+from gcrules.screws.systems import ScrewSystem, actuation, reciprocal
+
+__all__ = ["Limb", "limb"]
+
+
+@dataclass(frozen=True)
+class Limb:
+    """A chain of joints from the base to the platform. With floats everything works for many configurations at once.
+
+    Each method takes the field to compute in; that of the joints' own numbers if there is none.
+    """
+
+    joints: tuple[Joint, ...]
+    name: str = ""
+
+    @cached_property
+    def field(self) -> Field:
+        """Floats if any number of the joints is a float, else fractions."""
+        return field_of(*(value for j in self.joints for value in j.geometry.values()))
+
+    @property
+    def freedoms(self) -> int:
+        """The number of twists, actuated or not."""
+        return sum(j.freedoms for j in self.joints)
+
+    @property
+    def actuated(self) -> tuple[int, ...]:
+        """The places of the actuated freedoms among all twists."""
+        found, start = [], 0
+        for j in self.joints:
+            found += [start + place for place in j.actuated]
+            start += j.freedoms
+        return tuple(found)
+
+    def twists(self, field: Field | None = None) -> Matrix:
+        """One row (ω; v) for each freedom, from the base to the platform; for floats (..., freedoms, 6)."""
+        field = field or self.field
+        return field.matrix([row for j in self.joints for row in j.twists(field)])
+
+    def rank(self, field: Field | None = None) -> Any:
+        """The number of independent twists. Where it is smaller than in other configurations of the same limb, the
+        limb itself is singular (serial singularity): it has more constraint wrenches there.
+        """
+        field = field or self.field
+        return field.rank(field.comparable(self.twists(field)))
+
+    def constraints(self, field: Field | None = None) -> Matrix:
+        """A basis of the wrenches reciprocal to all twists: those that the limb applies without its actuators."""
+        field = field or self.field
+        return reciprocal(self.twists(field), field)
+
+    def locked(self, field: Field | None = None) -> Matrix:
+        """A basis of the wrenches that the limb applies with locked actuators: reciprocal to the passive twists."""
+        field = field or self.field
+        return reciprocal(self._without(self.twists(field), self.actuated, field), field)
+
+    def actuations(self, field: Field | None = None) -> Matrix:
+        """One wrench for each actuator: reciprocal to all other twists, with product 1 with its own twist.
+
+        It is determined up to constraint wrenches; of those the one is taken that is orthogonal to all constraint
+        wrenches, moments divided by the field's `length`: the shortest. The product with a twist of the platform is
+        the rate of that actuator. Raises InputError (floats: gives nan) where that twist depends on the others.
+        """
+        field = field or self.field
+        rows = self.twists(field)
+        found = [actuation(rows, place, field) for place in self.actuated]
+        if not field.floating and None in found:
+            place = self.actuated[found.index(None)]
+            raise InputError(
+                f"freedom {place} of the limb {self} depends on the others here: its actuator applies no wrench",
+                hint="the limb is singular in this configuration, or the freedom is idle in all",
+            )
+        return field.matrix([row for row in found if row is not None]) if found else field.chosen(rows, ())
+
+    def system(self, field: Field | None = None) -> ScrewSystem:
+        """The span of the twists, of one configuration."""
+        return ScrewSystem.span(self.twists(field), field or self.field)
+
+    def constraint_system(self, field: Field | None = None) -> ScrewSystem:
+        """The span of `constraints`."""
+        return self.system(field).reciprocal()
+
+    def locked_system(self, field: Field | None = None) -> ScrewSystem:
+        """The span of `locked`."""
+        field = field or self.field
+        return ScrewSystem.span(self._without(self.twists(field), self.actuated, field), field).reciprocal()
+
+    @staticmethod
+    def _without(rows: Matrix, places: Iterable[int], field: Field) -> Matrix:
+        return field.chosen(rows, [i for i in range(field.height(rows)) if i not in set(places)])
+
+    def __str__(self) -> str:
+        """Symbols of the joints, those with an actuator underlined."""
+        line = "\u0332"
+        return "".join(c + line * bool(j.actuated) for j in self.joints for c in j.kind.symbol)
+
+
+def limb(*joints: Joint, name: str = "") -> Limb:
+    """A limb of these joints, from the base to the platform. Raises InputError for none, or for something else."""
+    for j in joints:
+        if not isinstance(j, Joint):
+            raise InputError(f"{j!r} is no joint", hint='write joint("R", point=…, axis=…)')
+    if not joints:
+        raise InputError("a limb needs joints: without one the platform is fixed")
+    return Limb(tuple(joints), name)
