@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import comb
 
 from hypothesis import strategies as st
 
@@ -47,8 +48,9 @@ def expressions(
                 return ex.join(*(of(k, depth - 1) for k in split(step)), rank=rank)
             case "dotted":
                 return ex.dotted(*(entries() for _ in range(draw(st.integers(1, 3)))), rank=rank)
-            case "superbracket" if rank == 4:
-                return ex.superbracket(*(of(2, draw(st.integers(0, depth - 1))) for _ in range(6)))
+            case "superbracket" if rank <= 4:
+                lines = (of(2, draw(st.integers(0, depth - 1))) for _ in range(comb(rank, 2)))
+                return ex.superbracket(*lines, rank=rank)
             case "meet" | "superbracket":
                 return meet(step, depth)
             case "sum":

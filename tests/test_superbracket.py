@@ -3,21 +3,28 @@
 from __future__ import annotations
 
 import random
-from itertools import permutations
+from fractions import Fraction
+from itertools import combinations, permutations
+from math import comb
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import yaml
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import gcrules as gc
+from gcrules.algebra.determinant import determinant_terms
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, random_rational_points
-from gcrules.algebra.expr import Number, join, mul, permutation_sign, sub
+from gcrules.algebra.expand import expand_superbracket
+from gcrules.algebra.expr import Number, join, mul, permutation_sign, sub, substitute
 from gcrules.algebra.shortest import Line, counts, shortest_forms, superbracket_form
 from gcrules.algebra.straighten import straighten
 from gcrules.algebra.superbracket import FORMS, form_terms
+from gcrules.errors import LimitReached, StepError
+from gcrules.render.latex import latex
 
 CLASSES: list[dict[str, Any]] = yaml.safe_load(
     (Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8")
@@ -183,3 +190,243 @@ def test_lines_that_are_meets() -> None:
     assert value
     assert evaluate(gc.expand(text).to_expr(), points, modulus=PRIME) == value
     assert str(join(gc.parse("a"), gc.parse("b"))) == "ab"
+
+
+# --- the superbracket in other ranks -------------------------------------------------------------------------------
+
+RANK = pytest.mark.parametrize("rank", range(2, 9))
+Graph = list[Line]
+
+
+def complete(rank: int) -> Graph:
+    return list(combinations("abcdefgh"[:rank], 2))
+
+
+def apart(rank: int) -> Graph:
+    """Lines without a common point."""
+    return [(f"p{2 * i}", f"p{2 * i + 1}") for i in range(rank * (rank - 1) // 2)]
+
+
+def written(lines: Graph) -> str:
+    return "[[" + ", ".join(a + b for a, b in lines) + "]]"
+
+
+def rows_of(lines: Graph, points: dict[str, Any], rank: int) -> list[list[Any]]:
+    pairs = list(combinations(range(rank), 2))
+    return [[points[a][i] * points[b][j] - points[a][j] * points[b][i] for i, j in pairs] for a, b in lines]
+
+
+def value_of(poly: gc.BracketPolynomial, points: dict[str, tuple[int, ...]]) -> int:
+    """The value modulo the prime, each bracket computed once by elimination."""
+    known: dict[tuple[int, ...], int] = {}
+    total = 0
+    for m, c in poly.terms.items():
+        for row in m:
+            if row not in known:
+                known[row] = determinant([list(points[poly.points[i]]) for i in row], PRIME)
+            c = c * known[row] % PRIME
+        total += int(c)
+    return total % PRIME
+
+
+@RANK
+@pytest.mark.parametrize("lines", [complete, apart], ids=["complete", "apart"])
+def test_the_oracle_takes_the_determinant_of_the_rows(rank: int, lines: Any) -> None:
+    graph = lines(rank)
+    points = random_points(names(graph), rank=rank, seed=rank)
+    expected = determinant(rows_of(graph, points, rank), PRIME)
+    assert gc.evaluate(written(graph), points, rank=rank, modulus=PRIME) == expected != 0
+    whole = random_rational_points(names(graph), rank=rank, seed=rank)
+    exact = gc.evaluate(written(graph), whole, rank=rank)
+    assert exact % PRIME == determinant(rows_of(graph, whole, rank), PRIME)
+    if rank > 6:
+        return  # fractions are slow
+    halves = {n: tuple(Fraction(x, 2) for x in p) for n, p in whole.items()}
+    assert gc.evaluate(written(graph), halves, rank=rank) == Fraction(exact, 2 ** (rank * (rank - 1)))
+
+
+@RANK
+def test_the_oracle_over_floats(rank: int) -> None:
+    graph = apart(rank)
+    rng = np.random.default_rng(rank)
+    at = {n: rng.uniform(-1, 1, (2, rank)) for n in names(graph)}
+    rows = np.moveaxis(np.array(rows_of(graph, {n: p.T for n, p in at.items()}, rank)), -1, 0)
+    expected = np.linalg.det(rows)
+    found = gc.evaluate(written(graph), at, rank=rank)
+    np.testing.assert_allclose(found, expected, rtol=1e-7)
+    one = gc.evaluate(written(graph), {n: tuple(map(float, p[0])) for n, p in at.items()}, rank=rank)
+    assert isinstance(one, float)
+    assert one == pytest.approx(expected[0], rel=1e-7)
+
+
+@pytest.mark.parametrize("rank", [2, 3, 4, 5])
+def test_the_oracle_over_arrays_of_residues(rank: int) -> None:
+    graph, prime = apart(rank), 2**31 - 1
+    rng = np.random.default_rng(rank)
+    at = {n: rng.integers(0, prime, (3, rank)) for n in names(graph)}
+    found = gc.evaluate(written(graph), at, rank=rank, modulus=prime)
+    for i in range(3):
+        points = {n: tuple(map(int, p[i])) for n, p in at.items()}
+        assert int(found[i]) == determinant(rows_of(graph, points, rank), prime)
+
+
+@st.composite
+def graphs(draw: st.DrawFn) -> tuple[int, Graph]:
+    """A rank and as many lines as its superbracket has, between few points."""
+    rank = draw(st.integers(2, 6))
+    letters = "abcdefghijkl"[: draw(st.integers(rank, {5: 9, 6: 8}.get(rank, 12)))]
+    pairs = list(combinations(letters, 2))
+    chosen = draw(st.lists(st.sampled_from(pairs), min_size=comb(rank, 2), max_size=comb(rank, 2), unique=rank < 7))
+    return rank, [p[::-1] if turned else p for p in chosen for turned in [draw(st.booleans())]]
+
+
+@settings(deadline=None, max_examples=60)
+@given(graphs(), st.sets(st.sampled_from("abcdef")), st.randoms(use_true_random=False))
+def test_the_expansion_is_the_determinant(case: tuple[int, Graph], ideal: set[str], rng: random.Random) -> None:
+    rank, lines = case
+    used = names(lines)
+    at_infinity = sorted(ideal & set(used))
+    found = gc.expand(written(lines), rank=rank, ideal=at_infinity, points=rng.sample(used, len(used)))
+    points = random_points(used, rank=rank, ideal=at_infinity, seed=1)
+    assert value_of(found, points) == determinant(rows_of(lines, points, rank), PRIME)
+
+
+@settings(deadline=None, max_examples=25)
+@given(graphs(), st.data())
+def test_alternating_in_every_rank(case: tuple[int, Graph], data: st.DataObject) -> None:
+    rank, lines = case
+    order = data.draw(st.permutations(range(len(lines))))
+    one = gc.straighten(written(lines), rank=rank)
+    other = gc.straighten(written([lines[i] for i in order]), rank=rank)
+    assert other == one * permutation_sign(order)
+
+
+@RANK
+def test_lines_of_a_complete_graph(rank: int) -> None:
+    """All joins of as many points as the rank, in lexicographic order, are the bracket to the power rank − 1."""
+    bracket = "[" + "abcdefgh"[:rank] + "]"
+    assert gc.prove(written(complete(rank)), f"{bracket}**{rank - 1}", rank=rank).verdict == "proved"
+    assert len(gc.expand(written(complete(rank)), rank=rank)) == 1
+
+
+CYCLE = [(f"p{i}", f"p{(i + 1) % 10}") for i in range(10)]
+SIZES = [
+    pytest.param(2, apart(2), 1, id="rank 2"),
+    pytest.param(3, apart(3), 2, id="rank 3"),
+    pytest.param(4, apart(4), 24, id="rank 4"),
+    pytest.param(5, CYCLE, 60, id="cycle of ten"),
+    pytest.param(5, apart(5), 9056, id="twenty points in rank 5"),
+    pytest.param(5, [*complete(5)[:9], ("f", "g")], 1, id="complete graph less a line, and a line"),
+    pytest.param(6, [(a, b) for a in "abcd" for b in "efgh"][1:], 0, id="bipartite, two sets of four points"),
+]
+
+
+@pytest.mark.parametrize(("rank", "lines", "terms"), SIZES)
+def test_numbers_of_terms(rank: int, lines: Graph, terms: int) -> None:
+    found = expand_superbracket([gc.parse(a + b, rank=rank) for a, b in lines], rank=rank)
+    points = random_points(names(lines), rank=rank, seed=7)
+    assert len(found) == terms
+    assert value_of(found, points) == determinant(rows_of(lines, points, rank), PRIME)
+
+
+def test_the_24_terms_by_the_other_method() -> None:
+    """For twelve points in tableau order both methods give the normal form."""
+    lines = [(2 * i, 2 * i + 1) for i in range(6)]
+    expected = gc.expand("[[ab, cd, ef, gh, ij, kl]]").terms
+    assert dict(determinant_terms(lines, 4)) == dict(expected)
+
+
+MEETS = [
+    pytest.param(3, ["ab", r"(ab /\ cd) e", r"(ac /\ de) \/ b"], id="rank 3"),
+    pytest.param(3, ["2 ab - 3 cd", "[abc] de", "ae + bd"], id="rank 3, sums"),
+    pytest.param(4, [r"abc /\ def", "ab", "cd", r"ace /\ bdf", "ef", "ad"], id="rank 4"),
+    pytest.param(5, [r"abcd /\ efg", "ab", "cd", "ef", "gh", "ij", "ac", "bd", "eg", "fh"], id="rank 5, one meet"),
+    pytest.param(
+        5,
+        [r"abcd /\ efgh /\ acei", r"abce /\ fgh", r"abg /\ cdef", r"aceh /\ bdg", "ij", "ac", "bd", "eg", "fh", "ae"],
+        id="rank 5, meets of 3- and 4-extensors",
+    ),
+    pytest.param(
+        6,
+        [r"abcde /\ fgh", "ab", "ac", "ad", "ae", "bc", "bd", "be", "cf", "dg", "eh", "fg", "fh", "gh", "af"],
+        id="rank 6",
+    ),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("rank", "entries"), MEETS)
+def test_lines_that_are_meets_in_every_rank(rank: int, entries: list[str]) -> None:
+    lines = [gc.parse(e, rank=rank) for e in entries]
+    points = random_points("abcdefghij", rank=rank, seed=2)
+    expected = determinant([list(gc.evaluate(e, points, modulus=PRIME)) for e in lines], PRIME)
+    assert value_of(expand_superbracket(lines, rank=rank), points) == expected
+    assert gc.evaluate(written_lines(entries), points, rank=rank, modulus=PRIME) == expected
+
+
+def written_lines(entries: list[str]) -> str:
+    return f"[[{', '.join(entries)}]]"
+
+
+@pytest.mark.parametrize(
+    ("rank", "left", "right"),
+    [
+        (2, "[[ab]]", "[ab]"),
+        (3, "[[ab, cd, ef]]", r"ab /\ cd /\ ef"),
+        (3, r"[[a(bc /\ de), cd, ef]]", r"a(bc /\ de) /\ cd /\ ef"),
+        (3, "[[ab, ac, de]]", "[abc][ade]"),
+        (5, "[[ab, ac, ad, ae, bc, de, fg, bf, cg, hi]]", "[abcde] * [[bc, de, fg, bf, cg, hi]]"),
+    ],
+    ids=["rank 2", "three lines meet", "a line through a meet", "two lines of a point", "four lines of a point"],
+)
+def test_identities_of_other_ranks(rank: int, left: str, right: str) -> None:
+    if rank == 5:  # the superbracket of the quotient by a: its brackets hold a
+        quotient = gc.expand("[[bc, de, fg, bf, cg, hi]]")
+        right = " + ".join(
+            f"({c}) [abcde]" + "".join("[a" + "".join(row) + "]" for row in rows) for c, rows in quotient.named()
+        )
+    assert gc.prove(left, right, rank=rank).verdict == "proved"
+    assert gc.prove(left, f"-({right})", rank=rank).verdict == "refuted"
+
+
+def test_factors_of_three_lines() -> None:
+    found = gc.factor(gc.expand("[[ab, cd, ef]]", rank=3))
+    assert str(found.to_expr()) == r"ab /\ cd /\ ef"
+
+
+FAULTS = [
+    (3, "[[ab, cd]]", "a superbracket of 2 lines, expected 3 in rank 3", "rank n takes n(n - 1)/2 lines"),
+    (3, "[[ab, cd, ef, gh, ij, kl]]", "a superbracket of 6 lines, expected 3 in rank 3", "--rank 4 in the shell"),
+    (4, "[[ab, cd, ef]]", "a superbracket of 3 lines, expected 6 in rank 4", "--rank 3 in the shell"),
+    (4, "[[ab]]", "a superbracket of 1 line, expected 6 in rank 4", "1 line makes a superbracket in rank 2"),
+    (5, "[[ab, cd, ef, gh, ij, kl]]", "expected 10 in rank 5", "6 lines make a superbracket in rank 4"),
+    (3, "[[ab, c, ef]]", "entry 2 of the superbracket is a point (step 1)", None),
+    (3, "[[ab, cde, ef]]", "entry 2 of the superbracket is the whole space (step 3)", None),
+]
+
+
+@pytest.mark.parametrize(("rank", "source", "message", "hint"), FAULTS)
+def test_faults_of_other_ranks(rank: int, source: str, message: str, hint: str | None) -> None:
+    with pytest.raises(StepError) as caught:
+        gc.parse(f"[{'abcde'[:rank]}] *\n {source}", rank=rank)
+    assert caught.value.place == "<input>:2:2"
+    assert message in caught.value.message
+    assert (caught.value.hint is None) if hint is None else (hint in (caught.value.hint or ""))
+
+
+@pytest.mark.parametrize(("rank", "lines"), [(5, apart(5)), (6, apart(6)), (8, apart(8))])
+def test_too_large(rank: int, lines: Graph) -> None:
+    with pytest.raises(LimitReached, match=r"the expansion takes more than 20,000 products of terms") as caught:
+        gc.expand(written(lines), rank=rank, limit=1000)
+    assert caught.value.exit_code == 3
+    assert "--limit" in (caught.value.hint or "")
+
+
+@pytest.mark.parametrize("rank", [2, 3, 5, 6])
+def test_shown_in_every_rank(rank: int) -> None:
+    e = gc.parse(f"3 {written(complete(rank))}**2 - 1", rank=rank)
+    assert gc.parse(str(e), rank=rank) == e
+    assert latex(e).count(r",\,") == comb(rank, 2) - 1
+    assert substitute(e, {"a": gc.parse("q")}, rank=rank) == gc.parse(str(e).replace("a", "q"), rank=rank)
+    poly = gc.expand(e)
+    assert (poly.rank, poly.to_json()["terms"]) == (rank, 2)
+    assert len(poly.to_sympy().args) == 2

@@ -284,8 +284,8 @@ def test_fault(source: str, place: str, kind: type[GcrulesError], message: str, 
     assert len(fault.render()) < 1000
 
 
-def test_superbracket_only_in_rank_4() -> None:
-    with pytest.raises(StepError, match="defined in rank 4, found rank 3"):
+def test_superbracket_of_another_rank() -> None:
+    with pytest.raises(StepError, match="a superbracket of 6 lines, expected 3 in rank 3"):
         parse("[[ab, cd, ef, gh, ij, kl]]", rank=3)
 
 

@@ -18,7 +18,7 @@ import random
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, reduce
-from itertools import combinations
+from itertools import chain, combinations
 from typing import Any
 
 from gcrules.algebra.expr import (
@@ -129,8 +129,7 @@ class Evaluator:
             case Meet(args=args):
                 return self._met(args)
             case Superbracket(lines=lines):
-                rows = [self.value(line) for line in lines]
-                return reduce(lambda a, i: self._wedge(a, i, rows[i], 1, 6), range(1, 6), rows[0])
+                return [self._determinant([self.value(line) for line in lines])]
             case Sum(terms=terms):
                 return [self.reduced(sum(cs[1:], cs[0])) for cs in zip(*map(self.value, terms), strict=True)]
             case Product(factors=factors):
@@ -165,6 +164,30 @@ class Evaluator:
     def _wedge(self, a: _Values, k: int, b: _Values, h: int, rank: int) -> _Values:
         return self._combine(a, b, join_table(rank, k, h))
 
+    def _determinant(self, rows: list[_Values]) -> Any:
+        """By Laplace expansion; larger matrices by elimination if they are of floats, else without any division."""
+        n = len(rows)
+        if n <= 6:
+            return reduce(lambda a, i: self._wedge(a, i, rows[i], 1, n), range(1, n), rows[0])[0]
+        if any(map(_is_float, chain.from_iterable(rows))):
+            return _float_determinant(rows)
+        # Sums over closed walks that return to their smallest row only at the end: f holds those of growing length.
+        f = rows
+        for _ in range(n - 1):
+            ended = [0] * n
+            for i in range(n - 2, -1, -1):
+                ended[i] = self.reduced(ended[i + 1] - f[i + 1][i + 1])
+            f = [
+                [
+                    self.reduced(
+                        sum(self.reduced(f[i][k] * rows[k][j]) for k in range(i + 1, n)) + ended[i] * rows[i][j]
+                    )
+                    for j in range(n)
+                ]
+                for i in range(n)
+            ]
+        return f[0][0] if n % 2 else self.reduced(-f[0][0])
+
     def _met(self, args: Sequence[Expr]) -> _Values:
         values, step = self.value(args[0]), args[0].step
         for a in args[1:]:
@@ -174,6 +197,18 @@ class Evaluator:
 
     def _combine(self, a: _Values, b: _Values, table: tuple[tuple[tuple[int, int, int], ...], ...]) -> _Values:
         return [self.reduced(sum(s * self.reduced(a[i] * b[j]) for i, j, s in row)) for row in table]
+
+
+def _is_float(value: Any) -> bool:
+    return isinstance(value, float) or getattr(getattr(value, "dtype", None), "kind", "") == "f"
+
+
+def _float_determinant(rows: list[_Values]) -> Any:
+    import numpy as np
+
+    entries = np.stack(np.broadcast_arrays(*chain.from_iterable(rows)), axis=-1).astype(float)
+    found = np.linalg.det(entries.reshape(*entries.shape[:-1], len(rows), len(rows)))
+    return found if np.ndim(found) else float(found)
 
 
 Table = tuple[tuple[tuple[int, int, int], ...], ...]

@@ -9,10 +9,13 @@ r"""Expansion: any expression of joins, meets, brackets and superbrackets as a p
 
 from __future__ import annotations
 
+from bisect import bisect
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from functools import cache, reduce
-from itertools import combinations, product
+from itertools import chain, combinations, product
 from math import comb
+from typing import TypeVar
 
 from gcrules.algebra.bracket import (
     BracketPolynomial,
@@ -24,6 +27,7 @@ from gcrules.algebra.bracket import (
     sorted_row,
     tableau_order,
 )
+from gcrules.algebra.determinant import Pair, determinant_terms
 from gcrules.algebra.expr import (
     Bracket,
     Dotted,
@@ -39,15 +43,18 @@ from gcrules.algebra.expr import (
     common_rank,
     permutation_sign,
     points_of,
+    superbracket,
 )
 from gcrules.algebra.superbracket import form_terms
 from gcrules.errors import LimitReached
 
-__all__ = ["MAX_TERMS", "Expander", "Multivector", "expand", "shuffles"]
+__all__ = ["MAX_TERMS", "Expander", "Multivector", "expand", "expand_superbracket", "shuffles"]
 
 MAX_TERMS = 200_000
 _SUPERBRACKET_WORK = 120  # what the 24 terms of a superbracket take, in products of terms
+_SET_WORK = 20  # the same for a choice of joins of points, one from each line
 
+_Key = TypeVar("_Key")
 Multivector = dict[Row, Terms]  # extensor (increasing points; () for a scalar) -> its coefficient
 
 
@@ -74,6 +81,24 @@ def expand(
         return BracketPolynomial(rank, order, parts.get((), {}), ideal_count)
     polynomials = {row: BracketPolynomial(rank, order, terms, ideal_count) for row, terms in parts.items()}
     return ExtensorPolynomial(rank, order, e.step, polynomials, ideal_count)
+
+
+def expand_superbracket(
+    lines: Iterable[Expr],
+    *,
+    rank: int = 4,
+    points: Iterable[str] = (),
+    ideal: Iterable[str] = (),
+    limit: int = MAX_TERMS,
+) -> BracketPolynomial:
+    """The superbracket of n(n − 1)/2 lines (any extensors of step 2) in rank n; the rest as for `expand`.
+
+    In rank 2 this is the bracket, in rank 3 the meet of the three lines, in rank 4 the 24-term form, above what
+    `determinant` finds. Raises StepError for another number of lines, or entries that are none.
+    """
+    found = expand(superbracket(*lines, rank=rank), points=points, ideal=ideal, rank=rank, limit=limit)
+    assert isinstance(found, BracketPolynomial)
+    return found
 
 
 class Expander:
@@ -150,6 +175,16 @@ class Expander:
         return out
 
     def _superbracket(self, lines: list[Multivector]) -> Multivector:
+        match self.rank:
+            case 2:
+                return self._closed(lines[0])
+            case 3:
+                return reduce(self._meet, lines)  # [[L, M, N]] = L ∧ M ∧ N: both are det(L*, M*, N*), * the duals
+            case 4:
+                return self._by_24_terms(lines)
+        return self._by_determinant(lines)
+
+    def _by_24_terms(self, lines: list[Multivector]) -> Multivector:
         out: Multivector = {}
         for choice in product(*(line.items() for line in lines)):
             self._worked(_SUPERBRACKET_WORK)
@@ -163,6 +198,30 @@ class Expander:
                     monomial: Terms = {tuple(sorted(r for _, r in rows)): sign}
                     if not any(self._at_infinity(r) for _, r in rows):
                         self._add(out, (), self._times(coefficient, monomial), 1)
+        return out
+
+    def _by_determinant(self, lines: list[Multivector]) -> Multivector:
+        """Each set of different joins of two points that the lines consist of, with its coefficient, is taken once."""
+        chosen: dict[tuple[Pair, ...], Terms] = {(): {(): 1}}
+        for line in lines:
+            longer: dict[tuple[Pair, ...], Terms] = {}
+            self._worked(_SET_WORK * len(chosen) * len(line))
+            for pairs, p in chosen.items():
+                for (a, b), q in line.items():
+                    at = bisect(pairs, (a, b))
+                    if at and pairs[at - 1] == (a, b):
+                        continue
+                    more = (*pairs[:at], (a, b), *pairs[at:])
+                    if max(Counter(chain.from_iterable(more)).values()) < self.rank:  # else 0
+                        self._add(longer, more, self._times(p, q), (-1) ** (len(pairs) - at))
+            chosen = longer
+        out: Multivector = {}
+        for pairs, p in chosen.items():
+            if p:
+                self._worked(_SUPERBRACKET_WORK)
+                terms = determinant_terms(pairs, self.rank, self._worked)
+                live = {m: c for m, c in terms.items() if not any(map(self._at_infinity, m))}
+                self._add(out, (), self._times(p, live), 1)
         return out
 
     def _at_infinity(self, row: Row) -> bool:
@@ -183,7 +242,7 @@ class Expander:
                 out[key] = value
         return out
 
-    def _add(self, total: Multivector, row: Row, terms: Terms, sign: int) -> None:
+    def _add(self, total: dict[_Key, Terms], row: _Key, terms: Terms, sign: int) -> None:
         into = total.setdefault(row, {})
         for m, c in terms.items():
             value = into.get(m, 0) + sign * c
@@ -193,18 +252,15 @@ class Expander:
                 into.pop(m, None)
         self._worked(len(terms))
         if len(into) > self.limit:
-            self._too_large()
+            self._stop(f"the expansion has more than {self.limit:,} terms")
 
     def _worked(self, products: int) -> None:
         self.work += products
         if self.work > 20 * self.limit:
-            self._too_large()
+            self._stop(f"the expansion takes more than {20 * self.limit:,} products of terms")
 
-    def _too_large(self) -> None:
-        raise LimitReached(
-            f"the expansion has more than {self.limit:,} terms",
-            hint="raise the limit with --limit (in Python limit=...)",
-        )
+    def _stop(self, what: str) -> None:
+        raise LimitReached(what, hint="raise the limit with --limit (in Python limit=...)")
 
 
 @cache

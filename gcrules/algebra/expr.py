@@ -19,7 +19,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain, combinations
-from math import factorial, prod
+from math import comb, factorial, isqrt, prod
 
 from gcrules.errors import InputError, LimitReached, StepError
 
@@ -223,12 +223,18 @@ def _deals(cards: tuple[int, ...], sizes: Sequence[int]) -> Iterator[tuple[int, 
 
 @dataclass(frozen=True, slots=True)
 class Superbracket(Expr):
-    """The determinant of the 6×6 matrix whose rows are the Plücker coordinates of six lines (rank 4)."""
+    """The determinant of the matrix whose rows are the Plücker coordinates of n(n − 1)/2 lines in rank n: in rank 4
+    the 6×6 determinant of six lines. Build with `superbracket`.
+    """
 
     lines: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
         _measure(self, 0)
+
+    @property
+    def rank(self) -> int:
+        return (1 + isqrt(1 + 8 * len(self.lines))) // 2
 
     @property
     def children(self) -> tuple[Expr, ...]:
@@ -382,17 +388,31 @@ def dotted(*brackets: Sequence[tuple[str, bool]], rank: int = 4) -> Expr:
 
 
 def superbracket(*lines: Expr, rank: int = 4) -> Expr:
-    """The superbracket [[ab, cd, ef, gh, ij, kl]] of six lines in rank 4."""
-    if rank != 4:
-        raise StepError(f"the superbracket is defined in rank 4, found rank {rank}")
-    if len(lines) != 6:
-        raise StepError(f"a superbracket of {len(lines)} lines, expected 6")
+    """The superbracket of n(n − 1)/2 lines in rank n: [[ab]], [[ab, cd, ef]], [[ab, cd, ef, gh, ij, kl]], …
+
+    Raises StepError for any other number of lines, and for an entry that is no line.
+    """
+    found, expected = len(lines), comb(rank, 2)
+    if found != expected:
+        raise StepError(
+            f"a superbracket of {found} line{'' if found == 1 else 's'}, expected {expected} in rank {rank}",
+            hint=_rank_of_lines(found),
+        )
     if any(a == ZERO for a in lines):
         return ZERO
     for i, a in enumerate(lines, 1):
         if a.step != 2:
-            raise StepError(f"entry {i} of the superbracket is {step_name(a.step)}, expected a line (step 2)")
+            raise StepError(f"entry {i} of the superbracket is {step_name(a.step, rank)}, expected a line (step 2)")
     return Superbracket(tuple(lines))
+
+
+def _rank_of_lines(number: int) -> str:
+    """What to do with so many lines in a superbracket."""
+    for rank in range(2, 9):
+        if comb(rank, 2) == number:
+            count = "1 line makes" if number == 1 else f"{number} lines make"
+            return f"{count} a superbracket in rank {rank}: `rank {rank}` in a file, --rank {rank} in the shell"
+    return "rank n takes n(n - 1)/2 lines: 3 in rank 3, 6 in rank 4, 10 in rank 5"
 
 
 def add(*terms: Expr, rank: int = 4) -> Expr:
@@ -500,7 +520,7 @@ def _own_rank(e: Expr) -> int | None:
         case Bracket(args=args):
             return sum(a.step for a in args)
         case Superbracket():
-            return 4
+            return e.rank
         case Dotted(brackets=brackets):
             return len(brackets[0])
     return None
@@ -533,7 +553,7 @@ def substitute(e: Expr, names: dict[str, Expr], rank: int = 4) -> Expr:
             case Bracket(args=args):
                 return bracket(*map(walk, args), rank=rank)
             case Superbracket(lines=lines):
-                return superbracket(*map(walk, lines))
+                return superbracket(*map(walk, lines), rank=x.rank)
             case Sum(terms=terms):
                 return add(*map(walk, terms), rank=rank)
             case Product(factors=factors):

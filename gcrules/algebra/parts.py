@@ -22,7 +22,7 @@ def rebuilt(e: Expr, children: tuple[Expr, ...], rank: int) -> Expr:
         case Bracket():
             return ex.bracket(*children, rank=rank)
         case Superbracket():
-            return ex.superbracket(*children)
+            return ex.superbracket(*children, rank=e.rank)
         case Sum():
             return ex.add(*children, rank=rank)
         case Product():

@@ -64,11 +64,11 @@ MAX_TERMS = 2_000
 
 
 def superbracket_terms(e: Expr, space: Space, form: int = 24) -> Expr | None:
-    """The first superbracket of joins of two points as the sum of all 24 (or 16) terms, zero or not."""
+    """The first superbracket of six joins of two points as the sum of all 24 (or 16) terms, zero or not."""
 
     def at(part: Expr) -> Expr | None:
         ends = _ends(part)
-        if ends is None:
+        if ends is None or len(ends) != 6:
             return None
         points = [Point(n) for line in ends for n in line]
         return ex.add(
@@ -91,9 +91,11 @@ def lines_in_order(e: Expr, space: Space) -> Expr | None:
             return None
         lines = [tuple(sorted(line, key=place.__getitem__)) for line in ends]
         turned = sum(a != b for a, b in zip(lines, ends, strict=True))
-        order = sorted(range(6), key=lambda i: [place[n] for n in lines[i]])
+        order = sorted(range(len(lines)), key=lambda i: [place[n] for n in lines[i]])
         sorted_lines = (ex.join(*map(Point, lines[i])) for i in order)
-        return ex.mul(Number((-1) ** turned * ex.permutation_sign(order)), ex.superbracket(*sorted_lines))
+        return ex.mul(
+            Number((-1) ** turned * ex.permutation_sign(order)), ex.superbracket(*sorted_lines, rank=space.rank)
+        )
 
     return _changed(e, everywhere(e, at, space.rank))
 
