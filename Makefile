@@ -66,6 +66,10 @@ docs: $(READY) ## write the generated pages of docs/, check every link, build th
 bench: $(BENCH_READY) ## run the benchmarks beside naive forms and peers, in an environment of their own
 	$(BENCH_VENV)/bin/python -m pytest benchmarks
 
+.PHONY: bench-curve
+bench-curve: $(BENCH_READY) ## measure normal forms beside Macaulay2 again, and redraw docs/speed.md (20 minutes)
+	$(BENCH_VENV)/bin/python benchmarks/scale.py --measure
+
 .PHONY: clean
 clean: ## remove the environments and everything generated
 	rm -rf $(VENV) $(BENCH_VENV) build dist .coverage .coverage.* .benchmarks .hypothesis .mypy_cache .pytest_cache .ruff_cache

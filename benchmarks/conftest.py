@@ -5,43 +5,20 @@ from __future__ import annotations
 import importlib
 import math
 import os
+import sys
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import pytest
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from measurement import Measurement, show
+
 STRICT = os.environ.get("GCRULES_BENCH_STRICT") == "1"
 SHORTEST_SAMPLE = 0.002  # seconds; shorter calls are timed in a loop
-
-
-@dataclass
-class Measurement:
-    """Best times in seconds of one benchmark; ``None`` for a peer that is not there."""
-
-    name: str
-    seconds: float
-    others: Mapping[str, float | None]
-    within: float | None = None
-    at_least: Mapping[str, float] = field(default_factory=dict)
-
-    def ratio(self, other: str) -> float | None:
-        """How many times longer the other form takes."""
-        seconds = self.others[other]
-        return None if seconds is None else seconds / self.seconds
-
-    def missed(self) -> list[str]:
-        """The goals that were not reached, in words."""
-        found = []
-        if self.within is not None and self.seconds > self.within:
-            found.append(f"{show(self.seconds)} is over the goal of {show(self.within)}")
-        for other, goal in self.at_least.items():
-            reached = self.ratio(other)
-            if reached is not None and reached < goal:
-                found.append(f"{reached:.3g} times faster than {other}, the goal is {goal:g}")
-        return found
 
 
 MEASUREMENTS = pytest.StashKey[list[Measurement]]()
@@ -140,14 +117,27 @@ def ratio(request: pytest.FixtureRequest, benchmark: Any) -> Callable[..., Measu
     return measure
 
 
-def show(seconds: float | None) -> str:
-    """A time in a unit that suits it."""
-    if seconds is None:
-        return "not installed"
-    for unit, size in (("s", 1), ("ms", 1e-3), ("us", 1e-6)):
-        if seconds >= size:
-            return f"{seconds / size:.3g} {unit}"
-    return f"{seconds / 1e-9:.3g} ns"
+@pytest.fixture
+def timed(request: pytest.FixtureRequest) -> Callable[..., Measurement]:
+    """``timed(seconds, {"Macaulay2": 0.7, "sympy": Over(60)}, ...)``: forms that timed themselves, or were stopped.
+
+    For programs in processes of their own, whose start must not count. Goals as for ``ratio``.
+    """
+
+    def record(
+        seconds: float,
+        others: Mapping[str, float | None],
+        *,
+        within: float | None = None,
+        at_least: Mapping[str, float] | None = None,
+    ) -> Measurement:
+        result = Measurement(request.node.name, seconds, others, within, at_least or {})
+        request.config.stash[MEASUREMENTS].append(result)
+        if STRICT:
+            assert result.missed() == []
+        return result
+
+    return record
 
 
 @pytest.hookimpl(trylast=True)

@@ -11,8 +11,7 @@ from typing import Any
 import pytest
 import yaml
 
-from gcrules.algebra import diagonal
-from gcrules.algebra import straighten as module
+from gcrules.algebra import diagonal, two_rows
 from gcrules.algebra.bracket import BracketPolynomial, Monomial
 from gcrules.algebra.expand import expand
 from gcrules.algebra.shortest import _table, shortest_forms, superbracket_form
@@ -47,9 +46,9 @@ def cold(function: Callable[[], Any]) -> Callable[[], Any]:
     """The function with nothing kept of earlier calls."""
 
     def run() -> Any:
-        module._two_rows.cache_clear()
-        module._two_row_pattern.cache_clear()
-        diagonal._coefficients.cache_clear()
+        two_rows.two_rows.cache_clear()
+        two_rows.two_row_pattern.cache_clear()
+        diagonal._basis.cache_clear()
         return function()
 
     return run

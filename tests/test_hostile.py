@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -198,6 +199,157 @@ def test_script(read: Read, source: str, words: str) -> None:
 
 def test_the_reader_notices_a_crash(read: Read) -> None:
     assert read("1/0", "expression") == "no answer"
+
+
+# --- whole computations: an answer or a refusal, with little time and memory -----------------------------------------
+
+# One process loads everything once; for each case it forks a child that has 2 GB and 40 s of the processor.
+COMPUTER = """
+import json, os, resource, sys, traceback
+import numpy
+import gcrules as gc
+from gcrules.errors import GcrulesError
+import gcrules.analysis, gcrules.factoring.factorize
+
+BIG = "7" * 1000
+forty = "".join(f"[p{i} p{19 - i} p{20 + i} p{39 - i}]" for i in range(10))
+pair, rest = "[p0 p19 p20 p39][p1 p18 p21 p38]", forty[32:]
+def row(i, *steps):
+    return "[" + " ".join(f"p{(i + s) % 40}" for s in steps) + "]"
+
+sum_of_forty = " + ".join(row(i, 0, 1, 7, 11) + row(i, 2, 3, 8, 13) for i in range(40))
+line = "".join(f"[q{i} q{39 - i}]" for i in range(20))
+sixteen = "[p0 p9 p11 p16][p1 p5 p10 p12][p2 p6 p8 p13][p3 p4 p7 p14]"
+
+def straightened(text):
+    return str(gc.straighten(text))
+
+def told(found):
+    if hasattr(found, "verdict"):
+        return found.verdict
+    if hasattr(found, "condition"):
+        return found.condition.kind
+    if hasattr(found, "found"):
+        return "found" if found.found else "none"
+    return f"{len(found)} terms"
+
+def outcome(source):
+    try:
+        found = eval(source)
+        return [0, told(found), len(str(found))]
+    except GcrulesError as fault:
+        return [fault.exit_code, fault.message, len(fault.render())]
+
+resource.setrlimit(resource.RLIMIT_AS, (2**31, 2**31))
+for given in sys.stdin:
+    child = os.fork()
+    if not child:
+        resource.setrlimit(resource.RLIMIT_CPU, (40, 40))
+        try:
+            print(json.dumps(outcome(json.loads(given))), flush=True)
+            os._exit(0)
+        except BaseException:
+            traceback.print_exc()
+            os._exit(1)
+    if os.waitpid(child, 0)[1]:
+        print(json.dumps("no answer"), flush=True)
+"""
+
+ZERO = "the polynomial is zero"
+UNEQUAL = "not homogeneous in the points"
+HELD = "straightening holds more than 20,000 terms at a time"
+SYZYGY = "[abcd][abef] - [abce][abdf] + [abcf][abde]"
+DIGITS = "f'{BIG}[afgl][behk][cdij] - {BIG}1[abcd][efgh][ijkl]'"
+
+# What is computed, the exit code that belongs to the outcome, and words of the answer or of the fault.
+COMPUTATIONS = {
+    "expand zero": ("gc.expand('0')", 0, "0 terms"),
+    "straighten zero": (f"gc.straighten('{SYZYGY}')", 0, "0 terms"),
+    "factor zero": (f"gc.factor('{SYZYGY}')", 2, ZERO),
+    "cofactor of zero": ("gc.factor('[abca][efgh]', cofactor=True)", 2, ZERO),
+    "prove zero": (f"gc.prove('{SYZYGY} == 0')", 0, "proved"),
+    "prove zero to be zero": ("gc.prove('0 == 0')", 0, "proved"),
+    "analyze six times one leg": ("gc.analyze('ab ab ab ab ab ab')", 0, "always-singular"),
+    "expand unlike terms": ("gc.expand('[abcd][efgh] + [abce] + 7')", 0, "3 terms"),
+    "straighten unlike terms": ("gc.straighten('[abcd][efgh] + [adef][bcgh] + [abce] + 7')", 0, "terms"),
+    "factor unlike terms": ("gc.factor('[abcd] + [abce]')", 2, UNEQUAL),
+    "factor unlike degrees": ("gc.factor('[abcd] + 1')", 2, UNEQUAL),
+    "cofactor for unlike terms": ("gc.factor('[abcd] + [abce]', cofactor=True)", 2, UNEQUAL),
+    "prove unlike terms": ("gc.prove('[abcd] + 1 == [abce]')", 0, "refuted"),
+    "a number": ("gc.factor('7')", 0, "found"),
+    "factor a line": ("gc.factor('ab')", 2, "only scalars are factored"),
+    "expand 1,000 digits": (f"gc.expand({DIGITS})", 0, "2 terms"),
+    "straighten 1,000 digits": (f"gc.straighten({DIGITS})", 0, "15 terms"),
+    "factor 1,000 digits": ("gc.factor(f'{BIG} [abcd] (efg /\\ abh /\\ cd)')", 0, "found"),
+    "factor 1,000 digits, none": (f"gc.factor({DIGITS})", 0, "none"),
+    "prove with 1,000 digits": (f"gc.prove({DIGITS} + ' == 0')", 0, "refuted"),
+    "analyze, 1,000 digits given": (
+        "gc.analyze('ab cd ef gh ij kl', given=f'[abcd] == {BIG}[abce]')",
+        0,
+        "linear-complex",
+    ),
+    "more digits than are read": ("gc.expand('7' * 2_001 + '[abcd]')", 2, "the limit is 2,000"),
+    "expand 40 points": ("gc.expand(forty)", 0, "1 terms"),
+    "straighten 40 points": ("gc.straighten(forty, limit=20_000)", 3, HELD),
+    "straighten 40 points on a line": ("gc.straighten(line, rank=2, limit=20_000)", 3, HELD),
+    "straighten a sum over 40 points": ("gc.straighten(sum_of_forty)", 0, "terms"),
+    "straighten its square": ("gc.straighten(f'({sum_of_forty})**2', limit=20_000)", 3, HELD),
+    "expand a power of it": ("gc.expand(f'({sum_of_forty})**64', limit=20_000)", 3, "expansion"),
+    "factor 40 points": ("gc.factor(forty)", 0, "found"),
+    "prove of 40 points": ("gc.prove(f'{forty} == 2{forty}')", 0, "refuted"),
+    "a syzygy among 40 points": ("gc.prove(f'{pair}{rest} == ({straightened(pair)}){rest}')", 0, "proved"),
+    "analyze with 40 points declared": (
+        "gc.analyze('ab cd ef gh ij kl', points=[f'p{i}' for i in range(28)] + list('abcdefghijkl'))",
+        0,
+        "linear-complex",
+    ),
+    "analyze 20 legs": ("gc.analyze(' '.join(f'p{2 * i}p{2 * i + 1}' for i in range(20)))", 2, "20 legs, expected six"),
+    "straighten 16 points": ("gc.straighten(sixteen)", 0, "terms"),
+    "rank 8": ("gc.straighten('[aybgcfde][ipjoknlm][qxrwsvtu]', rank=8)", 0, "terms"),
+    "rank 8, worse": (
+        "gc.straighten('[ahiknoqx][bglmprvw][cdefjstu]', rank=8, limit=5_000)",
+        3,
+        "more than 125,000 replacements",
+    ),
+}
+
+Compute = Callable[[str], object]
+
+
+@pytest.fixture(scope="module")
+def compute() -> Iterator[Compute]:
+    """`compute(source)`: [exit code, answer or message, length of what is shown], or "no answer"."""
+    with subprocess.Popen(
+        [sys.executable, "-c", COMPUTER],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+    ) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        to, answers = process.stdin, process.stdout
+
+        def ask(source: str) -> object:
+            to.write(json.dumps(source) + "\n")
+            to.flush()
+            return json.loads(answers.readline())
+
+        yield ask
+        to.close()
+
+
+@pytest.mark.parametrize(("source", "code", "words"), COMPUTATIONS.values(), ids=COMPUTATIONS.keys())
+def test_computation(compute: Compute, source: str, code: int, words: str) -> None:
+    found = compute(source)
+    assert isinstance(found, list), found
+    exit_code, answer, shown = found
+    assert (exit_code, words in answer) == (code, True), answer
+    assert exit_code == 0 or shown < 2_000
+
+
+def test_the_computer_notices_too_much_memory(compute: Compute) -> None:
+    assert compute("bytearray(2**32)") == "no answer"
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.text import text
+from gcrules.algebra.text import SHORT_NAME, text
 from gcrules.errors import InputError, StepError
 from gcrules.frozen import FrozenMap
 
@@ -140,6 +140,18 @@ class BracketPolynomial(_Shown):
 
     def _step(self) -> int:
         return self.step
+
+    def text(self, *, unicode: bool = False) -> str:
+        """As for any expression, without making one of each of the terms, which may be many."""
+        between = "" if all(map(SHORT_NAME.fullmatch, self.points)) else " "
+        minus = "−" if unicode else "-"
+        rows = {row: f"[{between.join(self.points[i] for i in row)}]" for m in self.terms for row in m}
+        words: list[str] = []
+        for m, c in sorted(self.terms.items(), key=lambda term: not term[0]):  # a number comes last
+            words.append(f" {minus if c < 0 else '+'} " if words else minus * (c < 0))
+            words.append("" if abs(c) == 1 and m else str(abs(c)))
+            words += map(rows.__getitem__, m)
+        return "".join(words) or "0"
 
     def with_terms(self, terms: Mapping[Monomial, Coefficient]) -> BracketPolynomial:
         """The polynomial over the same points with other terms."""

@@ -5,15 +5,20 @@ monomial x[p1, 1] x[p2, 2] … in the lexicographic order x[1, 1] > x[1, 2] > �
 the product of x[T[r][c], c] over all its places, and different standard tableaux have different leading monomials.
 The coefficients of a bracket polynomial at these *diagonal* monomials therefore determine its normal form through a
 unitriangular system of integers. It is exact, needs no prime, and shares no code with the rewriting in `straighten`.
+Nothing is multiplied out for it: a diagonal monomial says in which row of the coordinates each point is taken, so its
+coefficient in a product of brackets is a product of signs; where a point occurs several times, a sum of such products.
 Derived here; the idea is that of straightening by Capelli operators.
 """
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import lru_cache
-from itertools import permutations
+from itertools import pairwise, permutations, product
+from math import factorial, prod
 from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms
@@ -25,10 +30,16 @@ if TYPE_CHECKING:
 
 __all__ = ["normal_form", "standard_tableaux"]
 
-MAX_ARRANGEMENTS = 10_000_000
-MAX_TABLEAUX = 5_000
+MAX_TABLEAUX = 50_000
+MAX_WORDS = 1_000_000
+_MAX_ARRANGEMENTS = 5_000
+_KEPT = 2**26  # bytes of signs that are kept while a system is solved
+_SAFE = 2**62  # whole numbers below do not overflow
+
+_AHEAD = 256  # values that are looked at together for the next one that is not 0
 
 _Content = tuple[int, ...]  # the points of a monomial with their multiplicities, increasing
+_Word = tuple[int, ...]
 
 
 def standard_tableaux(content: tuple[int, ...], rank: int) -> Iterator[Monomial]:
@@ -73,8 +84,8 @@ def _strips(heights: tuple[int, ...], count: int, rows: int) -> Iterator[tuple[i
 def normal_form(poly: BracketPolynomial) -> BracketPolynomial:
     """The normal form of a bracket polynomial; agrees with `straighten`.
 
-    Monomials of unlike content are treated separately. Raises LimitReached where a monomial has more than 10⁷
-    arrangements or a content more than 5,000 standard tableaux.
+    Monomials of unlike content are treated separately. Raises LimitReached where a content has more than 50,000
+    standard tableaux, or its diagonal monomials are met in more than 10⁶ ways (a point in more than 5,000).
     """
     groups: dict[_Content, Terms] = {}
     for m, c in poly.terms.items():
@@ -90,68 +101,147 @@ def normal_form(poly: BracketPolynomial) -> BracketPolynomial:
 def _solve(content: _Content, rank: int, terms: Terms) -> Terms:
     if not content:
         return dict(terms)
-    keys, tableaux = _basis(content, rank)
-    value: Any = sum(_coefficients(m, content, rank).astype(object) * c for m, c in terms.items())
+    import numpy as np
+
+    basis = _basis(content, rank)
+    size = len(basis.tableaux)
+    signs = _Signs(basis)
+    given: list[Any] = list(terms.values())
+    whole = all(isinstance(c, int) for c in given)
+    bound = sum(map(abs, given)) * basis.ways  # no value exceeds it
+    value: Any = np.zeros(size, dtype=np.int64 if whole and bound < _SAFE else object)
+    for m, c in terms.items():
+        value += signs.coefficients(m, 0).astype(value.dtype) * c
     found: Terms = {}
-    for i in range(len(keys)):
-        if value[i]:
-            found[tableaux[i]] = value[i]
-            value = value - _coefficients(tableaux[i], content, rank).astype(object) * value[i]
+    at = 0
+    while at < size:
+        ahead = np.flatnonzero(value[at : at + _AHEAD])
+        if not len(ahead):
+            at += _AHEAD
+            continue
+        at += int(ahead[0])
+        c = value[at] if value.dtype == object else int(value[at])
+        found[basis.tableaux[at]] = c
+        bound += abs(c) * basis.ways
+        if bound >= _SAFE and value.dtype != object:
+            value = value.astype(object)
+        value[at:] -= signs.coefficients(basis.tableaux[at], at).astype(value.dtype) * c
+        at += 1
     return found
 
 
-@lru_cache(maxsize=8)  # at most 3 MB each
-def _basis(content: _Content, rank: int) -> tuple[np.ndarray[Any, Any], tuple[Monomial, ...]]:
-    """The standard tableaux of a content with the codes of their diagonal monomials, largest first."""
-    import numpy as np
+@dataclass(frozen=True)
+class _Basis:
+    """The standard tableaux of a content, those with the largest diagonal monomials first, and the ways to meet them.
 
-    weights = _weights(content, rank)
-    pairs = []
-    for tableau in standard_tableaux(content, rank):
-        pairs.append((sum(weights[p][c] for row in tableau for c, p in enumerate(row)), tableau))
-        if len(pairs) > MAX_TABLEAUX:
-            raise LimitReached(f"more than {MAX_TABLEAUX:,} standard tableaux")
-    pairs.sort(reverse=True)
-    return np.array([k for k, _ in pairs], dtype=np.int64), tuple(t for _, t in pairs)
-
-
-@lru_cache(maxsize=64)
-def _weights(content: _Content, rank: int) -> dict[int, tuple[int, ...]]:
-    """Weights that turn a monomial in x[p, c] into a code; codes compare as monomials do in the lexicographic order.
-
-    The power at the last column follows from the others, since each point's total degree is known.
+    A way ("word") says for each place of the content in which row of the coordinates its point is taken; a tableau
+    has several if a point occurs several times. `words` holds them as columns, `starts` where each tableau's begin.
     """
-    weights: dict[int, tuple[int, ...]] = {}
-    unit = 1
-    for p, count in sorted(Counter(content).items(), reverse=True):
-        powers = [0]
-        for _ in range(rank - 1):
-            powers.append(unit)
-            unit *= count + 1
-        weights[p] = tuple(reversed(powers))
-    if unit.bit_length() > 62:
-        raise LimitReached("a monomial of more than about 20 points")
-    return weights
+
+    content: _Content
+    rank: int
+    tableaux: tuple[Monomial, ...]
+    words: np.ndarray[Any, Any]
+    starts: np.ndarray[Any, Any]
+    ways: int  # the most that one tableau has
 
 
-@lru_cache(maxsize=1024)  # at most 20 kB each
-def _coefficients(monomial: Monomial, content: _Content, rank: int) -> np.ndarray[Any, Any]:
-    """Coefficients of a bracket monomial at the diagonal monomials of the basis."""
+@lru_cache(maxsize=4)  # at most 50 MB each
+def _basis(content: _Content, rank: int) -> _Basis:
     import numpy as np
 
-    orders = list(permutations(range(rank)))
-    if len(orders) ** len(monomial) > MAX_ARRANGEMENTS:
-        raise LimitReached(f"a monomial of more than {MAX_ARRANGEMENTS:,} arrangements")
-    row_signs = np.array([permutation_sign(o) for o in orders], dtype=np.int64)
-    weights = _weights(content, rank)
-    codes, signs = np.zeros(1, dtype=np.int64), np.ones(1, dtype=np.int64)
-    for row in monomial:
-        row_codes = np.array([sum(weights[p][c] for p, c in zip(row, o, strict=True)) for o in orders], dtype=np.int64)
-        codes = (codes[:, None] + row_codes).ravel()
-        signs = (signs[:, None] * row_signs).ravel()
-    keys, _ = _basis(content, rank)
-    at = np.searchsorted(-keys, -codes)
-    hit = (at < len(keys)) & (keys[np.minimum(at, len(keys) - 1)] == codes)
-    out = np.zeros(len(keys), dtype=np.int32)  # no sum exceeds the number of arrangements
-    np.add.at(out, at[hit], signs[hit].astype(np.int32))
-    return out
+    found: list[tuple[_Word, Monomial]] = []
+    for tableau in standard_tableaux(content, rank):
+        places = sorted((p, c) for row in tableau for c, p in enumerate(row))
+        found.append((tuple(c for _, c in places), tableau))
+        if len(found) > MAX_TABLEAUX:
+            raise LimitReached(f"more than {MAX_TABLEAUX:,} standard tableaux")
+    found.sort()
+    cuts = [0, *(i for i in range(1, len(content)) if content[i] != content[i - 1]), len(content)]
+    parts = list(pairwise(cuts))
+    words: list[_Word] = []
+    starts: list[int] = []
+    for diagonal, _ in found:
+        starts.append(len(words))
+        ways = [_arrangements(diagonal[i:j]) for i, j in parts]
+        if len(words) + prod(map(len, ways)) > MAX_WORDS:
+            raise LimitReached(f"the diagonal monomials are met in more than {MAX_WORDS:,} ways")
+        words.extend(tuple(c for part in way for c in part) for way in product(*ways))
+    columns = np.ascontiguousarray(np.array(words, dtype=np.uint8).T)
+    most = max(np.diff([*starts, len(words)]).tolist())
+    return _Basis(content, rank, tuple(t for _, t in found), columns, np.array(starts), most)
+
+
+@lru_cache(maxsize=256)  # at most 1 MB each
+def _arrangements(word: _Word) -> tuple[_Word, ...]:
+    """All different words of these letters.
+
+    >>> _arrangements((0, 0, 1))
+    ((0, 0, 1), (0, 1, 0), (1, 0, 0))
+    """
+    if prod(map(factorial, Counter(word).values())) * _MAX_ARRANGEMENTS < factorial(len(word)):
+        raise LimitReached(f"a point can be taken in more than {_MAX_ARRANGEMENTS:,} ways")
+
+    def grow(left: Counter[int], size: int) -> Iterator[_Word]:
+        if not size:
+            yield ()
+        for c in sorted(left):
+            if left[c]:
+                left[c] -= 1
+                yield from ((c, *rest) for rest in grow(left, size - 1))
+                left[c] += 1
+
+    return tuple(grow(Counter(word), len(word)))
+
+
+class _Signs:
+    """Coefficients of bracket monomials at the diagonal monomials of a basis."""
+
+    def __init__(self, basis: _Basis) -> None:
+        self.basis = basis
+        self.kept: dict[_Word, np.ndarray[Any, Any]] = {}
+        self.several = basis.ways > 1
+
+    def coefficients(self, monomial: Monomial, first: int) -> np.ndarray[Any, Any]:
+        """At the diagonal monomials from number `first` on."""
+        import numpy as np
+
+        start = int(self.basis.starts[first])
+        seen: Counter[int] = Counter()
+        out: np.ndarray[Any, Any] | None = None
+        for row in monomial:
+            signs = self._row(tuple(bisect_left(self.basis.content, p) + seen[p] for p in row))[start:]
+            out = signs if out is None else out * signs
+            seen.update(row)
+        assert out is not None
+        return np.add.reduceat(out, self.basis.starts[first:] - start, dtype=np.int64) if self.several else out
+
+    def _row(self, places: _Word) -> np.ndarray[Any, Any]:
+        """For each word the sign of the permutation that it has at these places; 0 if it has none."""
+        if places not in self.kept:
+            words, rank = self.basis.words, self.basis.rank
+            code = words[places[0]].astype(_code_type(rank))
+            for place in places[1:]:
+                code *= rank
+                code += words[place]
+            if len(self.kept) * words.shape[1] > _KEPT:
+                self.kept.clear()
+            self.kept[places] = _sign_table(rank)[code]
+        return self.kept[places]
+
+
+def _code_type(rank: int) -> type[np.integer[Any]]:
+    import numpy as np
+
+    return np.uint8 if rank <= 4 else np.uint32
+
+
+@lru_cache
+def _sign_table(rank: int) -> np.ndarray[Any, Any]:
+    """The sign of each word of length `rank`, read as a number to the base `rank`: 0 if it is no permutation."""
+    import numpy as np
+
+    table = np.zeros(rank**rank, dtype=np.int8)
+    for order in permutations(range(rank)):
+        table[sum(c * rank ** (rank - 1 - i) for i, c in enumerate(order))] = permutation_sign(order)
+    return table

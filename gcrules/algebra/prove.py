@@ -27,7 +27,7 @@ from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, ZERO, Expr, common_rank, 
 from gcrules.algebra.given import resolve
 from gcrules.algebra.nonzero import words
 from gcrules.algebra.space import Assumption, Space
-from gcrules.algebra.straighten import straighten
+from gcrules.algebra.straighten import is_zero
 from gcrules.algebra.text import text
 from gcrules.errors import LimitReached, StepError
 from gcrules.frozen import FrozenMap
@@ -140,7 +140,7 @@ def prove(
         if not vanishes(difference, rank=rank, ideal=at_infinity, samples=_SAMPLES):
             return _refuted(left, right, rank, at_infinity)
         known = _EQUAL
-        if straighten(difference, points=points, ideal=at_infinity, rank=rank, limit=limit):
+        if not is_zero(difference, points=points, ideal=at_infinity, rank=rank, limit=limit):
             # The coefficients of the difference are multiples of that prime.
             return _refuted(left, right, rank, at_infinity)
     except LimitReached as limited:

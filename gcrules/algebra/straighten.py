@@ -4,9 +4,9 @@ A monomial is written as a tableau with its brackets as rows; it is *standard* i
 to right and the columns do not decrease from top to bottom. Standard monomials are a basis of the bracket ring, so
 two polynomials are equal as functions of the points if and only if their normal forms have the same terms.
 
-Two adjacent rows with an offending column are replaced by means of the van der Waerden syzygy; the new first row is
-always smaller, so taking the largest monomial first handles every monomial once. The two-row straightenings depend on
-the relative order of the points only and are kept.
+Two adjacent rows with an offending column are replaced by their standard form (see `two_rows`); the new first row is
+always smaller, so taking the largest monomial first handles every monomial once. Where that becomes long, `levels`
+goes on with the same replacements, many at a time.
 
     >>> from gcrules.algebra.syntax import parse
     >>> print(straighten(parse("[p1p4p5][p1p5p6][p2p3p4]", rank=3)))
@@ -15,26 +15,36 @@ the relative order of the points only and are kept.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 from heapq import heapify, heappop, heappush
-from itertools import combinations
+from math import comb, inf
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Monomial, Row, Terms, sorted_row
+from gcrules.algebra.budget import WORK_PER_TERM, Budget
 from gcrules.algebra.expand import MAX_TERMS, expand
-from gcrules.algebra.expr import Expr, permutation_sign, sub
+from gcrules.algebra.expr import Expr, sub
+from gcrules.algebra.two_rows import offending_column, pattern_of, syzygy, two_rows
 from gcrules.errors import LimitReached
 
-__all__ = ["Straightening", "is_standard", "next_syzygy", "straighten", "straighten_steps"]
+__all__ = [
+    "WORK_PER_TERM",
+    "Straightening",
+    "is_standard",
+    "is_zero",
+    "next_syzygy",
+    "straighten",
+    "straighten_steps",
+    "straighten_terms",
+    "terms_are_zero",
+]
 
-WORK_PER_TERM = 25  # replacements that are made for each term that may be held
-_WORK_OF_A_SYZYGY = 5  # what one term of a syzygy takes, in replacements
+_FEW = 20_000  # replacements after which arrays take over, unless there are more possible rows than they can number
+_MOST_ROWS = 100_000
 
-_RAISE = "raise the limit with --limit (in Python limit=...)"
-
-_Pattern = tuple[tuple[tuple[int, Row, Row], ...], int]
+_Pair = tuple[Row, Row]
 
 
 def straighten(
@@ -57,14 +67,26 @@ def straighten(
     return poly.with_terms(straighten_terms(poly.terms, poly.ideal, limit))
 
 
+def is_zero(
+    poly: BracketPolynomial | ExtensorPolynomial | Expr,
+    *,
+    points: Iterable[str] = (),
+    ideal: Iterable[str] = (),
+    rank: int | None = None,
+    limit: int = MAX_TERMS,
+) -> bool:
+    """Whether the normal form has no terms: whether the value is 0 for all positions. Arguments as in `straighten`.
+
+    That does not depend on the order of the points, so an order is taken in which less is to be done.
+    """
+    if isinstance(poly, Expr):
+        poly = expand(poly, points=points, ideal=ideal, rank=rank, limit=limit)
+    terms = _closed(poly)[0] if isinstance(poly, ExtensorPolynomial) else poly.terms
+    return terms_are_zero(terms, poly.ideal, limit)
+
+
 def _extensor(poly: ExtensorPolynomial, limit: int) -> ExtensorPolynomial:
-    n = len(poly.points)
-    new = tuple(range(n, n + poly.rank - poly.step))
-    closed: Terms = {}
-    for row, coefficient in poly.parts.items():
-        for m, c in coefficient.terms.items():
-            key = tuple(sorted((*m, row + new)))
-            closed[key] = closed.get(key, 0) + c  # where nothing is new, [abcd] efgh and [efgh] abcd are one
+    closed, new = _closed(poly)
     parts: dict[Row, Terms] = {}
     for m, c in straighten_terms(closed, poly.ideal, limit).items():
         (last,) = (row for row in m if row[poly.step :] == new) if new else (m[-1],)
@@ -75,18 +97,59 @@ def _extensor(poly: ExtensorPolynomial, limit: int) -> ExtensorPolynomial:
     return ExtensorPolynomial(poly.rank, poly.points, poly.step, polynomials, poly.ideal)
 
 
+def _closed(poly: ExtensorPolynomial) -> tuple[Terms, Row]:
+    """The extensors made brackets by new points, and these points."""
+    n = len(poly.points)
+    new = tuple(range(n, n + poly.rank - poly.step))
+    closed: Terms = {}
+    for row, coefficient in poly.parts.items():
+        for m, c in coefficient.terms.items():
+            key = tuple(sorted((*m, row + new)))
+            closed[key] = closed.get(key, 0) + c  # where nothing is new, [abcd] efgh and [efgh] abcd are one
+    return closed, new
+
+
+def terms_are_zero(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = MAX_TERMS) -> bool:
+    """Whether raw terms straighten to nothing. Points that occur often go first in the order, so that many rows agree
+    in their first points; the points at infinity (those before `ideal`) stay before the others.
+    """
+    often = Counter(i for m in terms for row in m for i in row)
+    order = {x: n for n, x in enumerate(sorted(often, key=lambda x: (x >= ideal, -often[x], x)))}
+    moved: Terms = {}
+    for m, c in terms.items():
+        rows = [sorted_row(order[i] for i in row) for row in m]
+        for sign, _ in rows:
+            c = c * sign
+        key = tuple(sorted(row for _, row in rows))
+        moved[key] = moved.get(key, 0) + c
+    return not straighten_terms(moved, sum(i < ideal for i in often), limit)
+
+
 def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = MAX_TERMS) -> Terms:
     """The normal form of raw terms; rows whose points all come before `ideal` are 0."""
-    pending: dict[Monomial, Any] = {}
-    for m, c in terms.items():
-        if c and not any(row[-1] < ideal for row in m):
-            pending[m] = c
+    pending = {m: c for m, c in terms.items() if c and not any(row[-1] < ideal for row in m)}
+    budget = Budget(limit)
+    normal = _largest_first(pending, ideal, budget, _FEW if _possible_rows(pending) <= _MOST_ROWS else inf)
+    if pending:
+        from gcrules.algebra.levels import straighten_levels  # needs numpy, which is worth while for many terms only
+
+        for m, c in straighten_levels(pending, ideal, budget).items():
+            normal[m] = normal.get(m, 0) + c
+    return normal
+
+
+def _possible_rows(terms: Terms) -> int:
+    letters = {i for m in terms for row in m for i in row}
+    return comb(len(letters), max((len(row) for m in terms for row in m), default=0))
+
+
+def _largest_first(pending: Terms, ideal: int, budget: Budget, enough: float) -> Terms:
+    """Moves monomials from `pending` into the normal form until none is left or there was `enough` work."""
     heap = [_Last(m) for m in pending]
     heapify(heap)
     normal: Terms = {}
-    seen: set[tuple[Row, Row]] = set()
-    work = 0
-    while heap:
+    seen: set[_Pair] = set()
+    while heap and budget.work < enough:
         monomial = heappop(heap).monomial
         coefficient = pending.pop(monomial)
         if not coefficient:
@@ -99,8 +162,9 @@ def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int =
         pair = monomial[at], monomial[at + 1]
         if pair not in seen:
             seen.add(pair)
-            work += _WORK_OF_A_SYZYGY * _pattern_of(*pair)[1]
-        for c, first, second in _two_rows(*pair):
+            budget.syzygies(pattern_of(*pair)[1])
+        replacements = two_rows(*pair)
+        for c, first, second in replacements:
             if first[-1] < ideal:
                 continue
             new = tuple(sorted((*above, first, second, *below)))
@@ -109,11 +173,8 @@ def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int =
             else:
                 pending[new] = c * coefficient
                 heappush(heap, _Last(new))
-            work += 1
-        if len(pending) > limit:
-            raise LimitReached(f"straightening holds more than {limit:,} terms at a time", hint=_RAISE)
-        if work > WORK_PER_TERM * limit:
-            raise LimitReached(f"straightening takes more than {WORK_PER_TERM * limit:,} replacements", hint=_RAISE)
+        budget.replacements(len(replacements))
+        budget.held(len(pending) + len(normal))
     return normal
 
 
@@ -145,62 +206,6 @@ def _offence(monomial: Monomial) -> int | None:
             if x > y:
                 return i
     return None
-
-
-@lru_cache(maxsize=1 << 15)
-def _two_rows(first: Row, second: Row) -> tuple[tuple[int, Row, Row], ...]:
-    """The standard form of [first][second], from the one for points 0, 1, 2, … in the same relative order."""
-    letters = sorted({*first, *second})
-    pattern, _ = _pattern_of(first, second)
-    return tuple((c, tuple(letters[i] for i in one), tuple(letters[i] for i in other)) for c, one, other in pattern)
-
-
-def _pattern_of(first: Row, second: Row) -> _Pattern:
-    place = {x: i for i, x in enumerate(sorted({*first, *second}))}
-    return _two_row_pattern(tuple(place[x] for x in first), tuple(place[x] for x in second))
-
-
-@lru_cache(maxsize=1 << 14)
-def _two_row_pattern(first: Row, second: Row) -> _Pattern:
-    """The standard form of [first][second], and the number of terms that its syzygies had."""
-    work = 0
-    normal: dict[Monomial, int] = {}
-    pending: dict[Monomial, int] = {(first, second): 1}
-    while pending:
-        largest = max(pending)
-        coefficient = pending.pop(largest)
-        if not coefficient:
-            continue
-        one, other = largest
-        column = _column(one, other)
-        if column is None:
-            normal[largest] = coefficient
-            continue
-        for c, rows in _syzygy(one, other, column):
-            pending[rows] = pending.get(rows, 0) + c * coefficient
-            work += 1
-    return tuple((c, one, other) for (one, other), c in sorted(normal.items())), work
-
-
-def _column(one: Row, other: Row) -> int | None:
-    return next((j for j, (x, y) in enumerate(zip(one, other, strict=True)) if x > y), None)
-
-
-def _syzygy(one: Row, other: Row, column: int) -> Iterator[tuple[int, Monomial]]:
-    """[one][other] as the sum of the other terms of the van der Waerden syzygy that shuffles other[0 … column] with
-    one[column …]; these d + 1 points are different, since the former are all smaller than the latter.
-    """
-    moving = (*one[column:], *other[: column + 1])
-    up = len(one) - column
-    for chosen in combinations(range(len(moving)), up):
-        if chosen == tuple(range(up)):
-            continue
-        rest = tuple(i for i in range(len(moving)) if i not in chosen)
-        s, first = sorted_row((*one[:column], *(moving[i] for i in chosen)))
-        t, second = sorted_row((*(moving[i] for i in rest), *other[column + 1 :]))
-        sign = s * t * permutation_sign(chosen + rest)
-        if sign:
-            yield -sign, (first, second) if first <= second else (second, first)
 
 
 @dataclass(frozen=True)
@@ -268,10 +273,10 @@ def _on_monomial(monomial: Monomial, poly: BracketPolynomial) -> Straightening |
     at = _offence(monomial)
     if at is None:
         return None
-    column = _column(monomial[at], monomial[at + 1])
+    column = offending_column(monomial[at], monomial[at + 1])
     assert column is not None
     after: Terms = {}
-    for sign, (first, second) in _syzygy(monomial[at], monomial[at + 1], column):
+    for sign, (first, second) in syzygy(monomial[at], monomial[at + 1], column):
         if first[-1] < poly.ideal or second[-1] < poly.ideal:
             continue
         new = tuple(sorted((*monomial[:at], first, second, *monomial[at + 2 :])))

@@ -93,10 +93,11 @@ def _text(e: Expr, style: _Style) -> str:
         case Product(factors=factors):
             return _product(factors, style)
         case Sum(terms=terms):
-            out = _text(terms[0], style)
-            for t in terms[1:]:
-                out += f" {style.minus} {_wrapped_sum(neg(t), style)}" if _negative(t) else f" + {_text(t, style)}"
-            return out
+            rest = (
+                f" {style.minus} {_wrapped_sum(neg(t), style)}" if _negative(t) else f" + {_text(t, style)}"
+                for t in terms[1:]
+            )
+            return "".join((_text(terms[0], style), *rest))
     raise TypeError(f"not an expression: {e!r}")
 
 
