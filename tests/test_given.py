@@ -107,6 +107,11 @@ THEOREMS = {
         r"abc /\ def /\ ghk /\ xyz == 0",
         r"abc /\ def == 0",
     ),
+    "planes through two points": (
+        "given incident(x, abc), incident(y, abc), incident(x, def), incident(y, def), incident(xy, ghk)",
+        r"abc /\ def /\ ghk == 0",
+        "[abde] == 0",
+    ),
     "planes through a point": (
         "given concurrent(abc, abd, cde, efg)",
         r"(abc /\ abd) /\ (cde /\ efg) == 0",
@@ -128,6 +133,8 @@ THEOREMS = {
     "a line of two planes in a plane": (r"given incident(abc /\ def, ghk)", r"abc /\ def /\ ghk == 0", "[abcd] == 0"),
     "equal points": ("rank 3 given ab == 0", "[acd][bce] == [bcd][ace]", "a == b"),
     "a value": ("rank 3 given p == 1/2 a + 1/2 b", "[apc] == 1/2 [abc]", "[apc] == [abc]"),
+    "equations together": ("rank 3 given a - c == d - b, a == c", "b == d", "a == b"),
+    "more equations": ("rank 3 given a + b == c + d, 2 a - (b + c) == c - d", "3 a == 3 c", "a == b"),
     "weights": ("rank 3 given [abc] == [abd]", "[abc] - [abd] == 0", "[abc] == 0"),
     "parallelogram": (
         PARALLELOGRAM,
@@ -295,6 +302,7 @@ def _assumption(rank: int, draw: st.DrawFn) -> str:
         lambda: f"[{run(3)}] == [{run(3)}]",
         lambda: f"[{run(3)}][{run(3)}] == [{run(3)}][{run(3)}]",
         lambda: "{0} == [{1}{2}{3}] {4} - 2[{1}{2}{4}] {3}".format(*some(5)),
+        lambda: "incident({0}, {2}{3}), incident({1}, {2}{3})".format(*some(4)),
     ]
     space = [
         lambda: f"coplanar({', '.join(some(4))})",
@@ -309,6 +317,8 @@ def _assumption(rank: int, draw: st.DrawFn) -> str:
         lambda: rf"incident({run(3)} /\ {run(3)}, {run(3)})",
         lambda: f"concurrent({run(3)}, {run(3)}, {run(3)}, {run(3)})",
         lambda: rf"coplanar({', '.join(some(3))}, {run(2)} /\ {run(3)})",
+        lambda: "incident({0}, {2}{3}{4}), incident({1}, {2}{3}{4})".format(*some(5)),
+        lambda: "incident({0}{1}, {2}{3}{4}), incident({5}, {2}{3}{4})".format(*some(6)),
     ]
     return draw(st.sampled_from(plane if rank == 3 else space))()
 
@@ -472,6 +482,47 @@ def test_refused(rank: int, assumption: str, why: str) -> None:
     assert why in found.value.render()
     assert found.value.exit_code == 2
     assert found.value.span is not None
+
+
+EQUATIONS = [
+    "a - c == d - b, a == c",
+    "a == c, a - c == d - b",
+    "a == c, a - (d - b) == c",
+    "a + b == c + d, c == a",
+    "a + b - (c + d) == 0, 2 a - c == a",
+    "a + b == c + d, a - b == c - d",
+    "c == a, -(c + d) == -a - b, b == d",
+    "d == a + b - c, 1/2 a == 1/2 c",
+]
+
+
+@pytest.mark.parametrize("text", EQUATIONS)
+def test_spelling_of_equations_does_not_matter(text: str) -> None:
+    for names in ("a b c d", "d c b a", "c a d b"):
+        at = Context(3, tuple(names.split()))
+        for claim, verdict in (("a == c", "proved"), ("b == d", "proved"), ("[abe] == 0", "refuted")):
+            proof = gc.prove(claim, rank=3, points=names, given=text)
+            assert (proof.verdict, proof.assumed) == (verdict, ())
+            check(proof, parse_assumption(text, at))
+
+
+P = PRIME  # of the oracle: a condition that is a multiple of it is still one
+
+
+@pytest.mark.parametrize(
+    ("given", "claim", "sibling"),
+    [
+        (f"{P} [abc] + {P} [abd] == 0", "[abc] == -[abd]", "[abc] == 0"),
+        (f"{P} a + {P} b == {P} c", "a + b == c", "a == c"),
+        (f"a == c + {P} d", "[acd] == 0", "[abd] == 0"),
+        (f"[abc] + {P} [abd] == 0", f"[abc] == -{P} [abd]", "[abd] == 0"),
+    ],
+)
+def test_multiples_of_the_prime_are_not_dropped(given: str, claim: str, sibling: str) -> None:
+    assert gc.prove(claim, rank=3, given=given).verdict == "proved"
+    proof = gc.prove(sibling, rank=3, given=given)
+    assert proof.verdict == "refuted"
+    check(proof, parse_assumption(given, Context(3)))
 
 
 def test_a_script_names_the_line() -> None:

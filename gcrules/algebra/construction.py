@@ -22,7 +22,7 @@ from gcrules.algebra.bracket import Monomial, Terms, tableau_order
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expand import MAX_TERMS, Expander, Multivector
 from gcrules.algebra.expr import Expr, Join, Point, points_of
-from gcrules.algebra.straighten import straighten_terms
+from gcrules.algebra.straighten import terms_are_zero
 from gcrules.errors import LimitReached
 
 __all__ = ["Construction", "Step", "Within", "coordinates", "step_on"]
@@ -191,7 +191,7 @@ class Construction:
                 group = groups.setdefault(letters, {})
                 group[key] = group.get(key, 0) + c
         ideal = sum(n in self.ideal for n in self._order)
-        return not any(straighten_terms(terms, ideal, limit) for terms in groups.values())
+        return all(terms_are_zero(terms, ideal, limit) for terms in groups.values())
 
     def _expanded(self, e: Expr, limit: int) -> Multivector:
         """The expression with the constructed points written out; parameters are rows of one entry."""

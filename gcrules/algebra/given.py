@@ -14,24 +14,22 @@ True
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import islice
-from typing import TypeVar
 
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.construction import Construction, Step, Within, coordinates, step_on
 from gcrules.algebra.elimination import Turn, orders
-from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
+from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr, Meet, Point, points_of
-from gcrules.algebra.incidences import Condition, Facts, Helper, equations, facts, fault, named_meets
+from gcrules.algebra.incidences import Condition, Facts, equations, fault
 from gcrules.algebra.nonzero import assumed, fewest
+from gcrules.algebra.roads import ROADS, understood
 from gcrules.algebra.space import Assumption, Space
-from gcrules.errors import InputError, StepError
-
-_T = TypeVar("_T")
+from gcrules.errors import InputError
 
 __all__ = ["equations", "holds", "resolve"]
 
@@ -58,9 +56,9 @@ def _resolved(
 ) -> Construction:
     if not given:
         return Construction(rank, points, ideal, points=points)
-    wanted = tuple(e for a in given for e in _understood(a, lambda a: equations(a, rank)))
+    wanted = tuple(e for a in given for e in understood(a, lambda a: equations(a, rank)))
     failure: _Failure | None = None
-    for road in (_as_written, _with_named_meets):
+    for road in ROADS:
         try:
             found = road(given, rank)
             if found is not None:
@@ -83,27 +81,6 @@ def holds(assumption: Assumption, space: Space, *, limit: int = MAX_TERMS) -> bo
     wanted = equations(assumption, space.rank)
     construction = resolve(space, points_of(*wanted))
     return all(construction.vanishes(e) for e in wanted) and all(construction.is_zero(e, limit=limit) for e in wanted)
-
-
-# --- conditions ----------------------------------------------------------------------------------------------------
-
-
-def _as_written(given: Sequence[Assumption], rank: int) -> list[Facts] | None:
-    return [_understood(a, lambda a: facts(a, rank)) for a in given]
-
-
-def _with_named_meets(given: Sequence[Assumption], rank: int) -> list[Facts] | None:
-    helpers: dict[Expr, Helper] = {}
-    found = [_understood(a, lambda a: named_meets(a, rank, helpers)) for a in given]
-    return found if helpers else None
-
-
-def _understood(assumption: Assumption, read: Callable[[Assumption], _T]) -> _T:
-    """What is read from an assumption; extensors that cannot be joined or met as it asks are its fault."""
-    try:
-        return read(assumption)
-    except StepError as wrong:
-        raise fault(assumption, wrong.message, wrong.hint) from None
 
 
 # --- construction --------------------------------------------------------------------------------------------------
@@ -142,9 +119,10 @@ class _Builder:
         )
 
     def _always(self, c: Condition) -> bool:
+        """At exact points, since coefficients may be multiples of any prime."""
         names = [*self.points, *self.helpers]
-        points = random_points(names, rank=self.rank, ideal=self.ideal, seed=3)
-        return not any(Evaluator(points, self.rank, PRIME).value(c.equation))
+        points = random_rational_points(names, rank=self.rank, ideal=self.ideal, seed=3, size=PRIME)
+        return not any(Evaluator(points, self.rank).value(c.equation))
 
     def construction(self) -> Construction:
         """Raises _Failure where none of the orders tried works."""

@@ -18,13 +18,28 @@ from fractions import Fraction
 from itertools import combinations
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point, Power, Product, Sum, points_of
-from gcrules.algebra.linear import hyperplane, is_extensor
+from gcrules.algebra.linear import hyperplane, is_extensor, simplified, weighted, weights
 from gcrules.algebra.space import Assumption
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 
-__all__ = ["Condition", "Facts", "Helper", "equations", "facts", "fault", "named_meets"]
+__all__ = [
+    "Condition",
+    "Facts",
+    "Helper",
+    "all_of",
+    "dependent",
+    "equal",
+    "equations",
+    "facts",
+    "fault",
+    "name_key",
+    "of_points",
+    "on",
+    "small_first",
+]
 
 MAX_CONDITIONS = 500
 
@@ -98,44 +113,6 @@ def equations(assumption: Assumption, rank: int) -> tuple[Expr, ...]:
     return () if args[0] == ZERO else args
 
 
-def named_meets(assumption: Assumption, rank: int, helpers: dict[Expr, Helper]) -> Facts:
-    """The conditions with a new point in place of each point that is written as a meet; `helpers` collects them."""
-    new: list[Helper] = []
-
-    def walk(e: Expr) -> Expr:
-        match e:
-            # The meet lies on what is met only if that is a line or a plane, and not a sum of lines.
-            case Meet(args=args) if e.step == 1 and all(is_extensor(a, rank) for a in args):
-                if e not in helpers:
-                    helpers[e] = Helper(f"meet:{len(helpers) + 1}", meet=e)
-                    new.append(helpers[e])
-                return Point(helpers[e].name)
-            case Join(args=args):
-                return ex.join(*map(walk, args), rank=rank)
-            case Meet(args=args):
-                return ex.meet(*map(walk, args), rank=rank)
-            case Bracket(args=args):
-                return ex.bracket(*map(walk, args), rank=rank)
-        return e
-
-    def inside(e: Expr) -> Expr:
-        """That a meet is zero says nothing of a point."""
-        return ex.meet(*map(walk, e.args), rank=rank) if isinstance(e, Meet) and assumption.kind == "zero" else walk(e)
-
-    args = tuple(map(inside, assumption.args))
-    renamed = Assumption(assumption.kind, args, assumption.text, assumption.place)
-    found = facts(renamed, rank)
-    conditions = [*found.conditions]
-    for helper in new:
-        assert isinstance(helper.meet, Meet)
-        conditions += [_on(renamed, Point(helper.name), a, rank) for a in helper.meet.args]
-    return Facts(
-        tuple(conditions),
-        (*found.nonzero, *(h.meet for h in new if h.meet is not None)),
-        (*found.helpers, *new),
-    )
-
-
 # --- one condition -------------------------------------------------------------------------------------------------
 
 
@@ -160,9 +137,9 @@ def _vanishing(cause: Assumption, e: Expr, rank: int) -> Condition:
 def _sorted(e: Expr, rank: int) -> Expr:
     """Up to its sign, with brackets and joins in one order: the answer must not depend on how they were written."""
     if isinstance(e, Meet):
-        return ex.meet(*sorted((_sorted(a, rank) for a in e.args), key=_name_key), rank=rank)
+        return ex.meet(*sorted((_sorted(a, rank) for a in e.args), key=name_key), rank=rank)
     if isinstance(e, Join | Bracket):
-        args = sorted(e.args, key=lambda a: (not isinstance(a, Point), *_name_key(a)))
+        args = sorted(e.args, key=lambda a: (not isinstance(a, Point), *name_key(a)))
         joined = ex.join(*args, rank=rank)
         return ex.bracket(joined, rank=rank) if joined.step == rank else joined
     return e
@@ -173,11 +150,11 @@ def _unsigned(e: Expr) -> Expr:
     return ex.mul(*e.factors[1:]) if isinstance(e, Product) and isinstance(e.factors[0], Number) else e
 
 
-def _name_key(e: Expr) -> tuple[tuple[str, int, int], str]:
+def name_key(e: Expr) -> tuple[tuple[str, int, int], str]:
     return ex.point_key(e.name if isinstance(e, Point) else ""), str(e)
 
 
-def _on(cause: Assumption, p: Expr, X: Expr, rank: int) -> Condition:
+def on(cause: Assumption, p: Expr, X: Expr, rank: int) -> Condition:
     return _vanishing(cause, ex.join(p, X, rank=rank), rank)
 
 
@@ -185,29 +162,28 @@ def _on(cause: Assumption, p: Expr, X: Expr, rank: int) -> Condition:
 
 
 def _dependent(number: int) -> Callable[[Assumption, int], Facts]:
+    return lambda assumption, rank: dependent(assumption, sorted(assumption.args, key=name_key), number, rank)
+
+
+def dependent(cause: Assumption, points: Sequence[Expr], number: int, rank: int) -> Facts:
     """Any `number` of the points are dependent."""
-
-    def found(assumption: Assumption, rank: int) -> Facts:
-        if number > rank:
-            return Facts()
-        args = sorted(assumption.args, key=_name_key)
-        return Facts(
-            tuple(
-                _vanishing(assumption, joined, rank)
-                for some in combinations(args, number)
-                if len(set(some)) == number
-                for joined in [ex.join(*some, rank=rank)]
-            )
+    if number > rank:
+        return Facts()
+    return Facts(
+        tuple(
+            _vanishing(cause, joined, rank)
+            for some in combinations(points, number)
+            if len(set(some)) == number
+            for joined in [ex.join(*some, rank=rank)]
         )
-
-    return found
+    )
 
 
 def _incident(assumption: Assumption, rank: int) -> Facts:
-    return _contained(assumption, *_small_first(*assumption.args), rank)
+    return _contained(assumption, *small_first(*assumption.args), rank)
 
 
-def _small_first(X: Expr, Y: Expr) -> tuple[Expr, Expr]:
+def small_first(X: Expr, Y: Expr) -> tuple[Expr, Expr]:
     if X.step != Y.step:
         return (X, Y) if X.step < Y.step else (Y, X)
     return (Y, X) if isinstance(Y, Join | Point) and not isinstance(X, Join | Point) else (X, Y)
@@ -216,20 +192,20 @@ def _small_first(X: Expr, Y: Expr) -> tuple[Expr, Expr]:
 def _contained(cause: Assumption, X: Expr, Y: Expr, rank: int) -> Facts:
     """X lies on Y."""
     if X.step == 1:
-        return Facts((_on(cause, X, Y, rank),))
+        return Facts((on(cause, X, Y, rank),))
     if isinstance(X, Join):
-        return _all(_contained(cause, a, Y, rank) for a in X.args)
-    if Y.step == rank - 1 and _of_points(Y) and is_extensor(X, rank):
+        return all_of(_contained(cause, a, Y, rank) for a in X.args)
+    if Y.step == rank - 1 and of_points(Y) and is_extensor(X, rank):
         # Y is spanned by X and as many of its points as are missing, if these are not on X; the others lie there.
         points = Y.args if isinstance(Y, Join) else ()
         spanned = ex.join(X, *points[: rank - 1 - X.step], rank=rank)
         rest = points[rank - 1 - X.step :]
-        return Facts(tuple(_on(cause, p, spanned, rank) for p in rest), (spanned, Y))
+        return Facts(tuple(on(cause, p, spanned, rank) for p in rest), (spanned, Y))
     raise fault(cause, f"{X} is no join of points", "assume it of two points on it: incident(p, X), incident(q, X)")
 
 
 def _incidences(cause: Assumption, X: Expr, Y: Expr, rank: int) -> Iterable[Expr]:
-    X, Y = _small_first(X, Y)
+    X, Y = small_first(X, Y)
     for part in X.args if isinstance(X, Join) else (X,):
         if part.step == 1:
             yield _sorted(ex.join(part, Y, rank=rank), rank)
@@ -239,12 +215,12 @@ def _incidences(cause: Assumption, X: Expr, Y: Expr, rank: int) -> Iterable[Expr
             raise fault(cause, f"{part} is no join of points", "assume it of points: incident(p, X), incident(q, X)")
 
 
-def _of_points(e: Expr) -> bool:
+def of_points(e: Expr) -> bool:
     return isinstance(e, Point) or (isinstance(e, Join) and all(isinstance(a, Point) for a in e.args))
 
 
 def _concurrent(assumption: Assumption, rank: int) -> Facts:
-    args = sorted(assumption.args, key=_name_key)
+    args = sorted(assumption.args, key=name_key)
     if _through_lines(args, rank):
         return _one_point(assumption, args, rank)
     return Facts(tuple(_vanishing(assumption, e, rank) for e in _concurrences(assumption, rank)))
@@ -256,7 +232,7 @@ def _through_lines(args: Sequence[Expr], rank: int) -> bool:
 
 def _concurrences(assumption: Assumption, rank: int) -> Iterable[Expr]:
     """The equations: d hyperplanes meet in a scalar; of lines any two meet, and in the same point."""
-    args = sorted(assumption.args, key=_name_key)
+    args = sorted(assumption.args, key=name_key)
     missing = sum(rank - a.step for a in args)
     if missing < rank:
         return
@@ -281,15 +257,15 @@ def _concurrences(assumption: Assumption, rank: int) -> Iterable[Expr]:
 
 def _one_point(assumption: Assumption, lines: Sequence[Expr], rank: int) -> Facts:
     """Lines in space through a point q of the first line."""
-    if not all(_of_points(line) for line in lines):
+    if not all(of_points(line) for line in lines):
         raise fault(assumption, "the lines are not joins of points", "name the point: given incident(p, X), …")
     helper = Helper(f"common:{assumption}", line=lines[0])
     q = Point(helper.name)
     first = Condition(ex.join(q, lines[0], rank=rank), {q.name: lines[0]}, assumption)
     others = []
     for line in lines[1:]:
-        on = _on(assumption, q, line, rank)
-        others.append(Condition(on.equation, {n: s for n, s in on.within.items() if n != q.name}, assumption))
+        through = on(assumption, q, line, rank)
+        others.append(Condition(through.equation, {n: s for n, s in through.within.items() if n != q.name}, assumption))
     return Facts((first, *others), helpers=(helper,))
 
 
@@ -310,8 +286,10 @@ def _vanishes(cause: Assumption, e: Expr, rank: int) -> Facts:
             return _vanishes(cause, base, rank)
         case Product(factors=(Number(), *rest)):
             return _vanishes(cause, ex.mul(*rest), rank)
-        case Sum(terms=terms) if e.step == 1:
-            return _equal(cause, terms, rank)
+        case Sum() if e.step == 1:
+            return equal(cause, weights(e), rank)
+        case Sum() if (simpler := simplified(e, rank)) != e:
+            return _vanishes(cause, simpler, rank)
         case Meet(args=args) if e.step:
             return _no_meet(cause, args, rank)
         case Join():
@@ -321,16 +299,18 @@ def _vanishes(cause: Assumption, e: Expr, rank: int) -> Facts:
     raise fault(cause, "it is not linear in a point", "use incident(X, Y), collinear(a, b, c) or coplanar(a, b, c, d)")
 
 
-def _equal(cause: Assumption, terms: Sequence[Expr], rank: int) -> Facts:
+def equal(cause: Assumption, row: Mapping[Expr, Fraction], rank: int) -> Facts:
     """A sum of points is zero: each of them is what the others add up to."""
+    if len(row) < 2:
+        return all_of(_vanishes(cause, e, rank) for e in row)
     within = {}
-    for i, t in enumerate(terms):
-        rest = ex.add(*terms[:i], *terms[i + 1 :], rank=rank)
-        match t:
-            case Point(name=name) | Product(factors=(Number(), Point(name=name))) if name not in points_of(rest):
-                c = t.factors[0].value if isinstance(t, Product) and isinstance(t.factors[0], Number) else 1
-                within[name] = ex.mul(ex.Number(Fraction(-1) / c), rest)
-    return Facts((Condition(ex.add(*terms, rank=rank), within, cause, exact=True),))
+    for e, c in row.items():
+        rest = {other: -k / c for other, k in row.items() if other != e}
+        # Points are tried modulo a prime, where its multiples have no inverse.
+        known = all(k.denominator % PRIME for k in rest.values())
+        if isinstance(e, Point) and known and not any(e.name in points_of(other) for other in rest):
+            within[e.name] = weighted(rest, rank)
+    return Facts((Condition(weighted(row, rank), within, cause, exact=True),))
 
 
 def _no_meet(cause: Assumption, args: Sequence[Expr], rank: int) -> Facts:
@@ -340,13 +320,13 @@ def _no_meet(cause: Assumption, args: Sequence[Expr], rank: int) -> Facts:
             X, Y = ex.meet(*args[:i], *args[i + 1 :], rank=rank), args[i]
             if Y.step < rank - 1 or not is_extensor(X, rank):
                 continue
-            if _of_points(Y) if spanned else isinstance(X, Join):
+            if of_points(Y) if spanned else isinstance(X, Join):
                 found = _contained(cause, X, Y, rank)
                 return Facts(found.conditions, (*found.nonzero, X, Y))
     raise fault(cause, "a meet of these steps is zero in many ways", "use incident(X, Y) or concurrent(X, Y, Z)")
 
 
-def _all(parts: Iterable[Facts]) -> Facts:
+def all_of(parts: Iterable[Facts]) -> Facts:
     found = list(parts)
     return Facts(
         tuple(c for f in found for c in f.conditions),

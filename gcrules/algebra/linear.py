@@ -1,4 +1,4 @@
-r"""Scalars that are linear in a point: the hyperplane in which the point has to lie for the scalar to vanish.
+r"""Scalars that are linear in a point, as the hyperplane on which the point lies if they vanish; sums with numbers.
 
 >>> from gcrules.algebra.syntax import parse
 >>> print(hyperplane(parse("[abcd]"), "b", 4))
@@ -11,15 +11,17 @@ None
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from math import gcd, lcm
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expand import expand
-from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, Sum, points_of
+from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point, Product, Sum, points_of
 from gcrules.errors import LimitReached
 
-__all__ = ["hyperplane", "is_extensor"]
+__all__ = ["hyperplane", "is_extensor", "simplified", "weighted", "weights"]
 
 _MAX_TERMS = 2_000  # of an expression that is expanded to take a point out of it
 
@@ -122,5 +124,35 @@ def _expanded(e: Expr, name: str, rank: int) -> Expr | None:
         ((i, j),) = places
         brackets = [Bracket(tuple(map(Point, row))) for row in (*rows[:i], *rows[i + 1 :])]
         rest = ex.join(*(Point(n) for n in rows[i] if n != name), rank=rank)
-        terms.append(ex.mul(ex.Number(-c if (rank - 1 - j) % 2 else c), *brackets, rest))
+        terms.append(ex.mul(Number(-c if (rank - 1 - j) % 2 else c), *brackets, rest))
     return ex.add(*terms, rank=rank) if terms else None
+
+
+# --- sums with numbers ---------------------------------------------------------------------------------------------
+
+
+def weights(e: Expr, factor: Fraction = Fraction(1)) -> dict[Expr, Fraction]:
+    """The terms of a sum with their numbers, however it is written; terms that cancel are left out."""
+    match e:
+        case Product(factors=(Number(value=value), *rest)):
+            return weights(ex.mul(*rest), factor * value)
+        case Sum(terms=terms):
+            found: dict[Expr, Fraction] = {}
+            for t in terms:
+                for part, c in weights(t, factor).items():
+                    found[part] = found.get(part, Fraction(0)) + c
+            return {part: c for part, c in found.items() if c}
+    return {} if e == ZERO else {e: factor}
+
+
+def weighted(row: Mapping[Expr, Fraction], rank: int) -> Expr:
+    """The sum of terms, each with its number."""
+    return ex.add(*(ex.mul(Number(c), e) for e, c in row.items()), rank=rank)
+
+
+def simplified(e: Expr, rank: int) -> Expr:
+    """A sum, or a multiple of it, with like terms collected and no common divisor of its numbers."""
+    row = weights(e)
+    divisor = Fraction(gcd(*(c.numerator for c in row.values())), lcm(*(c.denominator for c in row.values())))
+    unchanged = divisor == 1 and len(row) == len(e.children)
+    return e if unchanged else weighted({t: c / divisor for t, c in row.items()}, rank)
