@@ -1,4 +1,4 @@
-"""Factorization of the superbrackets of all classes, and one search beside the same search in plain Python."""
+"""Factorization and transversals of all classes, and one search beside the same search in plain Python."""
 
 from __future__ import annotations
 
@@ -18,6 +18,9 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.shortest import superbracket_form
 from gcrules.algebra.straighten import straighten
 from gcrules.factoring.factorize import factor
+from gcrules.legs import Structure
+from gcrules.rules.oracle import Oracle
+from gcrules.rules.transversals import find
 
 DATA = Path(__file__).resolve().parent.parent / "tests" / "data" / "gsp_classes.yaml"
 REGULAR = [c for c in yaml.safe_load(DATA.read_text(encoding="utf-8"))["classes"] if c["regular"]]
@@ -101,3 +104,23 @@ def test_all_classes(ratio: Callable[..., Any]) -> None:
     """The 24 that are one expression, and the ten that are not."""
     polynomials = [superbracket(c) for c in LEGS]
     ratio(lambda: sum(factor(p).found for p in polynomials), {}, within=6, rounds=2)
+
+
+NO_INCIDENCE = [c["id"] for c in REGULAR if not c["incidence"] and c["id"] != "6-6"]
+
+
+@pytest.mark.parametrize("class_id", NO_INCIDENCE)
+def test_cofactor(ratio: Callable[..., Any], class_id: str) -> None:
+    """One incidence with a cofactor, the smaller cofactors excluded."""
+    poly = superbracket(class_id)
+    ratio(lambda: bool(factor(poly, cofactor=True).rational), {}, within=10, rounds=1)
+
+
+def test_transversals(ratio: Callable[..., Any]) -> None:
+    """The transversal conditions of all classes, found and tested."""
+
+    def found() -> int:
+        structures = [Structure(tuple(map(tuple, LEGS[c]))) for c in LEGS]  # type: ignore[arg-type]
+        return sum(bool(find(s, Oracle(s))) for s in structures)
+
+    ratio(found, {}, within=6, rounds=2)

@@ -17,9 +17,10 @@ import numpy as np
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms
 from gcrules.algebra.straighten import straighten
 from gcrules.errors import LimitReached
+from gcrules.factoring.normal import primitive
 from gcrules.factoring.residues import Ints, random_positions, values
 
-__all__ = ["MODULUS", "bracket_factors", "divided", "vanishing_pairs"]
+__all__ = ["MODULUS", "bracket_factors", "divided", "solution", "standard_tableaux", "vanishing_pairs"]
 
 MODULUS = 2**31 - 1
 _MOST_UNKNOWNS = 600
@@ -65,7 +66,8 @@ def vanishing_pairs(poly: BracketPolynomial) -> frozenset[Row]:
     at = random_positions(len(pairs), len(poly.points), poly.rank, MODULUS, ideal=poly.ideal)
     for n, (a, b) in enumerate(pairs):
         at[n, b] = at[n, a]
-    return frozenset(p for p, v in zip(pairs, values(poly, at, MODULUS).tolist(), strict=True) if not v)
+    found = values(primitive(poly)[1], at, MODULUS).tolist()
+    return frozenset(p for p, v in zip(pairs, found, strict=True) if not v)
 
 
 def _candidates(poly: BracketPolynomial) -> Iterator[Row]:
@@ -92,17 +94,17 @@ def _solved(poly: BracketPolynomial, row: Row, limit: int) -> BracketPolynomial 
         degrees[i] -= 1
     if min(degrees) < 0:
         return None
-    unknowns = list(_standard(degrees, poly.rank, poly.ideal))
+    unknowns = list(standard_tableaux(degrees, poly.rank, poly.ideal))
     if not unknowns:
         return None
     at = random_positions(len(unknowns) + 8, len(poly.points), poly.rank, MODULUS, ideal=poly.ideal, seed=1)
     columns = [values(poly.with_terms({m: 1}), at, MODULUS) for m in unknowns]
     bracket = values(poly.with_terms({(row,): 1}), at, MODULUS)
     system = np.stack([*(c * bracket % MODULUS for c in columns), values(poly, at, MODULUS)], axis=1)
-    solution = _solution(system)
-    if solution is None:
+    found = solution(system)
+    if found is None:
         return None
-    terms: Terms = {m: c - MODULUS if c > MODULUS // 2 else c for m, c in zip(unknowns, solution, strict=True)}
+    terms: Terms = {m: c - MODULUS if c > MODULUS // 2 else c for m, c in zip(unknowns, found, strict=True)}
     quotient = poly.with_terms(terms)
     product = straighten(poly.with_terms({(row,): 1}) * quotient, limit=limit)
     if product != straighten(poly, limit=limit):
@@ -110,7 +112,7 @@ def _solved(poly: BracketPolynomial, row: Row, limit: int) -> BracketPolynomial 
     return quotient
 
 
-def _standard(degrees: list[int], rank: int, ideal: int) -> Iterator[Monomial]:
+def standard_tableaux(degrees: list[int], rank: int, ideal: int) -> Iterator[Monomial]:
     """All standard tableaux of this multidegree without a row of ideal points."""
     budget = _MOST_UNKNOWNS
 
@@ -133,7 +135,7 @@ def _standard(degrees: list[int], rank: int, ideal: int) -> Iterator[Monomial]:
         yield tableau
 
 
-def _solution(system: Ints) -> list[int] | None:
+def solution(system: Ints) -> list[int] | None:
     """The solution of an overdetermined system of linear equations modulo the prime; None if there is none."""
     n = system.shape[1] - 1
     for column in range(n):

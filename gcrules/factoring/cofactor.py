@@ -1,7 +1,7 @@
 r"""Rational factorization: one expression that equals a polynomial times a cofactor.
 
 First the brackets of the points are cofactors, one of each orbit under symmetries of the polynomial. For each the whole
-family is searched, so a bracket that is excluded works with no expression at all.
+family is searched, with any of the brackets that divide the polynomial inside the expressions.
 
 Then meets of constructed lines (rank 4). Let A be a point and Aa, Ab, g, h lines such that the polynomial vanishes if
 the ends of one coincide. The line t through A that crosses g and h, and the line s in the plane Aab that crosses them,
@@ -16,9 +16,11 @@ about t and about s.)
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property, reduce
 from itertools import combinations, permutations, product
+from operator import mul
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, Row
@@ -26,10 +28,12 @@ from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr
 from gcrules.errors import LimitReached
 from gcrules.factoring.brackets import vanishing_pairs
-from gcrules.factoring.extensors import Tree, extensor, leaves
+from gcrules.factoring.coincidences import Coincidences
+from gcrules.factoring.extensors import Tree, extensor
 from gcrules.factoring.limits import Budget
 from gcrules.factoring.matches import search
-from gcrules.factoring.symmetry import orbits
+from gcrules.factoring.products import Groups, sub_multisets
+from gcrules.factoring.symmetry import Swap, Symmetries, moved_row
 from gcrules.factoring.trees import Written
 
 __all__ = ["Rational", "bracket_cofactors", "line_cofactors"]
@@ -37,115 +41,192 @@ __all__ = ["Rational", "bracket_cofactors", "line_cofactors"]
 
 @dataclass(frozen=True)
 class Rational:
-    """cofactor · polynomial is a multiple of each of the expressions, simplest first."""
+    """cofactor · input is a multiple of the brackets `outside` times each of the expressions, simplest first; these are
+    multiples of `polynomial`.
+    """
 
     cofactor: Expr
     polynomial: BracketPolynomial
-    expressions: tuple[Written, ...]
+    expressions: tuple[Expr, ...]
+    outside: tuple[Row, ...] = ()
 
 
 def bracket_cofactors(
-    poly: BracketPolynomial, budget: Budget, terms: int
+    rows: tuple[Row, ...], parts: Sequence[BracketPolynomial], budget: Budget, symmetries: Symmetries
 ) -> Iterator[tuple[list[Row], Rational | LimitReached | None]]:
     """For every orbit of brackets the expressions found with its first as the cofactor, None if there are none, or the
-    limit that was reached. `poly` is in normal form.
+    limit that was reached.
+
+    The input is the product of the brackets `rows` and of `parts`, in normal form, which are in no grouping
+    expressions; the symmetries are the input's. Any of the brackets may stand inside an expression.
     """
-    used = sorted({i for m in poly.terms for row in m for i in row})
-    rows = [r for r in combinations(used, poly.rank) if r[-1] >= poly.ideal]
-    for orbit in orbits(poly, rows, limit=terms):
-        multiple = poly * poly.with_terms({(orbit[0],): 1})
+    rest = reduce(mul, parts)
+    used = sorted({i for m in symmetries.poly.terms for row in m for i in row})
+    brackets = [r for r in combinations(used, rest.rank) if r[-1] >= rest.ideal]
+    insides = list(sub_multisets(rows))
+    exclusions = [Coincidences(rest * rest.with_terms({i: 1}), budget) for i in insides] if len(parts) == 1 else []
+    plain = Groups(rows, parts, budget.renewed())
+    if len(parts) == 1:
+        plain.known.update({((0,), inside): [] for inside in insides})
+    else:
+        plain.cover()
+    for orbit in symmetries.orbits(brackets, moved_row):
+        if exclusions and all(
+            # symmetries keep all brackets together and none of them; others inside they may exchange
+            c.exclude(orbit if inside in ((), rows) else orbit[:1])
+            for c, inside in zip(exclusions, insides, strict=True)
+        ):
+            yield orbit, None
+            continue
         try:
-            written, _ = search(multiple, budget.renewed())
+            found = Groups((*rows, orbit[0]), parts, budget.renewed(), known=plain.known).cover()
         except LimitReached as reached:
             yield orbit, reached
             continue
-        bracket = ex.Bracket(tuple(ex.Point(poly.points[i]) for i in orbit[0]))
-        yield orbit, Rational(bracket, multiple, tuple(written)) if written else None
+        yield orbit, found and _rational(orbit[0], rows, rest, *found)
+
+
+def _rational(
+    row: Row, rows: tuple[Row, ...], rest: BracketPolynomial, outside: tuple[Row, ...], groups: list[list[Written]]
+) -> Rational:
+    bracket = ex.Bracket(tuple(ex.Point(rest.points[i]) for i in row))
+    inside = tuple(sorted((Counter((*rows, row)) - Counter(outside)).elements()))
+    expressions = (ex.mul(*(w.expression for w in choice)) for choice in product(*groups))
+    return Rational(bracket, rest * rest.with_terms({inside: 1}), tuple(expressions), outside)
+
+
+_Pair = frozenset[int]
 
 
 @dataclass(frozen=True)
-class _Transversals:
-    """The lines t and s for a pencil (A; a, b) and lines g, h, and t ∧ ab."""
+class _Lines:
+    """What t and s are made of: the point A, the ends a and b, the lines g and h; points by their places."""
 
-    centre: str
-    ends: tuple[str, str]
-    t: Tree
-    s: Tree
-    cofactor: Expr
-    letters: Counter[str]  # what s and t use beyond the cofactor
-    others: tuple[tuple[str, ...], ...]  # the lines that do not go through A
+    centre: int
+    ends: _Pair
+    crossed: frozenset[_Pair]
+
+    def moved(self, swap: Swap) -> _Lines:
+        return _Lines(
+            swap.get(self.centre, self.centre),
+            _moved(self.ends, swap),
+            frozenset(_moved(line, swap) for line in self.crossed),
+        )
+
+    @cached_property
+    def letters(self) -> Counter[int]:
+        """Those of t ∧ ab."""
+        return Counter([self.centre, self.centre, *self.ends, *(i for line in self.crossed for i in line)])
+
+    def trees(self, names: Sequence[str]) -> tuple[Tree, Tree]:
+        """t and s."""
+        A, (a, b) = names[self.centre], _named(self.ends, names)
+        g, h = (_named(line, names) for line in sorted(self.crossed, key=sorted))
+        pencil = _joined(A, a, b)
+        t: Tree = ("meet", _joined(A, *g), _joined(A, *h))
+        s: Tree = ("join", ("meet", pencil, _joined(*g)), ("meet", pencil, _joined(*h)))
+        return t, s
+
+    def cofactor(self, names: Sequence[str]) -> Expr:
+        """t ∧ ab."""
+        t, _ = self.trees(names)
+        return ex.meet(extensor(t, 4), extensor(_joined(*_named(self.ends, names)), 4))
 
 
-def _transversals(poly: BracketPolynomial) -> Iterator[_Transversals]:
-    lines = sorted(vanishing_pairs(poly))
-    for i, A in enumerate(poly.points):
-        through = [poly.points[sum(line) - i] for line in lines if i in line]
-        others = [tuple(poly.points[j] for j in line) for line in lines if i not in line]
-        for (a, b), (g, h) in product(combinations(through, 2), combinations(others, 2)):
-            pencil, ag, ah = _joined(A, a, b), _joined(A, *g), _joined(A, *h)
-            t: Tree = ("meet", ag, ah)
-            s: Tree = ("join", ("meet", pencil, _joined(*g)), ("meet", pencil, _joined(*h)))
-            cofactor = ex.meet(extensor(ag, 4), extensor(ah, 4), extensor(_joined(a, b), 4))
-            yield _Transversals(A, (a, b), t, s, cofactor, Counter([A, A, a, b, *g, *h]), tuple(others))
+@dataclass(frozen=True)
+class _Choice:
+    """A cofactor: t ∧ ab, times a bracket, or times that of another line through A."""
+
+    one: _Lines
+    bracket: Row = ()
+    other: _Lines | None = None
+
+    def fits(self, degrees: Counter[int]) -> bool:
+        """Whether cofactor times polynomial has the letters of s and t: t ∧ ab has half of them."""
+        beyond = Counter(self.bracket) + (self.other.letters if self.other else Counter())
+        return self.one.letters <= degrees + beyond
+
+    def moved(self, swap: Swap) -> _Choice:
+        other = None if self.other is None else self.other.moved(swap)
+        return _Choice(self.one.moved(swap), moved_row(self.bracket, swap), other)
+
+    def cofactor(self, names: Sequence[str]) -> Expr:
+        factors = [self.one.cofactor(names)]
+        if self.bracket:
+            factors.insert(0, ex.Bracket(tuple(ex.Point(names[i]) for i in self.bracket)))
+        if self.other is not None:
+            factors.append(self.other.cofactor(names))
+        return ex.mul(*factors)
 
 
-def line_cofactors(poly: BracketPolynomial, budget: Budget) -> Iterator[Rational]:
+def line_cofactors(poly: BracketPolynomial, budget: Budget, symmetries: Symmetries) -> Iterator[Rational]:
     """Expressions that hold s and t and equal a cofactor times the polynomial, for the cofactors t ∧ ab; if there are
     none, [A a k] (t ∧ ab) for the lines k; if there are none either, (t ∧ ab)(t' ∧ ab) for two lines t through A.
 
-    Rank 4 without ideal points only. Raises LimitReached.
+    Of cofactors that symmetries of the polynomial take into each other the first is tried. Rank 4 without ideal points
+    only. Raises LimitReached.
     """
     if poly.rank != 4 or poly.ideal:
         return
-    degrees = Counter(poly.degrees() or {})
-    every = list(_transversals(poly))
+    lines = [tuple(sorted(pair)) for pair in sorted(vanishing_pairs(poly))]
+    every = list(_constructed(lines, len(poly.points)))
+    degrees = Counter(i for row in next(iter(poly.terms), ()) for i in row)
     for kind in (_alone, _with_a_bracket, _in_pairs):
         found = False
-        for one, cofactor, letters in kind(every):
-            if one.letters <= degrees + letters:
-                for rational in _with(poly, one, cofactor, budget):
-                    found = True
-                    yield rational
+        choices = dict.fromkeys(c for c in kind(every, lines) if c.fits(degrees))
+        for choice, *_ in symmetries.orbits(list(choices), _Choice.moved):
+            rational = _with(poly, choice, budget)
+            if rational is not None:
+                found = True
+                yield rational
         if found:
             return
 
 
-_Choice = tuple[_Transversals, Expr, Counter[str]]  # … and the letters of what stands beside t ∧ ab
+def _constructed(lines: Sequence[Row], points: int) -> Iterator[_Lines]:
+    for A in range(points):
+        through = [sum(line) - A for line in lines if A in line]
+        others = [frozenset(line) for line in lines if A not in line]
+        for ends, crossed in product(combinations(through, 2), combinations(others, 2)):
+            yield _Lines(A, frozenset(ends), frozenset(crossed))
 
 
-def _alone(every: list[_Transversals]) -> Iterator[_Choice]:
-    yield from ((one, one.cofactor, Counter()) for one in every)
+def _alone(every: list[_Lines], lines: Sequence[Row]) -> Iterator[_Choice]:
+    yield from map(_Choice, every)
 
 
-def _with_a_bracket(every: list[_Transversals]) -> Iterator[_Choice]:
+def _with_a_bracket(every: list[_Lines], lines: Sequence[Row]) -> Iterator[_Choice]:
     for one in every:
-        for end, line in product(one.ends, one.others):
-            names = sorted({one.centre, end, *line}, key=ex.point_key)
-            if len(names) == 4:
-                yield one, ex.mul(ex.Bracket(tuple(map(ex.Point, names))), one.cofactor), Counter(names)
+        for end, line in product(sorted(one.ends), lines):
+            row = {one.centre, end, *line}
+            if len(row) == 4 and one.centre not in line:
+                yield _Choice(one, tuple(sorted(row)))
 
 
-def _in_pairs(every: list[_Transversals]) -> Iterator[_Choice]:
+def _in_pairs(every: list[_Lines], lines: Sequence[Row]) -> Iterator[_Choice]:
     for one, other in permutations(every, 2):
         if (one.centre, one.ends) == (other.centre, other.ends):
-            yield one, ex.mul(one.cofactor, other.cofactor), Counter(_letters(other.cofactor))
+            yield _Choice(one, other=other)
 
 
-def _with(poly: BracketPolynomial, one: _Transversals, cofactor: Expr, budget: Budget) -> Iterator[Rational]:
+def _with(poly: BracketPolynomial, choice: _Choice, budget: Budget) -> Rational | None:
+    cofactor = choice.cofactor(poly.points)
+    t, s = choice.one.trees(poly.points)
     expanded = expand(cofactor, points=poly.points)
     assert isinstance(expanded, BracketPolynomial)
     multiple = poly * expanded.over(poly.points)
-    degrees = Counter(multiple.degrees() or {})
-    spent = Counter(leaves(one.t)) + Counter(leaves(one.s))
-    if multiple and spent <= degrees:
-        written, _ = search(multiple, budget.renewed(), [(one.s, 2), (one.t, 2)])
-        if written:
-            yield Rational(cofactor, multiple, tuple(written))
+    if not multiple:
+        return None
+    written, _ = search(multiple, budget.renewed(), [(s, 2), (t, 2)])
+    return Rational(cofactor, multiple, tuple(w.expression for w in written)) if written else None
 
 
-def _letters(e: Expr) -> Iterator[str]:
-    """The points of an expression, each as often as it is written."""
-    return (part.name for part in ex.subexpressions(e) if isinstance(part, ex.Point))
+def _moved(pair: _Pair, swap: Swap) -> _Pair:
+    return frozenset(swap.get(i, i) for i in pair)
+
+
+def _named(pair: _Pair, names: Sequence[str]) -> list[str]:
+    return [names[i] for i in sorted(pair)]
 
 
 def _joined(*points: str) -> Tree:

@@ -8,35 +8,39 @@ rationals, so is the polynomial.
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.algebra.evaluate import Evaluator, random_rational_points
+from gcrules.algebra.evaluate import random_rational_points
+from gcrules.factoring.limits import Budget
+from gcrules.factoring.restriction import Position, restricted
 
-__all__ = ["irreducible"]
+__all__ = ["MOST_LETTERS", "irreducible"]
 
-_LINES = 3
+MOST_LETTERS = 32
+"""Polynomials of more letters are not restricted: factoring in one unknown takes too long."""
+
+_LINES = 2
 
 
-def irreducible(poly: BracketPolynomial) -> bool | None:
-    """True: irreducible over the rationals. None: not known. The polynomial must have no brackets as factors."""
+def irreducible(poly: BracketPolynomial, budget: Budget | None = None) -> bool | None:
+    """True: irreducible over the rationals. None: not known. The polynomial must have no brackets as factors.
+
+    Raises LimitReached when the time of the budget is over.
+    """
     if poly.ideal or not poly:
         return None
     letters = sum((poly.degrees() or {}).values())
     if letters < 4 * poly.rank:
         return True
-    return True if any(_irreducible_on_a_line(poly, letters, seed) for seed in range(_LINES)) else None
+    if letters > MOST_LETTERS:
+        return None
+    return True if any(_irreducible_on_a_line(poly, letters, seed, budget) for seed in range(_LINES)) else None
 
 
-def _irreducible_on_a_line(poly: BracketPolynomial, degree: int, seed: int) -> bool:
-    import sympy  # heavy, and needed for large polynomials only
-
-    e = poly.to_expr()
+def _irreducible_on_a_line(poly: BracketPolynomial, degree: int, seed: int, budget: Budget | None) -> bool:
     one, other = (random_rational_points(poly.points, rank=poly.rank, seed=2 * seed + n, size=3) for n in (0, 1))
-    t = sympy.Symbol("t")
-    samples = []
-    for x in range(degree + 1):
-        at = {n: tuple(a + x * b for a, b in zip(one[n], other[n], strict=True)) for n in poly.points}
-        samples.append((x, Evaluator(at, poly.rank).value(e)[0]))
-    restricted = sympy.Poly(sympy.interpolate([(x, sympy.Rational(Fraction(v))) for x, v in samples], t), t)
-    return bool(restricted.degree() == degree and restricted.is_irreducible)
+
+    def line(t: int) -> Position:
+        return {n: tuple(a + t * b for a, b in zip(one[n], other[n], strict=True)) for n in poly.points}
+
+    on_line = restricted(poly, line, degree, budget)
+    return bool(on_line.degree() == degree and on_line.is_irreducible)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cached_property
+from math import factorial, prod
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
@@ -27,10 +29,11 @@ _FURTHER = 3
 
 
 def search(
-    poly: BracketPolynomial, budget: Budget, given: Sequence[tuple[Tree, int]] = ()
+    poly: BracketPolynomial, budget: Budget, given: Sequence[tuple[Tree, int]] = (), *, first: bool = False
 ) -> tuple[list[Written], int]:
     """All expressions without a scalar part that are multiples of a polynomial, simplest first, and how many extensors
-    they were made of. With `given` (trees and their steps) only those that hold these extensors.
+    they were made of. With `given` (trees and their steps) only those that hold these extensors; with
+    `first` the one that comes first alone.
 
     Each holds at the test's positions and at two of the oracle's. Raises LimitReached.
     """
@@ -54,6 +57,13 @@ def search(
         w = _confirmed(candidate, extensors, oracle)
         if w is not None:
             found.setdefault(str(w), w)
+            if first:
+                break
+    if not found and prod(map(factorial, letters.degrees)) >= extensors.field.p:
+        raise LimitReached(
+            "the constant between an expression and the polynomial might be a multiple of the prime "
+            f"{extensors.field.p} of the test, as points occur so often"
+        )
     built = sum(map(len, extensors.levels.values()))
     budget.held -= built
     return sorted(found.values(), key=lambda w: w.key), built
@@ -65,9 +75,14 @@ class _Oracle:
     def __init__(self, poly: BracketPolynomial) -> None:
         ideal = poly.points[: poly.ideal]
         points = (random_points(poly.points, rank=poly.rank, ideal=ideal, seed=n) for n in (1, 2))
+        self.poly = poly
         self.at = [Evaluator(p, poly.rank, PRIME) for p in points]
-        e = poly.to_expr()
-        self.values = [at.value(e)[0] for at in self.at]
+
+    @cached_property
+    def values(self) -> list[int]:
+        """Those of the polynomial; most searches come to no candidate that asks for them."""
+        e = self.poly.to_expr()
+        return [at.value(e)[0] for at in self.at]
 
     def confirms(self, e: Expr) -> bool:
         one, other = (at.value(e)[0] for at in self.at)

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.bracket import BracketPolynomial, Row
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import text
 from gcrules.condition import ONE, Certificate
 
-__all__ = ["Factorization", "Family", "Form"]
+__all__ = ["Factorization", "Family", "Form", "brackets_of"]
 
 
 @dataclass(frozen=True)
@@ -59,10 +60,16 @@ class Form:
         return ex.mul(ex.Number(self.coefficient), *self.factors, self.expression)
 
 
+def brackets_of(rows: Iterable[Row], names: tuple[str, ...]) -> tuple[Expr, ...]:
+    """Brackets given by the places of their points, sorted."""
+    return tuple(ex.Bracket(tuple(ex.Point(names[i]) for i in row)) for row in sorted(rows))
+
+
 @dataclass(frozen=True)
 class Factorization:
     """input = coefficient · Π factors · expression, or the certificate that the family holds no such expression.
 
+    The expression is a product where there are several irreducible factors that are no brackets.
     `points` is the tableau order. Where there is none, `expression` is None and input = coefficient · Π factors ·
     `remainder`. `alternatives` are further expressions, each with its own coefficient; `more` counts those that were
     found but not asked for. Where a cofactor was sought, `rational` holds the expressions found with one (cofactor ·

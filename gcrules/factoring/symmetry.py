@@ -1,4 +1,4 @@
-r"""Permutations of the points that take a polynomial to plus or minus itself, and orbits of brackets under them.
+r"""Permutations of the points that take a polynomial to plus or minus itself, and orbits under them.
 
 Exchanges of up to three pairs of points are tried. Each that is used is proved by normal forms; there may be more
 symmetries, so orbits may be finer than they could be, which costs time and nothing else.
@@ -6,8 +6,9 @@ symmetries, so orbits may be finer than they could be, which costs time and noth
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from itertools import combinations
+from typing import TypeVar
 
 import numpy as np
 
@@ -16,33 +17,56 @@ from gcrules.algebra.straighten import straighten
 from gcrules.factoring.brackets import MODULUS
 from gcrules.factoring.residues import random_positions, values
 
-__all__ = ["orbits"]
+__all__ = ["Swap", "Symmetries", "moved_row"]
 
 _PAIRS = 3
 _MOST = 20_000
 
 _Exchange = tuple[tuple[int, int], ...]
+Swap = Mapping[int, int]
+T = TypeVar("T", bound=Hashable)
 
 
-def orbits(poly: BracketPolynomial, rows: list[Row], *, limit: int) -> list[list[Row]]:
-    """The brackets in classes that symmetries of the polynomial (in normal form) take into each other."""
-    home = {row: row for row in rows}
+def moved_row(row: Row, swap: Swap) -> Row:
+    """A bracket after an exchange of points."""
+    return tuple(sorted(swap.get(i, i) for i in row))
 
-    def root(row: Row) -> Row:
-        while home[row] != row:
-            row = home[row]
-        return row
 
-    for exchange in _symmetries(poly):
-        swap = {**dict(exchange), **{b: a for a, b in exchange}}
-        merging = [(r, tuple(sorted(swap.get(i, i) for i in r))) for r in rows]
-        if any(root(r) != root(s) for r, s in merging) and _proved(poly, swap, limit):
-            for r, s in merging:
-                home[max(root(r), root(s))] = min(root(r), root(s))
-    classes: dict[Row, list[Row]] = {}
-    for row in rows:
-        classes.setdefault(root(row), []).append(row)
-    return list(classes.values())
+class Symmetries:
+    """The exchanges that are symmetries of a polynomial in normal form; each is proved when it is first used."""
+
+    def __init__(self, poly: BracketPolynomial, *, limit: int) -> None:
+        self.poly = poly
+        self.limit = limit
+        self._seeming = [{**dict(x), **{b: a for a, b in x}} for x in _symmetries(poly)]
+        self._known: dict[int, bool] = {}
+
+    def orbits(self, items: Sequence[T], moved: Callable[[T, Swap], T]) -> list[list[T]]:
+        """Items in classes that symmetries take into each other; `moved` is an item after an exchange of points."""
+        home = {item: item for item in items}
+        place = {item: n for n, item in enumerate(items)}
+
+        def root(item: T) -> T:
+            while home[item] != item:
+                item = home[item]
+            return item
+
+        for number, swap in enumerate(self._seeming):
+            images = [(item, moved(item, swap)) for item in items]
+            if any(root(a) != root(b) for a, b in images if b in home) and self._holds(number):
+                for a, b in images:
+                    if b in home:
+                        first, second = sorted((root(a), root(b)), key=place.__getitem__)
+                        home[second] = first
+        classes: dict[T, list[T]] = {}
+        for item in items:
+            classes.setdefault(root(item), []).append(item)
+        return list(classes.values())
+
+    def _holds(self, number: int) -> bool:
+        if number not in self._known:
+            self._known[number] = _proved(self.poly, self._seeming[number], self.limit)
+        return self._known[number]
 
 
 def _symmetries(poly: BracketPolynomial) -> Iterator[_Exchange]:
@@ -73,7 +97,7 @@ def _symmetries(poly: BracketPolynomial) -> Iterator[_Exchange]:
         yield from (x for x, v in zip(exchanges[low : low + 1000], moved, strict=True) if v in (value, MODULUS - value))
 
 
-def _proved(poly: BracketPolynomial, swap: dict[int, int], limit: int) -> bool:
+def _proved(poly: BracketPolynomial, swap: Swap, limit: int) -> bool:
     names = tuple(poly.points[swap.get(i, i)] for i in range(len(poly.points)))
     moved = BracketPolynomial(poly.rank, names, poly.terms, poly.ideal).over(poly.points, poly.ideal)
     normal = straighten(moved, limit=limit)

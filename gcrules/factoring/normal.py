@@ -1,0 +1,73 @@
+"""The polynomial that is factored: in normal form, not zero, homogeneous in the points, whole and coprime numbers."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from fractions import Fraction
+from math import gcd, lcm
+
+from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms
+from gcrules.algebra.expr import Number
+from gcrules.algebra.straighten import straighten
+from gcrules.errors import InputError
+from gcrules.factoring.residues import random_positions, residues, values
+
+__all__ = ["normal", "primitive"]
+
+_TIMES = {0: "never", 1: "once", 2: "twice"}
+
+Degrees = tuple[tuple[int, int], ...]  # point, how often it occurs
+
+
+def normal(poly: BracketPolynomial, terms: int) -> BracketPolynomial:
+    """The normal form. Raises InputError if it is zero or not homogeneous in the points, LimitReached.
+
+    Syzygies keep how often each point occurs, so terms of different multidegrees never cancel: a polynomial with two
+    parts that are not zero somewhere is not homogeneous, which is told without its normal form.
+    """
+    parts: dict[Degrees, Terms] = {}
+    for m, c in poly.terms.items():
+        parts.setdefault(_degrees(m), {})[m] = c
+    if len(parts) > 1:
+        _one_of([d for d, part in parts.items() if _somewhere(poly.with_terms(part))], poly.points)
+    found = straighten(poly, limit=terms)
+    assert isinstance(found, BracketPolynomial)
+    if not found:
+        raise InputError("the polynomial is zero: every expression divides it", hint="check the signs and the points")
+    _one_of(list(dict.fromkeys(map(_degrees, found.terms))), poly.points)
+    return found
+
+
+def _degrees(m: Monomial) -> Degrees:
+    return tuple(sorted(Counter(i for row in m for i in row).items()))
+
+
+def _somewhere(part: BracketPolynomial) -> bool:
+    """Whether a polynomial is not zero at random positions, which is certain if it is so."""
+    p = residues(part.rank).p
+    at = random_positions(2, len(part.points), part.rank, p, ideal=part.ideal, seed=1)
+    return bool(values(primitive(part)[1], at, p).any())
+
+
+def _one_of(degrees: Sequence[Degrees], points: Sequence[str]) -> None:
+    """Raises InputError for two different multidegrees."""
+    if len(degrees) < 2:
+        return
+    one, other = map(dict, degrees[:2])
+    i = min(i for i in range(len(points)) if one.get(i, 0) != other.get(i, 0))
+    first, second = (_TIMES.get(n, f"{n} times") for n in (one.get(i, 0), other.get(i, 0)))
+    raise InputError(
+        f"the polynomial is not homogeneous in the points: {points[i]} occurs {first} in some terms of its normal form "
+        f"and {second} in others",
+        hint="an expression of joins and meets uses each point equally often in every term",
+    )
+
+
+def primitive(poly: BracketPolynomial) -> tuple[int | Fraction, BracketPolynomial]:
+    """The content (with the sign of the first term) and the polynomial divided by it: whole, coprime numbers."""
+    coefficients = [Fraction(c) for c in poly.terms.values()]
+    content = Fraction(gcd(*(c.numerator for c in coefficients)), lcm(*(c.denominator for c in coefficients)))
+    if coefficients[0] < 0:
+        content = -content
+    return Number(content).value, poly * (1 / content)

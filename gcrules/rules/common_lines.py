@@ -1,0 +1,146 @@
+r"""Lines that meet four legs, constructed from their joints: where two legs share a joint, the common transversals of
+four legs are rational in the joints.
+
+>>> four = FourLegs((("A", "a"), ("A", "b"), ("B", "c"), ("B", "d")))
+>>> for line in four.lines:
+...     print(line.expression, "-", line.words)
+AB - the line AB through the joints A and B
+Aab /\ Bcd - the common line of the leg planes Aab and Bcd
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
+from gcrules.algebra.expr import Expr, Point, join, meet
+from gcrules.legs import Leg, leg_text
+from gcrules.rules.state import extensor
+
+__all__ = ["FREE", "CommonLine", "FourLegs", "letters"]
+
+FREE = ("free 1", "free 2", "free 3", "free 4")
+"""Four more points at the random positions; these are no names of joints."""
+
+_SAMPLES = 2
+
+
+def letters(*exprs: Expr) -> Counter[str]:
+    """The points of expressions, each as often as it is written."""
+    return Counter(part.name for e in exprs for part in ex.subexpressions(e) if isinstance(part, Point))
+
+
+@dataclass(frozen=True)
+class CommonLine:
+    """A line, and what it is in words."""
+
+    expression: Expr
+    words: str
+
+    @cached_property
+    def letters(self) -> Counter[str]:
+        return letters(self.expression)
+
+
+@dataclass(frozen=True)
+class FourLegs:
+    """Four legs; `names` is the order in which their joints are written (else sorted), `ideal` are at infinity."""
+
+    legs: tuple[Leg, ...]
+    names: tuple[str, ...] = ()
+    ideal: tuple[str, ...] = ()
+
+    @cached_property
+    def joints(self) -> tuple[str, ...]:
+        """The joints in their order."""
+        used = {n for leg in self.legs for n in leg}
+        return tuple(n for n in self.names if n in used) or tuple(sorted(used, key=ex.point_key))
+
+    @cached_property
+    def positions(self) -> tuple[Evaluator, ...]:
+        """Exact random positions of the joints and of the points FREE, all finite."""
+        seeds = range(11, 11 + _SAMPLES)
+        return tuple(Evaluator(random_points([*self.joints, *FREE], seed=n), 4, PRIME) for n in seeds)
+
+    @cached_property
+    def lines(self) -> tuple[CommonLine, ...]:
+        """The constructed lines that meet all four legs for generic positions of the joints, no two of them equal.
+
+        Two for most legs; some of a pencil of lines where three legs share a joint or lie in a plane; none where no two
+        legs share a joint (the transversals then take a square root).
+        """
+        through = [extensor(leg) for leg in self.legs]
+        known: dict[tuple[int, ...], CommonLine] = {}
+        # The simplest construction of a line is kept.
+        for line in sorted(self._constructed(), key=lambda c: (c.letters.total(), c.expression.depth)):
+            at = [p.value(line.expression) for p in self.positions]
+            crossing = (p.value(meet(line.expression, g))[0] == 0 for p in self.positions for g in through)
+            if all(any(v) for v in at) and all(crossing):
+                known.setdefault(tuple(x for v in at for x in _scaled(v)), line)
+        return tuple(known.values())
+
+    def _constructed(self) -> Iterator[CommonLine]:
+        """Lines through joints, in planes of two legs with a common joint, and across single legs, that meet all legs
+        by the way they are constructed.
+        """
+        for a, b in combinations(self.joints, 2):
+            if not self._missed((a, b), ()):
+                yield CommonLine(extensor((a, b)), self._line_of_joints(a, b))
+        planes = [self._plane(*g, *h) for g, h in combinations(self.legs, 2) if len({*g, *h}) == 3]
+        for x, y in combinations(dict.fromkeys(planes), 2):
+            if not self._missed((), (x, y)):
+                words = f"the common line of the leg planes {extensor(x)} and {extensor(y)}"
+                yield CommonLine(meet(extensor(x), extensor(y)), words)
+        for a in self.joints:
+            missed = self._missed((a,), ())
+            if len(missed) == 2:
+                g, h = missed
+                line = meet(extensor(self._plane(a, *g)), extensor(self._plane(a, *h)))
+                yield CommonLine(line, f"the line {self._through(a)} that crosses {leg_text(g)} and {leg_text(h)}")
+        for x in dict.fromkeys(planes):
+            yield from self._in_plane(x)
+
+    def _in_plane(self, x: tuple[str, ...]) -> Iterator[CommonLine]:
+        """Lines in a plane of two legs, through one of its joints or across two legs."""
+        plane = extensor(x)
+        missed = self._missed((), (x,))
+        if len(missed) == 2:
+            g, h = missed
+            line = join(meet(extensor(g), plane), meet(extensor(h), plane))
+            yield CommonLine(line, f"the line in the plane {plane} that crosses {leg_text(g)} and {leg_text(h)}")
+        for a in x:
+            missed = self._missed((a,), (x,))
+            if len(missed) == 1:
+                (g,) = missed
+                line = join(Point(a), meet(extensor(g), plane))
+                yield CommonLine(line, f"the line {self._through(a)} in the plane {plane} that crosses {leg_text(g)}")
+
+    def _line_of_joints(self, a: str, b: str) -> str:
+        line = extensor((a, b))
+        finite = [n for n in (a, b) if n not in self.ideal]
+        if not finite:
+            return f"the line at infinity {line}"
+        if len(finite) == 2:
+            return f"the line {line} through the joints {a} and {b}"
+        (direction,) = {a, b} - set(finite)
+        return f"the line {line} through the joint {finite[0]} in the direction {direction}"
+
+    def _through(self, a: str) -> str:
+        return f"in the direction {a}" if a in self.ideal else f"through {a}"
+
+    def _plane(self, *names: str) -> tuple[str, ...]:
+        return tuple(sorted(set(names), key=self.joints.index))
+
+    def _missed(self, points: tuple[str, ...], planes: tuple[tuple[str, ...], ...]) -> list[Leg]:
+        """The legs that go through none of the points and lie in none of the planes."""
+        return [g for g in self.legs if not set(g) & set(points) and not any(set(g) <= set(x) for x in planes)]
+
+
+def _scaled(values: Sequence[int]) -> list[int]:
+    leading = pow(next(v for v in values if v), -1, PRIME)
+    return [v * leading % PRIME for v in values]
