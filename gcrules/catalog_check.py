@@ -19,6 +19,7 @@ from gcrules.condition import Certificate, Condition
 from gcrules.legs import Leg, Structure
 from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.state import extensor
+from gcrules.shortening.shorten import shorten
 
 __all__ = ["CheckResult", "check_catalog", "check_entry", "enumerate_classes", "factors", "source_keys"]
 
@@ -54,8 +55,9 @@ def check_catalog(catalog: Catalog) -> Iterator[CheckResult]:
 
 
 def check_entry(entry: Entry) -> CheckResult:
-    """Compute and prove what an entry says: degrees, numbers of terms, factors, group, status, sources, condition and
-    readings (by normal forms), and that the rules of the engine arrive at a condition of the same kind.
+    """Compute and prove what an entry says: degrees, numbers of terms, the shortest form, factors, group, status,
+    sources, condition and readings (by normal forms), and that the rules of the engine arrive at a condition of the
+    same kind.
     """
     structure = entry.structure
     found = analyze(structure)
@@ -78,11 +80,16 @@ def _facts(entry: Entry, structure: Structure, *, regular: bool) -> Iterator[str
     terms = {form: int(n.min()) for form, n in counts(structure.legs).items()}
     if terms != dict(entry.terms):
         yield f"terms {dict(entry.terms)}, computed {terms}"
+    if entry.shortest is not None:
+        found = shorten(structure.superbracket)
+        if not found.minimal or found.terms != entry.shortest:
+            least = found.terms if found.minimal else f"{found.lower} to {found.terms}"
+            yield f"shortest {entry.shortest}, computed {least}"
     if regular == (entry.status == "always-singular"):
         yield f"status {entry.status}, but the superbracket is {'not ' * regular}identically zero"
-    found = sorted(factors(structure)) if regular else []
-    if found != sorted(tuple(sorted(f)) for f in entry.factors) and "factors" not in entry.left_out:
-        yield f"factors {_brackets(entry.factors)}, computed {_brackets(found)}"
+    brackets = sorted(factors(structure)) if regular else []
+    if brackets != sorted(tuple(sorted(f)) for f in entry.factors) and "factors" not in entry.left_out:
+        yield f"factors {_brackets(entry.factors)}, computed {_brackets(brackets)}"
     for key in entry.sources if entry.owner == SHIPPED else ():
         if key not in source_keys():
             yield f"the source {key} is not in references.bib"

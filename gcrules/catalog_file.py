@@ -100,7 +100,7 @@ def _fields(template: str) -> set[str]:
 
 
 _REQUIRED = {"id", "legs", "condition"}
-_COMPUTED = {"degrees", "terms", "factors", "group"}
+_COMPUTED = {"degrees", "terms", "shortest", "factors", "group"}
 _OPTIONAL = {"name", "note", "readings", "status", "sources", *_COMPUTED}
 STATUSES = ("inferred", "added", "always-singular")
 KINDS = (*(rule.id for rule in INCIDENCES), *FROM_CATALOG, "linear-complex", "always-singular")
@@ -136,6 +136,7 @@ class _Reader:
         sources = tuple(n.string() or "" for n in top["sources"].sequence()) if "sources" in top else ()
         degrees = self._degrees(top["degrees"]) if "degrees" in top else None
         terms = self._terms(top["terms"]) if "terms" in top else None
+        shortest = top["shortest"].integer() if "shortest" in top else None
         if not legs or not condition or entry_id is None or status is None or group is None:
             return None
         return Entry(
@@ -143,6 +144,7 @@ class _Reader:
             legs=legs,
             degrees=Structure(legs).degrees if degrees is None else degrees,
             terms=FrozenMap(_fewest(legs) if terms is None else terms),
+            shortest=shortest,
             factors=factors,
             group=None if group == "none" else group,
             status=status,

@@ -82,9 +82,9 @@ def _section(title: str, entries: Iterable[Entry], names: Mapping[str, str]) -> 
     for e in entries:
         page = f"{names[e.id]}.md"
         picture = f"[![{inline(e.id)}]({names[e.id]}-small.svg)]({page})"
-        terms = f"{e.terms[24]} / {e.terms[16]}"
+        terms = f"{e.terms[24]} / {e.terms[16]} / {'–' if e.shortest is None else e.shortest}"
         rows.append(f"| {_link(e, names)} | {picture} | {legs_text(e.legs)} | {terms} | {inline(e.name or '')} |")
-    head = "| class | graph and robot | legs | terms (24 / 16) | name |"
+    head = "| class | graph and robot | legs | terms (24 / 16 / shortest) | name |"
     return [f"## {inline(title)}", "", head, "|---|---|---|---|---|", *rows, ""]
 
 

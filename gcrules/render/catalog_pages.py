@@ -27,6 +27,7 @@ from gcrules.render.markdown import block, inline, reference
 from gcrules.render.page_names import page_names
 from gcrules.render.poses import telling_regular, telling_singular
 from gcrules.rules.strategy import Strategy
+from gcrules.shortening.shorten import shorten
 
 __all__ = ["FIGURES", "HEAD", "bibliography", "catalog_pages", "neighbours"]
 
@@ -178,6 +179,7 @@ def _page(
         f"{', '.join(leg_text(a.structure.legs[i]) for i in a.shortest.order)}:",
         "",
         *block(*_formula(a, a.shortest.polynomial.to_expr())),
+        *_fewest(entry, a),
         "## Derivation",
         "",
         *_derivation(a),
@@ -192,6 +194,22 @@ def _page(
         "",
     ]
     return "\n".join(lines)
+
+
+def _fewest(entry: Entry, a: Analysis) -> list[str]:
+    """Whether a bracket polynomial of any other kind is shorter; computed where the catalog does not say."""
+    if not a.typed.polynomial:
+        return []
+    shown = len(a.shortest.polynomial)
+    if entry.shortest is None:
+        found = shorten(a.structure.superbracket)
+        lower, terms = found.lower, found.terms
+    else:
+        lower = terms = entry.shortest
+    if lower == shown:
+        return ["No bracket polynomial with fewer terms equals the superbracket (proved by `gcrules shorten`).", ""]
+    best = f"A bracket polynomial of {terms} terms equals it" if terms < shown else "No shorter one was found"
+    return [f"{best}; at least {lower} are needed (`gcrules shorten`).", ""]
 
 
 def _group(entry: Entry, a: Analysis) -> str:
@@ -211,7 +229,7 @@ def _derivation(a: Analysis) -> list[str]:
     steps = tuple(a.derivation)
     for number, step in enumerate(steps, 1):
         why, before = step.why, []
-        if step.rule == "catalog" and len(steps) == 1:
+        if len(steps) == 1:
             before = [*_formula(a, step.before), "="]
             if a.condition.certificate.method == "normal-form":
                 why = re.sub("^proved:", "this identity is proved from scratch:", why)

@@ -1,0 +1,124 @@
+r"""The shortest bracket polynomial equal to a given one, with a proof that none is shorter, or a lower bound.
+
+>>> from gcrules.algebra.syntax import parse
+>>> found = shorten(parse("[abc][def] - [abd][cef] + [abe][cdf] - [abf][cde] + [acd][bef]", rank=3))
+>>> print(found.polynomial, found.minimal, sep="; ")
+[acd][bef]; True
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.bracket import BracketPolynomial, Terms
+from gcrules.algebra.expand import MAX_TERMS, expand
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.shortest import shortest_forms
+from gcrules.algebra.straighten import straighten
+from gcrules.condition import Certificate
+from gcrules.errors import EngineFault, InputError
+from gcrules.shortening.limits import MAX_MONOMIALS, SECONDS
+from gcrules.shortening.monomials import canonical, degree_vector
+from gcrules.shortening.result import Shortening
+from gcrules.shortening.search import Limits, Search, shortest_of
+
+__all__ = ["shorten"]
+
+_PROVED = Certificate("normal-form", "both sides have the same normal form of standard tableaux")
+_COLLECTED = Certificate("normal-form", "the terms of the input, collected")
+_MONOMIAL = Certificate("normal-form", "a product of brackets is not zero")
+_ZERO = Certificate("normal-form", "the normal form is zero")
+
+
+def shorten(
+    e: Expr | BracketPolynomial,
+    *,
+    points: Iterable[str] = (),
+    ideal: Iterable[str] = (),
+    rank: int | None = None,
+    limit: int = MAX_MONOMIALS,
+    seconds: float = SECONDS,
+    progress: Callable[[str], None] | None = None,
+) -> Shortening:
+    """The bracket polynomial with the fewest terms that was found for an expression of step 0, and a lower bound.
+
+    Coefficients may be any rational numbers. Parts of different multidegree are independent, so each is shortened by
+    itself. `limit` is the number of bracket monomials among which is searched. After `seconds` no new search begins and
+    what was found so far is the answer; `progress` is told what goes on. Raises InputError for extensors, LimitReached
+    where there are more bracket monomials.
+    """
+    terms = max(limit, MAX_TERMS)
+    points, ideal = tuple(points), tuple(ideal)
+    poly = e if isinstance(e, BracketPolynomial) else expand(e, points=points, ideal=ideal, rank=rank, limit=terms)
+    if not isinstance(poly, BracketPolynomial):
+        raise InputError(f"only scalars are shortened, this is {ex.step_name(poly.step, poly.rank)}")
+    kept = _canonical(poly)
+    if len(kept) == 1:
+        return Shortening(kept, len(poly), 1, _MONOMIAL, _COLLECTED)
+    normal = straighten(poly, limit=terms)
+    assert isinstance(normal, BracketPolynomial)
+    if not normal:
+        return Shortening(normal, len(poly), 0, _ZERO, _ZERO)
+    forms = [kept, *(_canonical(f.over(poly.points, poly.ideal)) for f in _superbracket_forms(e, poly))]
+    limits = Limits(limit, terms, seconds, progress)
+    parts = _by_multidegree(normal)
+    found = [
+        shortest_of(part, [f for form in forms if (f := _by_multidegree(form).get(degrees)) is not None], limits)
+        for degrees, part in parts.items()
+    ]
+    return _together(poly, normal, found, terms)
+
+
+def _superbracket_forms(e: Expr | BracketPolynomial, poly: BracketPolynomial) -> list[BracketPolynomial]:
+    """The shortest of the 24-term and 16-term forms over all orders of the lines, for a superbracket of six lines."""
+    if not isinstance(e, ex.Superbracket) or len(e.lines) != 6 or not len(poly):
+        return []
+    lines = []
+    for line in e.lines:
+        match line:
+            case ex.Join(args=(ex.Point(name=a), ex.Point(name=b))):
+                lines.append((a, b))
+            case _:
+                return []
+    names = poly.points
+    return [f.polynomial * f.sign for f in shortest_forms(lines, points=names, ideal=names[: poly.ideal])]
+
+
+def _canonical(poly: BracketPolynomial) -> BracketPolynomial:
+    """The polynomial with equal monomials collected and those that vanish left out."""
+    terms: Terms = {}
+    for m, c in poly.terms.items():
+        kept = canonical(m, poly.ideal)
+        if kept is not None:
+            terms[kept] = terms.get(kept, 0) + c
+    return poly.with_terms(terms)
+
+
+def _by_multidegree(poly: BracketPolynomial) -> dict[tuple[int, ...], BracketPolynomial]:
+    parts: dict[tuple[int, ...], Terms] = {}
+    for m, c in poly.terms.items():
+        parts.setdefault(degree_vector(m, len(poly.points)), {})[m] = c
+    return {degrees: poly.with_terms(terms) for degrees, terms in sorted(parts.items())}
+
+
+def _together(poly: BracketPolynomial, normal: BracketPolynomial, found: list[Search], terms: int) -> Shortening:
+    """The parts as one answer, which is proved."""
+    best = sum((s.best for s in found[1:]), found[0].best)
+    if straighten(best, limit=terms) != normal:
+        raise EngineFault(f"{best} does not equal the input")
+    if len(found) == 1:
+        bound = found[0].bound
+    else:
+        details = "; ".join(f"{s.lower} by {s.bound.method}: {s.bound.detail}" for s in found)
+        bound = Certificate("parts", f"{len(found)} parts of different multidegree are independent: {details}")
+    return Shortening(
+        best,
+        len(poly),
+        sum(s.lower for s in found),
+        bound,
+        _PROVED,
+        sum(s.monomials for s in found),
+        max(s.symmetries for s in found),
+        tuple(note for s in found for note in s.notes),
+    )
