@@ -16,29 +16,28 @@ from dataclasses import dataclass, replace
 from os import PathLike
 from typing import Any
 
+from gcrules import forms
 from gcrules.algebra import expr as ex
-from gcrules.algebra.shortest import SuperbracketForm, shortest_forms, superbracket_form
-from gcrules.algebra.straighten import straighten
-from gcrules.algebra.text import SHORT_NAME, Names, split_names
-from gcrules.catalog import Catalog, Match
+from gcrules.algebra.expr import Expr, Meet
+from gcrules.algebra.shortest import SuperbracketForm
+from gcrules.algebra.text import SHORT_NAME, Names, split_names, text
+from gcrules.catalog import Match
 from gcrules.catalog_file import load
-from gcrules.condition import Certificate, Condition, Entity, starred
+from gcrules.condition import Condition, Entity, starred
 from gcrules.errors import EngineFault, InputError
 from gcrules.legs import Structure, read_legs, read_order
 from gcrules.numeric.value import PoseValue, pose_value
 from gcrules.plugins import load_rules
+from gcrules.readings import Readings, always_zero, linear_complex, read
 from gcrules.robots.geometry import Platform
-from gcrules.rules.conditions import best_first, certify, describe
 from gcrules.rules.degenerate import Degeneracy, explain
 from gcrules.rules.derivation import Derivation
 from gcrules.rules.deriving import derived, derived_zero
+from gcrules.rules.factorization import SECONDS
 from gcrules.rules.incidence import Claim
-from gcrules.rules.oracle import Oracle
-from gcrules.rules.strategy import CATALOG, MAX_TERMS, SHORTEST, Strategy, of_plugins, recognise
+from gcrules.rules.strategy import SHORTEST, Strategy
 
 __all__ = ["Analysis", "analyze"]
-
-_MOST_READINGS = 3  # of the kind of the condition itself
 
 
 @dataclass(frozen=True)
@@ -74,6 +73,16 @@ class Analysis:
         """The published group of entities, a … g; None where the procedure does not reach."""
         return self.condition.group
 
+    @property
+    def lines(self) -> tuple[Expr, ...]:
+        """The legs as expressions of step 2."""
+        return self.structure.lines
+
+    @property
+    def assumed(self) -> tuple[tuple[str, str], ...]:
+        """What must not vanish for the assumptions to say what they are taken to say, each with its meaning."""
+        return self.structure.assumed
+
     def unfolded(self) -> Derivation:
         """The derivation, each step with the single steps that it is made of."""
         return self.derivation.unfolded(self.strategy.rules)
@@ -83,7 +92,12 @@ class Analysis:
         names = self.structure.names
         return {
             "schema": 1,
-            "legs": [list(leg) for leg in self.structure.legs],
+            "legs": [_pair(leg, line, names) for leg, line in zip(self.structure.legs, self.lines, strict=True)],
+            "lines": list(self.structure.words),
+            "rank": self.structure.rank,
+            "ideal": list(self.structure.ideal),
+            "given": [str(a) for a in self.structure.given],
+            "assumed": [e for e, _ in self.assumed],
             "class": self.match.entry.id if self.match else None,
             "mapping": dict(self.match.mapping) if self.match else None,
             "points": list(names),
@@ -136,66 +150,64 @@ def analyze(
     order: str | Sequence[int | str] | None = None,
     points: Names = (),
     ideal: Names = (),
+    given: str | Iterable[str] = (),
+    rank: int = 4,
     catalogs: Iterable[str | PathLike[str]] = (),
     recheck: bool = False,
     strategy: Strategy | None = None,
+    search: float = SECONDS,
 ) -> Analysis:
     """Analyse six legs: when is the platform singular, and why.
 
     `legs` is text ("ab af cb cd ed ef") or pairs of names, a leg written with one body's joint first throughout, or a
-    platform with coordinates (`load_platform`), for which the numbers in its pose are given too;
-    `order` keeps the user's own order of legs instead of the shortest one; `points` declares long names, `ideal` the
-    points at infinity; `catalogs` adds files of the user's own; `strategy` says which rules run. With `recheck`
-    readings that are instances of catalog identities are proved from scratch. Raises InputError for anything but six
-    legs between different points.
+    platform with coordinates (`load_platform`), for which the numbers in its pose are given too. A line that is no pair
+    of joints is built from points: "abc /\\ def". `order` keeps the user's own order of legs instead of the shortest
+    one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points (as
+    `gcrules.prove` takes it), and `rank` another space, in which there are n (n − 1) / 2 lines.
+
+    `catalogs` adds files of the user's own; `strategy` says which rules run. With `recheck` readings that are instances
+    of catalog identities are proved from scratch. Where no rule finds a condition, a factorization is sought for
+    `search` seconds. Raises InputError for the wrong number of lines, for what is no line, and for assumptions that are
+    not resolved.
     """
     if isinstance(legs, Platform):
-        return _in_pose(legs, order, split_names(points), split_names(ideal), catalogs, recheck, strategy)
-    structure = legs if isinstance(legs, Structure) else read_legs(legs, points=points, ideal=ideal)
+        if given or rank != 4:
+            raise InputError(f"{legs.filename} gives coordinates: assumptions and other ranks are for legs without")
+        return _in_pose(legs, order, split_names(points), split_names(ideal), catalogs, recheck, strategy, search)
+    if isinstance(legs, Structure):
+        if points or ideal or given or rank not in (4, legs.rank):
+            raise InputError("a structure has its own points, assumptions and rank")
+        structure = legs
+    else:
+        structure = read_legs(legs, points=points, ideal=ideal, given=given, rank=rank, built=True)
     strategy = strategy or load_rules(identities=False).strategy()
     catalog = load(catalogs, (r.id for r in strategy.incidences))
-    typed = superbracket_form(structure.legs, points=structure.points, ideal=structure.ideal)
-    chosen = None if order is None else read_order(order, structure)
-    if chosen is None and SHORTEST not in strategy.ids:
-        chosen = tuple(range(6))
-    forms = _shortest(structure, strategy) if chosen is None else _in_order(structure, chosen, strategy)
-    matches = list(catalog.matches(structure))
+    typed = forms.typed_form(structure)
+    chosen = _chosen(order, structure, strategy)
+    matches = [] if structure.stand_ins else list(catalog.matches(structure))
     match = matches[0] if matches else None
-    if not straighten(typed.polynomial):
-        return _always_singular(structure, typed, match, catalog, strategy)
-    notes = [f"{m.entry.id} ({m.entry.place}) has the same graph as class {matches[0].entry.id}" for m in matches[1:]]
-    if structure.ideal:
-        notes.append(
-            "points at infinity: classes are not matched, and a turn about a line at infinity is a translation"
+    zero = always_zero(structure, typed)
+    if zero is not None:
+        why = explain(structure)
+        condition = Condition(
+            kind="always-singular",
+            expression=ex.ZERO,
+            statement=catalog.statements["always-singular"].format(reason=why.reason),
+            certificate=zero,
+            entities=starred([("line", tuple(map(str, why.line.children)))]) if isinstance(why.line, ex.Join) else (),
+            lines=(("", why.line),) if isinstance(why.line, Meet) else (),
         )
-    oracle = Oracle(structure)
-    found = best_first(recognise(forms, structure, oracle, strategy), structure, oracle)
-    if not found and chosen is not None and SHORTEST in strategy.ids:
-        forms = _shortest(structure, strategy)
-        found = best_first(recognise(forms, structure, oracle, strategy), structure, oracle)
-        notes.append("the order given shows no entities; the shortest order was used instead")
-    elif chosen is not None:
-        notes.append("the order of the legs was given; the shortest order may show more")
-    most = found[: 1 + _MOST_READINGS]
-    conditions = [certify(describe(c, structure, oracle, catalog.statements), structure) for c in most]
-    claim = found[0] if found else None
-    shortest = claim.state.form if claim else forms[0]
-    if claim is None and len(forms[0].polynomial) > MAX_TERMS:
-        notes.append(f"entities were not looked for: the shortest form has more than {MAX_TERMS} terms")
-    for more in of_plugins(forms, structure, oracle, strategy, claim.kind) if claim else ():
-        conditions += [
-            certify(describe(c, structure, oracle, catalog.statements), structure)
-            for c in best_first(more, structure, oracle)[:_MOST_READINGS]
-        ]
-    for m in matches if CATALOG in strategy.ids else ():
-        known = catalog.readings(structure, m, oracle, recheck=recheck)
-        conditions += [r for r in known if not any(_alike(r, c) for c in conditions)]
-    conditions.append(_linear_complex(structure, catalog))
-    own_order = chosen is not None and shortest.order == chosen
-    derivation = derived(structure, shortest, conditions[0], claim, oracle, own_order=own_order)
-    shown = SuperbracketForm(shortest.form, shortest.order, shortest.polynomial * structure.sign)
+        shortest = forms.shortest(structure, strategy)[0]
+        derivation = derived_zero(structure, typed, shortest)
+        return Analysis(structure, typed, shortest, match, condition, (), derivation, strategy, degeneracy=why)
+    found = read(structure, matches, catalog, strategy, chosen=chosen, recheck=recheck, search=search)
+    conditions = (*found.conditions, linear_complex(structure, catalog))
+    derivation = _derivation(found, structure, conditions[0], chosen)
+    sign = 1 if structure.rank != 4 else structure.sign
+    shown = SuperbracketForm(found.form.form, found.form.order, found.form.polynomial * sign)
     if not derivation.check():
         raise EngineFault(f"the derivation of {structure.superbracket} does not replay")
+    claim = found.claim
     if claim is not None:  # what the rules did stands in the derivation
         claim = replace(claim, state=replace(claim.state, trail=()))
     return Analysis(
@@ -204,12 +216,40 @@ def analyze(
         shown,
         match,
         conditions[0],
-        tuple(conditions[1:]),
+        conditions[1:],
         derivation,
         strategy,
         claim,
-        notes=tuple(notes),
+        notes=found.notes,
     )
+
+
+def _chosen(
+    order: str | Sequence[int | str] | None, structure: Structure, strategy: Strategy
+) -> tuple[int, ...] | None:
+    """The order of the legs that the user wants; None for the shortest one."""
+    if structure.rank != 4:
+        if order is not None:
+            raise InputError("an order of the legs makes a difference for six legs in space only")
+        return None
+    chosen = None if order is None else read_order(order, structure)
+    return tuple(range(6)) if chosen is None and SHORTEST not in strategy.ids else chosen
+
+
+def _derivation(
+    found: Readings, structure: Structure, condition: Condition, chosen: tuple[int, ...] | None
+) -> Derivation:
+    own_order = chosen is not None and found.form.order == chosen
+    return derived(structure, found.form, condition, found.claim, found.oracle, own_order=own_order)
+
+
+def _pair(leg: tuple[str, str], line: Expr, names: tuple[str, ...]) -> list[str] | None:
+    """The two joints of a leg, the two planes of a line built as their meet; None for any other line."""
+    if ex.points_of(line) == leg:
+        return list(leg)
+    if isinstance(line, Meet) and len(line.args) == 2:
+        return [text(e, names=names) for e in line.args]
+    return None
 
 
 def _in_pose(
@@ -220,6 +260,7 @@ def _in_pose(
     catalogs: Iterable[str | PathLike[str]],
     recheck: bool,
     strategy: Strategy | None,
+    search: float,
 ) -> Analysis:
     """The analysis of a platform's legs with the numbers in its pose."""
     if ideal:
@@ -230,56 +271,6 @@ def _in_pose(
     except InputError as fault:
         fault.filename = platform.filename
         raise
-    found = analyze(structure, order=order, catalogs=catalogs, recheck=recheck, strategy=strategy)
+    found = analyze(structure, order=order, catalogs=catalogs, recheck=recheck, strategy=strategy, search=search)
     pose = pose_value(found.structure, found.condition, platform.homogeneous(), unit=platform.units)
     return replace(found, platform=platform, pose=pose)
-
-
-def _shortest(structure: Structure, strategy: Strategy) -> tuple[SuperbracketForm, ...]:
-    at = {"points": structure.points, "ideal": structure.ideal}
-    return shortest_forms(structure.neutral, **at, forms=strategy.forms)
-
-
-def _in_order(structure: Structure, order: tuple[int, ...], strategy: Strategy) -> tuple[SuperbracketForm, ...]:
-    """Both forms in the user's own order, the shorter one first."""
-    forms = (
-        superbracket_form(structure.neutral, order, form, points=structure.points, ideal=structure.ideal)
-        for form in strategy.forms
-    )
-    return tuple(sorted(forms, key=lambda f: len(f.polynomial)))
-
-
-def _always_singular(
-    structure: Structure,
-    typed: SuperbracketForm,
-    match: Match | None,
-    catalog: Catalog,
-    strategy: Strategy,
-) -> Analysis:
-    why = explain(structure)
-    entities = starred([("line", tuple(str(p) for p in why.line.children))]) if isinstance(why.line, ex.Join) else ()
-    condition = Condition(
-        kind="always-singular",
-        expression=ex.ZERO,
-        statement=catalog.statements["always-singular"].format(reason=why.reason),
-        certificate=Certificate("normal-form", "proved: the normal form of the superbracket is 0"),
-        entities=entities,
-        lines=(("", why.line),) if isinstance(why.line, ex.Meet) else (),
-    )
-    shortest = _shortest(structure, strategy)[0]
-    derivation = derived_zero(structure, typed, shortest)
-    return Analysis(structure, typed, shortest, match, condition, (), derivation, strategy, degeneracy=why)
-
-
-def _alike(a: Condition, b: Condition) -> bool:
-    """Whether two readings say the same in the same words."""
-    return str(a.expression) == str(b.expression) and a.statement in ("", b.statement)
-
-
-def _linear_complex(structure: Structure, catalog: Catalog) -> Condition:
-    return Condition(
-        kind="linear-complex",
-        expression=structure.superbracket,
-        statement=catalog.statements["linear-complex"],
-        certificate=Certificate("normal-form", "holds by definition of the superbracket"),
-    )

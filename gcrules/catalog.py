@@ -72,6 +72,7 @@ class Entry:
     owner: str
     place: str
     left_out: frozenset[str] = frozenset()
+    shortest: int | None = None
 
     @property
     def structure(self) -> Structure:
@@ -93,6 +94,7 @@ class Entry:
             "name": self.name,
             "degrees": [list(d) for d in self.degrees],
             "terms": {str(k): v for k, v in self.terms.items()},
+            "shortest": self.shortest,
             "factors": ["".join(f) for f in self.factors],
             "group": self.group,
             "status": self.status,
@@ -135,7 +137,7 @@ class Catalog:
 
     def matches(self, structure: Structure) -> Iterator[Match]:
         """The entries whose graph is isomorphic to the structure's, sides kept or exchanged as wholes."""
-        if len({frozenset(leg) for leg in structure.legs}) < len(structure.legs) or structure.ideal:
+        if structure.rank != 4 or len({frozenset(leg) for leg in structure.legs}) < len(structure.legs):
             return
         degrees = _degrees(structure)
         for entry in self.entries:
@@ -148,9 +150,18 @@ class Catalog:
         """The first of the `matches`; shipped classes come before the user's own."""
         return next(self.matches(structure), None)
 
+    def dropped(self, structure: Structure, match: Match, oracle: Oracle) -> list[Expr]:
+        """The cofactors of the class's identities that are zero wherever the points of a special position may be."""
+        if not structure.special:
+            return []
+        names: dict[str, Expr] = {a: Point(b) for a, b in match.mapping.items()}
+        cofactors = (substitute(r.cofactor, names) for r in (match.entry.condition, *match.entry.readings))
+        return [e for e in dict.fromkeys(cofactors) if oracle.zero(e)]
+
     def readings(self, structure: Structure, match: Match, oracle: Oracle, *, recheck: bool = False) -> list[Condition]:
         """The identities of the matched class in the structure's labels, each checked afresh at exact random points
         (proved from scratch with `recheck`). The condition itself comes first unless a rule of the engine finds it.
+        Left out are those whose cofactor is zero wherever the points of a special position may be.
         """
         entry, sign = match.entry, match.sign(structure)
         own = entry.condition
@@ -173,6 +184,8 @@ class Catalog:
                 certificate=Certificate("catalog-instance", detail, data),
                 lines=tuple((name, substitute(e, dict(names))) for name, e in reading.lines),
             )
+            if structure.special and oracle.zero(cofactor):
+                continue
             if oracle.zero(cofactor) or not oracle.zero(condition.identity(structure.superbracket)):
                 raise FileError(
                     f"the reading {reading.expression} of class {entry.id} is not an identity",
@@ -183,7 +196,7 @@ class Catalog:
         return found
 
 
-FROM_CATALOG = ("transversals", "one-incidence")  # kinds that no rule of the engine finds
+FROM_CATALOG = ("transversals", "one-incidence")  # kinds of which the catalog has identities of its own
 _MOST_ISOMORPHISMS = 100
 
 

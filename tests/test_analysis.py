@@ -20,6 +20,7 @@ from gcrules.algebra.expr import ZERO, Join, Point, join, meet, mul, points_of
 from gcrules.algebra.prove import prove
 from gcrules.analysis import Analysis, analyze
 from gcrules.errors import InputError, LimitReached
+from gcrules.plugins import load_rules
 from gcrules.rules.incidence import INCIDENCES
 
 CLASSES: list[dict[str, Any]] = yaml.safe_load(
@@ -75,8 +76,19 @@ def test_every_class_in_any_labelling(facts: dict[str, Any], variant: str) -> No
 
 def test_every_rule_certifies_what_it_found() -> None:
     methods = Counter(analyze(LEGS[i]).condition.certificate.method for i in REGULAR)
-    assert methods == {"normal-form": 32, "catalog-instance": 2}
-    assert analyze(LEGS["5-5.1"], recheck=True).condition.certificate.method == "normal-form"
+    assert methods == {"normal-form": 34}
+    looked_up = {"strategy": load_rules().strategy(without=["transversals"])}
+    assert analyze(LEGS["5-5.1"], **looked_up).condition.certificate.method == "catalog-instance"
+    assert analyze(LEGS["5-5.1"], recheck=True, **looked_up).condition.certificate.method == "normal-form"
+
+
+@pytest.mark.parametrize("class_id", ["5-5.1", "6-5"])
+def test_transversals_are_found_and_not_looked_up(class_id: str) -> None:
+    """The rule's condition comes first; the catalog's, which compares turns about the same lines, is not repeated."""
+    a = analyze(LEGS[class_id])
+    assert (a.condition.kind, a.condition.certificate.data["rule"]) == ("transversals", "transversals")
+    assert all(r.certificate.method == "normal-form" for r in a.readings if r.kind == "transversals")
+    assert any(r.kind == "one-incidence" for r in a.readings)
 
 
 @ALL
@@ -246,7 +258,8 @@ def test_long_names() -> None:
 def test_ideal_points() -> None:
     """Base joints at infinity: the identity holds there too, and legs that all lie at infinity are dependent."""
     a = analyze("Aa Ab Bc Bd Ce Cf", ideal=list("ABC"))
-    assert a.match is None
+    assert a.match is not None
+    assert a.match.entry.id == "6-3.2"
     assert not vanishes(a.structure.superbracket, ideal="ABC")
     assert vanishes(a.condition.identity(a.structure.superbracket), ideal="ABC")
     assert a.derivation.check()

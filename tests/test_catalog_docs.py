@@ -10,6 +10,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 from pathlib import Path
@@ -348,6 +349,23 @@ def test_an_identity_of_the_catalog_is_proved_on_its_page(pages: Pages) -> None:
     assert "**1. catalog**: this identity is proved from scratch: both sides have the same normal form" in page
     derivation = page.partition("## Derivation")[2].partition("## Condition")[0]
     assert "```text\n(ABc ∧ ACd ∧ ab)[[Aa, Ab, Bc, Cd, De, Ef]]\n=\n" in derivation
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda e: e.id)
+def test_the_shortest_form_of_any_kind(pages: Pages, entry: Entry) -> None:
+    """The catalog's number stands in the index, and the page says that no bracket polynomial is shorter."""
+    assert entry.shortest == min(entry.terms.values())
+    told = "No bracket polynomial with fewer terms equals the superbracket (proved by `gcrules shorten`)."
+    assert (told in pages[f"{entry.id}.md"]) == (entry in REGULAR)
+    (row,) = [line for line in pages["README.md"].splitlines() if f"[{entry.id}]({entry.id}.md) | [!" in line]
+    assert f"| {entry.terms[24]} / {entry.terms[16]} / {entry.shortest} |" in row
+
+
+def test_the_shortest_form_of_a_class_that_does_not_say() -> None:
+    entry = next(e for e in ENTRIES if e.id == "4-4.5")
+    own = catalog_pages(Catalog((replace(entry, shortest=None),), load().statements), bibliography())
+    assert "No bracket polynomial with fewer terms" in own["4-4.5.md"]
+    assert "| 3 / 3 / – |" in own["README.md"]
 
 
 def test_bibliography() -> None:

@@ -149,10 +149,10 @@ def test_fault_shows_place_caret_and_hint(run: Run) -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("analyse", OCTAHEDRON), "Did you mean analyze?"),
+        (("analyse", OCTAHEDRON), "Did you mean analyze"),
         (("straigthen", "a"), "Did you mean straighten?"),
         (("catalog", "lst"), "Did you mean list?"),
-        (("xyzzy",), "There are analyze, report"),
+        (("xyzzy",), "There are analyze, pose, report"),
         (("expand", "a", "--jsno"), "--json"),
         (("catalog", "show", "6-3"), "did you mean 6-3.2 or 6-3.1?"),
     ],
@@ -278,7 +278,7 @@ def test_json_of_prove(run: Run) -> None:
     assert all(len(c) == 4 for c in refuted["counterexample"].values())
     undecided = answer(run("prove", f"{MANY_TERMS} == {MANY_TERMS}", "--limit", "100", "--json"))
     assert undecided["verdict"] == "undecided"
-    assert "100 terms" in undecided["reason"]
+    assert "2,000 products of terms" in undecided["reason"]
 
 
 ANALYSIS_KEYS = {

@@ -6,13 +6,13 @@ the 720 orders of the lines. Repeated points make brackets vanish and terms canc
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from itertools import permutations
 from typing import TYPE_CHECKING, Any
 
-from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms, sorted_row, tableau_order
+from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms, sorted_row, tableau_order
 from gcrules.algebra.expr import permutation_sign
 from gcrules.algebra.superbracket import FORMS, form_terms
 
@@ -22,13 +22,16 @@ if TYPE_CHECKING:
 __all__ = ["SuperbracketForm", "counts", "shortest_forms", "superbracket_form"]
 
 Line = tuple[str, str]
+Dead = Iterable[Sequence[str]]
+"""Brackets, given by their points, that vanish wherever the lines may be; the terms that hold one are left out."""
 
 
 @dataclass(frozen=True)
 class SuperbracketForm:
     """The superbracket of `lines` taken in `order` (positions from 0), written in the 24-term or 16-term form.
 
-    The polynomial equals `sign` (the sign of the order) times the superbracket of the lines as given.
+    The polynomial equals `sign` (the sign of the order) times the superbracket of the lines as given. The number of
+    terms `form` is 0 where the polynomial is the expansion of the lines as they are given, in no such form.
     """
 
     form: int
@@ -40,9 +43,11 @@ class SuperbracketForm:
         return permutation_sign(self.order)
 
     def to_json(self) -> dict[str, Any]:
-        """`{form, order, terms, polynomial}`; `order` holds positions of the lines as typed, from 0."""
+        """`{form, order, terms, polynomial}`; `order` holds positions of the lines as typed, from 0; `form` is null for
+        an expansion.
+        """
         return {
-            "form": self.form,
+            "form": self.form or None,
             "order": list(self.order),
             "terms": len(self.polynomial),
             "polynomial": str(self.polynomial),
@@ -52,7 +57,8 @@ class SuperbracketForm:
         """The form, the order of the lines (counted from 1) and the polynomial."""
         order, n = " ".join(str(i + 1) for i in self.order), len(self.polynomial)
         shown = self.polynomial.text(unicode=unicode)
-        return f"{self.form}-term form, lines in the order {order}, {n} term{'s' * (n != 1)}:\n  {shown}"
+        form = f"{self.form}-term form" if self.form else "expansion"
+        return f"{form}, lines in the order {order}, {n} term{'s' * (n != 1)}:\n  {shown}"
 
     def latex(self) -> str:
         """The LaTeX of the polynomial, without dollar signs."""
@@ -72,18 +78,23 @@ def superbracket_form(
     *,
     points: Sequence[str] = (),
     ideal: Sequence[str] = (),
+    dead: Dead = (),
 ) -> SuperbracketForm:
-    """The form with repeated points removed and like terms collected, for lines given by two points each."""
+    """The form with repeated points removed and like terms collected, for lines given by two points each.
+
+    With `dead` it equals the superbracket only where these brackets vanish.
+    """
     names = tableau_order((p for line in lines for p in line), points, ideal)
     index = {n: i for i, n in enumerate(names)}
     at_infinity = sum(n in set(ideal) for n in names)
     ends = [index[p] for i in order for p in lines[i]]
+    zero = _rows(dead, index)
     terms: Terms = {}
     for sign, brackets in form_terms(form):
         rows = []
         for b in brackets:
             s, row = sorted_row(ends[i] for i in b)
-            sign *= s if row[-1] >= at_infinity else 0
+            sign *= s if row[-1] >= at_infinity and row not in zero else 0
             rows.append(row)
         if sign:
             key: Monomial = tuple(sorted(rows))
@@ -92,20 +103,25 @@ def superbracket_form(
 
 
 def shortest_forms(
-    lines: Sequence[Line], *, points: Sequence[str] = (), ideal: Sequence[str] = (), forms: Sequence[int] = (24, 16)
+    lines: Sequence[Line],
+    *,
+    points: Sequence[str] = (),
+    ideal: Sequence[str] = (),
+    forms: Sequence[int] = (24, 16),
+    dead: Dead = (),
 ) -> tuple[SuperbracketForm, ...]:
     """All different polynomials with the fewest terms, up to sign; the first is *the* shortest form.
 
-    `forms` says which forms are looked at.
+    `forms` says which forms are looked at, `dead` which brackets vanish.
 
     Deterministic: the 24-term form comes before the 16-term form, then orders in lexicographic sequence.
     """
-    tables = {form: t for form, t in _tables(lines, points, ideal).items() if form in forms}
+    tables = {form: t for form, t in _tables(lines, points, ideal, dead).items() if form in forms}
     least = min(int(t.counts.min()) for t in tables.values())
     found: dict[Any, SuperbracketForm] = {}
     for form, table in tables.items():
         for i in table.representatives(least):
-            candidate = superbracket_form(lines, _orders()[i], form, points=points, ideal=ideal)
+            candidate = superbracket_form(lines, _orders()[i], form, points=points, ideal=ideal, dead=dead)
             terms = candidate.polynomial.terms
             lead = next(iter(terms.values()), 1)
             found.setdefault(tuple((m, c * lead) for m, c in terms.items()), candidate)
@@ -124,12 +140,18 @@ def _orders() -> tuple[tuple[int, ...], ...]:
     return tuple(permutations(range(6)))
 
 
-def _tables(lines: Sequence[Line], points: Sequence[str], ideal: Sequence[str]) -> dict[int, _Table]:
+def _rows(dead: Dead, index: Mapping[str, int]) -> frozenset[Row]:
+    """Brackets as increasing rows of the points that the lines have."""
+    return frozenset(tuple(sorted(index[n] for n in names)) for names in dead if all(n in index for n in names))
+
+
+def _tables(lines: Sequence[Line], points: Sequence[str], ideal: Sequence[str], dead: Dead = ()) -> dict[int, _Table]:
     names = tableau_order((p for line in lines for p in line), points, ideal)
     index = {n: i for i, n in enumerate(names)}
     at_infinity = sum(n in set(ideal) for n in names)
     ends = tuple(index[p] for line in lines for p in line)
-    return {form: _table(ends, form, at_infinity) for form in FORMS}
+    zero = _rows(dead, index)
+    return {form: _table(ends, form, at_infinity, zero) for form in FORMS}
 
 
 @dataclass(frozen=True)
@@ -156,8 +178,11 @@ class _Table:
         return sorted(int(orders[i]) for i in first)
 
 
+_PLACES = (1 << 12, 1 << 8, 1 << 4, 1)  # of the four points of a bracket in its code
+
+
 @lru_cache(maxsize=32)
-def _table(line_ends: tuple[int, ...], form: int, ideal: int) -> _Table:
+def _table(line_ends: tuple[int, ...], form: int, ideal: int, zero: frozenset[Row] = frozenset()) -> _Table:
     """All 720 orders at once.
 
     A bracket becomes a code of four points with four bits each, a monomial the code of its three sorted brackets, so
@@ -174,8 +199,11 @@ def _table(line_ends: tuple[int, ...], form: int, ideal: int) -> _Table:
     letters = np.sort(letters, axis=-1)
     dead = (letters[..., 1:] == letters[..., :-1]).any(-1) | (letters[..., -1] < ideal)
     signs *= 1 - 2 * (np.asarray(inversions).sum(-1) % 2)
+    codes = letters @ np.array(_PLACES)
+    if zero:
+        dead |= np.isin(codes, [sum(i * k for i, k in zip(row, _PLACES, strict=True)) for row in zero])
     signs[dead.any(-1)] = 0
-    keys = np.sort(letters @ np.array([1 << 12, 1 << 8, 1 << 4, 1]), axis=-1) @ np.array([1 << 32, 1 << 16, 1])
+    keys = np.sort(codes, axis=-1) @ np.array([1 << 32, 1 << 16, 1])
     at = np.argsort(keys, axis=-1, kind="stable")
     keys = np.take_along_axis(keys, at, -1)
     signs = np.take_along_axis(signs, at, -1)

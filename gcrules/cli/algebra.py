@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from textwrap import indent
 from typing import Any
 
 import click
@@ -13,12 +14,11 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expand import expand as expanded
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.prove import prove as decide
-from gcrules.algebra.statements import parse_assumption, parse_script
+from gcrules.algebra.statements import Script, parse_assumption, parse_script
 from gcrules.algebra.straighten import Straightening, straighten_steps
 from gcrules.algebra.straighten import straighten as straightened
 from gcrules.algebra.syntax import Context, parse, parse_equation
-from gcrules.algebra.text import text
-from gcrules.cli.base import ExpressionCommand, Output, Space, output_options, space_options
+from gcrules.cli.base import ExpressionCommand, Output, Space, given_option, output_options, space_options
 from gcrules.cli.files import read_stdin, working
 from gcrules.cli.rules import Choice, rules_options
 from gcrules.errors import InputError
@@ -41,18 +41,9 @@ _limit = click.option(
 )
 
 
-_assumptions = click.option(
-    "--given",
-    "assumptions",
-    multiple=True,
-    metavar="ASSUMPTIONS",
-    help='Assume them: "collinear(a, b, c), incident(p, X)", coplanar, concurrent, "LHS == RHS", "ideal i j".',
-)
-
-
 @click.command(cls=ExpressionCommand)
 @click.argument("claim", metavar='"LHS == RHS"')
-@_assumptions
+@given_option
 @space_options()
 @_limit
 @output_options()
@@ -87,7 +78,7 @@ def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: S
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
 @rules_options
-@_assumptions
+@given_option
 @space_options()
 @output_options()
 def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space: Space, out: Output) -> None:
@@ -157,33 +148,59 @@ def straighten(expression: str, steps: bool, space: Space, limit: int, out: Outp
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.gca")
+@click.argument("files", metavar="FILE.gca…", nargs=-1, required=True)
 @_limit
 @output_options(latex=False)
 @click.pass_context
-def run(ctx: click.Context, file: str, limit: int, out: Output) -> None:
-    """Run a script and report every claim with its line; "-" reads standard input.
+def run(ctx: click.Context, files: tuple[str, ...], limit: int, out: Output) -> None:
+    """Run scripts and report every claim with its line; "-" reads standard input.
 
     \b
     gcrules run octahedron.gca
-    with the file
+    gcrules run examples/theorems/*.gca
+    A file may hold
         let s = [[ab, af, cb, cd, ed, ef]]
         claim "alternate faces": s == ace /\\ abf /\\ cbd /\\ edf
 
     Statements: rank, points, ideal, given, let, claim, show, rule, rewrite. Exit code 1 if any claim or rule is
     refuted, 3 if any is undecided.
     """
-    source, name = (read_stdin(), "<stdin>") if file == "-" else (read_text(file), file)
-    script = parse_script(source, name)
+    scripts = [parse_script(*((read_stdin(), "<stdin>") if f == "-" else (read_text(f), f))) for f in files]
+    answers = [_answered(script, limit) for script in scripts]
+    shown = [
+        "\n".join([*(_coloured(r.verdict, r.text(unicode=out.unicode)) for r in a.results), *a.totals]) for a in answers
+    ]
+    whole = ScriptResult(tuple(r for a in answers for r in a.results))
+    if len(files) == 1:
+        out.show(answers[0], shown[0])
+    else:
+        parts = (f"{s.filename}\n{indent(text, '  ')}" for s, text in zip(scripts, shown, strict=True))
+        out.show(_Scripts(scripts, answers, whole), "\n\n".join([*parts, "\n".join(whole.totals)]))
+    ctx.exit(EXIT_CODES[whole.verdict])
+
+
+def _answered(script: Script, limit: int) -> ScriptResult:
     found: list[Result] = []
     with working("running") as status:
         for result in results(script, limit=limit):
             found.append(result)
-            status.text = f"running: {len(found)} of {len(script.statements)}, past line {result.line}"
-    answer = ScriptResult(tuple(found))
-    lines = [_coloured(r.verdict, r.text(unicode=out.unicode)) for r in found]
-    out.show(answer, "\n".join([*lines, *answer.totals]))
-    ctx.exit(EXIT_CODES[answer.verdict])
+            status.text = (
+                f"running {script.filename}: {len(found)} of {len(script.statements)}, past line {result.line}"
+            )
+    return ScriptResult(tuple(found))
+
+
+@dataclass(frozen=True)
+class _Scripts:
+    """The results of several scripts."""
+
+    scripts: list[Script]
+    answers: list[ScriptResult]
+    whole: ScriptResult
+
+    def to_json(self) -> dict[str, Any]:
+        files = [{"file": s.filename, **a.to_json()} for s, a in zip(self.scripts, self.answers, strict=True)]
+        return {"verdict": self.whole.verdict, "files": files}
 
 
 @dataclass(frozen=True)
@@ -201,7 +218,7 @@ class _Polynomial:
 
     def text(self, *, unicode: bool = False) -> str:
         def shown(p: BracketPolynomial | ExtensorPolynomial) -> str:
-            return text(p.to_expr(), unicode=unicode, names=p.points)
+            return p.text(unicode=unicode)
 
         return "\n".join(self._lines(shown, "", " = "))
 

@@ -27,6 +27,7 @@ __all__ = [
     "catalog_option",
     "colour_choice",
     "decorated",
+    "given_option",
     "output_options",
     "space_options",
 ]
@@ -136,6 +137,15 @@ _LONG_OPTION = re.compile(r"--[a-z][a-z-]+(=.*)?", re.DOTALL)
 # --- options -------------------------------------------------------------------------------------------------------
 
 catalog_option = click.option("--catalog", "catalogs", multiple=True, metavar="FILE", help="Add a catalog of your own.")
+
+
+given_option = click.option(
+    "--given",
+    "assumptions",
+    multiple=True,
+    metavar="ASSUMPTIONS",
+    help='Assume them: "collinear(a, b, c), incident(p, X)", coplanar, concurrent, "LHS == RHS", "ideal i j".',
+)
 
 
 @dataclass(frozen=True)

@@ -11,18 +11,35 @@ import click
 
 from gcrules.analysis import Analysis
 from gcrules.analysis import analyze as analyzed
-from gcrules.cli.base import ExpressionCommand, Output, Space, catalog_option, output_options, space_options
+from gcrules.cli.base import (
+    ExpressionCommand,
+    Output,
+    Space,
+    catalog_option,
+    given_option,
+    output_options,
+    space_options,
+)
 from gcrules.cli.files import read_stdin, working
 from gcrules.cli.manual import Manual, manual_options, run_manual
 from gcrules.cli.rules import Choice, rules_options
 from gcrules.errors import InputError
 from gcrules.files import write_file
 from gcrules.robots.geometry import Platform, load_platform, parse_platform
+from gcrules.rules.factorization import SECONDS
 
 __all__ = ["analyze", "report"]
 
 _order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
 _recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
+_search = click.option(
+    "--search",
+    type=click.FloatRange(min=0),
+    default=SECONDS,
+    show_default=True,
+    metavar="S",
+    help="Seek a factorization for so many seconds where no rule finds a condition.",
+)
 _LEGS = "LEGS|FILE.yaml"
 _legs = click.argument("legs", nargs=-1, required=True, metavar=_LEGS)
 
@@ -34,9 +51,11 @@ _legs = click.argument("legs", nargs=-1, required=True, metavar=_LEGS)
 @manual_options
 @click.option("--full", is_flag=True, help="Show every single step of the derivation.")
 @click.option("--figure", metavar="FILE", help="Draw the robot (FILE.yaml) or the graph of its legs: .svg or .pdf.")
+@given_option
+@_search
 @catalog_option
 @rules_options
-@space_options(rank=False)
+@space_options()
 @output_options()
 def analyze(
     legs: tuple[str, ...],
@@ -45,6 +64,8 @@ def analyze(
     manual: Manual,
     full: bool,
     figure: str | None,
+    assumptions: tuple[str, ...],
+    search: float,
     catalogs: tuple[str, ...],
     choice: Choice,
     space: Space,
@@ -60,15 +81,27 @@ def analyze(
     A leg is a joint of one body and a joint of the other, in this sequence throughout; joints that legs share bear
     one name. "-" reads legs or a geometry file from standard input.
 
+    \b
+    gcrules analyze "Aa Ab Bc Bd Ce Cf" --given "coplanar(A, B, a, b)"
+    gcrules analyze "Aa Bb Cc ij jk ki" --ideal "i j k"
+    gcrules analyze "ab, cd, ef, ag, ch, bdf /\\ egh"
+    gcrules analyze "ab cd ef" --rank 3
+
+    Any six lines do: with --given the points are in special position, those of --ideal are at infinity (a line at
+    infinity is a couple), and a line may be the meet of two planes. --rank 3 takes three lines of the plane, --rank N
+    the N (N - 1) / 2 lines of two rigid bodies joined by so many bars.
+
     With --manual you propose the entities and the condition, and each is confirmed or refused with the reason; commands
     come from a prompt, from standard input, or from --propose. Then the exit code is 1 if anything was refused.
     """
+    special = assumptions or space.rank != 4 or search != SECONDS
     if manual.wanted:
-        _check_manual(legs, recheck or full or catalogs or figure or choice != Choice() or out.latex, manual)
+        others = recheck or full or catalogs or figure or choice != Choice() or out.latex or special
+        _check_manual(legs, others, manual)
         run_manual(_platform_or_legs(legs) if legs else None, order, manual, space, out)
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
-    analysis = _analysis(legs, order, recheck, catalogs, choice, space)
+    analysis = _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
     if figure:
         _draw(analysis, figure)
     out.show(_InFull(analysis) if full else analysis)
@@ -79,14 +112,18 @@ def analyze(
 @click.option("-o", "--output", "path", default="-", metavar="FILE.html", help="Write to a file.")
 @_order
 @_recheck
+@given_option
+@_search
 @catalog_option
 @rules_options
-@space_options(rank=False)
+@space_options()
 def report(
     legs: tuple[str, ...],
     path: str,
     order: str | None,
     recheck: bool,
+    assumptions: tuple[str, ...],
+    search: float,
     catalogs: tuple[str, ...],
     choice: Choice,
     space: Space,
@@ -96,10 +133,12 @@ def report(
     \b
     gcrules report "ab af cb cd ed ef" -o octahedron.html
     gcrules report robot.yaml -o robot.html
+
+    It takes the same lines as `gcrules analyze`: with --given, --ideal and --rank too.
     """
     from gcrules.render.report import report as rendered  # not needed by analyze
 
-    write_file(path, rendered(_analysis(legs, order, recheck, catalogs, choice, space)))
+    write_file(path, rendered(_analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)))
 
 
 @dataclass(frozen=True)
@@ -130,6 +169,8 @@ def _analysis(
     legs: tuple[str, ...],
     order: str | None,
     recheck: bool,
+    assumptions: tuple[str, ...],
+    search: float,
     catalogs: tuple[str, ...],
     choice: Choice,
     space: Space,
@@ -143,9 +184,12 @@ def _analysis(
             order=order,
             points=space.points,
             ideal=space.ideal,
+            given=assumptions,
+            rank=space.rank,
             catalogs=catalogs,
             recheck=recheck,
             strategy=choice.strategy(),
+            search=search,
         )
 
 
@@ -163,7 +207,8 @@ def _platform_or_legs(words: tuple[str, ...]) -> Platform | str:
 
 
 def _is_path(word: str) -> bool:
-    return word.lower().endswith((".yaml", ".yml")) or os.sep in word or os.path.isfile(word)
+    without_meets = re.sub(r"/\\|\\/", "", word)
+    return word.lower().endswith((".yaml", ".yml")) or os.sep in without_meets or os.path.isfile(word)
 
 
 def _draw(analysis: Analysis, path: str) -> None:

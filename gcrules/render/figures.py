@@ -13,6 +13,7 @@ from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket,
 from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
 from gcrules.condition import Condition, Entity, starred
+from gcrules.errors import InputError
 from gcrules.numeric.incidence import common_point, factors, free_motions, vanishing
 from gcrules.numeric.value import XYZ, line_points
 from gcrules.render.drawing import Drawing, beside, scaled, without_text
@@ -34,9 +35,16 @@ Coordinates = Mapping[str, Sequence[int | Fraction]]
 
 
 def graph_figure(a: Analysis, *, key: bool = True) -> Drawing:
-    """The schematic of the legs with the entities marked; `key` adds a legend."""
+    """The schematic of the legs with the entities marked; `key` adds a legend.
+
+    Lines that are built from points are left out, and so are entities in other ranks than 4. Raises InputError where
+    no leg is left.
+    """
     s = a.structure
-    return draw_graph(s.oriented, s.base, s.platform, [e for part in _entities(a) for e in part], key=key)
+    if not s.joined:
+        raise InputError("no leg joins two joints, so there is no graph of the legs to draw")
+    entities = [e for part in _entities(a) for e in part] if s.rank == 4 else []
+    return draw_graph(s.joined, s.base, s.platform, entities, key=key)
 
 
 def robot_figure(a: Analysis, at: Coordinates | None = None, *, key: bool = True) -> Drawing:

@@ -14,13 +14,14 @@ from gcrules.render.stages import Fact, Item, stages
 __all__ = ["as_text"]
 
 _WIDTH = 100
+_LONG = 120
 
 
 def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
     """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows, `full` adds the derivation step by step."""
     lines = [*_wrapped(a.condition.statement.split(), ""), ""]
     for n, stage in enumerate(stages(a), 1):
-        lines += [f"{n}. {stage.title}"] + ([f"   {stage.why}"] if stage.why else [])
+        lines += [f"{n}. {stage.title}", *_why(stage.why)]
         for item in stage.items:
             lines += _text_item(item, a, unicode)
         lines.append("")
@@ -29,6 +30,13 @@ def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
         lines += [f"{n + 1}. Derivation", "   Every single step.", indent(chain, "   ")]
     out = "\n".join(lines).rstrip() + "\n"
     return out if unicode else ascii_words(out)
+
+
+def _why(words: str) -> list[str]:
+    """The sentence below a heading, in one line unless it is long."""
+    if len(words) > _LONG:
+        return _wrapped(words.split(), "   ")
+    return [f"   {words}"] if words else []
 
 
 def _text_item(item: Item, a: Analysis, unicode: bool) -> list[str]:

@@ -8,7 +8,6 @@ from importlib.resources import files
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.analysis import Analysis
-from gcrules.legs import legs_text
 from gcrules.numeric.value import PoseValue
 from gcrules.render.derivation import reasons
 from gcrules.render.figures import graph_figure, robot_figure
@@ -23,7 +22,7 @@ __all__ = ["fragment", "report"]
 def report(analysis: Analysis) -> str:
     """The HTML page of an analysis; of a platform with coordinates also the robot in its pose and the numbers there."""
     platform = analysis.platform
-    title = (platform.title if platform else "") or f"Legs {legs_text(analysis.structure.legs)}"
+    title = (platform.title if platform else "") or f"Legs {analysis.structure.text()}"
     sections = [
         _header(title, analysis, platform),
         f'<section class="answer"><p>{escape(analysis.condition.statement)}</p>{_sure(analysis)}</section>',
@@ -42,7 +41,7 @@ def report(analysis: Analysis) -> str:
 
 def fragment(analysis: Analysis) -> str:
     """The condition, statement and graph as an HTML fragment, for notebooks."""
-    graph = graph_figure(analysis).svg()
+    graph = graph_figure(analysis).svg() if analysis.structure.joined else ""
     formula = _formula(Formula(*_identity(analysis)))
     return f'<div class="gcrules"><p>{escape(analysis.condition.statement)}</p>{formula}{graph}</div>'
 
@@ -57,7 +56,7 @@ def _header(title: str, a: Analysis, platform: Platform | None) -> str:
     if a.match:
         name = f", {a.match.entry.name}" if a.match.entry.name else ""
         lines.append(f"Class {a.match.entry.id}{name}")
-    lines.append(f"Legs {legs_text(a.structure.legs)}")
+    lines.append(f"Legs {a.structure.text()}")
     note = f'<p class="note">{escape(platform.note)}</p>' if platform and platform.note else ""
     return f'<header><h1>{escape(title)}</h1><p class="sub">{escape(" · ".join(lines))}</p>{note}</header>'
 
@@ -67,12 +66,17 @@ def _sure(a: Analysis) -> str:
 
 
 def _figures(a: Analysis) -> str:
+    if not a.structure.joined:
+        return ""
+    graph = f"<figure>{graph_figure(a, key=False).svg()}<figcaption>The legs as a graph</figcaption></figure>"
+    s = a.structure
+    if s.special or s.stand_ins or s.rank != 4:  # no sample shape has such points
+        return f'<div class="figures">{graph}</div>'
     robot = robot_figure(a).svg()
     caption = "The robot in the pose of the file" if a.platform else "A sample shape (no coordinates were given)"
     return (
         f'<div class="figures"><figure class="robot">{robot}<figcaption>{caption}, with the entities of the condition'
-        f"</figcaption></figure><figure>{graph_figure(a, key=False).svg()}"
-        "<figcaption>The legs as a graph</figcaption></figure></div>"
+        f"</figcaption></figure>{graph}</div>"
     )
 
 

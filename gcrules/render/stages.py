@@ -7,10 +7,12 @@ from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
-from gcrules.condition import Condition, Entity
-from gcrules.legs import leg_text, legs_text
+from gcrules.condition import ONE, Condition, Entity
+from gcrules.legs import Structure, leg_text
 from gcrules.numeric.value import CLOSE, PoseValue
+from gcrules.rules.listing import listed
 
 __all__ = ["VERDICTS", "Fact", "Formula", "Item", "Stage", "stages"]
 
@@ -49,28 +51,42 @@ def stages(a: Analysis) -> list[Stage]:
 
 
 def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
-    why = "Six legs, each a line between a joint of the base and a joint of the platform."
-    if not a.structure.base:
-        why = "Six legs, each a line between two joints."
+    s = a.structure
+    number = {3: "Three", 6: "Six"}.get(len(s.legs), str(len(s.legs)))
+    why = f"{number} legs, each a line between a joint of the base and a joint of the platform."
+    if not s.base:
+        why = f"{number} legs, each a line between two joints."
+    if s.stand_ins:
+        why = f"{number} lines, each through two joints or built from points."
     yield "Structure", why, _structure(a)
+    why = f"The determinant of the {number.lower()} lines' Plücker coordinates; "
+    why += "the robot is singular exactly when it is zero."
+    if a.match is None:
+        bodies = f"two rigid bodies joined by {number.lower()} bars"
+        why += f" In rigidity theory it is the pure condition of {bodies}."
+    if s.dead:
+        why += f" Under the assumptions {_brackets(s)} vanish{'es' * (len(s.dead) == 1)}."
     yield (
         "Superbracket",
-        "The determinant of the six lines' Plücker coordinates; the robot is singular exactly when it is zero.",
-        [Formula(a.structure.superbracket, a.typed.polynomial.to_expr()), _count(len(a.typed.polynomial))],
+        why,
+        [Formula(s.superbracket, a.typed.polynomial.to_expr()), _count(len(a.typed.polynomial))],
     )
-    order = ", ".join(leg_text(a.structure.legs[i]) for i in a.shortest.order)
-    shown = f"{a.shortest.form}-term form, legs in the order {order}: {_count(len(a.shortest.polynomial))}."
-    yield (
-        "Shortest form",
-        "Repeated points make brackets vanish; the number of terms left depends on the order of the legs and the form.",
-        [shown, Formula(a.structure.superbracket, (a.shortest.polynomial * a.shortest.sign).to_expr())],
-    )
+    if a.shortest.form:
+        order = ", ".join(s.words[i] for i in a.shortest.order)
+        shown = f"{a.shortest.form}-term form, legs in the order {order}: {_count(len(a.shortest.polynomial))}."
+        yield (
+            "Shortest form",
+            "Repeated points make brackets vanish; the number of terms left depends on the order of the legs and the "
+            "form.",
+            [shown, Formula(s.superbracket, (a.shortest.polynomial * a.shortest.sign).to_expr())],
+        )
     if a.claim is not None:
         yield from _entity_stages(a)
-    elif a.condition.kind != "always-singular":
+    elif a.condition.kind != "always-singular" and s.rank == 4:
         why = "Tetrahedra, planes and lines in the terms that make an incidence equal to the superbracket."
         yield "Entities", why, ["none"]
-    yield "Condition", _WHY.get(a.condition.kind, _INCIDENCE), _condition(a.condition, a)
+    incidence = _INCIDENCE if a.condition.cofactor == ONE else _WITH_COFACTOR
+    yield "Condition", _WHY.get(a.condition.kind, incidence), _condition(a.condition, a)
     yield "Statement", "", [a.condition.statement]
     yield "Certificate", "", [a.condition.certificate.detail + ".", *_replay(a), *a.notes]
     if a.pose:
@@ -83,32 +99,58 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
 
 
 _INCIDENCE = "An incidence whose expansion equals the superbracket."
+_WITH_COFACTOR = "An incidence whose expansion equals the cofactor times the superbracket."
 _WHY = {
     "always-singular": "The superbracket is zero for all positions of the joints.",
     "linear-complex": "No incidence was found; the superbracket itself is the condition.",
-    "transversals": "An incidence whose expansion equals the cofactor times the superbracket.",
-    "one-incidence": "An incidence whose expansion equals the cofactor times the superbracket.",
+    "bracket-factors": "Brackets that divide the superbracket; what they leave is no incidence that was found.",
 }
+
+
+def _brackets(s: Structure) -> str:
+    shown = [text(ex.bracket(*map(ex.Point, names), rank=s.rank), names=s.names) for names in s.dead]
+    return listed(shown) if len(shown) <= _MANY else f"{len(shown)} brackets"
+
+
+_MANY = 6
 
 
 def _structure(a: Analysis) -> list[Item]:
     s = a.structure
-    items: list[Item] = [Fact("legs", legs_text(s.legs))]
+    items: list[Item] = [Fact("legs", s.text())]
     if s.base:
         items += [Fact("base", " ".join(s.base)), Fact("platform", " ".join(s.platform))]
-    without = [n for n in s.names if n not in s.sides]
+    without = [n for n in s.names if n not in s.sides and any(n in leg for leg in s.legs)]
     if without:
         odd = f"{' '.join(without)} (an odd cycle of legs: base and platform cannot be told apart)"
         items.append(Fact("no side", odd))
     turned = [leg_text(typed) for typed, right in zip(s.legs, s.oriented, strict=True) if typed != right]
     if turned:
         items.append(Fact("turned", f"{', '.join(turned)} (written platform first; the sign accounts for it)"))
+    items += _position(a)
     if a.match is None:
         return [*items, Fact("class", "none of the catalog")]
     entry = a.match.entry
     name = f", {entry.name}" if entry.name else ""
     mapping = ", ".join(f"{x}→{y}" for x, y in a.match.mapping.items())
     return [*items, Fact("class", f"{entry.id}{name}"), Fact("mapping", mapping)]
+
+
+def _position(a: Analysis) -> list[Item]:
+    """Where the points are in special position."""
+    s = a.structure
+    items: list[Item] = []
+    if s.ideal:
+        items.append(Fact("at infinity", " ".join(s.ideal)))
+    couples = [word for word, leg in zip(s.words, s.legs, strict=True) if set(leg) <= set(s.ideal)]
+    if couples:
+        items.append(Fact("couples", f"{', '.join(couples)} (lines at infinity: constraint moments)"))
+    if s.given:
+        items.append(Fact("given", ", ".join(map(str, s.given))))
+    if a.assumed:
+        shown = ", ".join(f"{e} ({meaning})" if meaning else e for e, meaning in a.assumed)
+        items.append(Fact("assumed", f"not to vanish: {shown}"))
+    return items
 
 
 def _entity_stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:

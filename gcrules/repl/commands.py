@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expand import expand
-from gcrules.algebra.expr import Expr, step_name
+from gcrules.algebra.expr import Expr, points_of, step_name
 from gcrules.algebra.statements import parse_script
 from gcrules.algebra.straighten import straighten, straighten_steps
 from gcrules.analysis import analyze
@@ -114,8 +114,10 @@ def _legs(repl: Interpreter, request: Request) -> Structure | Platform:
     text = request.source.text
     place = request.span
     try:
-        legs = read_legs(word, points=(*at.points, *at.ideal))
-        return Structure(legs.legs, at.points, tuple(n for n in at.ideal if n in legs.names))
+        legs = read_legs(word, points=(*at.points, *at.ideal), built=True)
+        known = {*legs.names, *at.points}
+        given = tuple(a for a in at.given if known.issuperset(points_of(*a.args)))
+        return replace(legs, points=at.points, ideal=tuple(n for n in at.ideal if n in legs.names), given=given)
     except GcrulesError as fault:
         if fault.source == word and fault.span is not None:
             fault.source = text

@@ -21,7 +21,7 @@ from gcrules.plugins import load_rules, packs
 from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, RewriteRule, Rule
+from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, RewriteRule, Rule, StructureRule
 from gcrules.rules.rule_file import RuleCheck, check_script, identities
 from gcrules.rules.state import State
 from gcrules.rules.strategy import Strategy, recognise
@@ -136,8 +136,11 @@ def fires_on(rule: Rule, case: str, library: Library | None = None) -> bool:
     """
     if isinstance(rule, RewriteRule):
         return rule.rewrite(parse(case), Space()) is not None
-    structure = read_legs(case)
+    legs, _, ideal = case.partition(" ideal ")
+    structure = read_legs(legs, ideal=ideal)
     oracle = Oracle(structure)
+    if isinstance(rule, StructureRule):
+        return bool(rule.find(structure, oracle))
     forms = shortest_forms(structure.neutral, points=structure.points, ideal=structure.ideal)
     if isinstance(rule, Incidence):
         alone = Strategy((TETRAHEDRA, *(used for used, _ in rule.uses), rule))

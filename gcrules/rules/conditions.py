@@ -7,17 +7,22 @@ from dataclasses import replace
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Join, Meet, Point
-from gcrules.algebra.straighten import straighten
+from gcrules.algebra.straighten import is_zero
 from gcrules.condition import Certificate, Condition, Entity, starred
-from gcrules.errors import EngineFault
+from gcrules.errors import EngineFault, LimitReached
 from gcrules.legs import Structure
 from gcrules.rules.incidence import Claim
+from gcrules.rules.listing import listed
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.state import extensor
+from gcrules.rules.words import sentence
 
-__all__ = ["PROVED", "best_first", "certify", "describe", "entities_of", "listed"]
+__all__ = ["PROVED", "PROVED_HERE", "best_first", "certify", "describe", "entities_of", "in_special_position", "listed"]
 
 PROVED = Certificate("normal-form", "proved: both sides have the same normal form of standard tableaux")
+PROVED_HERE = Certificate(
+    "normal-form", "proved under the assumptions: both sides have the same normal form at the points that satisfy them"
+)
 _TESTED = Certificate("random-points", "holds at exact random points")
 
 
@@ -104,16 +109,15 @@ def _tetrahedron(entity: Entity) -> str:
     return str(extensor(entity.points))
 
 
-def listed(names: Sequence[str]) -> str:
-    """ "ab, cd and ef", each name once."""
-    names = list(dict.fromkeys(names))
-    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
-
-
 def line_in_words(line: Expr, structure: Structure) -> str:
     """ "the line AB through the joints A and B", "the common line of the leg planes Aab and Bcd"."""
     match line:
         case Join(args=(Point(name=a), Point(name=b))):
+            finite = [n for n in (a, b) if n not in structure.ideal]
+            if not finite:
+                return f"the line at infinity {line}"
+            if len(finite) == 1:
+                return f"the line {line} through the joint {finite[0]} in the direction {b if a in finite else a}"
             return f"the line {line} through the joints {a} and {b}"
         case Meet(args=(Join() as x, Join() as y)):
             names = [tuple(str(p) for p in plane.args) for plane in (x, y)]
@@ -123,8 +127,38 @@ def line_in_words(line: Expr, structure: Structure) -> str:
 
 
 def certify(condition: Condition, structure: Structure) -> Condition:
-    """The condition with the certificate of a proof by normal forms. Raises EngineFault where it is no identity."""
+    """The condition with the certificate of a proof by normal forms: for all points, else for those that satisfy what
+    is assumed. Where a proof takes more terms than the limit, it stays tested at random points.
+
+    Raises EngineFault where it is no identity.
+    """
     identity = condition.identity(structure.superbracket)
-    if straighten(identity, points=structure.points, ideal=structure.ideal, rank=4):
-        raise EngineFault(f"{condition.cofactor} * superbracket != {condition.coefficient} * ({condition.expression})")
-    return replace(condition, certificate=PROVED)
+    try:
+        if is_zero(identity, points=structure.points, ideal=structure.ideal, rank=structure.rank):
+            return replace(condition, certificate=PROVED)
+        if structure.given and structure.construction.is_zero(identity):
+            return replace(condition, certificate=PROVED_HERE)
+    except LimitReached as limited:
+        if structure.construction.vanishes(identity, samples=_SAMPLES, seed=40):
+            detail = f"holds at {_SAMPLES} exact random points, error below 1e-33; no proof: {limited.message}"
+            return replace(condition, certificate=Certificate("random-points", detail))
+    raise EngineFault(f"{condition.cofactor} * superbracket != {condition.coefficient} * ({condition.expression})")
+
+
+def in_special_position(condition: Condition, structure: Structure, oracle: Oracle) -> Condition:
+    """The condition with a sentence that takes account of points at infinity."""
+    if not structure.ideal:
+        return condition
+    if condition.kind in _SAID_BY_WORDS:
+        return replace(condition, statement=sentence(condition.expression, structure, oracle, condition.cofactor))
+    far = [name for name, line in condition.lines if name and oracle.at_infinity(line)]
+    if not far:
+        return condition
+    lies = "lies at infinity, a turn about it is a translation" if len(far) == 1 else _BOTH
+    where = f"{listed(far)} {lies} at right angles to the directions in it."
+    return replace(condition, statement=f"{condition.statement} Here {where}")
+
+
+_SAMPLES = 3
+_BOTH = "lie at infinity, a turn about one of them is a translation"
+_SAID_BY_WORDS = ("three-tetrahedra", "tetrahedron-planes-line", "four-planes")

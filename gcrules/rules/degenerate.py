@@ -3,13 +3,15 @@ r"""Structures that are singular in every pose, and why: the line that all six l
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
-from gcrules.algebra.expr import Expr, join, meet
+from gcrules.algebra.evaluate import PRIME, Evaluator
+from gcrules.algebra.expr import Expr, Point, join, meet
 from gcrules.legs import Leg, Structure, leg_text
+from gcrules.rules.listing import listed
+from gcrules.rules.oracle import Oracle
 from gcrules.rules.state import extensor
 
 __all__ = ["Degeneracy", "explain"]
@@ -28,7 +30,7 @@ class Degeneracy:
 
 def explain(structure: Structure) -> Degeneracy:
     """The simplest reason, for a structure whose superbracket is identically zero."""
-    for rule in _RULES:
+    for rule in _RULES if structure.rank == 4 else _OTHER_RANKS:
         found = rule(structure)
         if found:
             return found
@@ -38,26 +40,74 @@ def explain(structure: Structure) -> Degeneracy:
 def _equal_legs(s: Structure) -> Degeneracy | None:
     for i, j in combinations(range(len(s.legs)), 2):
         if set(s.legs[i]) == set(s.legs[j]):
-            same = f"legs {i + 1} and {j + 1} lie on one line {leg_text(s.legs[i])}"
-            reason = f"{same}, so at most five of the six are independent"
-            return Degeneracy(reason, (s.legs[i], s.legs[j]))
+            return _one_line(s, i, j)
+    return None
+
+
+def _one_line(s: Structure, i: int, j: int) -> Degeneracy:
+    same = f"legs {i + 1} and {j + 1} lie on one line {s.words[i]}"
+    number = len(s.legs)
+    reason = (
+        f"{same}, so at most {_WORDS.get(number - 1, number - 1)} of the {_WORDS.get(number, number)} are independent"
+    )
+    return Degeneracy(reason, (s.legs[i], s.legs[j]))
+
+
+def _same_line(s: Structure) -> Degeneracy | None:
+    """Legs that the assumptions put on one line."""
+    points = _evaluator(s)
+    for i, j in combinations(range(len(s.legs)), 2):
+        if s.special and _rank([points.value(s.lines[i]), points.value(s.lines[j])]) < 2:
+            return _one_line(s, i, j)
+    return None
+
+
+def _few_dimensions(s: Structure) -> Degeneracy | None:
+    """Legs that the assumptions, or places at infinity, put in a flat pencil or in one plane."""
+    points = _evaluator(s)
+    if not s.special:
+        return None
+    for a in _busiest(s):
+        there = [i for i, leg in enumerate(s.legs) if a in leg]
+        for three in combinations(there, 3):
+            if _rank([points.value(s.lines[i]) for i in three]) < 3:
+                words = listed([s.words[i] for i in three])
+                reason = f"the legs {words} meet in {a} and lie in one plane, where at most two lines are independent"
+                return Degeneracy(reason, tuple(s.legs[i] for i in three))
+    oracle = Oracle(s)
+    joined = [i for i, leg in enumerate(s.oriented) if leg in s.joined]
+    for some in combinations(joined, 4):
+        ends = [points.value(Point(n)) for i in some for n in s.legs[i]]
+        if _rank(ends) < 4:
+            words = listed([s.words[i] for i in some])
+            couples = all(oracle.at_infinity(s.lines[i]) for i in some)
+            where = "are couples (lines at infinity)" if couples else "lie in one plane"
+            reason = f"the legs {words} {where}, of which at most three are independent"
+            return Degeneracy(reason, tuple(s.legs[i] for i in some))
     return None
 
 
 def _common_line(s: Structure) -> Degeneracy | None:
     """A line that meets all six legs: through two joints, through a joint across two legs, in planes of legs."""
-    points = Evaluator(random_points(s.names, ideal=s.ideal, seed=4), 4, PRIME)
-    legs = [extensor(leg) for leg in s.oriented]
+    points = _evaluator(s)
     for line, words, why in _candidates(s):
-        if any(points.value(line)) and not any(points.value(meet(line, leg))[0] for leg in legs):
-            reason = f"{why}all six legs meet {words}, so the platform can always turn, to first order, about this line"
+        if any(points.value(line)) and not any(points.value(meet(line, leg))[0] for leg in s.lines):
+            motion = "turn, to first order, about this line"
+            if s.ideal and Oracle(s).at_infinity(line):
+                motion = "shift, to first order, at right angles to the directions in this line at infinity"
+            reason = f"{why}all six legs meet {words}, so the platform can always {motion}"
             return Degeneracy(reason, s.legs, line)
     return None
+
+
+def _evaluator(s: Structure) -> Evaluator:
+    return Evaluator(s.construction.random_points(4), s.rank, PRIME)
 
 
 def _candidates(s: Structure) -> Iterator[tuple[Expr, str, str]]:
     """Lines that the joints and legs determine, with their description and what else there is to say."""
     joints = _busiest(s)
+    lines = {leg: dict(s.stand_ins).get(leg) or extensor(leg) for leg in s.oriented}
     for a, b in combinations(joints, 2):
         yield extensor((a, b)), f"the line {leg_text((a, b))} through the joints {a} and {b}", ""
     number = Counter(n for leg in s.legs for n in leg)
@@ -67,19 +117,19 @@ def _candidates(s: Structure) -> Iterator[tuple[Expr, str, str]]:
         point = extensor((a,))
         why = f"{_WORDS[number[a]]} legs meet in the joint {a}, where at most three lines are independent; "
         for g, h in combinations([leg for leg in s.oriented if a not in leg], 2):
-            line = meet(join(point, extensor(g)), join(point, extensor(h)))
-            yield line, f"the line through {a} that crosses {leg_text(g)} and {leg_text(h)}", why
+            line = meet(join(point, lines[g]), join(point, lines[h]))
+            yield line, f"the line through {a} that crosses {lines[g]} and {lines[h]}", why
     planes = sorted({tuple(sorted({*g, *h})) for g, h in combinations(s.legs, 2) if len({*g, *h}) == 3})
     for x, y in combinations(planes, 2):
         yield meet(extensor(x), extensor(y)), f"the common line of the planes {extensor(x)} and {extensor(y)}", ""
     for x in planes:
         for a in x:
             for g in s.oriented:
-                line = join(extensor((a,)), meet(extensor(g), extensor(x)))
-                yield line, f"the line through {a} in the plane {extensor(x)} that crosses {leg_text(g)}", ""
+                line = join(extensor((a,)), meet(lines[g], extensor(x)))
+                yield line, f"the line through {a} in the plane {extensor(x)} that crosses {lines[g]}", ""
 
 
-_WORDS = {4: "four", 5: "five", 6: "six"}
+_WORDS = {2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}
 
 
 def _crowded_joint(s: Structure) -> Degeneracy | None:
@@ -92,26 +142,28 @@ def _crowded_joint(s: Structure) -> Degeneracy | None:
 
 
 def _dependent_legs(s: Structure) -> Degeneracy | None:
-    points = Evaluator(random_points(s.names, ideal=s.ideal, seed=3), 4, PRIME)
-    rows = {leg: points.value(extensor(leg)) for leg in dict.fromkeys(s.oriented)}
-    for size in range(1, 7):
-        for chosen in combinations(rows, size):
-            if _rank([list(rows[leg]) for leg in chosen]) < size:
-                names = ", ".join(map(leg_text, chosen))
-                if size == 1:
-                    reason = f"the leg {names} is no line: its ends coincide"
-                else:
-                    reason = f"the {size} legs {names} are dependent for all positions of their joints"
-                return Degeneracy(reason, chosen)
+    points = _evaluator(s)
+    rows = [points.value(line) for line in s.lines]
+    where = "all positions of their joints"
+    where += " that satisfy the assumptions" if s.given else ""
+    for size in range(2, len(rows) + 1):
+        for chosen in combinations(range(len(rows)), size):
+            if _rank([rows[i] for i in chosen]) < size:
+                names = ", ".join(s.words[i] if s.stand_ins else leg_text(s.oriented[i]) for i in chosen)
+                reason = f"the {size} legs {names} are dependent for {where}"
+                return Degeneracy(reason, tuple(s.oriented[i] for i in chosen))
     return None
 
 
 _RULES: tuple[Callable[[Structure], Degeneracy | None], ...] = (
     _equal_legs,
+    _same_line,
+    _few_dimensions,
     _common_line,
     _crowded_joint,
     _dependent_legs,
 )
+_OTHER_RANKS = (_equal_legs, _same_line, _dependent_legs)
 
 
 def _busiest(s: Structure) -> list[str]:
@@ -120,8 +172,9 @@ def _busiest(s: Structure) -> list[str]:
     return sorted(s.names, key=lambda n: (-number[n], s.names.index(n)))
 
 
-def _rank(rows: list[list[int]]) -> int:
+def _rank(matrix: Sequence[Sequence[int]]) -> int:
     """Rank modulo the oracle's prime."""
+    rows = [list(row) for row in matrix]
     rank = 0
     for column in range(len(rows[0])):
         pivot = next((i for i in range(rank, len(rows)) if rows[i][column] % PRIME), None)

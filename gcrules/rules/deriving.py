@@ -9,14 +9,15 @@ from __future__ import annotations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.shortest import SuperbracketForm
-from gcrules.algebra.space import Space
 from gcrules.condition import ONE, Condition
 from gcrules.legs import Structure, leg_text
 from gcrules.rules.derivation import Derivation, Step
+from gcrules.rules.factorization import BRACKETS_ONLY
 from gcrules.rules.incidence import Claim
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.rule import EntityRule, Rule
 from gcrules.rules.state import State
+from gcrules.rules.strategy import FACTORIZATION
 
 __all__ = ["derived", "derived_zero", "from_catalog", "from_claim", "terms_of"]
 
@@ -38,7 +39,39 @@ def derived(
         return from_claim(structure, claim, condition, oracle, own_order=own_order)
     if condition.kind == "linear-complex":
         return terms_of(structure, form, own_order=own_order)
+    if condition.kind in (FACTORIZATION, BRACKETS_ONLY):
+        terms = terms_of(structure, form, condition.cofactor, own_order=own_order)
+        if terms.after == condition.right_side:
+            return terms
+        return terms.then(FACTORIZATION, condition.right_side, _FACTORED.format(condition.certificate.detail))
+    if structure.stand_ins:
+        return _of_any_lines(structure, condition)
+    rule = condition.certificate.data.get("rule")
+    if rule:
+        return _in_one_step(structure, condition, rule, condition.certificate.detail)
     return from_catalog(structure, condition)
+
+
+_FACTORED = "brackets that divide, and one expression of joins and meets that equals the rest; {}"
+
+
+def _of_any_lines(structure: Structure, condition: Condition) -> Derivation:
+    """The identity of general lines with those that are built from points in their place."""
+    built = ", ".join(str(line) for _, line in structure.stand_ins)
+    why = f"the identity for any lines in the place of {built}; {condition.certificate.detail}"
+    return _in_one_step(structure, condition, "any-lines", why)
+
+
+def _in_one_step(structure: Structure, condition: Condition, rule: str, why: str) -> Derivation:
+    """cofactor · superbracket = coefficient · expression, proved elsewhere."""
+    before = ex.mul(condition.cofactor, structure.superbracket)
+    step = Step(rule, before, condition.right_side, why, _assumed(condition.cofactor))
+    return Derivation((step,), structure.space)
+
+
+def from_catalog(structure: Structure, condition: Condition) -> Derivation:
+    """cofactor · superbracket = coefficient · expression, an instance of an identity of the catalog."""
+    return _in_one_step(structure, condition, "catalog", condition.certificate.detail)
 
 
 def from_claim(
@@ -67,14 +100,6 @@ def _recorded(rule: Rule, state: State, oracle: Oracle) -> tuple[Expr | None, st
     return ex.signed(state.sign, state.rest.to_expr()), rule.sentence
 
 
-def from_catalog(structure: Structure, condition: Condition) -> Derivation:
-    """cofactor · superbracket = coefficient · expression, an instance of an identity of the catalog."""
-    before = ex.mul(condition.cofactor, structure.superbracket)
-    why = condition.certificate.detail
-    step = Step("catalog", before, condition.right_side, why, _assumed(condition.cofactor))
-    return Derivation((step,), _space(structure))
-
-
 def derived_zero(structure: Structure, typed: SuperbracketForm, shortest: SuperbracketForm) -> Derivation:
     """superbracket = 0, by the terms of one of the two forms if they vanish, else by their normal form.
 
@@ -82,13 +107,10 @@ def derived_zero(structure: Structure, typed: SuperbracketForm, shortest: Superb
     """
     if typed.polynomial and not shortest.polynomial:
         return terms_of(structure, shortest)
-    step = Step("superbracket", structure.superbracket, typed.polynomial.to_expr(), _why_terms(typed))
-    found = Derivation((step,), _space(structure))
-    return found.then("straightening", ex.ZERO, "the normal form has no term") if typed.polynomial else found
-
-
-def _space(structure: Structure) -> Space:
-    return Space(4, structure.names, structure.ideal)
+    step = Step("superbracket", structure.superbracket, typed.polynomial.to_expr(), _why_terms(typed, structure))
+    found = Derivation((step,), structure.space)
+    why = "the normal form has no term" + (" at the points that satisfy the assumptions" if structure.given else "")
+    return found.then("straightening", ex.ZERO, why) if typed.polynomial else found
 
 
 def _assumed(cofactor: Expr) -> tuple[Expr, ...]:
@@ -100,8 +122,14 @@ def terms_of(
 ) -> Derivation:
     """cofactor · superbracket = cofactor · the form's polynomial, by way of the legs in the form's order.
 
-    The form is one of the structure's neutral legs.
+    The form is one of the structure's neutral legs, or an expansion.
     """
+    if not form.form or structure.stand_ins:
+        before = ex.mul(cofactor, structure.superbracket)
+        sign = form.sign * structure.sign if form.form else 1
+        after = ex.mul(cofactor, ex.signed(sign, form.polynomial.to_expr()))
+        step = Step("lines-written-out", before, after, _why_terms(form, structure), _assumed(cofactor))
+        return Derivation((step,), structure.space)
     sign = form.sign * structure.sign
     legs = [structure.neutral[i] for i in form.order]
     ordered = ex.mul(ex.Number(sign), ex.superbracket(*(ex.join(*map(Point, leg)) for leg in legs)))
@@ -117,12 +145,15 @@ def terms_of(
     rule = "superbracket" if form.form == 24 else "superbracket-16"
     terms = ex.mul(cofactor, ex.signed(sign, form.polynomial.to_expr()))
     assumed = () if steps else _assumed(cofactor)
-    return Derivation((*steps, Step(rule, last, terms, _why_terms(form), assumed)), _space(structure))
+    return Derivation((*steps, Step(rule, last, terms, _why_terms(form, structure), assumed)), structure.space)
 
 
-def _why_terms(form: SuperbracketForm) -> str:
+def _why_terms(form: SuperbracketForm, structure: Structure) -> str:
     n = len(form.polynomial)
-    return (
-        f"the {form.form}-term form; brackets with a repeated point are zero, like terms are collected: "
-        f"{'1 term' if n == 1 else f'{n} terms'} left"
-    )
+    left = f"{'1 term' if n == 1 else f'{n} terms'} left"
+    if not form.form or structure.stand_ins:
+        return f"the lines written out in brackets; like terms are collected: {left}"
+    zero = "brackets with a repeated point are zero"
+    if structure.dead:
+        zero += ", and so are those that vanish under the assumptions"
+    return f"the {form.form}-term form; {zero}, like terms are collected: {left}"

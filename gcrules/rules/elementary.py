@@ -12,7 +12,7 @@ from functools import partial
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.algebra.expr import Expr, Point
+from gcrules.algebra.expr import Expr, Point, Sum
 from gcrules.algebra.parts import first_part
 from gcrules.algebra.shortest import shortest_forms
 from gcrules.algebra.space import Space
@@ -28,6 +28,7 @@ from gcrules.algebra.steps import (
     without_zeros,
 )
 from gcrules.algebra.straighten import straighten
+from gcrules.errors import InputError
 from gcrules.rules.instance import of_the_catalog, structure_of
 from gcrules.rules.rule import Elementary
 
@@ -56,6 +57,21 @@ def _straightened(e: Expr, space: Space) -> Expr | None:
     return None if after == e else after
 
 
+def _factored(e: Expr, space: Space) -> Expr | None:
+    """A sum as coefficient · Π brackets · one expression, if there is one."""
+    if not isinstance(e, Sum) or e.step:
+        return None
+    from gcrules.factoring.factorize import factor  # numpy, for an expression that may factor
+
+    if not straighten(e, points=space.points, ideal=space.ideal, rank=space.rank):
+        return None
+    try:
+        return factor(e, points=space.points, ideal=space.ideal, rank=space.rank, seconds=_SECONDS).to_expr()
+    except InputError:  # not homogeneous in the points
+        return None
+
+
+_SECONDS = 5.0
 _SINGULAB = "SinguLab2008"
 
 ELEMENTARY = (
@@ -134,6 +150,13 @@ ELEMENTARY = (
         apply=common_factors,
     ),
     Elementary(
+        id="factorization",
+        sentence="A polynomial that is a product of brackets and one expression of joins and meets, as that product.",
+        fires=("[abfc][acde][bdef] + [abfd][acbe][cdef]", "[acde][bfgh] - [bcde][afgh]"),
+        silent=("[abcd][efgh] + [abce][dfgh] + [abcf][degh]", "[abcd] - [abce]", r"ab /\ cd"),
+        apply=_factored,
+    ),
+    Elementary(
         id="expansion",
         sentence="A meet of joins of points is a sum over shuffles: the points of one go into the bracket or stay.",
         fires=(r"ab /\ cde", r"abc /\ def /\ ghi", r"[ab /\ cde, f, g, h]"),
@@ -155,4 +178,4 @@ ELEMENTARY = (
         apply=_straightened,
     ),
 )
-"""Written out. The longer steps (catalog, shortest-form, straightening) unfold into the others."""
+"""Written out. Of the longer steps, shortest-form and straightening unfold into the others."""

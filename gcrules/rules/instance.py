@@ -13,7 +13,7 @@ from gcrules.algebra.space import Space
 from gcrules.errors import InputError
 from gcrules.legs import Structure
 
-__all__ = ["of_the_catalog", "structure_of"]
+__all__ = ["of_the_catalog", "structure_of", "structures_in"]
 
 
 def structure_of(e: Expr, space: Space) -> Structure | None:
@@ -34,12 +34,17 @@ def structure_of(e: Expr, space: Space) -> Structure | None:
         return None
 
 
+def structures_in(e: Expr, space: Space) -> list[Structure]:
+    """Those of the superbrackets among the factors of an expression."""
+    factors = e.factors if isinstance(e, Product) else (e,)
+    return [s for f in factors if (s := structure_of(f, space))]
+
+
 def of_the_catalog(e: Expr, space: Space) -> Expr | None:
     """cofactor · superbracket of legs of a class as coefficient · expression, by the first reading of the class with
-    that cofactor. Points at infinity are in no class.
+    that cofactor.
     """
-    factors = e.factors if isinstance(e, Product) else (e,)
-    structures = [s for f in factors if (s := structure_of(f, space))]
+    structures = structures_in(e, space)
     if not structures:
         return None
     from gcrules.catalog_file import load  # a file to read and to check, for an expression that may hold legs

@@ -6,11 +6,13 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from gcrules.errors import InputError
+from gcrules.rules.couples import FORCES_AND_COUPLES
 from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.entities import ENTITY_RULES, TETRAHEDRA
 from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.rule import Incidence, Rule
-from gcrules.rules.strategy import CATALOG, FORMS, SHORTEST, Strategy
+from gcrules.rules.strategy import CATALOG, FACTORIZATION, FORMS, SHORTEST, Strategy
+from gcrules.rules.transversals import TRANSVERSALS
 from gcrules.yamlfile import near
 
 __all__ = ["ENGINE", "Library"]
@@ -50,12 +52,12 @@ class Library:
     def strategy(self, ids: Iterable[str] | None = None, without: Iterable[str] = ()) -> Strategy:
         """The rules named, in that order, each incidence rule bringing the entity rules that it uses.
 
-        By default all rules of recognition, and last the identities of the catalog; identities run only when they are
-        named. The forms of the superbracket and the search for the shortest order always come first. Raises InputError
-        for rules that are not there, and where no form of the superbracket is left.
+        By default all rules of recognition, then the identities of the catalog, last factorization; identities run only
+        when they are named. The forms of the superbracket and the search for the shortest order always come first.
+        Raises InputError for rules that are not there, and where no form of the superbracket is left.
         """
         first = sorted((r for r in self.rules if r.id in _FIRST), key=lambda r: _FIRST.index(r.id))
-        last = [r for r in self.rules if r.id == CATALOG]
+        last = [self[i] for i in (CATALOG, FACTORIZATION) if i in {r.id for r in self.rules}]
         if ids is None:
             recognising = [r for r in self.rules if r.family != "rewriting"]
             return Strategy((*first, *recognising, *last)).without(without)
@@ -68,4 +70,4 @@ class Library:
 
 
 _FIRST = (*FORMS, SHORTEST)
-ENGINE = Library((*ENTITY_RULES, *INCIDENCES, *ELEMENTARY))
+ENGINE = Library((*ENTITY_RULES, *INCIDENCES, FORCES_AND_COUPLES, TRANSVERSALS, *ELEMENTARY))

@@ -1,8 +1,8 @@
-r"""Rules: what every rule says about itself, and the three families.
+r"""Rules: what every rule says about itself, and the four families.
 
 Rewriting rules turn an expression into an equal one: identities written in the language, and the elementary steps.
 Entity rules find entities in a bracket form; incidence rules turn entities into a claim, which is proved before it is
-used.
+used. Structure rules read conditions from the legs and their common joints alone.
 """
 
 from __future__ import annotations
@@ -15,12 +15,13 @@ from typing import ClassVar
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.space import Space
-from gcrules.condition import ONE
+from gcrules.condition import ONE, Condition
 from gcrules.errors import InputError
+from gcrules.legs import Structure
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.state import State
 
-__all__ = ["SHIPPED", "Elementary", "EntityRule", "Incidence", "RewriteRule", "Rule", "reductions"]
+__all__ = ["SHIPPED", "Elementary", "EntityRule", "Incidence", "RewriteRule", "Rule", "StructureRule", "reductions"]
 
 SHIPPED = "gcrules"
 _PARTS = {"tetrahedra", "planes", "lines", "expression"}
@@ -31,7 +32,8 @@ _ID = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 class Rule:
     """`id` in lower case with hyphens; `sentence` says what the rule does; `source` is a key of the bibliography.
 
-    `fires` and `silent` are cases (legs for rules of recognition, expressions for rewriting rules) on which the rule
+    `fires` and `silent` are cases (legs for rules of recognition, followed by `ideal` and the points at infinity where
+    there are any; expressions for rewriting rules) on which the rule
     fires and on which it stays silent; they are its tests and stand in its documentation. `owner` is who brought the
     rule: gcrules, a package, or a file with line. Raises InputError for an id that is none.
     """
@@ -156,3 +158,17 @@ def _reach(uses: tuple[tuple[EntityRule, int], ...], state: State) -> Iterator[S
     (rule, number), *rest = uses
     for found in rule.applied(state, number):
         yield from _reach(tuple(rest), found)
+
+
+@dataclass(frozen=True, kw_only=True)
+class StructureRule(Rule):
+    """A rule that reads conditions from the legs and their common joints alone, not from a bracket form.
+
+    `find` gives conditions that hold on the exact oracle and are not yet proved, the most telling first; none where
+    the rule stays silent. A `last_resort` runs only where no condition without a cofactor was found before.
+    """
+
+    family: ClassVar[str] = "structure"
+
+    find: Callable[[Structure, Oracle], list[Condition]]
+    last_resort: bool = False

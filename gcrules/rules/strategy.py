@@ -13,16 +13,17 @@ from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.identity import Identity, rewritten
 from gcrules.rules.incidence import Claim, claims
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, Rule
+from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, Rule, StructureRule
 from gcrules.rules.state import State
 
-__all__ = ["CATALOG", "FORMS", "MAX_TERMS", "SHORTEST", "Strategy", "of_plugins", "recognise"]
+__all__ = ["CATALOG", "FACTORIZATION", "FORMS", "MAX_TERMS", "SHORTEST", "Strategy", "of_plugins", "recognise"]
 
 MAX_TERMS = 8
 """Entities are looked for in forms with no more terms than this."""
 
 
 CATALOG = "catalog"
+FACTORIZATION = "factorization"
 SHORTEST = "shortest-form"
 FORMS = {"superbracket": 24, "superbracket-16": 16}
 """Rules that an analysis asks for by name, and the number of terms of both forms of the superbracket."""
@@ -56,6 +57,10 @@ class Strategy:
         """Those whose entity rules are all there."""
         known = {r.id for r in self.rules if isinstance(r, EntityRule)}
         return tuple(r for r in self.rules if isinstance(r, Incidence) and all(rule.id in known for rule, _ in r.uses))
+
+    @property
+    def structural(self) -> tuple[StructureRule, ...]:
+        return tuple(r for r in self.rules if isinstance(r, StructureRule))
 
     def without(self, ids: Iterable[str]) -> Strategy:
         """The strategy less the rules named. Raises InputError for an id that is not in it."""

@@ -14,14 +14,16 @@ ac /\ bde (up by expansion)
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
-from gcrules.algebra.expr import Expr, Sum
+from gcrules.algebra.expr import Expr, Sum, mul
 from gcrules.algebra.space import Space
 from gcrules.errors import LimitReached
 from gcrules.rules.elementary import ELEMENTARY
-from gcrules.rules.rule import RewriteRule, Rule, reductions
+from gcrules.rules.instance import structures_in
+from gcrules.rules.oracle import Oracle
+from gcrules.rules.rule import RewriteRule, Rule, StructureRule, reductions
 from gcrules.rules.step import Step
 
 __all__ = ["MAX_STEPS", "MAX_TERMS", "follows", "unfold"]
@@ -33,7 +35,7 @@ MAX_TERMS = 250
 _FOLDED = frozenset({"shortest-form", "straightening"})
 """Elementary rules that are more than one step."""
 
-_TAKEN = frozenset({"catalog"})
+_TAKEN = frozenset({"catalog", "factorization", "forces-and-couples", "any-lines", "lines-written-out", "transversals"})
 """Rules whose proof stands elsewhere."""
 
 _DOWN = ("vanishing", "dots", "sorting", "multiplying-out", "expansion", "superbracket")
@@ -80,7 +82,16 @@ def follows(step: Step, space: Space, rules: Iterable[Rule]) -> bool:
     """Whether the named rule makes `after` from `before` (the other way round in an upward step)."""
     source, target = (step.after, step.before) if step.upward else (step.before, step.after)
     rule = next((r for r in rules if r.id == step.rule), None)
+    if isinstance(rule, StructureRule):
+        return (source, target) in _read(rule, source, space)
     return isinstance(rule, RewriteRule) and rule.rewrite(source, space) == target
+
+
+def _read(rule: StructureRule, e: Expr, space: Space) -> Iterator[tuple[Expr, Expr]]:
+    """cofactor · superbracket and coefficient · expression, for the conditions of the legs in an expression."""
+    for structure in structures_in(e, space):
+        for c in rule.find(structure, Oracle(structure)):
+            yield mul(c.cofactor, structure.superbracket), c.right_side
 
 
 def _trace(e: Expr, rules: Sequence[RewriteRule], space: Space, limit: int) -> _Trace:

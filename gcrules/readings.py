@@ -1,0 +1,262 @@
+r"""What the superbracket of a structure equals: by rules of entities, by the catalog, by factorization."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations, permutations
+
+from gcrules import forms
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Point, points_of
+from gcrules.algebra.shortest import SuperbracketForm
+from gcrules.algebra.straighten import straighten
+from gcrules.catalog import Catalog, Match
+from gcrules.condition import ONE, Certificate, Condition
+from gcrules.errors import LimitReached
+from gcrules.legs import Structure
+from gcrules.rules.conditions import best_first, certify, describe, in_special_position
+from gcrules.rules.couples import COUPLES
+from gcrules.rules.factorization import factored
+from gcrules.rules.incidence import Claim
+from gcrules.rules.listing import listed
+from gcrules.rules.oracle import Oracle
+from gcrules.rules.stand_ins import said_of_lines, written_back
+from gcrules.rules.strategy import CATALOG, FACTORIZATION, MAX_TERMS, SHORTEST, Strategy, of_plugins, recognise
+from gcrules.rules.words import sentence
+
+__all__ = ["Readings", "always_zero", "linear_complex", "read"]
+
+_MOST_READINGS = 3  # of the kind of the condition itself
+_SAMPLES = 3
+
+
+@dataclass(frozen=True)
+class Readings:
+    """Conditions, the first of them the one with the smallest cofactor; the claim of the rules that it comes from, if
+    it does, the form of the superbracket in which it was seen, and all the `forms` that were looked at.
+    """
+
+    conditions: tuple[Condition, ...]
+    form: SuperbracketForm
+    forms: tuple[SuperbracketForm, ...]
+    oracle: Oracle
+    claim: Claim | None = None
+    notes: tuple[str, ...] = ()
+
+
+def always_zero(structure: Structure, typed: SuperbracketForm) -> Certificate | None:
+    """The certificate that the superbracket is zero wherever the points may be; None where it is not."""
+    if not structure.given and structure.rank == 4 and not structure.stand_ins:
+        if straighten(typed.polynomial):
+            return None
+        return Certificate("normal-form", "proved: the normal form of the superbracket is 0")
+    construction = structure.construction
+    if not construction.vanishes(structure.superbracket):
+        return None
+    where = " at the points that satisfy the assumptions" if structure.given else ""
+    try:
+        if construction.is_zero(structure.superbracket):
+            return Certificate("normal-form", f"proved: the normal form of the superbracket is 0{where}")
+    except LimitReached as limited:
+        if construction.vanishes(structure.superbracket, samples=_SAMPLES, seed=40):
+            detail = f"zero at {_SAMPLES} exact random points, error below 1e-30; no proof: {limited.message}"
+            return Certificate("random-points", detail)
+    return None
+
+
+def read(
+    structure: Structure,
+    matches: Sequence[Match],
+    catalog: Catalog,
+    strategy: Strategy,
+    *,
+    chosen: tuple[int, ...] | None,
+    recheck: bool,
+    search: float,
+) -> Readings:
+    """All conditions that are found: those of rules, of the catalog, and where these leave something to be wished,
+    one of a factorization, sought for `search` seconds.
+    """
+    oracle = Oracle(structure)
+    if structure.rank != 4:
+        some = forms.shortest(structure, strategy)
+        found = Readings((), some[0], some, oracle)
+    elif structure.stand_ins:
+        found = _of_any_lines(structure, oracle, catalog, strategy, chosen=chosen, recheck=recheck, search=search)
+    else:
+        found = _recognised(structure, oracle, matches, catalog, strategy, chosen=chosen, recheck=recheck)
+    if FACTORIZATION in strategy.ids:
+        found = _with_factorization(found, structure, matches, strategy, search)
+    return found if found.conditions else replace(found, notes=(*found.notes, *_other_names(structure, oracle)))
+
+
+def _other_names(structure: Structure, oracle: Oracle) -> list[str]:
+    """What would show more under the assumptions: joints that are one point, and points on legs as their joints."""
+    names = structure.construction.names if structure.given else ()
+    one = [(a, b) for a, b in combinations(names, 2) if oracle.zero(ex.join(Point(a), Point(b), rank=structure.rank))]
+    notes = [f"{a} and {b} are one point: one name for both shows what the legs share" for a, b in one]
+    for n in names:
+        on = [
+            word
+            for word, line in zip(structure.words, structure.lines, strict=True)
+            if n not in points_of(line) and oracle.zero(ex.join(Point(n), line, rank=max(3, structure.rank)))
+        ]
+        if on and not any(n in pair for pair in one):
+            notes.append(
+                f"{n} lies on {listed(on)}: a leg may be written by any two of its points, so by {n} and an end"
+            )
+    return notes
+
+
+def _recognised(
+    structure: Structure,
+    oracle: Oracle,
+    matches: Sequence[Match],
+    catalog: Catalog,
+    strategy: Strategy,
+    *,
+    chosen: tuple[int, ...] | None,
+    recheck: bool,
+) -> Readings:
+    """By the entities of the shortest form, or of the form in the order chosen, and by the catalog."""
+    some = forms.shortest(structure, strategy) if chosen is None else forms.in_order(structure, chosen, strategy)
+    notes = [f"{m.entry.id} ({m.entry.place}) has the same graph as class {matches[0].entry.id}" for m in matches[1:]]
+    claims = best_first(recognise(some, structure, oracle, strategy), structure, oracle)
+    if not claims and chosen is not None and SHORTEST in strategy.ids:
+        some = forms.shortest(structure, strategy)
+        claims = best_first(recognise(some, structure, oracle, strategy), structure, oracle)
+        notes.append("the order given shows no entities; the shortest order was used instead")
+    elif chosen is not None:
+        notes.append("the order of the legs was given; the shortest order may show more")
+    claim = claims[0] if claims else None
+    if claim is None and len(some[0].polynomial) > MAX_TERMS:
+        notes.append(f"entities were not looked for: the shortest form has more than {MAX_TERMS} terms")
+    brought = of_plugins(some, structure, oracle, strategy, claim.kind) if claim else ()
+    told = [*claims[: 1 + _MOST_READINGS]]
+    for more in brought:
+        told += best_first(more, structure, oracle)[:_MOST_READINGS]
+    conditions = [certify(describe(c, structure, oracle, catalog.statements), structure) for c in told]
+    for rule in strategy.structural:
+        if not (rule.last_resort and any(c.cofactor == ONE for c in conditions)):
+            of_legs = rule.find(structure, oracle)[: 1 + _MOST_READINGS]
+            conditions += [_found_by(rule.id, certify(c, structure)) for c in of_legs]
+    for m in matches if CATALOG in strategy.ids else ():
+        known = catalog.readings(structure, m, oracle, recheck=recheck)
+        notes += [
+            f"a reading of class {m.entry.id} says nothing here: its cofactor {e} is zero"
+            for e in catalog.dropped(structure, m, oracle)
+        ]
+        conditions += [r for r in known if not any(_alike(r, c, oracle) for c in conditions)]
+    shown = [in_special_position(c, structure, oracle) for c in conditions]
+    if claim is None and structure.special:
+        shown.sort(key=lambda c: c.cofactor != ONE)
+    return Readings(tuple(shown), claim.state.form if claim else some[0], some, oracle, claim, tuple(notes))
+
+
+def _found_by(rule: str, condition: Condition) -> Condition:
+    """The condition with the rule that found it in its certificate."""
+    c = condition.certificate
+    return replace(condition, certificate=Certificate(c.method, c.detail, {**c.data, "rule": rule}))
+
+
+def _of_any_lines(
+    structure: Structure,
+    oracle: Oracle,
+    catalog: Catalog,
+    strategy: Strategy,
+    *,
+    chosen: tuple[int, ...] | None,
+    recheck: bool,
+    search: float,
+) -> Readings:
+    """The conditions of general lines, with those that are built from points in their place."""
+    lifted = structure.lifted
+    some = forms.shortest(structure, strategy) if chosen is None else forms.in_order(structure, chosen, strategy)
+    matches = list(catalog.matches(lifted))
+    general = _recognised(lifted, Oracle(lifted), matches, catalog, strategy, chosen=chosen, recheck=recheck)
+    if FACTORIZATION in strategy.ids:
+        general = _with_factorization(general, lifted, matches, strategy, min(search, _LIFTED_SECONDS))
+    found = [c for r in general.conditions if (c := _written_back(r, structure, oracle)) is not None]
+    built = ", ".join(str(line) for _, line in structure.stand_ins)
+    note = f"{built}: taken as any line through two points of its own; what is found for it holds for this one"
+    return Readings(tuple(found), some[0], some, oracle, None, (note, *general.notes))
+
+
+_LIFTED_SECONDS = 2.0
+
+
+def _written_back(condition: Condition, structure: Structure, oracle: Oracle) -> Condition | None:
+    """The identity with the lines written back, which is proved if that of any lines is; None where their points occur
+    apart, and where it says nothing here.
+    """
+    expression, cofactor = (written_back(e, structure.stand_ins) for e in (condition.expression, condition.cofactor))
+    if expression is None or cofactor is None:
+        return None
+    if oracle.zero(cofactor) or oracle.zero(expression):
+        return None
+    statement = said_of_lines(condition.statement, structure.stand_ins)
+    c = condition.certificate
+    return replace(
+        condition,
+        expression=expression,
+        cofactor=cofactor,
+        statement=statement or sentence(expression, structure, oracle, cofactor),
+        certificate=Certificate(c.method, f"{c.detail}, for any lines in the place of those built from points", c.data),
+        entities=(),
+        lines=tuple(
+            (n, e) for n, line in condition.lines if (e := written_back(line, structure.stand_ins)) is not None
+        ),
+    )
+
+
+def _with_factorization(
+    found: Readings, structure: Structure, matches: Sequence[Match], strategy: Strategy, seconds: float
+) -> Readings:
+    """The readings with one of a factorization where there is no other; in special position also where the others have
+    a cofactor. Classes of the catalog are known in general position.
+    """
+    known = found.conditions[0] if found.conditions else None
+    if matches and not structure.special:
+        return found
+    if known is not None and (known.cofactor == ONE or known.kind == COUPLES or not structure.special):
+        return found
+    # Without assumptions all forms are one polynomial, with them they are different ones.
+    polynomials = [f.polynomial for f in (found.forms if structure.given else found.forms[:1])]
+    outcome = factored(polynomials, structure, found.oracle, seconds=seconds, cofactor=known is None)
+    notes = (*found.notes, outcome.note) if outcome.note else found.notes
+    if outcome.condition is None:
+        return replace(found, notes=notes)
+    if known is None or outcome.condition.cofactor == ONE:
+        conditions = (outcome.condition, *found.conditions)
+        return replace(found, conditions=conditions, claim=None, form=found.forms[0], notes=notes)
+    return replace(found, conditions=(*found.conditions, outcome.condition), notes=notes)
+
+
+def _alike(a: Condition, b: Condition, oracle: Oracle) -> bool:
+    """Whether two readings say the same in the same words, or compare turns about the same two lines."""
+    if str(a.expression) == str(b.expression) and a.statement in ("", b.statement):
+        return True
+    lines = [[line for _, line in c.lines] for c in (a, b)]
+    return (
+        a.kind == b.kind
+        and len(a.lines) == 2
+        and any(
+            all(oracle.proportional(x, y) for x, y in zip(lines[0], other, strict=True))
+            for other in permutations(lines[1])
+        )
+    )
+
+
+def linear_complex(structure: Structure, catalog: Catalog) -> Condition:
+    """The reading that always holds: the superbracket itself."""
+    statement = catalog.statements["linear-complex"]
+    if structure.rank != 4:
+        number = {3: "three"}.get(len(structure.legs), str(len(structure.legs)))
+        statement = f"The robot is singular exactly when its {number} lines are linearly dependent."
+    return Condition(
+        kind="linear-complex",
+        expression=structure.superbracket,
+        statement=statement,
+        certificate=Certificate("normal-form", "holds by definition of the superbracket"),
+    )
