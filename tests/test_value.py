@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Point, join
 from gcrules.analysis import analyze
-from gcrules.numeric.value import CLOSE, XYZ, line_points, measure, pose_value
+from gcrules.legs import read_legs
+from gcrules.numeric.value import CLOSE, XYZ, line_measure, line_points, measure, pose_value
 
 Pose = dict[str, tuple[int, int, int]]
 LEGS = ["ab af cb cd ed ef", "Aa Bb Cc Dd Ee Ff", "Aa Ab Ba Bb Cc Dd", "Aa Ab Ac Bd Be Cf", "Aa Ab Bc Cd De Ef"]
@@ -48,18 +49,18 @@ def exact(pose: Pose) -> dict[str, tuple[Fraction, ...]]:
 def test_frame_and_unit_do_not_matter(legs: str, data: st.DataObject) -> None:
     pose = data.draw(poses(legs))
     structure = ANALYSES[legs].structure
-    here = measure(structure.legs, pose)
-    there = measure(
-        structure.legs,
-        moved(
-            pose,
-            data.draw(st.tuples(finite, finite, finite)),
-            data.draw(st.tuples(finite, finite, finite)),
-            data.draw(st.floats(0.01, 1000)),
-        ),
+    elsewhere = moved(
+        pose,
+        data.draw(st.tuples(finite, finite, finite)),
+        data.draw(st.tuples(finite, finite, finite)),
+        data.draw(st.floats(0.01, 1000)),
     )
-    assert 0 <= here <= 1 + 1e-12
-    assert there == pytest.approx(here, rel=1e-6, abs=1e-9)
+    for here, there in (
+        (measure(structure, pose), measure(structure, elsewhere)),
+        (line_measure(structure.legs, pose), line_measure(structure.legs, elsewhere)),
+    ):
+        assert 0 <= here <= 1 + 1e-12
+        assert there == pytest.approx(here, rel=1e-6, abs=1e-9)
 
 
 @pytest.mark.parametrize("legs", LEGS)
@@ -78,7 +79,7 @@ def test_zero_exactly_where_singular(legs: str, data: st.DataObject) -> None:
     assert (found.verdict == "singular") == (found.superbracket == 0) == (found.measure == 0)
     assert (found.verdict == "close") == (0 < found.measure < CLOSE)
     if found.superbracket:
-        assert found.measure == pytest.approx(measure(a.structure.legs, pose))
+        assert found.measure == pytest.approx(measure(a.structure, pose))
 
 
 def test_all_verdicts_occur() -> None:
@@ -93,7 +94,16 @@ def test_all_verdicts_occur() -> None:
 
 
 def test_a_leg_of_no_length() -> None:
-    assert measure((("a", "b"),) * 6, {"a": (1, 2, 3), "b": (1, 2, 3)}) == 0
+    assert line_measure((("a", "b"),) * 6, {"a": (1, 2, 3), "b": (1, 2, 3)}) == 0
+    structure = ANALYSES["ab af cb cd ed ef"].structure
+    assert measure(structure, dict.fromkeys("acebdf", (1, 2, 3))) == 0
+
+
+def test_lines_without_bodies() -> None:
+    """The edges of a tetrahedron: regular, but no joint is known to move."""
+    structure = read_legs("ab ac ad bc bd cd")
+    corners = {"a": (0, 0, 0), "b": (1, 0, 0), "c": (0, 1, 0), "d": (0, 0, 1)}
+    assert measure(structure, corners) == line_measure(structure.legs, corners) > 0
 
 
 triples = st.tuples(*[st.integers(-9, 9)] * 3)

@@ -12,10 +12,11 @@ from gcrules.condition import Condition
 from gcrules.errors import InputError
 from gcrules.legs import Leg, Structure
 
-__all__ = ["CLOSE", "PoseValue", "line_points", "measure", "pose_value"]
+__all__ = ["CLOSE", "PoseValue", "line_measure", "line_points", "measure", "pose_value"]
 
-CLOSE = 1e-3
-"""Below this measure a pose is called close to singular (an example; choose your own for a real robot)."""
+CLOSE = 0.0087
+"""Below this measure a pose is called close to singular: a leg's turn by half a degree may lead to a singular pose (an
+example; choose your own for a real robot, `gcrules pose --threshold`)."""
 
 XYZ = tuple[float, float, float]
 
@@ -62,16 +63,33 @@ def pose_value(
     value, right, cofactor = (
         Fraction(evaluate(e, points)) for e in (structure.superbracket, condition.right_side, condition.cofactor)
     )
-    size = measure(structure.legs, {n: (float(c[0]), float(c[1]), float(c[2])) for n, c in points.items()})
+    at = {n: (float(c[0]), float(c[1]), float(c[2])) for n, c in points.items()}
+    size = measure(structure, at) if value else 0.0
     verdict = "singular" if value == 0 else "close" if size < close else "regular"
-    return PoseValue(value, right, cofactor, size if value else 0.0, verdict, unit)
+    return PoseValue(value, right, cofactor, size, verdict, unit)
 
 
-def measure(legs: Sequence[Leg], points: Mapping[str, XYZ]) -> float:
+def measure(structure: Structure, points: Mapping[str, XYZ]) -> float:
+    """The measure σ of `gcrules.numeric.jacobian` in [0, 1], which knows neither frame nor unit; 0 for a leg of no
+    length. Where the legs do not tell base from platform, `line_measure`.
+    """
+    if not all(n in structure.sides for leg in structure.legs for n in leg):
+        return line_measure(structure.legs, points)
+    import numpy as np
+
+    from gcrules.numeric.jacobian import jacobian  # numpy, for numbers only
+
+    base, ends = (np.array([points[leg[i]] for leg in structure.oriented]) for i in (0, 1))
+    if not np.linalg.norm(ends - base, axis=1).all() or np.linalg.matrix_rank(ends - ends.mean(axis=0)) < 2:
+        return 0.0
+    return float(jacobian(base, ends[None]).sigma[0])
+
+
+def line_measure(legs: Sequence[Leg], points: Mapping[str, XYZ]) -> float:
     """|det| of the six unit lines over the product of their rows' lengths (Hadamard's bound), in [0, 1].
 
     The moments are taken about the centroid of the joints and divided by their root-mean-square distance from it, so
-    that neither the frame nor the unit matters. Derived here.
+    that neither the frame nor the unit matters. It needs no bodies, and has no unit that means anything. Derived here.
     """
     import numpy as np
 

@@ -1,0 +1,86 @@
+"""The command path: a robot along a path."""
+
+from __future__ import annotations
+
+import os
+
+import click
+
+from gcrules.along import SAMPLES
+from gcrules.along import path as along
+from gcrules.cli.base import ExpressionCommand, Output, output_options
+from gcrules.cli.files import Status, read_stdin, working
+from gcrules.errors import InputError
+from gcrules.files import write_file
+from gcrules.render.drawing import save
+from gcrules.robots.geometry import load_platform, parse_platform
+
+__all__ = ["path"]
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("file", metavar="FILE.yaml")
+@click.option("--poses", "table", metavar="POSES.csv", help="A table of poses, two or more.")
+@click.option("--at", multiple=True, metavar="POSE", help="A pose, as in gcrules pose; give two or more.")
+@click.option(
+    "--about",
+    default="origin",
+    show_default=True,
+    metavar="CENTRE",
+    help="What the platform turns about: origin, centroid, or x,y,z.",
+)
+@click.option("--samples", default=SAMPLES, show_default=True, metavar="N", help="Places at which values are given.")
+@click.option(
+    "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
+)
+@click.option("--csv", "values", metavar="FILE.csv", help="Write the values along the path; - prints them.")
+@click.option("--plot", metavar="FILE.svg|FILE.pdf", help="Draw closeness and superbracket along the path.")
+@output_options(latex=False)
+def path(
+    file: str,
+    table: str | None,
+    at: tuple[str, ...],
+    about: str,
+    samples: int,
+    threshold: str,
+    values: str | None,
+    plot: str | None,
+    out: Output,
+) -> None:
+    """Find every singular pose on a path through given poses, and say why it is singular.
+
+    \b
+    gcrules path robot.yaml --at "0 0 0" --at "0 0 -300; euler zyx 40 0 0 deg"
+    gcrules path robot.yaml --poses poses.csv --csv values.csv --plot path.svg
+
+    Between two poses the centre moves on a straight line and the platform turns about one axis, the shorter way. None
+    is missed, however few samples there are: the superbracket is an exact polynomial there. The first line of a table
+    names its columns: x, y, z, and qw, qx, qy, qz, or rx [deg], ry [deg], rz [deg], or zyx1 [deg], zyx2 [deg],
+    zyx3 [deg]. "-" reads the robot's file from standard input.
+    """
+    if (table is None) == (not at):
+        raise click.UsageError("Give the poses either by --poses POSES.csv or by --at, twice or more.")
+    if plot is not None and os.path.splitext(plot)[1].lower() not in (".svg", ".pdf"):
+        raise InputError(f"{plot} is no name of a plot", hint="plots are written as .svg or .pdf")
+    platform = parse_platform(read_stdin(), "<stdin>") if file == "-" else load_platform(file)
+    for warning in platform.warnings:
+        click.echo(f"warning: {warning}", err=True)
+    with working("computing") as status:
+        found = along(
+            platform,
+            list(at) if table is None else table,
+            samples=samples,
+            about=about,
+            threshold=threshold,
+            tell=lambda text: _say(status, text),
+        )
+    if plot is not None:
+        save(found.plot(), plot)
+    if values is not None:
+        write_file(values, found.csv())
+    if values != "-":
+        out.show(found)
+
+
+def _say(status: Status, text: str) -> None:
+    status.text = text

@@ -1,0 +1,183 @@
+r"""A robot at poses: `pose` reads like its answer. Numbers, nearest singular poses, causes; or arrays for many poses.
+
+>>> from gcrules.robots.geometry import parse_platform
+>>> robot = parse_platform('''
+... legs: [ab, af, cb, cd, ed, ef]
+... points: {a: [0, -3, 0], c: [3, 2, 0], e: [-3, 2, 0], b: [1, -1, 4], d: [0, 1, 4], f: [-1, -1, 4]}
+... ''')
+>>> here = pose(robot, "0 0 0; euler zyx 30 0 0 deg", nearest=False)
+>>> here.verdict, round(here.closeness, 3)
+('regular', 0.392)
+>>> pose(robot, [[0, 0, 0], [0, 0, -4]]).verdict.tolist()
+['regular', 'singular']
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from os import PathLike
+from typing import Any
+
+from gcrules.algebra.evaluate import evaluate
+from gcrules.analysis import Analysis, analyze
+from gcrules.condition import Condition
+from gcrules.errors import EngineFault, InputError
+from gcrules.numeric.arrays import from_poses, normalised_note, read_arrays
+from gcrules.numeric.asked import known_accuracy, one_pose, three
+from gcrules.numeric.causes import causes, near_causes, nearest_cause
+from gcrules.numeric.closeness import ROUNDING, closeness, noise
+from gcrules.numeric.cubic import superbracket_at
+from gcrules.numeric.jacobian import jacobian
+from gcrules.numeric.many import PoseNumbers, homogeneous, numbers
+from gcrules.numeric.motion import dependence, exact_dependence, scaled, softest_twist
+from gcrules.numeric.nearest_pose import NearestPose, nearest_poses, nearest_translation
+from gcrules.numeric.pose import Pose, exact, parse_pose
+from gcrules.numeric.readings import readings
+from gcrules.numeric.report import PoseReading, PoseReport
+from gcrules.numeric.rig import Rig, rig
+from gcrules.numeric.threshold import DEFAULT, Threshold, parse_threshold
+from gcrules.numeric.verdict import verdict as verdict_of
+from gcrules.robots.geometry import Platform, load_platform
+
+__all__ = ["pose", "report"]
+
+
+def pose(
+    robot: Platform | Analysis | str | PathLike[str],
+    at: Any = None,
+    *,
+    quaternion: Any = None,
+    rotation_vector: Any = None,
+    euler: tuple[str, Any] | None = None,
+    degrees: bool = False,
+    about: str | Sequence[Any] = "origin",
+    threshold: str | Threshold = DEFAULT,
+    accuracy: str | float | None = None,
+    nearest: bool = True,
+) -> PoseReport | PoseNumbers:
+    """The function of `gcrules.api`, which says what the arguments are. Poses may be `Pose`s too."""
+    analysis = _analysis(robot)
+    platform = analysis.platform
+    if platform is None:
+        raise InputError("the analysis is of legs without coordinates", hint="analyze a platform (load_platform)")
+    if not isinstance(threshold, (str, Threshold)):
+        raise InputError(f"the threshold {threshold!r} has no unit", hint='write threshold="2 deg" or "5 mm"')
+    centre = about if isinstance(about, str) else tuple(exact(c, "the centre") for c in three(about, "the centre"))
+    moving = rig(analysis.structure, platform, centre)
+    limit = parse_threshold(threshold, platform.units) if isinstance(threshold, str) else threshold
+    known = known_accuracy(accuracy, moving)
+    turns = {"quaternion": quaternion, "rotation_vector": rotation_vector, "euler": euler}
+    if isinstance(at, (list, tuple)) and at and isinstance(at[0], (Pose, str)):
+        if any(t is not None for t in turns.values()):
+            raise InputError("poses that hold their turns, and a turn beside them")
+        poses = [p if isinstance(p, Pose) else parse_pose(p, platform.units) for p in at]
+        arrays, notes = from_poses(poses), tuple(dict.fromkeys(n for p in poses for n in p.notes))
+    else:
+        one = one_pose(at, turns, degrees, platform.units)
+        if one is not None:
+            return report(analysis, moving, one, threshold=limit, accuracy=known, nearest=nearest)
+        arrays = read_arrays(at, quaternions=quaternion, rotation_vectors=rotation_vector, euler=euler, degrees=degrees)
+        notes = () if quaternion is None else normalised_note(quaternion)
+    found = numbers(moving, (analysis.condition, *analysis.readings), arrays, limit, known)
+    return replace(found, notes=notes)
+
+
+def _analysis(robot: Platform | Analysis | str | PathLike[str]) -> Analysis:
+    if isinstance(robot, Analysis):
+        return robot
+    return analyze(robot if isinstance(robot, Platform) else load_platform(robot))
+
+
+def report(
+    analysis: Analysis, moving: Rig, at: Pose, *, threshold: Threshold, accuracy: float, nearest: bool = True
+) -> PoseReport:
+    """All numbers of one pose. Raises InputError for a leg of no length."""
+    points = moving.exact(at)
+    j = jacobian(moving.base, moving.ends(*from_poses([at])))
+    bounds = closeness(j)
+    value = superbracket_at(moving.structure.legs, points)
+    _two_roads(value, analysis, points)
+    conditions = (analysis.condition, *analysis.readings)
+    spread = float(noise(j, accuracy)[0])
+    floor = float(noise(j, ROUNDING * moving.size)[0])
+    singular = value == 0 or float(j.sigma[0]) <= floor
+    found: Sequence[NearestPose] = ()
+    if nearest:
+        found = nearest_poses(moving, at, j, singular=singular)
+    elif threshold.length is not None:
+        found = (nearest_translation(moving, at, j, singular=singular),)
+    verdict, reason = verdict_of(j, bounds, value, floor, spread, threshold, found, moving.unit)
+    depends = None
+    if value == 0:
+        depends = exact_dependence(moving.legs, moving.names, points, j.centroid[0])
+    elif singular:
+        depends = dependence(j, moving.names)
+    guarantees = {name: number for name, number in bounds.at(0).items() if name != "sigma"}
+    if value == 0:
+        guarantees = dict.fromkeys(guarantees, 0.0)
+    return PoseReport(
+        rig=moving,
+        pose=at,
+        condition=analysis.condition,
+        verdict=verdict,
+        reason=reason,
+        causes=() if verdict == "regular" else _causes(conditions, moving, at, singular=singular),
+        superbracket=value,
+        closeness=0.0 if value == 0 else float(j.sigma[0]),
+        accuracy=accuracy,
+        noise=spread,
+        threshold=threshold,
+        smallest_singular_value=float(j.singular_values[0, 5]),
+        condition_number=float(j.condition_number[0]) if value else float("inf"),
+        radius=j.radius,
+        readings=tuple(_readings(analysis, moving, at)),
+        nearest=tuple(_explained(n, conditions, moving) for n in found) if nearest else (),
+        softest=softest_twist(j),
+        stress=scaled(j.stress[0].tolist()),
+        dependence=depends,
+        notes=at.notes,
+        **guarantees,
+    )
+
+
+def _explained(n: NearestPose, conditions: Sequence[Condition], moving: Rig) -> NearestPose:
+    if n.pose is None or n.causes:
+        return n
+    return replace(n, causes=_causes(conditions, moving, n.pose, singular=True))
+
+
+def _causes(conditions: Sequence[Condition], moving: Rig, at: Pose, *, singular: bool) -> tuple[str, ...]:
+    points = moving.exact(at)
+    names = moving.structure.names
+    if superbracket_at(moving.structure.legs, points) == 0:
+        return causes(conditions, points, names, moving.unit)
+    near = near_causes if singular else nearest_cause
+    return near(conditions, homogeneous(moving, *from_poses([at])), names)
+
+
+def _two_roads(value: Fraction, analysis: Analysis, points: dict[str, tuple[Fraction, ...]]) -> None:
+    """The determinant of the legs and the condition must agree. Raises EngineFault where they do not."""
+    c = analysis.condition
+    if evaluate(c.cofactor, points) * value != evaluate(c.right_side, points):
+        raise EngineFault(f"the superbracket and the condition {c.expression} disagree at a pose")
+
+
+def _readings(analysis: Analysis, moving: Rig, at: Pose) -> list[PoseReading]:
+    points = homogeneous(moving, *from_poses([at]))
+    found = []
+    for r in readings((analysis.condition, *analysis.readings), points):
+        valid = bool(r.valid[0])
+        found.append(
+            PoseReading(
+                r.part,
+                r.name,
+                r.meaning,
+                float(r.values[0]) if valid else None,
+                moving.unit if r.power else "",
+                r.published,
+                "" if valid else r.why,
+            )
+        )
+    return found
