@@ -77,7 +77,7 @@ def _platform(document: Document) -> Platform:
     top = document.root.mapping(
         required=("legs", "points"),
         optional=("title", "note", "source", "units"),
-        reserved={"limbs": "limbs of joints and links are not read from a geometry file"},
+        reserved={"limbs": "a robot with limbs is analysed by `gcrules robot analyze`, it is no geometry file"},
     )
     texts = {key: top[key].string() or "" for key in ("title", "note", "source") if key in top}
     units = top["units"].choice(UNITS) or "" if "units" in top else ""

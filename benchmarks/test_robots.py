@@ -1,0 +1,37 @@
+"""Robots, from their files to the statement: 0.5 s or less warm, 2 s or less from a cold shell."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+import gcrules as gc
+from gcrules.robots.discovery import robots
+
+IDS = [one.id for one in robots()]
+
+
+def analysed(name: str) -> Callable[[], str]:
+    return lambda: gc.Robot.load(name).analyze().statement
+
+
+def cold(name: str) -> Callable[[], str]:
+    command = [sys.executable, "-m", "gcrules", "robot", "analyze", name]
+    return lambda: subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_warm(ratio: Callable[..., Any], name: str) -> None:
+    analysed(name)()
+    ratio(analysed(name), {}, within=0.5, rounds=3)
+
+
+@pytest.mark.parametrize("name", ["3-rps", "4-ruu", "6-rus"])
+def test_cold(ratio: Callable[..., Any], name: str) -> None:
+    empty = [sys.executable, "-c", "pass"]
+    others = {"an empty program": lambda: subprocess.run(empty, check=True)}
+    ratio(cold(name), others, within=2, rounds=3)

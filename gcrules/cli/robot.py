@@ -1,0 +1,159 @@
+"""The commands about robots: robot list, show, check, analyze, new."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+
+from gcrules.cli.base import Output, output_options
+from gcrules.cli.files import working
+from gcrules.errors import FileError, GcrulesError
+from gcrules.files import write_file
+from gcrules.robots.discovery import FILE, robots
+from gcrules.robots.family import Definition
+from gcrules.robots.model import Robot
+from gcrules.robots.skeleton import skeleton
+from gcrules.rules.factorization import SECONDS
+
+__all__ = ["robot"]
+
+_plugins = click.option("--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins.")
+_name = click.argument("name", metavar="ID|FILE")
+
+
+@click.group()
+def robot() -> None:
+    """Robots described by their joints: when, and why, is one singular?
+
+    \b
+    gcrules robot list
+    gcrules robot analyze 3-rps
+    gcrules robot new my-robot
+    gcrules robot check my-robot/robot.yaml
+
+    A robot is a file of data, `robot.yaml`, in a folder that bears its id; docs/robots.md describes it.
+    """
+
+
+@robot.command("list")
+@_plugins
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+def list_command(folders: tuple[str, ...], as_json: bool) -> None:
+    """List all robots that are known."""
+    found = [(one, Robot.load(one.path)) for one in robots(folders)]
+    if as_json:
+        rows = [
+            {"id": one.id, "title": r.title, "limbs": r.chain, "mobility": r.mobility, "owner": one.owner}
+            for one, r in found
+        ]
+        click.echo(json.dumps({"robots": rows}, indent=2))
+        return
+    width = max((len(one.id) for one, _ in found), default=0)
+    for one, r in found:
+        owner = "" if one.owner == "gcrules" else f" ({one.owner})"
+        click.echo(f"{one.id:<{width}}  {r.mobility}  {r.title}{owner}")
+
+
+@robot.command("show")
+@_name
+@_plugins
+def show_command(name: str, folders: tuple[str, ...]) -> None:
+    """Show a robot: its points and directions with the relations that make them, and its limbs."""
+    click.echo("\n".join(_shown(Robot.load(name, plugins=folders))))
+
+
+def _by_number(d: Definition) -> tuple[str, int]:
+    digits = "".join(c for c in d.name if c.isdigit())
+    return d.name.replace(digits, ""), int(digits or 0)
+
+
+def _shown(r: Robot) -> Iterator[str]:
+    yield f"{r.title} ({r.id}): {r.chain or 'given by its lines'}, mobility {r.mobility}"
+    for key, value in (("source", r.source), ("note", r.note), ("file", r.filename)):
+        if value:
+            yield f"{key}: {os.path.relpath(value) if key == 'file' else value}"
+    for sort in ("point", "direction"):
+        made = [d for d in r.family.definitions if d.sort == sort]
+        if made:
+            yield f"{sort}s:"
+        yield from (f"  {d.name}: {d.text}" for d in sorted(made, key=_by_number))
+    if r.limbs:
+        yield "limbs:"
+        yield from (f"  {limb.name}: {' '.join(j.text for j in limb.joints)}" for limb in r.limbs)
+    if r.lines:
+        yield f"lines: {' '.join(''.join(line) for line in r.lines)}"
+    if r.platform:
+        yield f"platform: {' '.join(r.platform)}"
+
+
+@robot.command("check")
+@click.argument("names", nargs=-1, metavar="[ID|FILE]...")
+@_plugins
+@click.pass_context
+def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str, ...]) -> None:
+    """Check robots (all, if none is named): their files, on random exact members, and the published condition.
+
+    Exit code 0: all are sound. 1: a published condition is refuted. 2: a file is at fault.
+    """
+    code = 0
+    for name in names or [one.path for one in robots(folders)]:
+        try:
+            found = Robot.load(name, plugins=folders)
+            analysis = found.analyze()
+        except GcrulesError as fault:
+            click.echo(fault.render(), err=True)
+            code = max(code, fault.exit_code)
+            continue
+        published = analysis.published
+        said = f"; published condition {published.verdict}: {published.detail}" if published else ""
+        if published and published.verdict == "refuted":
+            code = max(code, 1)
+        home = "home satisfies the relations" if found.home is not None else "no home"
+        click.echo(
+            f"{found.id}: mobility {analysis.structure.mobility}, {home},"
+            f" {analysis.members} members and {analysis.met} singular members checked{said}"
+        )
+    ctx.exit(code)
+
+
+@robot.command("analyze")
+@_name
+@_plugins
+@click.option(
+    "--search",
+    type=click.FloatRange(min=0),
+    default=SECONDS,
+    show_default=True,
+    metavar="S",
+    help="Seek a factorization for so many seconds where no rule finds a condition.",
+)
+@output_options()
+def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Output) -> None:
+    """Tell when and why a robot is singular: wrenches of its limbs, equivalent lines, condition, sentence."""
+    with working("analysing"):
+        found = Robot.load(name, plugins=folders).analyze(search=search)
+    out.show(found)
+
+
+@robot.command("new")
+@click.argument("robot_id", metavar="ID")
+@click.option("-o", "--output", "path", metavar="FILE", help="Where to write it; ID/robot.yaml by default.")
+def new_command(robot_id: str, path: str | None) -> None:
+    """Write a commented robot file to begin with; it passes `gcrules robot check`."""
+    text = skeleton(robot_id)
+    if path is None:
+        folder = Path(robot_id)
+        try:
+            folder.mkdir(exist_ok=True)
+        except OSError as fault:
+            raise FileError(f"cannot be made: {fault.strerror}", filename=str(folder)) from None
+        path = str(folder / FILE)
+    if path != "-" and os.path.exists(path):
+        raise FileError("there is a file of this name already", filename=path)
+    write_file(path, text)
+    if path != "-":
+        click.echo(f"{path} is written; check it with: gcrules robot check {path}")

@@ -1,0 +1,177 @@
+"""Checks of a robot on exact random members, and of its home configuration; faults are recorded at their nodes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import combinations, pairwise
+from typing import Any
+
+from gcrules.errors import InputError, LimitReached
+from gcrules.robots.family import Definition
+from gcrules.robots.limbs import LimbText
+from gcrules.robots.relations import AXES, Values
+from gcrules.robots.robot_text import Fact, RobotText
+from gcrules.screws import RATIONALS, RESIDUES, Limb
+from gcrules.yamlfile import Node
+
+__all__ = ["check_family", "check_home", "check_limbs", "home_values"]
+
+_SEEDS = (11, 12)
+_TOLERANCE = Fraction(1, 10**6)
+
+
+def check_family(robot: RobotText, places: Mapping[str, Node], facts: Sequence[tuple[Node, Fact]]) -> None:
+    """Zero directions, points that are one, points outside the plane, facts that do not hold."""
+    family = robot.family
+    members = [family.member(seed) for seed in _SEEDS]
+    for d in family.definitions:
+        values = [m[d.name] for m in members]
+        if d.sort == "direction" and not any(map(any, values)):
+            places[d.name].fault(
+                f"the direction {d.name} is zero in every member of the family",
+                "its relation names parallel directions or coincident points",
+            )
+        elif family.plane and any(v[2] for v in values):
+            places[d.name].fault(f"{d.name} does not lie in the plane z = 0 of a planar robot")
+        else:
+            _check_arguments(d, members[0], places[d.name])
+    points = [d.name for d in family.definitions if d.sort == "point"]
+    for a, b in combinations(points, 2):
+        if all(m[a] == m[b] for m in members):
+            places[b].fault(f"{a} and {b} are one point in every member of the family", "give it one name")
+    for node, fact in facts:
+        said = fact.said
+        if any(any(said.relation.residual(said.sort, RESIDUES, m, m[said.name])) for m in members):
+            node.fault(
+                f"{fact.text!r} contradicts the relations: it fails on a random member of the family",
+                "put it among the relations that make the point or direction",
+            )
+
+
+_SPANS = {"on line": ("line", 1), "in plane": ("plane", 2), "in plane normal to": ("plane", 2)}
+
+
+def _check_arguments(d: Definition, values: Values, node: Node) -> None:
+    """A line needs two different points, a plane two independent directions."""
+    if d.sort != "point" or d.relation.kind not in _SPANS:
+        return
+    what, wanted = _SPANS[d.relation.kind]
+    size = d.parameters
+    units = [[int(i == unit) for i in range(size)] for unit in range(size)]
+    origin, *ends = (d.relation.value(d.sort, RESIDUES, values, t) for t in ([0] * size, *units))
+    if RESIDUES.rank([tuple(a - b for a, b in zip(end, origin, strict=True)) for end in ends]) < wanted:
+        node.fault(
+            f"the {what} on which {d.name} lies is none",
+            "its points coincide, or its directions are parallel, in every member of the family",
+        )
+
+
+def check_limbs(robot: RobotText, nodes: Sequence[Node], mobility: Node) -> None:
+    """Joints that are none, actuators that do not fit the mobility, a platform that is never held.
+
+    Of the copies of a limb, which stand at one node, only the first that is at fault is reported.
+    """
+    member = robot.family.member(_SEEDS[0])
+    limbs: list[Limb] = []
+    faulty: list[Node] = []
+    for node, text in zip(nodes, robot.limbs, strict=True):
+        if node in faulty:
+            continue
+        before = len(node.document.faults)
+        try:
+            limb = text.at(member, RESIDUES)
+            limb.twists(RESIDUES)
+            limbs.append(limb)
+        except (InputError, LimitReached) as fault:
+            node.fault(f"{text.name}: {fault.message}", fault.hint)
+        else:
+            _check_limb(robot, text, limb, node)
+        if len(node.document.faults) > before:
+            faulty.append(node)
+    if not any(text.actuators for text in robot.limbs):
+        nodes[0].fault("no joint is actuated", "a star marks what is driven: P*(A1 B1)")
+    elif len(limbs) == len(robot.limbs):
+        _check_platform(robot, limbs, mobility)
+
+
+def _check_limb(robot: RobotText, text: LimbText, limb: Limb, node: Node) -> None:
+    rank = limb.rank(RESIDUES)
+    if text.freedoms > 6 and text.freedoms - rank > 1:
+        node.fault(
+            f"{text.name} has {text.freedoms} freedoms, of which only {rank} are independent",
+            "a limb has at most six freedoms, and one more if a link spins between two ball joints",
+        )
+    elif text.freedoms > 6 and ("S", "S") not in _neighbours(text):
+        node.fault(
+            f"{text.name} has mobility {text.freedoms}: its actuators do not determine it",
+            "leave a joint out, or write ball joints as U where a link would only spin",
+        )
+    if len(limb.locked(RESIDUES)) - len(limb.constraints(RESIDUES)) < text.actuators:
+        node.fault(f"an actuator of {text.name} applies no wrench: its freedom depends on the passive ones")
+    if robot.family.plane and any(row[i] for row in limb.twists(RESIDUES) for i in (0, 1, 5)):
+        node.fault(f"{text.name} leaves the plane z = 0 of a planar robot", "its turns are about z")
+
+
+def _check_platform(robot: RobotText, limbs: Sequence[Limb], mobility: Node) -> None:
+    held = [row for limb in limbs for row in limb.constraints(RESIDUES)]
+    locked = [row for limb in limbs for row in limb.locked(RESIDUES)]
+    freedom = 6 - RESIDUES.rank(held) if held else 6
+    actuators = sum(text.actuators for text in robot.limbs)
+    if robot.mobility != freedom:
+        mobility.fault(f"the platform has mobility {freedom}, not {robot.mobility}")
+    if actuators != freedom:
+        word = "few" if actuators < freedom else "many"
+        mobility.fault(f"too {word} actuators: {actuators} for a platform of mobility {freedom}")
+    elif RESIDUES.rank(locked) < 6:
+        trivial = 3 if robot.family.plane else 0
+        mobility.fault(
+            "the actuators never hold the platform: with all of them locked the wrenches have rank "
+            f"{RESIDUES.rank(locked) - trivial}, not {6 - trivial}, in every member of the family"
+        )
+
+
+def _neighbours(text: LimbText) -> list[tuple[str, str]]:
+    """Kinds of neighbouring joints, prismatic and cylindrical ones between them left out."""
+    return list(pairwise(j.kind for j in text.joints if j.kind not in ("P", "C")))
+
+
+def home_values(robot: RobotText) -> dict[str, Any]:
+    """Coordinates of all points and directions at home, those that relations determine computed.
+
+    Raises InputError, naming what has no coordinates.
+    """
+    values: dict[str, Any] = {n: RATIONALS.vector(axis) for n, axis in AXES.items()}
+    for d in robot.family.definitions:
+        given = (robot.home or {}).get(d.name)
+        if given is None and d.parameters:
+            raise InputError(f"home gives no coordinates for {d.name}, which the relations leave free")
+        values[d.name] = given if given is not None else d.relation.value(d.sort, RATIONALS, values, ())
+    return values
+
+
+def check_home(robot: RobotText, node: Node) -> None:
+    """Record a fault for a relation that the home configuration violates by more than 1e-6 of its size."""
+    try:
+        values = home_values(robot)
+    except InputError as fault:
+        node.fault(fault.message, fault.hint)
+        return
+    keys = {key.text: value for key, value in node.entries()}
+    size = max((abs(c) for v in values.values() for c in v), default=Fraction(1)) or Fraction(1)
+    for d in robot.family.definitions:
+        place = keys.get(d.name, node)
+        if d.sort == "direction" and not any(values[d.name]):
+            place.fault(f"the direction {d.name} is zero at home")
+        elif any(abs(r) > _TOLERANCE * size**3 for r in d.relation.residual(d.sort, RATIONALS, values, values[d.name])):
+            place.fault(f"home violates the relation of {d.name}", "its coordinates do not satisfy what makes it")
+    twice = Counter(values[d.name] for d in robot.family.definitions if d.sort == "point")
+    for d in robot.family.definitions:
+        if d.sort == "point" and twice[values[d.name]] > 1:
+            keys.get(d.name, node).fault(f"{d.name} is in the same place as another point at home")
+    for limb in robot.limbs:
+        try:
+            limb.at(values, RATIONALS).twists(RATIONALS)
+        except InputError as fault:
+            node.fault(f"{limb.name} at home: {fault.message}", fault.hint)

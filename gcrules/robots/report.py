@@ -1,0 +1,146 @@
+r"""Analyses of robots as plain text and as LaTeX."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.text import text
+from gcrules.robots.parts import KINDS, Part
+from gcrules.robots.robot_analysis import RobotAnalysis
+from gcrules.robots.serial import LimbSingularity
+from gcrules.robots.wrenches import LimbWrenches, Line
+
+__all__ = ["as_latex", "as_text"]
+
+_WIDTH = 100
+
+
+def as_text(a: RobotAnalysis, *, unicode: bool = False) -> str:
+    """Limbs, equivalent lines, condition, factors, singularities of limbs, certificate."""
+    out = [*_wrapped(a.statement), "", *_head(a)]
+    for number, (title, lines) in enumerate(_sections(a, unicode), 1):
+        out += ["", f"{number}. {title}"]
+        for line in lines:
+            out += _wrapped(line, 3)
+    return "\n".join(out)
+
+
+def _sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]:
+    if a.structure.limbs:
+        yield "Limbs: wrenches with the actuators locked", [_limb(limb) for limb in a.structure.limbs]
+    if a.structure.lines is not None:
+        yield "Equivalent structure", [_structure(a)]
+    if a.condition is not None and a.lines is not None:
+        names = a.lines.structure.names
+        sides = ex.mul(a.condition.cofactor, a.lines.structure.superbracket), a.condition.right_side
+        yield "Condition of the lines", [" = ".join(text(e, unicode=unicode, names=names) for e in sides)]
+        factors = [_part(part, names, unicode) for part in a.parts]
+        if a.cofactors:
+            left = ", ".join(text(e, unicode=unicode, names=names) for e in a.cofactors)
+            factors.append(f"{left}: cofactor; where it vanishes so does the expression, singular or not")
+        yield "Its factors for this robot", factors
+    if a.structure.limbs:
+        yield "Singularities of the limbs by themselves (of codimension one)", [_serial(one) for one in a.limbs]
+    sure = [a.certificate]
+    if a.published is not None:
+        sure.append(f"published condition {a.published.condition}: {a.published.verdict}, {a.published.detail}")
+    yield "Certificate", sure
+
+
+def _serial(one: LimbSingularity) -> str:
+    words = "; ".join(f"{e} = 0: {s}" if e else s for e, s in one.conditions)
+    more = f" ({one.unexplained} members of another kind)" if one.unexplained else ""
+    return f"{one.limb}: {words or 'none found'}{more}"
+
+
+def _head(a: RobotAnalysis) -> Iterator[str]:
+    yield f"{a.robot.title} ({a.robot.id}){': ' + a.robot.chain if a.robot.limbs else ''}"
+    if a.robot.limbs:
+        yield (
+            f"mobility of the platform {a.structure.mobility}, overconstraints {a.structure.over},"
+            f" idle freedoms {a.structure.idle}"
+        )
+    for key, value in (("source", a.robot.source), ("note", a.robot.note)):
+        if value:
+            yield from _wrapped(f"{key}: {value}")
+
+
+def _limb(limb: LimbWrenches) -> str:
+    what = f"{limb.limb.name} ({limb.limb.chain}): {limb.kind}"
+    if limb.lines is None:
+        return f"{what}; no lines through the robot's points span it"
+    return f"{what}: {', '.join(map(_line, limb.lines))}"
+
+
+def _line(line: Line) -> str:
+    word = "couple" if line.couple else "force"
+    return f"{word} {''.join(line.ends)}{' (constraint)' if line.role == 'constraint' else ''}"
+
+
+def _structure(a: RobotAnalysis) -> str:
+    words = [f"the lines {' '.join(''.join(leg) for leg in a.structure.legs)}"]
+    if a.structure.ideal:
+        words.append(f"at infinity {', '.join(a.structure.ideal)}")
+    words += [f"{n} is the direction {what}" for n, what in a.structure.named]
+    return "; ".join(words)
+
+
+def _part(part: Part, names: tuple[str, ...], unicode: bool) -> str:
+    shown = text(part.expression, unicode=unicode, names=names)
+    if part.reason and part.kind != "never":
+        return f"{shown}: zero where {part.statement}; {part.reason}" if part.statement else f"{shown}: {part.reason}"
+    if part.kind == "never":
+        return f"{shown}: never for this robot, {part.reason}"
+    said = f" zero where {part.statement}" if part.statement else ""
+    seen = f" (seen at {part.members} exact members)" if part.members else ""
+    return f"{shown}: {part.kind},{said or ' ' + KINDS[part.kind]}{seen}"
+
+
+def _wrapped(words: str, indent: int = 0) -> list[str]:
+    first, rest = " " * indent, " " * (indent + 2 * bool(indent))
+    return textwrap.wrap(
+        words, _WIDTH, initial_indent=first, subsequent_indent=rest, break_long_words=False, break_on_hyphens=False
+    )
+
+
+# --- LaTeX ---
+
+
+def as_latex(a: RobotAnalysis) -> str:
+    """A document with the limbs, the identity of the lines, the factors and the statement."""
+    from gcrules.render.latex import latex_words as words  # needed for LaTeX only
+
+    out = [
+        r"\documentclass{article}",
+        r"\usepackage[T1]{fontenc}",
+        r"\usepackage[utf8]{inputenc}",
+        r"\usepackage{amsmath}",
+        r"\setlength{\parindent}{0pt}",
+        r"\begin{document}",
+        r"\sloppy",
+        rf"\section*{{{words(a.robot.title)}}}",
+        words(a.statement),
+    ]
+    if a.structure.limbs:
+        out += [r"\subsection*{Limbs}", *(rf"{words(_limb(limb))}\par" for limb in a.structure.limbs)]
+    if a.condition is not None and a.lines is not None:
+        left = ex.mul(a.condition.cofactor, a.lines.structure.superbracket)
+        out += [r"\subsection*{Condition of the lines}", _display(left, a.condition.right_side)]
+        out += [r"\subsection*{Factors}"]
+        out += [f"{_display(None, p.expression)}\n{words(_told(p))}" for p in a.parts]
+    return "\n".join([*out, r"\subsection*{Certificate}", words(a.certificate), r"\end{document}"])
+
+
+def _told(part: Part) -> str:
+    said = f"zero where {part.statement}" if part.statement else KINDS[part.kind]
+    return f"{part.kind}; {part.reason or said}"
+
+
+def _display(left: Expr | None, right: Expr) -> str:
+    from gcrules.render.latex import latex_lines
+
+    lines = [*([f"{line} = " for line in latex_lines(left)] if left else []), *latex_lines(right)]
+    return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"

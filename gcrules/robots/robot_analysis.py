@@ -1,0 +1,226 @@
+r"""From a robot's joints to the sentence: wrenches, equivalent lines, condition of the lines, factors told apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Any
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.evaluate import PRIME
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.text import text
+from gcrules.analysis import Analysis
+from gcrules.condition import Condition
+from gcrules.errors import EngineFault
+from gcrules.robots.conditions import condition_of_lines, factors_at
+from gcrules.robots.equivalent import FRAME, Equivalent, equivalent
+from gcrules.robots.parts import Part, at_member, not_told, ranks, tell_apart
+from gcrules.robots.published import MEMBERS, Published, published
+from gcrules.robots.relations import AXES
+from gcrules.robots.robot_text import RobotText
+from gcrules.robots.serial import LimbSingularity, limb_singularities
+from gcrules.robots.words import Words
+from gcrules.robots.wrenches import Line
+from gcrules.rules.factorization import SECONDS
+
+__all__ = ["RobotAnalysis", "analyze_robot"]
+
+
+@dataclass(frozen=True)
+class RobotAnalysis:
+    """What was found for a robot.
+
+    `lines` is the analysis of the equivalent structure's lines, None where limbs apply wrenches that are no lines of
+    the robot's points; `condition` that of its readings that is used, an identity for these lines; `parts` its factors
+    told apart, `limbs` the singularities of limbs by themselves. `members` exact random members were checked.
+    """
+
+    robot: RobotText
+    structure: Equivalent
+    lines: Analysis | None
+    condition: Condition | None
+    parts: tuple[Part, ...]
+    limbs: tuple[LimbSingularity, ...]
+    statement: str
+    certificate: str
+    cofactors: tuple[Expr, ...] = ()
+    members: int = 0
+    met: int = 0
+    published: Published | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """The object of `gcrules analyze` for the equivalent lines, with what is known of the robot."""
+        names = self.lines.structure.names if self.lines else ()
+        found: dict[str, Any] = self.lines.to_json() if self.lines else {"schema": 1, "condition": None}
+        if self.condition is not None:
+            found["condition"] = self.condition.to_json(names)
+        return found | {
+            "robot": self.robot.id,
+            "title": self.robot.title,
+            "mobility": self.structure.mobility,
+            "overconstraints": self.structure.over,
+            "idle": self.structure.idle,
+            "limbs": [limb.to_json() for limb in self.structure.limbs],
+            "equivalent": self.structure.to_json(),
+            "parts": [
+                {
+                    "expression": text(p.expression, names=names),
+                    "kind": p.kind,
+                    "statement": p.statement,
+                    "members": p.members,
+                    "reason": p.reason,
+                }
+                for p in self.parts
+            ],
+            "limb_singularities": [s.to_json() for s in self.limbs],
+            "cofactors": [text(e, names=names) for e in self.cofactors],
+            "statement": self.statement,
+            "robot_certificate": {"detail": self.certificate, "members": self.members, "singular_members": self.met},
+            "published": None if self.published is None else vars(self.published).copy(),
+        }
+
+    def text(self, *, unicode: bool = False) -> str:
+        """Every stage as plain text."""
+        from gcrules.robots.report import as_text
+
+        return as_text(self, unicode=unicode)
+
+    def latex(self) -> str:
+        """A LaTeX document that compiles with the article class and amsmath."""
+        from gcrules.robots.report import as_latex
+
+        return as_latex(self)
+
+    def __str__(self) -> str:
+        return self.text(unicode=True)
+
+    def _repr_latex_(self) -> str | None:
+        return self.condition.expression._repr_latex_() if self.condition else None
+
+    def __repr__(self) -> str:
+        return f"<RobotAnalysis {self.robot.id}: {self.condition.kind if self.condition else 'no lines'}>"
+
+
+def analyze_robot(robot: RobotText, *, search: float = SECONDS) -> RobotAnalysis:
+    """Analyse a robot; `search` as for `gcrules.analyze`. Raises InputError for six lines that are no legs."""
+    structure = equivalent(robot.family, robot.limbs) if robot.limbs else _given_lines(robot)
+    if structure.lines is None:
+        return _without_lines(robot, structure)
+    found, condition = condition_of_lines(robot, structure, search)
+    family = robot.family
+    cofactors, factors = factors_at(robot, structure, condition)
+    tell = tell_apart if robot.limbs else not_told
+    parts, told = tell(family, robot.limbs, structure, found.structure.superbracket, factors)
+    base = tuple(p for limb in robot.limbs for p in limb.joints[0].points if p not in robot.platform)
+    words = Words(structure.lines, robot.platform, base, frozenset(structure.ideal) | frozenset(AXES))
+    parts = tuple(replace(p, statement=words.clause(p.expression) or "") for p in parts)
+    serial = limb_singularities(family, robot.limbs)
+    members = _check(robot, structure, found, cofactors, factors)
+    return RobotAnalysis(
+        robot,
+        structure,
+        found,
+        condition,
+        parts,
+        serial,
+        _statement(structure, condition, cofactors, parts, serial),
+        _certificate(robot, condition, members, told.met),
+        cofactors,
+        members,
+        told.met,
+        published(robot, structure, found) if robot.condition else None,
+    )
+
+
+def _given_lines(robot: RobotText) -> Equivalent:
+    """The structure of a robot that is given by its lines."""
+    sorts = robot.family.sorts
+    lines = tuple(
+        Line(ends, "the given lines", all(sorts[n] == "direction" for n in ends), "wrench") for ends in robot.lines
+    )
+    names = dict.fromkeys(n for line in lines for n in line.ends)
+    ideal = tuple(n for n in names if sorts[n] == "direction")
+    full = 3 if robot.family.plane else 6
+    at = [at_member(robot.family, Equivalent((), lines, 0, 0, 0, full), robot.family.member(s)) for s in (1, 2, 3)]
+    rank = 3 if robot.family.plane else 4
+    given = tuple(
+        some
+        for some in combinations(names, rank)
+        if not set(some) <= set(ideal)
+        and not any(one.value(ex.bracket(*map(ex.Point, some), rank=rank))[0] for one in at)
+    )
+    return Equivalent((), lines, robot.mobility, 0, 0, full, ideal, given)
+
+
+def _check(
+    robot: RobotText, structure: Equivalent, found: Analysis, cofactors: Sequence[Expr], factors: Sequence[Expr]
+) -> int:
+    """The number of random members at which Π cofactors · superbracket = c · Π factors with one number c, and the joint
+    screws have full rank. Raises EngineFault otherwise.
+    """
+    full = 3 if robot.family.plane else 6
+    numbers = set()
+    for seed in range(MEMBERS):
+        values = robot.family.member(("checked", seed))
+        at = at_member(robot.family, structure, values)
+        if robot.limbs and ranks(robot.family, robot.limbs, values).wrenches != full:
+            raise EngineFault(f"the wrenches of {robot.id} have no full rank at a random member")
+        left, right = (at.value(ex.mul(*es))[0] for es in ((*cofactors, found.structure.superbracket), factors))
+        numbers.add(left * pow(right, -1, PRIME) % PRIME)
+    if len(numbers) > 1:
+        raise EngineFault(f"the factors found for {robot.id} are not its superbracket")
+    return MEMBERS
+
+
+def _statement(
+    structure: Equivalent,
+    condition: Condition,
+    cofactors: Sequence[Expr],
+    parts: Sequence[Part],
+    serial: Sequence[LimbSingularity],
+) -> str:
+    outside = "Outside the singularities of its limbs, the" if any(s.conditions for s in serial) else "The"
+    also = ""
+    if any(line.limb == FRAME for line in structure.lines or ()):
+        also = " It is singular too where the constraints of all limbs together lose rank."
+    live = [p for p in parts if p.kind not in ("never", "choice", "limb")]
+    if live and all(p.statement for p in live) and not cofactors:
+        mark = len({p.kind for p in live}) > 1
+        said = [f"{p.statement} ({p.kind} singularity)" if mark else p.statement for p in live]
+        return f"{outside} robot is singular exactly when {', or '.join(said)}.{also}"
+    if not live:
+        return "No singular member of the family was found outside the singularities of its limbs."
+    first = condition.statement + also
+    return first if outside == "The" else f"Outside the singularities of its limbs: {first}"
+
+
+def _certificate(robot: RobotText, condition: Condition, members: int, met: int) -> str:
+    lines = f"the identity of the lines: {condition.certificate.detail}"
+    if not robot.limbs:
+        return lines
+    return (
+        f"{lines}; that the lines stand for the joints holds at {members} exact random members of the family, and"
+        f" {met} exact singular members were found, all by the ranks of the joint screws (modulo 2^61 - 1)"
+    )
+
+
+def _without_lines(robot: RobotText, structure: Equivalent) -> RobotAnalysis:
+    """Where wrenches of a limb are no lines through the robot's points."""
+    no = [limb for limb in structure.limbs if limb.lines is None]
+    if no:
+        which = "; ".join(f"{limb.limb.name} applies a system of the kind {limb.kind!r}" for limb in no)
+        why = f"its wrenches are not spanned by lines through the robot's points: {which}"
+    else:
+        why = f"its wrenches have rank {structure.rank} in every configuration"
+    return RobotAnalysis(
+        robot,
+        structure,
+        None,
+        None,
+        (),
+        limb_singularities(robot.family, robot.limbs),
+        f"No condition in points is given for this robot: {why}. Its Jacobian can be computed in any configuration.",
+        "the ranks hold at exact random members",
+    )
