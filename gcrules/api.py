@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from os import PathLike
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
@@ -29,9 +30,15 @@ from gcrules.render.report import report
 from gcrules.rewriting import Rewriting
 from gcrules.rewriting import rewrite as _rewrite
 from gcrules.robots.geometry import Platform, load_platform
+from gcrules.robots.model import Robot
+from gcrules.robots.robot_analysis import RobotAnalysis
 from gcrules.rules.library import Library
 from gcrules.rules.rule import RewriteRule
 from gcrules.rules.strategy import Strategy
+from gcrules.shortening.limits import MAX_MONOMIALS
+from gcrules.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
+from gcrules.shortening.result import Shortening
+from gcrules.turning import Transversals, transversals
 
 __all__ = [
     "Analysis",
@@ -48,23 +55,32 @@ __all__ = [
     "Plugin",
     "Proof",
     "Rewriting",
+    "Robot",
+    "RobotAnalysis",
+    "Shortening",
     "StepError",
     "Strategy",
     "Structure",
     "SyntaxFault",
+    "Transversals",
     "analyze",
+    "compiled",
     "evaluate",
     "expand",
     "factor",
     "load_platform",
     "load_rules",
     "parse",
+    "path",
+    "pose",
     "prove",
     "report",
     "rewrite",
+    "shorten",
     "shortest",
     "straighten",
     "superbracket",
+    "transversals",
 ]
 
 
@@ -139,6 +155,30 @@ def factor(
     )
 
 
+def shorten(
+    e: str | Expr | BracketPolynomial,
+    *,
+    rank: int | None = None,
+    points: Names = (),
+    ideal: Names = (),
+    limit: int = MAX_MONOMIALS,
+    seconds: float = SECONDS_TO_SHORTEN,
+) -> Shortening:
+    """The bracket polynomial with the fewest terms that was found for a scalar, any rational coefficients allowed.
+
+    The answer has `polynomial` (equal to the scalar, proved by normal forms), `terms`, `lower` (no bracket polynomial
+    with fewer terms equals it; `bound` says why) and `minimal` (whether these agree). After `seconds` what was found is
+    the answer. Raises InputError for extensors, LimitReached where there are more than `limit` bracket monomials of the
+    multidegree.
+    """
+    from gcrules.shortening.shorten import shorten as shortened  # numpy, for this function only
+
+    given = e if isinstance(e, BracketPolynomial) else _expression(e, rank, points, ideal)
+    return shortened(
+        given, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit, seconds=seconds
+    )
+
+
 def prove(
     claim: str | Expr,
     right: str | Expr | None = None,
@@ -205,6 +245,86 @@ def _rewriting_rules(rules: Iterable[str | RewriteRule]) -> list[RewriteRule]:
 def evaluate(e: str | Expr, points: dict[str, Any], *, rank: int | None = None, modulus: int | None = None) -> Any:
     """The value of an expression at points given by homogeneous coordinates (exact numbers, or arrays of floats)."""
     return _evaluate(_expression(e, rank, tuple(points), ()), points, modulus=modulus)
+
+
+def pose(
+    robot: Platform | Analysis | str | PathLike[str],
+    at: Any = None,
+    *,
+    quaternion: Any = None,
+    rotation_vector: Any = None,
+    euler: tuple[str, Any] | None = None,
+    degrees: bool = False,
+    about: str | Sequence[Any] = "origin",
+    threshold: str = "0.5 deg",
+    accuracy: str | float | None = None,
+    nearest: bool = True,
+) -> Any:
+    """How close a robot is to a singularity at one pose (a `PoseReport`), or at N poses (`PoseNumbers`, arrays).
+
+    `robot` is a platform with coordinates, its analysis, or the name of its geometry file. `at` is text as for
+    `gcrules pose --at`, a translation of three numbers, or N of these: a list of texts or an array (N, 3). The turn
+    beside it is one of `quaternion` (w, x, y, z), `rotation_vector`, `euler` = ("zyx", angles), each one row or N rows;
+    angles are in radians unless `degrees`. The file's coordinates are the identity; the platform turns `about` the
+    file's origin, the "centroid" of the platform's joints, or a point. `threshold` is an angle or a length ("2 deg",
+    "5 mm"), `accuracy` a length up to which the joints' places are known. `nearest=False` leaves out the search for
+    singular poses, which takes a second or two. Raises InputError for what is no pose and for degenerate robots.
+    """
+    from gcrules.posed import pose as posed  # numpy, for this function only
+
+    return posed(
+        robot,
+        at,
+        quaternion=quaternion,
+        rotation_vector=rotation_vector,
+        euler=euler,
+        degrees=degrees,
+        about=about,
+        threshold=threshold,
+        accuracy=accuracy,
+        nearest=nearest,
+    )
+
+
+def path(
+    robot: Platform | Analysis | str | PathLike[str],
+    poses: str | PathLike[str] | Sequence[Any],
+    *,
+    samples: int = 200,
+    about: str | Sequence[Any] = "origin",
+    threshold: str = "0.5 deg",
+) -> Any:
+    """Every singular pose on a path through given poses, proved complete, and numbers along it (a `PathReport`).
+
+    `robot` and `about` are those of `pose`. `poses` is the name of a table as for `gcrules path --poses`, or two poses
+    or more, each text as for `--at`, a translation of three numbers or a `Pose`. Between two of them the centre moves
+    on a straight line and the platform turns about one axis, the shorter way. `samples` is the number of places at
+    which values are given; singular poses are found between them, too. `threshold` is an angle. Raises InputError for
+    what is no path and for degenerate robots.
+    """
+    from gcrules.along import path as along  # numpy, for this function only
+
+    return along(robot, poses, samples=samples, about=about, threshold=threshold)
+
+
+def compiled(
+    robot: Platform | Analysis | str | PathLike[str],
+    expression: str | Expr | None = None,
+    *,
+    about: str | Sequence[Any] = "origin",
+    engine: str | None = None,
+) -> Any:
+    """A condition compiled for many poses (a `CompiledCondition`): call it with arrays, it gives an array of values.
+
+    `robot` is a platform with coordinates, its analysis, or the name of its geometry file; for the analysis of legs
+    without coordinates the joints themselves are the arguments. The value is the superbracket of the legs as typed, or
+    `expression`, any scalar of the robot's joints (a condition, a cofactor). Poses turn `about` the same centre as in
+    `pose`. `engine` is "numba" or "numpy", with equal values; numba where it is installed if it is not given. Raises
+    InputError for other expressions, for joints at infinity and for degenerate robots.
+    """
+    from gcrules.numeric.compiled import compiled as made  # numpy, for this function only
+
+    return made(robot, expression, about=about, engine=engine)
 
 
 def superbracket(

@@ -17,15 +17,20 @@ INTERNAL_FAULT = 70
 
 COMMANDS = {
     "analyze": ("gcrules.cli.legs:analyze", "Tell when and why a robot with six legs is singular."),
+    "pose": ("gcrules.cli.pose:pose", "Tell how close a robot is to a singularity in a pose."),
+    "path": ("gcrules.cli.path:path", "Find every singular pose on a path of a robot."),
     "report": ("gcrules.cli.legs:report", "Write the analysis as a self-contained HTML page."),
     "prove": ("gcrules.cli.algebra:prove", 'Decide an identity "LHS == RHS".'),
     "expand": ("gcrules.cli.algebra:expand", "Expand an expression into brackets."),
     "straighten": ("gcrules.cli.algebra:straighten", "Bring an expression into its normal form of standard tableaux."),
     "factor": ("gcrules.cli.factor:factor", "Decide whether a scalar is one expression of joins and meets."),
+    "transversals": ("gcrules.cli.transversals:transversals", "Compare the turns about two lines that meet four legs."),
+    "shorten": ("gcrules.cli.shorten:shorten", "Find the shortest bracket polynomial that equals a scalar."),
     "run": ("gcrules.cli.algebra:run", "Run a script of statements and report every claim."),
     "rewrite": ("gcrules.cli.algebra:rewrite", "Rewrite an expression by rules, step by step."),
     "repl": ("gcrules.cli.repl:repl", "Type expressions and statements, and get an answer to each."),
     "rules": ("gcrules.cli.rules:rules", "List, show and check rules."),
+    "robot": ("gcrules.cli.robot:robot", "List, show, check or analyse robots described by their joints."),
     "catalog": ("gcrules.cli.catalog:catalog", "List, show, check or enumerate the classes of platforms."),
     "completion": ("gcrules.cli.completion:completion", "Print the script that completes commands in a shell."),
 }
