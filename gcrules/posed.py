@@ -68,6 +68,12 @@ def pose(
     moving = rig(analysis.structure, platform, centre)
     limit = parse_threshold(threshold, platform.units) if isinstance(threshold, str) else threshold
     known = known_accuracy(accuracy, moving)
+    if limit.length is not None and accuracy is not None and known:
+        raise InputError(
+            f"the threshold {limit.text} is a length: it takes the joints' places as exact, and cannot be had with an "
+            "accuracy",
+            hint="give the threshold as an angle, for example 0.5deg, or leave the accuracy out",
+        )
     turns = {"quaternion": quaternion, "rotation_vector": rotation_vector, "euler": euler}
     if isinstance(at, (list, tuple)) and at and isinstance(at[0], (Pose, str)):
         if any(t is not None for t in turns.values()):

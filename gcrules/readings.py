@@ -11,7 +11,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Point, points_of
 from gcrules.algebra.shortest import SuperbracketForm
 from gcrules.algebra.straighten import straighten
-from gcrules.catalog import Catalog, Match
+from gcrules.catalog import SHIPPED, Catalog, Match
 from gcrules.condition import ONE, Certificate, Condition
 from gcrules.errors import LimitReached
 from gcrules.legs import Structure
@@ -21,13 +21,14 @@ from gcrules.rules.factorization import factored
 from gcrules.rules.incidence import Claim
 from gcrules.rules.listing import listed
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.stand_ins import said_of_lines, written_back
+from gcrules.rules.stand_ins import alive, said_of_lines, written_back
 from gcrules.rules.strategy import CATALOG, FACTORIZATION, MAX_TERMS, SHORTEST, Strategy, of_plugins, recognise
 from gcrules.rules.words import sentence
 
 __all__ = ["Readings", "always_zero", "linear_complex", "read"]
 
 _MOST_READINGS = 3  # of the kind of the condition itself
+_OF_LEGS = 4  # readings of a rule of structure
 _SAMPLES = 3
 
 
@@ -137,17 +138,27 @@ def _recognised(
     for more in brought:
         told += best_first(more, structure, oracle)[:_MOST_READINGS]
     conditions = [certify(describe(c, structure, oracle, catalog.statements), structure) for c in told]
+    known = list(matches) if CATALOG in strategy.ids else []
+
+    def look_up(m: Match) -> None:
+        readings = catalog.readings(structure, m, oracle, recheck=recheck)
+        conditions.extend(r for r in readings if not any(_alike(r, c, oracle) for c in conditions))
+
+    for m in known:
+        if m.entry.owner != SHIPPED:  # what users know of their own classes comes before what is found as a last resort
+            look_up(m)
     for rule in strategy.structural:
         if not (rule.last_resort and any(c.cofactor == ONE for c in conditions)):
-            of_legs = rule.find(structure, oracle)[: 1 + _MOST_READINGS]
-            conditions += [_found_by(rule.id, certify(c, structure)) for c in of_legs]
-    for m in matches if CATALOG in strategy.ids else ():
-        known = catalog.readings(structure, m, oracle, recheck=recheck)
-        notes += [
-            f"a reading of class {m.entry.id} says nothing here: its cofactor {e} is zero"
-            for e in catalog.dropped(structure, m, oracle)
-        ]
-        conditions += [r for r in known if not any(_alike(r, c, oracle) for c in conditions)]
+            of_legs = (_found_by(rule.id, certify(c, structure)) for c in rule.find(structure, oracle)[:_OF_LEGS])
+            conditions += [r for r in of_legs if not any(_alike(r, c, oracle) for c in conditions)]
+    for m in known:
+        if m.entry.owner == SHIPPED:
+            look_up(m)
+    notes += [
+        f"a reading of class {m.entry.id} says nothing here: its cofactor {e} is zero"
+        for m in known
+        for e in catalog.dropped(structure, m, oracle)
+    ]
     shown = [in_special_position(c, structure, oracle) for c in conditions]
     if claim is None and structure.special:
         shown.sort(key=lambda c: c.cofactor != ONE)
@@ -195,7 +206,8 @@ def _written_back(condition: Condition, structure: Structure, oracle: Oracle) ->
         return None
     if oracle.zero(cofactor) or oracle.zero(expression):
         return None
-    statement = said_of_lines(condition.statement, structure.stand_ins)
+    whole, expression = expression, alive(expression, structure)
+    statement = said_of_lines(condition.statement, structure.stand_ins) if expression == whole else None
     c = condition.certificate
     return replace(
         condition,
@@ -237,14 +249,9 @@ def _alike(a: Condition, b: Condition, oracle: Oracle) -> bool:
     """Whether two readings say the same in the same words, or compare turns about the same two lines."""
     if str(a.expression) == str(b.expression) and a.statement in ("", b.statement):
         return True
-    lines = [[line for _, line in c.lines] for c in (a, b)]
-    return (
-        a.kind == b.kind
-        and len(a.lines) == 2
-        and any(
-            all(oracle.proportional(x, y) for x, y in zip(lines[0], other, strict=True))
-            for other in permutations(lines[1])
-        )
+    mine, others = ([line for _, line in c.lines] for c in (a, b))
+    return (a.kind, len(mine), len(others)) == (b.kind, 2, 2) and any(
+        all(oracle.proportional(x, y) for x, y in zip(mine, order, strict=True)) for order in permutations(others)
     )
 
 

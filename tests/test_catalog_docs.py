@@ -346,7 +346,7 @@ def test_formulas_are_whole_and_fit_the_page(pages: Pages, entry: Entry) -> None
 def test_an_identity_of_the_catalog_is_proved_on_its_page(pages: Pages) -> None:
     page = pages["6-5.md"]
     assert "instance of an identity" not in "".join(pages.values())
-    assert "**1. catalog**: this identity is proved from scratch: both sides have the same normal form" in page
+    assert "**1. transversals**: this identity is proved from scratch: both sides have the same normal form" in page
     derivation = page.partition("## Derivation")[2].partition("## Condition")[0]
     assert "```text\n(ABc ∧ ACd ∧ ab)[[Aa, Ab, Bc, Cd, De, Ef]]\n=\n" in derivation
 

@@ -499,3 +499,18 @@ def test_report_and_figure(tmp_path: Path) -> None:
     assert "parallel to one plane" in page.read_text(encoding="utf-8")
     assert CliRunner().invoke(cli, ["analyze", "ab cd ef", "--rank", "3", "--figure", str(figure)]).exit_code == 0
     assert "<svg" in figure.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("lines", "condition"),
+    [
+        (r"abc /\ def, ab, bc, de, ef, gh", r"(be /\ abc /\ def)(abc /\ def /\ gh)"),
+        (r"abc /\ abd, ac, ad, bc, bd, ef", r"[abcd](ab /\ ef)(cd /\ abc /\ abd)"),
+    ],
+)
+def test_what_vanishes_for_these_lines_is_left_out(lines: str, condition: str) -> None:
+    """Two of the lines meet in every pose, so there are no two ratios to compare."""
+    a = analyze(lines)
+    assert str(a.condition.expression) .lstrip("-") == condition
+    assert "ratio" not in a.condition.statement
+    assert gc.prove(a.condition.identity(a.structure.superbracket), gc.parse("0")).proved

@@ -798,6 +798,14 @@ def test_floats_and_exact_arithmetic_agree_on_dependence(kind: str, seed: int) -
 # --- verdicts ------------------------------------------------------------------------------------------------------
 
 
+def test_a_length_takes_the_places_as_exact(robots: dict[str, Analysis]) -> None:
+    """A shift that is free of singular poses says nothing of joints that are elsewhere."""
+    robot = next(iter(robots.values()))
+    with pytest.raises(InputError, match="takes the joints' places as exact"):
+        gc.pose(robot, threshold="1 mm", accuracy="1 mm", nearest=False)
+    assert "for the joints' places as given" in gc.pose(robot, accuracy="1 mm", nearest=False).text()
+
+
 @pytest.mark.parametrize(
     ("name", "threshold", "accuracy", "verdict"),
     [

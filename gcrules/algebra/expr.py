@@ -370,7 +370,7 @@ def bracket(*args: Expr, rank: int = 4) -> Expr:
         raise StepError(
             f"a bracket of {what}, expected {rank} in rank {rank}",
             hint=None
-            if total == rank
+            if total == rank or not 2 <= total <= 8
             else f"for another rank say so: `rank {total}` in a file, --rank {total} in the shell",
         )
     return Bracket(flat)

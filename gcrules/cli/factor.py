@@ -55,7 +55,8 @@ def factor(
     "-" reads standard input. What is found is proved by normal forms; "none exists" is the result of testing every
     expression of the family that is named. docs/factor.md says what it covers.
 
-    Exit code 0: found. 1: none exists in the family. 3: not decided within the limits.
+    Exit code 0: found. 1: none exists in the family, whether one with a cofactor was found or not. 3: not decided
+    within the limits.
     """
     from gcrules.factoring.factorize import factor as factored  # numpy, for this command only
 

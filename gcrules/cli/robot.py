@@ -13,6 +13,7 @@ from gcrules.cli.base import Output, output_options
 from gcrules.cli.files import working
 from gcrules.errors import FileError, GcrulesError
 from gcrules.files import write_file
+from gcrules.robots.checks import notes
 from gcrules.robots.discovery import FILE, robots
 from gcrules.robots.family import Definition
 from gcrules.robots.model import Robot
@@ -117,6 +118,8 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
             f"{found.id}: mobility {analysis.structure.mobility}, {home},"
             f" {analysis.members} members and {analysis.met} singular members checked{said}"
         )
+        for note in notes(found):
+            click.echo(f"  note: {note}")
     ctx.exit(code)
 
 

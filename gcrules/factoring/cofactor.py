@@ -71,6 +71,7 @@ def bracket_cofactors(
     else:
         plain.cover()
     for orbit in symmetries.orbits(brackets, moved_row):
+        budget.clock()
         if exclusions and all(
             # symmetries keep all brackets together and none of them; others inside they may exchange
             c.exclude(orbit if inside in ((), rows) else orbit[:1])

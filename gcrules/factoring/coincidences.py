@@ -24,6 +24,7 @@ from gcrules.factoring.matches import search
 
 __all__ = ["Coincidences", "coinciding"]
 
+_MOST = 20  # points with which coincidences are tried
 _FEW = 3  # points beyond the rank that are left apart
 _TRIES = 2  # searches in vain before the full one, for each point beyond
 _IMAGES = 6
@@ -80,7 +81,7 @@ class Coincidences:
 
     def exclude(self, orbit: list[Row]) -> bool:
         """Whether a bracket of an orbit under symmetries, so all of them, is excluded as a cofactor."""
-        if self.poly.ideal or len(self._used) <= self.poly.rank + _FEW:
+        if self.poly.ideal or not self.poly.rank + _FEW < len(self._used) <= _MOST:
             return False
         try:
             return self._known(orbit) or any(m.excludes(row, self.budget) for m, row in self._new(orbit))
@@ -120,6 +121,7 @@ class Coincidences:
             vanishing = vanishing_pairs(poly)
             for kept, gone in combinations(points, 2):
                 tried += 1
+                self.budget.clock()
                 if (kept, gone) in vanishing or {home[i] for i in apart} >= {kept, gone}:
                     continue
                 candidate = coinciding(poly, kept, gone)

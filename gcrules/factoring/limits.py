@@ -40,7 +40,7 @@ class Budget:
                 f"the search would hold {self.held:,} extensors, more than {self.extensors:,}",
                 hint="raise the limit with --limit (in Python limit=...); 1,000,000 extensors take up to 1 GB",
             )
-        self._clock()
+        self.clock()
 
     def multiply(self, number: int) -> None:
         self.products += number
@@ -49,9 +49,10 @@ class Budget:
                 f"the search would test more than {PRODUCTS_PER_EXTENSOR * self.extensors:,} expressions",
                 hint="raise the limit with --limit (in Python limit=...)",
             )
-        self._clock()
+        self.clock()
 
-    def _clock(self) -> None:
+    def clock(self) -> None:
+        """Raises LimitReached when the time is over; tells the progress."""
         seconds = monotonic() - self.started
         if seconds > self.seconds:
             raise LimitReached(

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
 from functools import reduce
 from itertools import islice
 from operator import mul
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra.bracket import Row
 from gcrules.algebra.expr import Expr, Number
 from gcrules.errors import LimitReached
 from gcrules.factoring.cofactor import Rational, bracket_cofactors, line_cofactors
@@ -25,47 +27,75 @@ __all__ = ["with_cofactor"]
 def with_cofactor(found: Factorization, budget: Budget, *, terms: int, every: bool) -> Factorization:
     """Seek a cofactor: brackets first, one of each orbit, then meets of constructed lines, which multiply what the
     brackets leave, or else the whole polynomial; without `every` up to the first that works.
+
+    Where a limit is reached, what was found before stands, and `excluded` says so.
     """
-    poly = found.remainder
-    assert poly is not None
-    rows = tuple(tuple(poly.points.index(n) for n in ex.points_of(f)) for f in found.factors)
-    whole = normal(reduce(mul, (poly.with_terms({(row,): 1}) for row in rows), poly), terms) if rows else poly
-    symmetries = Symmetries(whole, limit=terms)
-    alone = bool(irreducible(poly, budget))
-    parts = [poly] if alone else split(poly, budget, limit=terms) or [poly]
-    most = None if every else 1
-    rational: list[Form] = []
-    excluded: list[str] = []
-    undecided: list[str] = []
-    images = 0
+    search = _Search(found, budget, terms, every)
+    try:
+        search.run()
+    except LimitReached as reached:
+        search.undecided.append(f"all others ({reached.message})")
+    return replace(found, rational=tuple(search.rational), excluded=tuple(search.notes()))
 
-    def note(outcome: Rational, factors: tuple[Expr, ...]) -> None:
-        for e in outcome.expressions[:most]:
-            coefficient, _ = certified(outcome.polynomial, e, terms)
-            rational.append(Form(Number(found.coefficient * coefficient).value, factors, e, outcome.cofactor))
 
-    for orbit, outcome in bracket_cofactors(rows, parts, budget, symmetries):
-        shown = str(brackets_of(orbit[:1], poly.points)[0])
-        if isinstance(outcome, LimitReached):
-            undecided.append(shown)
-        elif outcome is None:
-            excluded.append(shown)
-            images += len(orbit)
-        else:
-            note(outcome, brackets_of(outcome.outside, poly.points))
-            if not every:
-                break
-    if not rational:
-        own = Symmetries(poly, limit=terms) if rows else symmetries
-        for constructed in islice(line_cofactors(poly, budget, own), most):
-            note(constructed, found.factors)
-    if rows and not rational:
-        for constructed in islice(line_cofactors(whole, budget, symmetries), most):
-            note(constructed, ())
-    one = "expression" if alone or len(parts) > 1 else "single expression"
-    notes = []
-    if excluded:
-        notes.append(f"no {one} with the cofactor {', '.join(excluded)} or an image by symmetry ({images} in all)")
-    if undecided:
-        notes.append(f"not decided within the limits: {', '.join(undecided)}")
-    return replace(found, rational=tuple(rational), excluded=tuple(notes))
+@dataclass
+class _Search:
+    found: Factorization
+    budget: Budget
+    terms: int
+    every: bool
+    rational: list[Form] = field(default_factory=list)
+    excluded: list[str] = field(default_factory=list)
+    undecided: list[str] = field(default_factory=list)
+    images: int = 0
+    what: str = "expression"
+
+    def run(self) -> None:
+        poly, budget = self.found.remainder, self.budget
+        assert poly is not None
+        rows = tuple(tuple(poly.points.index(n) for n in ex.points_of(f)) for f in self.found.factors)
+        alone = bool(irreducible(poly, budget))
+        parts = [poly] if alone else split(poly, budget, limit=self.terms) or [poly]
+        if not alone and len(parts) == 1:
+            self.what = "single expression"
+        whole = normal(reduce(mul, (poly.with_terms({(row,): 1}) for row in rows), poly), self.terms) if rows else poly
+        symmetries = Symmetries(whole, limit=self.terms)
+        self._brackets(bracket_cofactors(rows, parts, budget, symmetries), poly.points)
+        most = None if self.every else 1
+        if not self.rational:
+            own = Symmetries(poly, limit=self.terms) if rows else symmetries
+            for constructed in islice(line_cofactors(poly, budget, own), most):
+                self._note(constructed, self.found.factors)
+        if rows and not self.rational:
+            for constructed in islice(line_cofactors(whole, budget, symmetries), most):
+                self._note(constructed, ())
+
+    def _brackets(
+        self, outcomes: Iterator[tuple[list[Row], Rational | LimitReached | None]], points: tuple[str, ...]
+    ) -> None:
+        for orbit, outcome in outcomes:
+            shown = str(brackets_of(orbit[:1], points)[0])
+            if isinstance(outcome, LimitReached):
+                self.undecided.append(shown)
+            elif outcome is None:
+                self.excluded.append(shown)
+                self.images += len(orbit)
+            else:
+                self._note(outcome, brackets_of(outcome.outside, points))
+                if not self.every:
+                    return
+
+    def _note(self, outcome: Rational, factors: tuple[Expr, ...]) -> None:
+        for e in outcome.expressions if self.every else outcome.expressions[:1]:
+            coefficient, _ = certified(outcome.polynomial, e, self.terms)
+            value = Number(self.found.coefficient * coefficient).value
+            self.rational.append(Form(value, factors, e, outcome.cofactor))
+
+    def notes(self) -> Iterator[str]:
+        if self.excluded:
+            yield (
+                f"no {self.what} with the cofactor {', '.join(self.excluded)} or an image by symmetry "
+                f"({self.images} in all)"
+            )
+        if self.undecided:
+            yield f"not decided within the limits: {', '.join(self.undecided)}"

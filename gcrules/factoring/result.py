@@ -138,14 +138,21 @@ class Factorization:
         for form in self.rational:
             left, right = self._text(form.cofactor, unicode), self._text(form.product(), unicode)
             lines.append(f"  cofactor     {left}{times}input = {right}")
+        if self.excluded and not self.rational:
+            lines.append("  cofactor     none found")
         lines += [f"  excluded     {e}" for e in self.excluded]
         return "\n".join(lines)
 
     def latex(self) -> str:
-        """The factorization as LaTeX without dollar signs; what is left stands as a bracket polynomial."""
+        """The factorization as LaTeX without dollar signs; what is left stands as a bracket polynomial. Where cofactors
+        were found, the identities with them.
+        """
         from gcrules.render.latex import latex  # needed for LaTeX only
 
-        return latex(self._whole())
+        if not self.rational:
+            return latex(self._whole())
+        rows = [f"{latex(ex.mul(f.cofactor, self._whole()))} = {latex(f.product())}" for f in self.rational]
+        return " \\\\\n".join(rows)
 
     def _whole(self) -> Expr:
         if self.expression is not None:

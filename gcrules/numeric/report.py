@@ -50,7 +50,8 @@ class PoseReport:
 
     `verdict` is regular | close | singular, `reason` the sentence with it and `causes` the incidences that make the
     pose singular. `superbracket` is exact (a length⁹; singular exactly where it is 0). `closeness` is the measure σ in
-    [0, 1]; `turn`, `shift`, `rotation` and `combined` are what it guarantees (see `Closeness`); `noise` is how much σ
+    [0, 1]; `turn`, `shift`, `rotation` and `combined` are what it guarantees (see `Closeness`), for the
+    joints' places as they are given; `noise` is how much σ
     can change for joints that are known up to `accuracy`. `smallest_singular_value` and `condition_number` are those
     of the Jacobian with the characteristic length `radius`. `nearest` holds the nearest singular poses (empty if they
     were not asked for), `softest` the motion that the legs notice least, `stress` the ratio of

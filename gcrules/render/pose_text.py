@@ -59,7 +59,7 @@ def _lines(r: PoseReport) -> Iterator[str]:
             (
                 "accuracy",
                 f"joints known up to {_length(r.accuracy, u)} move σ by at most {r.noise:.2g}"
-                if r.accuracy > 1e-9 * r.radius
+                if _inexact(r)
                 else f"coordinates taken as exact; rounding moves σ by at most {r.noise:.2g}",
             ),
             *((("note", note)) for note in r.notes),
@@ -88,8 +88,16 @@ def _meaning(r: PoseReport) -> Iterator[tuple[str, str]]:
     yield (
         "free of",
         f"singular poses: any leg's turn by {degrees(r.turn)} against the platform, a translation by "
-        f"{_length(r.shift, r.rig.unit)}",
+        f"{_length(r.shift, r.rig.unit)}{_as_given(r)}",
     )
+
+
+def _as_given(r: PoseReport) -> str:
+    return ", for the joints' places as given" if _inexact(r) else ""
+
+
+def _inexact(r: PoseReport) -> bool:
+    return r.accuracy > 1e-9 * r.radius
 
 
 def _readings(r: PoseReport) -> Iterator[str]:

@@ -21,9 +21,9 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Terms
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Bracket, Expr, Join, Point, points_of
 from gcrules.algebra.text import SHORT_NAME
-from gcrules.legs import Leg
+from gcrules.legs import Leg, Structure
 
-__all__ = ["said_of_lines", "written_back", "written_out"]
+__all__ = ["alive", "said_of_lines", "written_back", "written_out"]
 
 StandIns = Sequence[tuple[Leg, Expr]]
 
@@ -61,6 +61,16 @@ def _walk(e: Expr, stand_ins: StandIns, rank: int) -> Expr:
         case ex.Product(factors=factors):
             return ex.mul(*(_walk(f, stand_ins, rank) for f in factors))
     return e
+
+
+def alive(e: Expr, structure: Structure) -> Expr:
+    """Sums without the terms that are zero wherever the points may be, proved: two of the lines then always meet."""
+    if isinstance(e, ex.Product):
+        return ex.mul(*(alive(f, structure) for f in e.factors))
+    if not isinstance(e, ex.Sum):
+        return e
+    left = [t for t in e.terms if not structure.vanishes(t)]
+    return e if len(left) == len(e.terms) else ex.add(*left, rank=structure.rank)
 
 
 def said_of_lines(statement: str, stand_ins: StandIns) -> str | None:

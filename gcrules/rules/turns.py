@@ -18,8 +18,9 @@ from gcrules.rules.common_lines import CommonLine
 from gcrules.rules.line_cofactors import Balance, compared, quotient
 from gcrules.rules.listing import listed
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.stand_ins import written_back
+from gcrules.rules.stand_ins import alive, written_back
 from gcrules.rules.state import extensor
+from gcrules.rules.words import sentence
 
 __all__ = ["KIND", "Reading", "reading_of", "written_into"]
 
@@ -77,16 +78,20 @@ def written_into(reading: Reading, structure: Structure, oracle: Oracle) -> Read
     expression, cofactor = (written_back(e, structure.stand_ins) for e in (old.expression, old.cofactor))
     if expression is None or cofactor is None or len(lines) < 2:
         return None
+    whole, expression = expression, alive(expression, structure)
     coefficient = oracle.coefficient(expression, cofactor)
     if coefficient is None:
         return None
+    ratios = expression == whole
     p, q = lines
     condition = replace(
         old,
         expression=expression,
         cofactor=cofactor,
         coefficient=coefficient,
-        statement=_with_words(old.statement, structure),
+        statement=_with_words(old.statement, structure)
+        if ratios
+        else sentence(expression, structure, oracle, cofactor),
         lines=(("p", p.expression), ("q", q.expression)),
     )
     return Reading(condition, reading.single, (p, q))
