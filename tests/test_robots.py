@@ -9,6 +9,7 @@ import random
 import re
 import subprocess
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -20,18 +21,21 @@ from hypothesis import strategies as st
 
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, Evaluator
-from gcrules.algebra.expr import points_of
+from gcrules.algebra.expr import Bracket, Expr, Point, points_of
 from gcrules.algebra.syntax import Context, parse
 from gcrules.cli import cli
 from gcrules.errors import GcrulesError, InputError
 from gcrules.plugins import shipped_folder
+from gcrules.robots.checks import notes
 from gcrules.robots.discovery import robots
 from gcrules.robots.family import Path as MemberPath
 from gcrules.robots.limbs import read_joints
+from gcrules.robots.parts import ranks
 from gcrules.robots.relations import RELATIONS, Values, relation
-from gcrules.robots.robot_analysis import RobotAnalysis
+from gcrules.robots.robot_analysis import RobotAnalysis, _statement
 from gcrules.robots.singular import interpolated, roots
 from gcrules.robots.skeleton import skeleton
+from gcrules.robots.words import Words
 from gcrules.screws import JOINTS, RATIONALS, RESIDUES
 
 IDS = tuple(one.id for one in robots())
@@ -163,6 +167,115 @@ def test_limbs_have_singularities_of_their_own(name: str, words: str) -> None:
     assert words.replace("1", "3") in [s for _, s in a.limbs[2].conditions]
     assert not any(s.unexplained for s in a.limbs)
     assert "singularities of its limbs" in a.statement
+
+
+WRIST = """
+title: 3-UPU wrist, whose two factors vanish together
+copies: 3
+points: {O: free, A%: on line O along u%, B%: on line O along w%}
+directions: {u%: free, w%: free, v%: "perpendicular to u%, A% B%"}
+limbs: [{joints: "U(A%, u%, v%) P*(A% B%) U(B%, v%, w%)"}]
+mobility: 3
+"""
+
+
+def test_factors_that_vanish_together_are_told_by_what_loses_rank() -> None:
+    """Where the v are parallel to one plane the constraints, forces through O, lose rank, at exact members too."""
+    r = gc.Robot.parse(WRIST)
+    a = r.analyze()
+    assert [(p.kind, p.members >= 3) for p in a.parts] == [("constraint", True)] * 2
+    assert a.statement.count("(constraint singularity)") == 2
+    path = r.family.path("wrist", "w1")
+
+    def triple(t: int) -> int:
+        at = path.member(t)
+        return int(RESIDUES.determinant([at["v1"], at["v2"], at["v3"]]))
+
+    members = [path.member(t) for t in roots(interpolated(triple) or [])]
+    found = [ranks(r.family, r.limbs, m) for m in members if not r.family.merged(m)]
+    assert found
+    assert {(one.constraints, one.wrenches) for one in found} == {(2, 5)}
+    assert not r.family.merged(r.family.member(1))
+    assert r.family.merged({**r.family.member(1), "A1": r.family.member(1)["O"]})
+
+
+def test_a_factor_that_is_not_met_has_no_kind_in_the_statement() -> None:
+    a = analysis("3-upu")
+    assert a.condition is not None
+    parts = [replace(p, kind=kind) for p, kind in zip(a.parts, ("not met", "constraint"), strict=True)]
+    said = _statement(a.structure, a.condition, (), parts, ())
+    assert "not met" not in said
+    assert said.count("singularity") == 1
+
+
+SCREWS = """
+title: driven helical joints
+copies: 6
+points: {A%: free, B%: free, C%: free}
+directions: {r%: free, u%: free, v%: "perpendicular to u%, B% C%"}
+limbs: [{joints: "H*(A%, r%, 1/3) U(B%, u%, v%) S(C%)"}]
+mobility: 6
+"""
+
+
+def test_singular_limbs_without_words_are_left_out_too() -> None:
+    a = gc.Robot.parse(SCREWS).analyze()
+    assert all(s.unexplained and not s.conditions for s in a.limbs)
+    assert a.statement.startswith("Outside the singularities of its limbs, the robot is singular exactly when")
+    assert "none found" not in a.text()
+
+
+CHAINS = {
+    "planar": ("space: plane", "free", "R(C%, z)", "the points A1, B1 and C1 are on a line"),
+    "hinges across the limb's plane": (
+        "directions: {r%: free}",
+        "in plane A% perpendicular to r%",
+        "S(C%)",
+        "the points A1, B1 and C1 are on a line",
+    ),
+    "oblique": ("directions: {r%: free}", "free", "S(C%)", "the plane A1B1C1 contains the direction r1"),
+}
+
+
+@pytest.mark.parametrize(("key", "relation", "last", "words"), CHAINS.values(), ids=CHAINS)
+def test_chains_of_parallel_axes(key: str, relation: str, last: str, words: str) -> None:
+    axis = "z" if "plane" in key else "r%"
+    a = gc.Robot.parse(f"""
+title: chains of parallel axes
+{key}
+copies: 3
+points: {{A%: free, B%: {relation}, C%: {relation}}}
+limbs: [{{joints: "R*(A%, {axis}) R(B%, {axis}) {last}"}}]
+mobility: 3
+""").analyze()
+    assert words in [said for _, said in a.limbs[0].conditions]
+
+
+def test_words_of_a_flat_bracket_with_a_direction() -> None:
+    """[A1 B1 C1 z] where the points lie in a plane across z in every member."""
+    family = gc.Robot.parse("""
+title: legs across z
+points: {A1: free, B1: in plane A1 perpendicular to z, C1: in plane A1 perpendicular to z, D1: free, E1: free, F1: free}
+lines: A1B1 B1C1 A1D1 B1E1 C1F1 D1E1
+mobility: 6
+""").family
+    said = Words(family, (), (), (), frozenset("xyz")).clause
+
+    def bracket(names: str) -> Expr:
+        return Bracket(tuple(map(Point, names.split())))
+
+    assert said(bracket("A1 B1 C1 z")) == "the points A1, B1 and C1 are on a line"
+    assert said(bracket("A1 B1 D1 z")) == "the plane A1B1D1 contains the direction z"
+    assert said(bracket("A1 B1 C1 x")) == "the plane A1B1C1 contains the direction x"
+
+
+def test_bars_of_a_parallelogram_are_across_its_axis() -> None:
+    assert [s for _, s in analysis("orthoglide").limbs[0].conditions] == ["d1 is perpendicular to A1B1"]
+    assert notes(robot("orthoglide")) == ()
+    loose = variant("orthoglide", "n%: perpendicular to e%, A% B%", "n%: perpendicular to e%")
+    assert [said.partition(",")[0] for said in notes(loose)] == [
+        f"leg {i}: the bars of Pa(A{i} B{i}" for i in (1, 2, 3)
+    ]
 
 
 @pytest.mark.parametrize("name", IDS)

@@ -17,6 +17,7 @@ import numpy as np
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms
 from gcrules.algebra.straighten import straighten
 from gcrules.errors import LimitReached
+from gcrules.factoring.limits import Budget
 from gcrules.factoring.normal import primitive
 from gcrules.factoring.residues import Ints, random_positions, values
 
@@ -26,15 +27,22 @@ MODULUS = 2**31 - 1
 _MOST_UNKNOWNS = 600
 
 
-def bracket_factors(poly: BracketPolynomial, *, limit: int) -> tuple[tuple[Row, ...], BracketPolynomial]:
+def bracket_factors(
+    poly: BracketPolynomial, *, limit: int, budget: Budget | None = None
+) -> tuple[tuple[Row, ...], BracketPolynomial]:
     """The brackets that divide a polynomial in normal form, as often as they do, and the quotient in normal form.
 
     Rows hold places in `poly.points`. With ideal points a polynomial may be a product of brackets in several ways, of
-    which the first is taken. Raises LimitReached where a normal form is too large.
+    which the first is taken. Raises LimitReached where a normal form is too large, or the time of the budget is over.
     """
     found: list[Row] = []
     for row in _candidates(poly):
-        while len(poly) and (quotient := divided(poly, row, limit=limit)) is not None:
+        while len(poly):
+            if budget:
+                budget.clock()
+            quotient = divided(poly, row, limit=limit)
+            if quotient is None:
+                break
             found.append(row)
             poly = quotient
     return tuple(found), poly

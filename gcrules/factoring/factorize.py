@@ -91,7 +91,7 @@ def factor(
         found = _multilinear(poly, task)
     else:
         content, whole = primitive(normal(poly, terms))
-        rows, remainder = bracket_factors(whole, limit=terms)
+        rows, remainder = bracket_factors(whole, limit=terms, budget=task.budget)
         found = _expressions(content, rows, remainder, task)
     return with_cofactor(found, task.budget, terms=terms, every=every) if cofactor and not found.found else found
 
@@ -110,7 +110,7 @@ def _multilinear(poly: BracketPolynomial, task: _Task) -> Factorization:
     found = factor_multilinear(poly)
     family = Family(MULTILINEAR, found.accepted + found.rejected, 0, monotonic() - start)
     if not found.complete:
-        rows, remainder = bracket_factors(poly, limit=task.terms) if proof else ((), poly)
+        rows, remainder = bracket_factors(poly, limit=task.terms, budget=task.budget) if proof else ((), poly)
         return _none(content, rows, remainder, family, _no_factor(found, poly))
     scalars = [simplest(*pair, rank=poly.rank, order=poly.points).expression for pair in found.scalars]
     whole = ex.mul(*scalars)

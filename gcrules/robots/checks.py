@@ -11,12 +11,12 @@ from typing import Any
 from gcrules.errors import InputError, LimitReached
 from gcrules.robots.family import Definition
 from gcrules.robots.limbs import LimbText
-from gcrules.robots.relations import AXES, Values
+from gcrules.robots.relations import AXES, Values, combined
 from gcrules.robots.robot_text import Fact, RobotText
 from gcrules.screws import RATIONALS, RESIDUES, Limb
 from gcrules.yamlfile import Node
 
-__all__ = ["check_family", "check_home", "check_limbs", "home_values"]
+__all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes"]
 
 _SEEDS = (11, 12)
 _TOLERANCE = Fraction(1, 10**6)
@@ -130,6 +130,21 @@ def _check_platform(robot: RobotText, limbs: Sequence[Limb], mobility: Node) -> 
             "the actuators never hold the platform: with all of them locked the wrenches have rank "
             f"{RESIDUES.rank(locked) - trivial}, not {6 - trivial}, in every member of the family"
         )
+
+
+def notes(robot: RobotText) -> tuple[str, ...]:
+    """What is no fault, yet makes the family larger than the robot that is likely meant: bars of a parallelogram that
+    are not perpendicular to its axes.
+    """
+    member = robot.family.member(_SEEDS[0])
+    found = []
+    for limb in robot.limbs:
+        for j in limb.joints:
+            if j.kind == "Pa" and RESIDUES.dot(*(combined(d, member, RESIDUES) for d in j.directions)):
+                found.append(
+                    f"{limb.name}: the bars of {j} are not perpendicular to its axis, as those of a plane one are"
+                )
+    return tuple(found)
 
 
 def _neighbours(text: LimbText) -> list[tuple[str, str]]:

@@ -89,6 +89,19 @@ class Family:
         start, other = self.parameters((seed, "start"), RESIDUES), self.parameters((seed, "end"), RESIDUES)
         return Path(self, {n: start[n] for n in start}, name, other[name])
 
+    def merged(self, values: Values) -> bool:
+        """Whether points of different names coincide at a member."""
+        places = [values[d.name] for d in self.definitions if d.sort == "point"]
+        return len(set(places)) < len(places)
+
+    def level(self, points: Sequence[str], direction: str) -> bool:
+        """Whether the points lie in one plane perpendicular to the direction at a random member, thus at all."""
+        at = self.member("level")
+        if not {*points, direction} <= at.keys():
+            return False
+        heights = {int(RESIDUES.dot(at[p], at[direction])) for p in points}
+        return len(heights) == 1
+
     def homogeneous(self, values: Values) -> dict[str, tuple[Any, ...]]:
         """The values as points (x, y, z, 1) and, for directions, (x, y, z, 0)."""
         return {n: (*v, 0 if self.sorts.get(n, "direction") == "direction" else 1) for n, v in values.items()}

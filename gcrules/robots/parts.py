@@ -45,7 +45,7 @@ KINDS: Mapping[str, str] = {
     "limb": "it vanishes only where a limb is singular by itself and the lines do not stand for its wrenches",
     "choice": "it belongs to the chosen lines: the wrenches of the limbs keep their rank there",
     "never": "it cannot vanish for this robot",
-    "not met": "no member was found at which it alone vanishes",
+    "not met": "no exact member was found at which it vanishes",
 }
 """What the kinds of factors mean."""
 
@@ -78,11 +78,25 @@ class Part:
 
 @dataclass
 class Told:
-    """Votes for each factor, and how many singular members were met."""
+    """Votes for each factor where it alone vanishes, where others vanish with it (`shared`), and where points that are
+    different in the family coincide (`merged`); and how many singular members were met.
+    """
 
     votes: dict[Expr, Counter[str]] = field(default_factory=dict)
+    shared: dict[Expr, Counter[str]] = field(default_factory=dict)
+    merged: dict[Expr, Counter[str]] = field(default_factory=dict)
     met: int = 0
     unexplained: int = 0
+
+    @classmethod
+    def of(cls, factors: Sequence[Expr]) -> Told:
+        """No votes yet."""
+        votes, shared, merged = ({e: Counter[str]() for e in factors} for _ in range(3))
+        return cls(votes, shared, merged)
+
+    def best(self, e: Expr) -> Counter[str]:
+        """The votes that count for a factor. Those of merged points count only where there are no others."""
+        return self.votes[e] or self.shared[e] or self.merged[e]
 
 
 def ranks(family: Family, limbs: Sequence[LimbText], values: Values) -> Ranks:
@@ -154,7 +168,7 @@ def tell_apart(
     open_factors = [e for e in dict.fromkeys(factors) if e not in parts]
     names = [*points_of(superbracket), *(n for _, u, v in structure.derived for t in (u, v) for _, n in t)]
     generic = ranks(family, limbs, family.member("generic"))
-    told = Told({e: Counter() for e in open_factors})
+    told = Told.of(open_factors)
     value = superbracket_at(family, structure, superbracket)
     for path in paths(family, names):
         polynomial = interpolated(lambda t, path=path: value(path.member(t)))  # type: ignore[misc]
@@ -162,7 +176,8 @@ def tell_apart(
             _vote(family, limbs, structure, path.member(t), generic, told)
         if told.votes and all(sum(v.values()) >= _ENOUGH for v in told.votes.values()):
             break
-    for e, votes in told.votes.items():
+    for e in open_factors:
+        votes = told.best(e)
         parts[e] = Part(e, _kind(votes), sum(votes.values()))
     return tuple(parts[e] for e in dict.fromkeys(factors)), told
 
@@ -183,8 +198,6 @@ def _vote(
     told.met += 1
     if not zero:
         told.unexplained += 1
-    if len(zero) != 1:
-        return
     try:
         here = ranks(family, limbs, values)
     except GcrulesError:  # a joint is none at this member
@@ -195,7 +208,12 @@ def _vote(
         kind = "choice"
     else:
         kind = "constraint" if here.constraints < generic.constraints else "actuation"
-    told.votes[zero[0]][kind] += 1
+    if family.merged(values):
+        counted = told.merged
+    else:
+        counted = told.votes if len(zero) == 1 else told.shared
+    for e in zero:
+        counted[e][kind] += 1
 
 
 def _kind(votes: Counter[str]) -> str:

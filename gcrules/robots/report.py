@@ -52,6 +52,8 @@ def _sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]
 
 def _serial(one: LimbSingularity) -> str:
     words = "; ".join(f"{e} = 0: {s}" if e else s for e, s in one.conditions)
+    if one.unexplained and not words:
+        return f"{one.limb}: found at {one.unexplained} exact members, by none of the conditions that are tried"
     more = f" ({one.unexplained} members of another kind)" if one.unexplained else ""
     return f"{one.limb}: {words or 'none found'}{more}"
 

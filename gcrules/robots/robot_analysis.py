@@ -2,7 +2,7 @@ r"""From a robot's joints to the sentence: wrenches, equivalent lines, condition
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any
@@ -114,7 +114,7 @@ def analyze_robot(robot: RobotText, *, search: float = SECONDS) -> RobotAnalysis
     tell = tell_apart if robot.limbs else not_told
     parts, told = tell(family, robot.limbs, structure, found.structure.superbracket, factors)
     base = tuple(p for limb in robot.limbs for p in limb.joints[0].points if p not in robot.platform)
-    words = Words(structure.lines, robot.platform, base, frozenset(structure.ideal) | frozenset(AXES))
+    words = Words(family, structure.lines, robot.platform, base, frozenset(structure.ideal) | frozenset(AXES))
     parts = tuple(replace(p, statement=words.clause(p.expression) or "") for p in parts)
     serial = limb_singularities(family, robot.limbs)
     members = _check(robot, structure, found, cofactors, factors)
@@ -174,6 +174,20 @@ def _check(
     return MEMBERS
 
 
+_MARKS: Mapping[str, str] = {
+    "actuation": " (actuation singularity)",
+    "constraint": " (constraint singularity)",
+    "mixed": " (actuation or constraint singularity)",
+    "not met": "",
+}
+"""What the statement says of kinds of factors. Where all are actuation singularities it says nothing."""
+
+
+def _some(serial: Sequence[LimbSingularity]) -> bool:
+    """Whether limbs are singular by themselves, be it known where or not."""
+    return any(s.conditions or s.unexplained for s in serial)
+
+
 def _statement(
     structure: Equivalent,
     condition: Condition,
@@ -181,14 +195,14 @@ def _statement(
     parts: Sequence[Part],
     serial: Sequence[LimbSingularity],
 ) -> str:
-    outside = "Outside the singularities of its limbs, the" if any(s.conditions for s in serial) else "The"
+    outside = "Outside the singularities of its limbs, the" if _some(serial) else "The"
     also = ""
     if any(line.limb == FRAME for line in structure.lines or ()):
         also = " It is singular too where the constraints of all limbs together lose rank."
     live = [p for p in parts if p.kind not in ("never", "choice", "limb")]
     if live and all(p.statement for p in live) and not cofactors:
-        mark = len({p.kind for p in live}) > 1
-        said = [f"{p.statement} ({p.kind} singularity)" if mark else p.statement for p in live]
+        mark = len({p.kind for p in live}) > 1 or live[0].kind == "constraint"
+        said = [p.statement + _MARKS[p.kind] if mark else p.statement for p in live]
         return f"{outside} robot is singular exactly when {', or '.join(said)}.{also}"
     if not live:
         return "No singular member of the family was found outside the singularities of its limbs."

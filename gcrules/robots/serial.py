@@ -176,6 +176,8 @@ def _sentence(family: Family, four: Sequence[str]) -> str:
     match len(directions):
         case 0:
             return f"the points {listed(finite)} lie in one plane"
+        case 1 if family.level(finite, directions[0]):
+            return f"the points {listed(finite)} are on a line"
         case 1:
             return f"the plane {''.join(finite)} contains the direction {directions[0]}"
         case 2:

@@ -9,6 +9,7 @@ from itertools import combinations
 
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket, points_of
 from gcrules.robots.at_infinity import INFINITY
+from gcrules.robots.family import Family
 from gcrules.robots.wrenches import Line
 from gcrules.rules.listing import listed
 
@@ -17,10 +18,11 @@ __all__ = ["Words"]
 
 @dataclass(frozen=True)
 class Words:
-    """`lines` are those of the equivalent structure, `platform` the points that move, `base` the points of the limbs'
-    first joints, `ideal` the directions.
+    """`family` is the robot's, `lines` are those of the equivalent structure, `platform` the points that move, `base`
+    the points of the limbs' first joints, `ideal` the directions.
     """
 
+    family: Family
     lines: tuple[Line, ...]
     platform: tuple[str, ...]
     base: tuple[str, ...]
@@ -48,6 +50,8 @@ class Words:
                 return f"the points {listed(names)} are on a line"
             case 0:
                 return self._flat(near)
+            case 1 if self.family.level(near, far[0]):
+                return f"the points {listed(near)} are on a line"
             case 1:
                 return f"the plane {''.join(near)} contains the direction {far[0]}"
             case 2:
