@@ -67,7 +67,7 @@ bench: $(BENCH_READY) ## run the benchmarks beside naive forms and peers, in an 
 	$(BENCH_VENV)/bin/python -m pytest benchmarks
 
 .PHONY: bench-curve
-bench-curve: $(BENCH_READY) ## measure normal forms beside Macaulay2 again, and redraw docs/speed.md (20 minutes)
+bench-curve: $(BENCH_READY) ## measure normal forms and factoring again, and redraw docs/speed.md (25 minutes)
 	$(BENCH_VENV)/bin/python benchmarks/scale.py --measure
 
 .PHONY: clean

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-__all__ = ["Measurement", "Over", "show"]
+__all__ = ["Measurement", "Over", "short", "show"]
 
 
 class Over(float):
@@ -49,3 +49,8 @@ def show(seconds: float | None) -> str:
         if seconds >= size:
             return f"{seconds / size:.3g} {unit}"
     return f"{seconds / 1e-9:.3g} ns"
+
+
+def short(seconds: float) -> str:
+    """A time in seconds or milliseconds, for tables."""
+    return f"{seconds:.3g} s" if seconds >= 1 else f"{1000 * seconds:.3g} ms"

@@ -1,7 +1,8 @@
-"""How normal forms grow with the points, beside Macaulay2: measures, and draws the curve of docs/speed.md.
+"""How normal forms and factoring grow with the points, beside Macaulay2 and sympy: measures, and draws docs/speed.md.
 
-    python benchmarks/scale.py --measure      measure, write results/scale.json, draw
-    python benchmarks/scale.py                from results/scale.json: docs/assets/speed.svg and the table of the page
+    python benchmarks/scale.py --measure              measure, write results/scale.json, draw
+    python benchmarks/scale.py --measure factoring    only that part again; the other stays (or: forms)
+    python benchmarks/scale.py                        from results/scale.json: the pictures and tables of the page
 
 Every measurement is made in a process of its own, by the processor time that it takes there after its start, so that
 neither loading the interpreter nor other work on the machine counts.
@@ -12,7 +13,6 @@ from __future__ import annotations
 import argparse
 import json
 import platform
-import random
 import re
 import resource
 import shutil
@@ -22,17 +22,22 @@ import sys
 import time
 from collections.abc import Sequence
 from datetime import date
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-from curve import curve
+import factoring
+from curve import curve, factoring_curve
+from measurement import short
+from products import Monomial, products
 
 HERE = Path(__file__).resolve().parent
 RESULTS = HERE / "results" / "scale.json"
 CURVE = HERE.parent / "docs" / "assets" / "speed.svg"
+FACTORING_CURVE = CURVE.with_name("speed-factoring.svg")
 SCRIPTS = HERE.parent / "build"
 PAGE = HERE.parent / "docs" / "speed.md"
-TABLE = re.compile(r"(<!-- measured:.*?-->\n).*?(<!-- end -->)", re.DOTALL)
+TABLE = re.compile(r"(<!-- (forms|factoring) measured:.*?-->\n).*?(<!-- end -->)", re.DOTALL)
 
 FORMS = 20
 """Products of brackets that are brought into normal form, one after the other."""
@@ -46,22 +51,7 @@ LIMIT = 300
 ROUNDS = 3
 """How often each is measured, if it takes less than ten seconds; the best time counts."""
 
-Monomial = tuple[tuple[int, ...], ...]
 Form = dict[Monomial, int]
-
-
-def products(rank: int, points: int, number: int = FORMS) -> list[Monomial]:
-    """Random products of as few brackets as hold all the points; some points occur twice if they do not fill them."""
-    rng = random.Random(100 * rank + points)
-    brackets = -(-points // rank)
-    found: list[Monomial] = []
-    while len(found) < number:
-        places = [*range(points), *rng.sample(range(points), brackets * rank - points)]
-        rng.shuffle(places)
-        rows = [tuple(sorted(places[i : i + rank])) for i in range(0, len(places), rank)]
-        if all(len(set(row)) == rank for row in rows):
-            found.append(tuple(sorted(rows)))
-    return found
 
 
 # --- gcrules -------------------------------------------------------------------------------------------------------
@@ -157,7 +147,7 @@ def _read(line: str) -> Form:
 
 def measured(rank: int, points: int, peer: bool, limit: int = LIMIT) -> dict[str, Any]:
     """One line of the results. Raises AssertionError if the normal forms differ."""
-    monomials = products(rank, points)
+    monomials = products(rank, points, FORMS)
     ours, forms = min((by_gcrules(monomials) for _ in range(ROUNDS)), key=lambda found: found[0])
     line: dict[str, Any] = {
         "rank": rank,
@@ -186,8 +176,6 @@ def measured(rank: int, points: int, peer: bool, limit: int = LIMIT) -> dict[str
 
 def measure() -> dict[str, Any]:
     """All measurements, with the machine and the date."""
-    import numpy
-
     version = macaulay2()
     found: list[dict[str, Any]] = []
     for rank, sizes in SIZES.items():
@@ -196,13 +184,18 @@ def measure() -> dict[str, Any]:
             found.append(measured(rank, points, peer))
             peer = peer and found[-1]["macaulay2"] is not None
             print(json.dumps(found[-1]), flush=True)
+    stamped = stamp()
+    stamped["versions"] |= {"Macaulay2": version}
+    return stamped | {"forms": FORMS, "limit": LIMIT, "runs": found}
+
+
+def stamp() -> dict[str, Any]:
+    """The date, the machine and the versions that every part of the results has."""
+    versions = {"Python": platform.python_version(), "NumPy": metadata.version("numpy")}
     return {
         "date": date.today().isoformat(),
         "machine": f"{processor()}, one core, {platform.system()}",
-        "versions": {"Python": platform.python_version(), "NumPy": numpy.__version__, "Macaulay2": version},
-        "forms": FORMS,
-        "limit": LIMIT,
-        "runs": found,
+        "versions": versions,
     }
 
 
@@ -218,7 +211,8 @@ def processor() -> str:
 
 def page(text: str, results: dict[str, Any]) -> str:
     """The page with the numbers of the results put into it."""
-    return TABLE.sub(lambda found: f"{found[1]}\n{table(results)}\n{found[2]}", text)
+    tables = {"forms": table, "factoring": factoring_table}
+    return TABLE.sub(lambda found: f"{found[1]}\n{tables[found[2]](results)}\n{found[3]}", text)
 
 
 def table(results: dict[str, Any]) -> str:
@@ -228,30 +222,47 @@ def table(results: dict[str, Any]) -> str:
         "|---:|---:|---:|---:|---:|---:|---:|",
     ]
     for run in results["runs"]:
-        cells = [str(run["rank"]), str(run["points"]), str(run["brackets"]), f"{run['terms']:,}", _time(run["gcrules"])]
+        cells = [str(run["rank"]), str(run["points"]), str(run["brackets"]), f"{run['terms']:,}", short(run["gcrules"])]
         peer = run.get("macaulay2")
         stopped = f"over {results['limit']} s" if "macaulay2" in run else "not tried"
-        cells += [_time(peer["basis"] + peer["forms"]), _time(peer["forms"])] if peer else [stopped, ""]
+        cells += [short(peer["basis"] + peer["forms"]), short(peer["forms"])] if peer else [stopped, ""]
         lines.append(f"| {' | '.join(cells)} |")
     versions = ", ".join(f"{name} {version}" for name, version in results["versions"].items() if version)
     return "\n".join([*lines, "", f"Measured on {results['date']}: {results['machine']}; {versions}.", ""])
 
 
-def _time(seconds: float) -> str:
-    return f"{seconds:.3g} s" if seconds >= 1 else f"{1000 * seconds:.3g} ms"
+def factoring_table(results: dict[str, Any]) -> str:
+    """The part on factoring, with the versions and the date; the machine if it is not that of the normal forms."""
+    part = results["factoring"]
+    where = "" if part["machine"] == results["machine"] else f": {part['machine']}"
+    versions = ", ".join(f"{name} {version}" for name, version in part["versions"].items() if version)
+    return "\n".join(
+        [factoring.table(part), "", f"Measured on {part['date']}{where or ', the same machine'}; {versions}.", ""]
+    )
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description="Draw the curve of docs/speed.md, or measure it anew.")
     parser.add_argument(
-        "--measure", action="store_true", help="measure first; with Macaulay2 this takes a quarter of an hour"
+        "--measure",
+        nargs="?",
+        const="all",
+        choices=("all", "forms", "factoring"),
+        help="measure first, all or a part; with Macaulay2 this takes a quarter of an hour",
     )
-    if parser.parse_args(arguments).measure:
-        found = measure()
+    part = parser.parse_args(arguments).measure
+    if part:
         RESULTS.parent.mkdir(exist_ok=True)
+        found = json.loads(RESULTS.read_text(encoding="utf-8")) if RESULTS.exists() else {}
+        if part in ("all", "forms"):
+            found |= measure()
+        if part in ("all", "factoring"):
+            found["factoring"] = stamp() | factoring.measure()
+            found["factoring"]["versions"] |= factoring.peers()
         RESULTS.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
     results = json.loads(RESULTS.read_text(encoding="utf-8"))
     CURVE.write_text(curve(results).svg(), encoding="utf-8")
+    FACTORING_CURVE.write_text(factoring_curve(results["factoring"]).svg(), encoding="utf-8")
     PAGE.write_text(page(PAGE.read_text(encoding="utf-8"), results), encoding="utf-8")
 
 

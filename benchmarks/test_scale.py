@@ -10,7 +10,8 @@ from typing import Any
 
 import pytest
 from measurement import Over
-from scale import by_gcrules, by_macaulay2, macaulay2, products
+from products import PLANTED, products
+from scale import FORMS, by_gcrules, by_macaulay2, macaulay2
 
 from gcrules.algebra import diagonal
 from gcrules.algebra import straighten as module
@@ -30,7 +31,7 @@ PEER = {3: 11, 4: 10}  # rank: the most points for which Macaulay2 needs seconds
 @pytest.mark.parametrize(("rank", "points"), SIZES)
 def test_normal_forms(timed: Callable[..., Any], rank: int, points: int) -> None:
     """Twenty random products that hold all points, in fresh processes, which time themselves (processor time)."""
-    monomials = products(rank, points)
+    monomials = products(rank, points, FORMS)
     ours, forms = min((by_gcrules(monomials) for _ in range(3)), key=lambda found: found[0])
     others: dict[str, float | None] = {}
     if points <= PEER[rank]:
@@ -80,18 +81,7 @@ def test_the_proof_of_6_5(ratio: Callable[..., Any]) -> None:
     )
 
 
-FACTORED = [
-    (4, r"abc /\ def /\ gh"),
-    (4, r"abc /\ def /\ ghi /\ jkl"),
-    (4, r"((abc /\ de) \/ (fgh /\ ij) \/ k) /\ (lmn /\ op)"),
-    (3, r"[ab /\ cd, e, f]"),
-    (3, r"[ab /\ cd, ef /\ gh, i]"),
-    (3, r"[ab /\ cd, ef /\ gh, ij /\ kl]"),
-    (3, r"[((ab /\ cd) \/ e) /\ fg, hi /\ jk, lm /\ no]"),
-]
-
-
-@pytest.mark.parametrize(("rank", "expression"), FACTORED)
+@pytest.mark.parametrize(("rank", "expression"), PLANTED)
 def test_factor(ratio: Callable[..., Any], rank: int, expression: str) -> None:
     """6 to 16 points: an expression is found again from its normal form."""
     poly = straighten(parse(expression, rank=rank))

@@ -511,6 +511,6 @@ def test_report_and_figure(tmp_path: Path) -> None:
 def test_what_vanishes_for_these_lines_is_left_out(lines: str, condition: str) -> None:
     """Two of the lines meet in every pose, so there are no two ratios to compare."""
     a = analyze(lines)
-    assert str(a.condition.expression) .lstrip("-") == condition
+    assert str(a.condition.expression).lstrip("-") == condition
     assert "ratio" not in a.condition.statement
     assert gc.prove(a.condition.identity(a.structure.superbracket), gc.parse("0")).proved

@@ -34,12 +34,15 @@ def results(scale: ModuleType) -> Any:
 
 def test_the_picture_shows_the_results(scale: ModuleType, results: Any) -> None:
     assert scale.CURVE.read_text(encoding="utf-8") == scale.curve(results).svg(), "run python benchmarks/scale.py"
+    drawn = scale.factoring_curve(results["factoring"]).svg()
+    assert scale.FACTORING_CURVE.read_text(encoding="utf-8") == drawn, "run python benchmarks/scale.py"
 
 
 def test_the_table_shows_the_results(scale: ModuleType, results: Any) -> None:
     text = scale.PAGE.read_text(encoding="utf-8")
     assert scale.page(text, results) == text, "run python benchmarks/scale.py"
     assert scale.table(results) in text
+    assert scale.factoring_table(results) in text
 
 
 def test_what_the_page_says_of_the_results(scale: ModuleType, results: Any) -> None:
@@ -58,6 +61,34 @@ def test_the_worker_finds_the_normal_forms(scale: ModuleType, rank: int, points:
     seconds, forms = scale.by_gcrules(monomials)
     assert seconds >= 0
     assert forms == [straighten_terms({m: 1}) for m in monomials]
+
+
+def test_what_the_page_says_of_factoring(scale: ModuleType, results: Any) -> None:
+    """All sizes were measured; gcrules needs a few seconds at most, and always less than sympy where that ended."""
+    factoring = scale.factoring
+    runs = results["factoring"]["runs"]
+    products = [(run["rank"], run["points"]) for run in runs if run["kind"] == "products"]
+    assert products == [(rank, n) for rank, sizes in factoring.SIZES.items() for n in sizes]
+    assert [(run["rank"], run["expression"]) for run in runs if run["kind"] == "expression"] == factoring.PLANTED
+    for run in runs:
+        assert run["gcrules"] < 3
+        assert not run.get("sympy") or 5 * run["gcrules"] < run["sympy"]
+
+
+@pytest.mark.parametrize(("rank", "points"), [(3, 7), (4, 6)])
+def test_the_worker_factors_products(scale: ModuleType, rank: int, points: int) -> None:
+    expressions = scale.factoring.bracketed(rank, points, 2)
+    seconds, terms, found = scale.factoring.by_gcrules(rank, expressions)
+    assert seconds >= 0
+    assert terms >= 1
+    assert found == [True, True]
+
+
+def test_sympy_factors_the_same_products(scale: ModuleType) -> None:
+    pytest.importorskip("sympy")
+    found = scale.factoring.by_sympy(3, ["[abc][def]"])
+    assert found is not None
+    assert found[1:] == [36, [2]]
 
 
 PRINTED = "{.105, .00065}\n{{1, {{{0, 2}, 1}, {{1, 3}, 2}}}, {-2, {{{0, 1}, 3}}}}\n{}\n"
