@@ -347,3 +347,11 @@ def test_command(arguments: list[str], code: int, words: str) -> None:
     assert words in done.stdout + done.stderr
     if "--json" in arguments:
         json.loads(done.stdout)
+
+
+def test_the_plane_at_infinity_is_called_so() -> None:
+    """A plane of three directions is no plane of the robot."""
+    condition = gc.transversals("zx zy Aa Bb Cc Dd", ideal="x y z").condition
+    assert condition is not None
+    assert "the line at infinity that crosses Aa and Bb" in condition.statement
+    assert "plane" not in condition.statement

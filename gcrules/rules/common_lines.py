@@ -112,7 +112,8 @@ class FourLegs:
         if len(missed) == 2:
             g, h = missed
             line = join(meet(extensor(g), plane), meet(extensor(h), plane))
-            yield CommonLine(line, f"the line in the plane {plane} that crosses {leg_text(g)} and {leg_text(h)}")
+            where = "at infinity" if set(x) <= set(self.ideal) else f"in the plane {plane}"
+            yield CommonLine(line, f"the line {where} that crosses {leg_text(g)} and {leg_text(h)}")
         for a in x:
             missed = self._missed((a,), (x,))
             if len(missed) == 1:

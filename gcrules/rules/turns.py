@@ -204,5 +204,7 @@ def _vanishing(factor: Expr, lines: Sequence[CommonLine], structure: Structure) 
     through = set.intersection(*(set(ex.points_of(x)) for x in line.children)) if isinstance(line, Meet) else set()
     if len(through) == 1:
         plane = sorted({*through, *ex.points_of(ends)}, key=structure.names.index)
+        if set(plane) <= set(structure.ideal):
+            return f"{name} then lies at infinity, or is not determined"
         return f"{name} then lies in the plane {extensor(tuple(plane))}, or is not determined"
     return f"{name} then meets the line {ends}, or is not determined"
