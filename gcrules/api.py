@@ -123,7 +123,7 @@ def straighten(
 
 
 def factor(
-    e: str | Expr | BracketPolynomial,
+    e: str | Expr | BracketPolynomial | ExtensorPolynomial,
     *,
     rank: int | None = None,
     points: Names = (),
@@ -142,7 +142,7 @@ def factor(
     """
     from gcrules.factoring.factorize import factor as decided  # numpy, for this function only
 
-    given = e if isinstance(e, BracketPolynomial) else _expression(e, rank, points, ideal)
+    given = e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, rank, points, ideal)
     return decided(
         given,
         points=split_names(points),
@@ -156,7 +156,7 @@ def factor(
 
 
 def shorten(
-    e: str | Expr | BracketPolynomial,
+    e: str | Expr | BracketPolynomial | ExtensorPolynomial,
     *,
     rank: int | None = None,
     points: Names = (),
@@ -173,7 +173,7 @@ def shorten(
     """
     from gcrules.shortening.shorten import shorten as shortened  # numpy, for this function only
 
-    given = e if isinstance(e, BracketPolynomial) else _expression(e, rank, points, ideal)
+    given = e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, rank, points, ideal)
     return shortened(
         given, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit, seconds=seconds
     )

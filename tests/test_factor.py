@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from collections import Counter
+from collections.abc import Callable
 from fractions import Fraction
 from functools import cache, reduce
 from itertools import combinations
@@ -599,3 +600,18 @@ def test_command(arguments: list[str], code: int, words: str) -> None:
     )
     assert done.returncode == code, done.stderr
     assert words in done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("decide", [gc.factor, gc.shorten])
+def test_extensors_are_refused(decide: Callable[[Any], Any]) -> None:
+    with pytest.raises(InputError, match="only scalars are"):
+        decide(gc.expand("ab /\\ cde"))
+
+
+def test_what_was_proved_stands_where_the_search_for_a_cofactor_ends_early() -> None:
+    f = gc.factor("[[Aa, Ab, Bc, Cd, De, Ef]]", cofactor=True, seconds=1.5)
+    assert not f.found
+    assert not f.rational
+    assert f.undecided
+    assert "undecided" in f.text()
+    assert f.to_json()["undecided"] == list(f.undecided)

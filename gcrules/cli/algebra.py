@@ -14,11 +14,12 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expand import expand as expanded
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.prove import prove as decide
-from gcrules.algebra.statements import Script, parse_assumption, parse_script
+from gcrules.algebra.statements import Script, parse_script
 from gcrules.algebra.straighten import Straightening, straighten_steps
 from gcrules.algebra.straighten import straighten as straightened
-from gcrules.algebra.syntax import Context, parse, parse_equation
-from gcrules.cli.base import ExpressionCommand, Output, Space, given_option, output_options, space_options
+from gcrules.algebra.syntax import parse, parse_equation
+from gcrules.cli.base import ExpressionCommand, Output, Space, given_option, limit_option, output_options, space_options
+from gcrules.cli.expressions import context_of, given_text, read_expression
 from gcrules.cli.files import read_stdin, working
 from gcrules.cli.rules import Choice, rules_options
 from gcrules.errors import InputError
@@ -31,14 +32,7 @@ __all__ = ["expand", "prove", "rewrite", "run", "straighten"]
 EXIT_CODES = {"proved": 0, "refuted": 1, "undecided": 3}
 COLOURS = {"proved": "green", "refuted": "red", "undecided": "yellow"}
 
-_limit = click.option(
-    "--limit",
-    type=click.IntRange(min=1),
-    default=MAX_TERMS,
-    show_default=True,
-    metavar="N",
-    help="Give up beyond this many terms.",
-)
+_limit = limit_option(MAX_TERMS, "Give up beyond this many terms.")
 
 
 @click.command(cls=ExpressionCommand)
@@ -62,8 +56,8 @@ def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: S
     Exit code 0: proved, by equal normal forms. 1: refuted; exact points at which the sides differ are shown.
     3: not decided within the limit.
     """
-    at = _context(space, assumptions)
-    sides = parse_equation(_given(claim), context=at)
+    at = context_of(space, assumptions)
+    sides = parse_equation(given_text(claim), context=at)
     with working("proving"):
         proof = decide(*sides, points=at.points, ideal=at.ideal, rank=at.rank, given=at.given, limit=limit)
     if out.latex:
@@ -91,8 +85,8 @@ def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space
     --rules takes files of identities and names of rewriting rules (see `gcrules rules list`). Rules that ask for
     collinear points and the like fire where --given says so.
     """
-    at = _context(space, assumptions)
-    e = parse(_given(expression), context=at)
+    at = context_of(space, assumptions)
+    e = parse(given_text(expression), context=at)
     rules = choice.rewriting()
     if not rules:
         raise InputError("no rules to rewrite by", hint="name some:  --rules mine.gca  or  --rules expansion")
@@ -114,7 +108,7 @@ def expand(expression: str, space: Space, limit: int, out: Output) -> None:
 
     "-" reads standard input. The result is text of the language again.
     """
-    e = parse(_given(expression), context=_context(space))
+    e = read_expression(expression, space)
     with working("expanding"):
         found = expanded(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
     out.show(_Polynomial(found))
@@ -135,7 +129,7 @@ def straighten(expression: str, steps: bool, space: Space, limit: int, out: Outp
 
     The tableau order is that of --points, else sorted; points at infinity come first. "-" reads standard input.
     """
-    e = parse(_given(expression), context=_context(space))
+    e = read_expression(expression, space)
     with working("straightening"):
         found = expanded(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
         if not steps:
@@ -181,12 +175,10 @@ def run(ctx: click.Context, files: tuple[str, ...], limit: int, out: Output) -> 
 
 def _answered(script: Script, limit: int) -> ScriptResult:
     found: list[Result] = []
-    with working("running") as status:
+    with working(f"running {script.filename}") as status:
         for result in results(script, limit=limit):
             found.append(result)
-            status.text = (
-                f"running {script.filename}: {len(found)} of {len(script.statements)}, past line {result.line}"
-            )
+            status.tell(f"{len(found)} of {len(script.statements)}, past line {result.line}")
     return ScriptResult(tuple(found))
 
 
@@ -230,17 +222,6 @@ class _Polynomial:
     ) -> list[str]:
         steps = [f"{shown(s.before)}{equals}{shown(s.after)}{end}" for s in self.steps or ()]
         return [*steps, shown(self.value)]
-
-
-def _given(argument: str) -> str:
-    return read_stdin() if argument == "-" else argument
-
-
-def _context(space: Space, assumptions: tuple[str, ...] = ()) -> Context:
-    at = Context(space.rank, space.points, space.ideal)
-    for written in assumptions:
-        at = parse_assumption(written, at)
-    return at
 
 
 def _latex(e: Expr) -> str:

@@ -24,11 +24,15 @@ __all__ = [
     "LazyGroup",
     "Output",
     "Space",
+    "about_option",
     "catalog_option",
     "colour_choice",
     "decorated",
     "given_option",
+    "limit_option",
     "output_options",
+    "search_option",
+    "seconds_option",
     "space_options",
 ]
 
@@ -265,3 +269,31 @@ def decorated(command: _Command, decorators: Sequence[Callable[[_Command], _Comm
     for decorator in reversed(decorators):
         command = decorator(command)
     return command
+
+
+def limit_option(default: int, words: str) -> Callable[[_Command], _Command]:
+    """--limit N."""
+    return click.option(
+        "--limit", type=click.IntRange(min=1), default=default, show_default=True, metavar="N", help=words
+    )
+
+
+def seconds_option(flag: str, default: float, words: str) -> Callable[[_Command], _Command]:
+    """A time limit."""
+    return click.option(flag, type=click.FloatRange(min=0), default=default, show_default=True, metavar="S", help=words)
+
+
+def search_option(default: float) -> Callable[[_Command], _Command]:
+    """--search S."""
+    return seconds_option(
+        "--search", default, "Seek a factorization for so many seconds where no rule finds a condition."
+    )
+
+
+about_option = click.option(
+    "--about",
+    default="origin",
+    show_default=True,
+    metavar="CENTRE",
+    help="What the platform turns about: origin, centroid, or x,y,z.",
+)

@@ -90,7 +90,7 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...
     checked = []
     with working("checking") as status:
         for i, entry in enumerate(loaded.entries, 1):
-            status.text = f"checking {entry.id}, {i} of {len(loaded.entries)}"
+            status.tell(f"{entry.id}, {i} of {len(loaded.entries)}")
             checked.append(check_entry(entry))
     answer = _Checked(tuple(checked))
     out.show(answer)

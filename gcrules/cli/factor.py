@@ -4,9 +4,17 @@ from __future__ import annotations
 
 import click
 
-from gcrules.algebra.syntax import Context, parse
-from gcrules.cli.base import ExpressionCommand, Output, Space, output_options, space_options
-from gcrules.cli.files import read_stdin, working
+from gcrules.cli.base import (
+    ExpressionCommand,
+    Output,
+    Space,
+    limit_option,
+    output_options,
+    seconds_option,
+    space_options,
+)
+from gcrules.cli.expressions import read_expression
+from gcrules.cli.files import working
 from gcrules.factoring.limits import MAX_EXTENSORS, SECONDS
 
 __all__ = ["factor"]
@@ -16,22 +24,8 @@ __all__ = ["factor"]
 @click.argument("expression", metavar="EXPR")
 @click.option("--all", "every", is_flag=True, help="Show every expression, not the simplest only.")
 @click.option("--cofactor", is_flag=True, help="Where there is none, seek one that equals a cofactor times EXPR.")
-@click.option(
-    "--limit",
-    type=click.IntRange(min=1),
-    default=MAX_EXTENSORS,
-    show_default=True,
-    metavar="N",
-    help="Give up beyond this many extensors.",
-)
-@click.option(
-    "--seconds",
-    type=click.FloatRange(min=0),
-    default=SECONDS,
-    show_default=True,
-    metavar="S",
-    help="Give up after this time.",
-)
+@limit_option(MAX_EXTENSORS, "Give up beyond this many extensors.")
+@seconds_option("--seconds", SECONDS, "Give up after this time.")
 @space_options()
 @output_options()
 @click.pass_context
@@ -60,13 +54,8 @@ def factor(
     """
     from gcrules.factoring.factorize import factor as factored  # numpy, for this command only
 
-    source = read_stdin() if expression == "-" else expression
-    e = parse(source, context=Context(space.rank, space.points, space.ideal))
+    e = read_expression(expression, space)
     with working("factoring") as status:
-
-        def progress(done: str) -> None:
-            status.text = f"factoring: {done}"
-
         found = factored(
             e,
             points=space.points,
@@ -76,7 +65,7 @@ def factor(
             seconds=seconds,
             every=every,
             cofactor=cofactor,
-            progress=progress,
+            progress=status.tell,
         )
     out.show(found)
     ctx.exit(0 if found.found else 1)

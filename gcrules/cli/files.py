@@ -29,16 +29,20 @@ def read_stdin() -> str:
 
 
 class Status:
-    """What a long command is doing just now; set `text` as often as you like."""
+    """What a long command is doing just now."""
 
-    def __init__(self, text: str) -> None:
-        self.text = text
+    def __init__(self, task: str) -> None:
+        self.task = self.text = task
+
+    def tell(self, done: str) -> None:
+        """How far it is; as often as you like."""
+        self.text = f"{self.task}: {done}"
 
 
 @contextmanager
-def working(text: str) -> Iterator[Status]:
+def working(task: str) -> Iterator[Status]:
     """Show on a terminal's standard error what goes on, from the first second on; leaves no trace when done."""
-    status = Status(text)
+    status = Status(task)
     if not sys.stderr.isatty():
         yield status
         return

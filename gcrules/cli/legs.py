@@ -18,6 +18,7 @@ from gcrules.cli.base import (
     catalog_option,
     given_option,
     output_options,
+    search_option,
     space_options,
 )
 from gcrules.cli.files import read_stdin, working
@@ -32,14 +33,7 @@ __all__ = ["analyze", "report"]
 
 _order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
 _recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
-_search = click.option(
-    "--search",
-    type=click.FloatRange(min=0),
-    default=SECONDS,
-    show_default=True,
-    metavar="S",
-    help="Seek a factorization for so many seconds where no rule finds a condition.",
-)
+_search = search_option(SECONDS)
 _LEGS = "LEGS|FILE.yaml"
 _legs = click.argument("legs", nargs=-1, required=True, metavar=_LEGS)
 

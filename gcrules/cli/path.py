@@ -8,12 +8,12 @@ import click
 
 from gcrules.along import SAMPLES
 from gcrules.along import path as along
-from gcrules.cli.base import ExpressionCommand, Output, output_options
-from gcrules.cli.files import Status, read_stdin, working
+from gcrules.cli.base import ExpressionCommand, Output, about_option, output_options
+from gcrules.cli.files import working
+from gcrules.cli.platforms import read_platform
 from gcrules.errors import InputError
 from gcrules.files import write_file
 from gcrules.render.drawing import save
-from gcrules.robots.geometry import load_platform, parse_platform
 
 __all__ = ["path"]
 
@@ -22,13 +22,7 @@ __all__ = ["path"]
 @click.argument("file", metavar="FILE.yaml")
 @click.option("--poses", "table", metavar="POSES.csv", help="A table of poses, two or more.")
 @click.option("--at", multiple=True, metavar="POSE", help="A pose, as in gcrules pose; give two or more.")
-@click.option(
-    "--about",
-    default="origin",
-    show_default=True,
-    metavar="CENTRE",
-    help="What the platform turns about: origin, centroid, or x,y,z.",
-)
+@about_option
 @click.option("--samples", default=SAMPLES, show_default=True, metavar="N", help="Places at which values are given.")
 @click.option(
     "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
@@ -62,9 +56,7 @@ def path(
         raise click.UsageError("Give the poses either by --poses POSES.csv or by --at, twice or more.")
     if plot is not None and os.path.splitext(plot)[1].lower() not in (".svg", ".pdf"):
         raise InputError(f"{plot} is no name of a plot", hint="plots are written as .svg or .pdf")
-    platform = parse_platform(read_stdin(), "<stdin>") if file == "-" else load_platform(file)
-    for warning in platform.warnings:
-        click.echo(f"warning: {warning}", err=True)
+    platform = read_platform(file)
     with working("computing") as status:
         found = along(
             platform,
@@ -72,7 +64,7 @@ def path(
             samples=samples,
             about=about,
             threshold=threshold,
-            tell=lambda text: _say(status, text),
+            tell=status.tell,
         )
     if plot is not None:
         save(found.plot(), plot)
@@ -80,7 +72,3 @@ def path(
         write_file(values, found.csv())
     if values != "-":
         out.show(found)
-
-
-def _say(status: Status, text: str) -> None:
-    status.text = text

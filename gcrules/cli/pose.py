@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import click
 
-from gcrules.cli.base import ExpressionCommand, Output, output_options
-from gcrules.cli.files import read_stdin, working
+from gcrules.cli.base import ExpressionCommand, Output, about_option, output_options
+from gcrules.cli.files import working
+from gcrules.cli.platforms import read_platform
 from gcrules.posed import pose as posed
-from gcrules.robots.geometry import load_platform, parse_platform
 
 __all__ = ["pose"]
 
@@ -17,13 +17,7 @@ __all__ = ["pose"]
 @click.option(
     "--at", default="0 0 0", metavar="POSE", help='"x y z; euler zyx 10 0 0 deg"; by default the file\'s pose.'
 )
-@click.option(
-    "--about",
-    default="origin",
-    show_default=True,
-    metavar="CENTRE",
-    help="What the platform turns about: origin, centroid, or x,y,z.",
-)
+@about_option
 @click.option(
     "--threshold",
     default="0.5 deg",
@@ -46,9 +40,7 @@ def pose(file: str, at: str, about: str, threshold: str, accuracy: str | None, n
     euler SEQUENCE a b c deg (xyz about the fixed axes, XYZ about the axes that turn along). It moves the platform from
     where the file has it. "-" reads the file from standard input.
     """
-    platform = parse_platform(read_stdin(), "<stdin>") if file == "-" else load_platform(file)
-    for warning in platform.warnings:
-        click.echo(f"warning: {warning}", err=True)
+    platform = read_platform(file)
     with working("computing"):
         found = posed(platform, at, about=about, threshold=threshold, accuracy=accuracy, nearest=nearest)
     out.show(found)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from gcrules.cli.base import Output, output_options
+from gcrules.cli.base import Output, output_options, search_option
 from gcrules.cli.files import working
 from gcrules.errors import FileError, GcrulesError
 from gcrules.files import write_file
@@ -126,14 +126,7 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
 @robot.command("analyze")
 @_name
 @_plugins
-@click.option(
-    "--search",
-    type=click.FloatRange(min=0),
-    default=SECONDS,
-    show_default=True,
-    metavar="S",
-    help="Seek a factorization for so many seconds where no rule finds a condition.",
-)
+@search_option(SECONDS)
 @output_options()
 def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Output) -> None:
     """Tell when and why a robot is singular: wrenches of its limbs, equivalent lines, condition, sentence."""

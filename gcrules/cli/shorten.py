@@ -4,9 +4,17 @@ from __future__ import annotations
 
 import click
 
-from gcrules.algebra.syntax import Context, parse
-from gcrules.cli.base import ExpressionCommand, Output, Space, output_options, space_options
-from gcrules.cli.files import read_stdin, working
+from gcrules.cli.base import (
+    ExpressionCommand,
+    Output,
+    Space,
+    limit_option,
+    output_options,
+    seconds_option,
+    space_options,
+)
+from gcrules.cli.expressions import read_expression
+from gcrules.cli.files import working
 from gcrules.shortening.limits import MAX_MONOMIALS, SECONDS
 
 __all__ = ["shorten"]
@@ -14,22 +22,8 @@ __all__ = ["shorten"]
 
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
-@click.option(
-    "--limit",
-    type=click.IntRange(min=1),
-    default=MAX_MONOMIALS,
-    show_default=True,
-    metavar="N",
-    help="Give up beyond this many bracket monomials.",
-)
-@click.option(
-    "--seconds",
-    type=click.FloatRange(min=0),
-    default=SECONDS,
-    show_default=True,
-    metavar="S",
-    help="Search for no longer than this; what was found is the answer.",
-)
+@limit_option(MAX_MONOMIALS, "Give up beyond this many bracket monomials.")
+@seconds_option("--seconds", SECONDS, "Search for no longer than this; what was found is the answer.")
 @space_options()
 @output_options()
 def shorten(expression: str, limit: int, seconds: float, space: Space, out: Output) -> None:
@@ -46,13 +40,8 @@ def shorten(expression: str, limit: int, seconds: float, space: Space, out: Outp
     """
     from gcrules.shortening.shorten import shorten as shortened  # numpy, for this command only
 
-    source = read_stdin() if expression == "-" else expression
-    e = parse(source, context=Context(space.rank, space.points, space.ideal))
+    e = read_expression(expression, space)
     with working("shortening") as status:
-
-        def progress(done: str) -> None:
-            status.text = f"shortening: {done}"
-
         found = shortened(
             e,
             points=space.points,
@@ -60,6 +49,6 @@ def shorten(expression: str, limit: int, seconds: float, space: Space, out: Outp
             rank=space.rank,
             limit=limit,
             seconds=seconds,
-            progress=progress,
+            progress=status.tell,
         )
     out.show(found)

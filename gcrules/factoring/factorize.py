@@ -20,7 +20,7 @@ from math import prod
 from time import monotonic
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.bracket import BracketPolynomial, Row
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row
 from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.text import text
@@ -60,7 +60,7 @@ class _Task:
 
 
 def factor(
-    e: Expr | BracketPolynomial,
+    e: Expr | BracketPolynomial | ExtensorPolynomial,
     *,
     points: Iterable[str] = (),
     ideal: Iterable[str] = (),
@@ -84,7 +84,7 @@ def factor(
     """
     terms = max(limit, MAX_TERMS)
     task = _Task(Budget(limit, seconds, progress), terms, every, cofactor)
-    poly = e if isinstance(e, BracketPolynomial) else expand(e, points=points, ideal=ideal, rank=rank, limit=terms)
+    poly = expand(e, points=points, ideal=ideal, rank=rank, limit=terms) if isinstance(e, Expr) else e
     if not isinstance(poly, BracketPolynomial):
         raise InputError(f"only scalars are factored, this is {ex.step_name(poly.step, poly.rank)}")
     if not poly.ideal and set((poly.degrees() or {}).values()) == {1}:

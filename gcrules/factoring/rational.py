@@ -28,14 +28,14 @@ def with_cofactor(found: Factorization, budget: Budget, *, terms: int, every: bo
     """Seek a cofactor: brackets first, one of each orbit, then meets of constructed lines, which multiply what the
     brackets leave, or else the whole polynomial; without `every` up to the first that works.
 
-    Where a limit is reached, what was found before stands, and `excluded` says so.
+    Where a limit is reached, what was found before stands, and `undecided` says so.
     """
     search = _Search(found, budget, terms, every)
     try:
         search.run()
     except LimitReached as reached:
         search.undecided.append(f"all others ({reached.message})")
-    return replace(found, rational=tuple(search.rational), excluded=tuple(search.notes()))
+    return replace(found, rational=tuple(search.rational), excluded=search.in_vain(), undecided=tuple(search.undecided))
 
 
 @dataclass
@@ -91,11 +91,8 @@ class _Search:
             value = Number(self.found.coefficient * coefficient).value
             self.rational.append(Form(value, factors, e, outcome.cofactor))
 
-    def notes(self) -> Iterator[str]:
-        if self.excluded:
-            yield (
-                f"no {self.what} with the cofactor {', '.join(self.excluded)} or an image by symmetry "
-                f"({self.images} in all)"
-            )
-        if self.undecided:
-            yield f"not decided within the limits: {', '.join(self.undecided)}"
+    def in_vain(self) -> tuple[str, ...]:
+        if not self.excluded:
+            return ()
+        tried = ", ".join(self.excluded)
+        return (f"no {self.what} with the cofactor {tried} or an image by symmetry ({self.images} in all)",)

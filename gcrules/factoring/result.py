@@ -73,7 +73,8 @@ class Factorization:
     `points` is the tableau order. Where there is none, `expression` is None and input = coefficient · Π factors ·
     `remainder`. `alternatives` are further expressions, each with its own coefficient; `more` counts those that were
     found but not asked for. Where a cofactor was sought, `rational` holds the expressions found with one (cofactor ·
-    input = coefficient · Π factors · expression) and `excluded` says in words which cofactors were tried in vain.
+    input = coefficient · Π factors · expression), `excluded` says in words which cofactors were tried in vain, and
+    `undecided` which were left at a limit.
     """
 
     rank: int
@@ -88,6 +89,7 @@ class Factorization:
     remainder: BracketPolynomial | None = None
     rational: tuple[Form, ...] = ()
     excluded: tuple[str, ...] = ()
+    undecided: tuple[str, ...] = ()
 
     @property
     def found(self) -> bool:
@@ -103,8 +105,8 @@ class Factorization:
     def to_json(self) -> dict[str, Any]:
         """`{coefficient, factors, expression, alternatives, more, family, certificate}`, text of the language.
 
-        Where no expression exists `remainder` is the polynomial that has none. `rational` and `excluded` are there
-        if a cofactor was sought.
+        Where no expression exists `remainder` is the polynomial that has none. `rational`, `excluded` and
+        `undecided` are there if a cofactor was sought.
         """
         found: dict[str, Any] = {
             "coefficient": _number(self.coefficient),
@@ -117,9 +119,10 @@ class Factorization:
         }
         if self.remainder is not None:
             found["remainder"] = str(self.remainder)
-        if self.rational or self.excluded:
+        if self.rational or self.excluded or self.undecided:
             found["rational"] = [{"cofactor": self._text(f.cofactor), **self._form(f)} for f in self.rational]
             found["excluded"] = list(self.excluded)
+            found["undecided"] = list(self.undecided)
         return found
 
     def text(self, *, unicode: bool = False) -> str:
@@ -138,9 +141,10 @@ class Factorization:
         for form in self.rational:
             left, right = self._text(form.cofactor, unicode), self._text(form.product(), unicode)
             lines.append(f"  cofactor     {left}{times}input = {right}")
-        if self.excluded and not self.rational:
+        if (self.excluded or self.undecided) and not self.rational:
             lines.append("  cofactor     none found")
         lines += [f"  excluded     {e}" for e in self.excluded]
+        lines += [f"  undecided    {e}" for e in self.undecided]
         return "\n".join(lines)
 
     def latex(self) -> str:

@@ -9,9 +9,10 @@ from itertools import combinations
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr, Meet, Number, Power, Product
+from gcrules.gauss import kernel
 from gcrules.legs import Leg
 
-__all__ = ["Screw", "common_point", "factors", "free_motions", "kernel", "vanishing"]
+__all__ = ["Screw", "common_point", "factors", "free_motions", "vanishing"]
 
 Vector = tuple[Fraction, ...]
 Points = Mapping[str, Sequence[int | Fraction]]
@@ -96,28 +97,3 @@ def _finite(point: Sequence[int | Fraction]) -> Vector:
 
 def _cross(a: Vector, b: Vector) -> Vector:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-def kernel(rows: Iterable[Sequence[Fraction]], width: int) -> list[Vector]:
-    """A basis of the vectors of the given length that are orthogonal to all rows (Gauss and Jordan's elimination)."""
-    left = [list(map(Fraction, row)) for row in rows]
-    pivots: list[int] = []
-    for column in range(width):
-        top = len(pivots)
-        found = next((i for i in range(top, len(left)) if left[i][column]), None)
-        if found is None:
-            continue
-        left[top], left[found] = left[found], left[top]
-        left[top] = [c / left[top][column] for c in left[top]]
-        for i, row in enumerate(left):
-            if i != top and row[column]:
-                left[i] = [c - row[column] * p for c, p in zip(row, left[top], strict=True)]
-        pivots.append(column)
-    basis = []
-    for free in (c for c in range(width) if c not in pivots):
-        vector = [Fraction(0)] * width
-        vector[free] = Fraction(1)
-        for row, column in zip(left, pivots, strict=False):
-            vector[column] = -row[free]
-        basis.append(tuple(vector))
-    return basis

@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.gauss import kernel
 from gcrules.legs import Leg
-from gcrules.numeric.incidence import Screw, free_motions, kernel
+from gcrules.numeric.incidence import Screw, free_motions
 from gcrules.numeric.jacobian import Jacobian
 from gcrules.numeric.variety import Variety, variety
 

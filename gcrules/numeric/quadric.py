@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from gcrules.gauss import kernel
 from gcrules.numeric.cubic import Cubic, Exponents
-from gcrules.numeric.incidence import kernel
 from gcrules.numeric.variety import signature
 
 __all__ = ["one_sign", "split", "touching"]

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
+from gcrules.gauss import kernel
 from gcrules.legs import Structure, leg_text
-from gcrules.numeric.incidence import kernel
 from gcrules.numeric.pose import Pose, check_unit, read_number
 from gcrules.numeric.turns import Vector
 from gcrules.robots.geometry import Platform

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gcrules.numeric.incidence import kernel
+from gcrules.gauss import kernel
 
 __all__ = ["Variety", "signature", "variety"]
 

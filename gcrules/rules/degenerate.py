@@ -3,12 +3,13 @@ r"""Structures that are singular in every pose, and why: the line that all six l
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import combinations
 
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, join, meet
+from gcrules.gauss import rank
 from gcrules.legs import Leg, Structure, leg_text
 from gcrules.rules.listing import listed
 from gcrules.rules.oracle import Oracle
@@ -57,7 +58,7 @@ def _same_line(s: Structure) -> Degeneracy | None:
     """Legs that the assumptions put on one line."""
     points = _evaluator(s)
     for i, j in combinations(range(len(s.legs)), 2):
-        if s.special and _rank([points.value(s.lines[i]), points.value(s.lines[j])]) < 2:
+        if s.special and rank([points.value(s.lines[i]), points.value(s.lines[j])], PRIME) < 2:
             return _one_line(s, i, j)
     return None
 
@@ -70,7 +71,7 @@ def _few_dimensions(s: Structure) -> Degeneracy | None:
     for a in _busiest(s):
         there = [i for i, leg in enumerate(s.legs) if a in leg]
         for three in combinations(there, 3):
-            if _rank([points.value(s.lines[i]) for i in three]) < 3:
+            if rank([points.value(s.lines[i]) for i in three], PRIME) < 3:
                 words = listed([s.words[i] for i in three])
                 reason = f"the legs {words} meet in {a} and lie in one plane, where at most two lines are independent"
                 return Degeneracy(reason, tuple(s.legs[i] for i in three))
@@ -78,7 +79,7 @@ def _few_dimensions(s: Structure) -> Degeneracy | None:
     joined = [i for i, leg in enumerate(s.oriented) if leg in s.joined]
     for some in combinations(joined, 4):
         ends = [points.value(Point(n)) for i in some for n in s.legs[i]]
-        if _rank(ends) < 4:
+        if rank(ends, PRIME) < 4:
             words = listed([s.words[i] for i in some])
             couples = all(oracle.at_infinity(s.lines[i]) for i in some)
             where = "are couples (lines at infinity)" if couples else "lie in one plane"
@@ -148,7 +149,7 @@ def _dependent_legs(s: Structure) -> Degeneracy | None:
     where += " that satisfy the assumptions" if s.given else ""
     for size in range(2, len(rows) + 1):
         for chosen in combinations(range(len(rows)), size):
-            if _rank([rows[i] for i in chosen]) < size:
+            if rank([rows[i] for i in chosen], PRIME) < size:
                 names = ", ".join(s.words[i] if s.stand_ins else leg_text(s.oriented[i]) for i in chosen)
                 reason = f"the {size} legs {names} are dependent for {where}"
                 return Degeneracy(reason, tuple(s.oriented[i] for i in chosen))
@@ -170,20 +171,3 @@ def _busiest(s: Structure) -> list[str]:
     """Joints with the most legs first."""
     number = Counter(n for leg in s.legs for n in leg)
     return sorted(s.names, key=lambda n: (-number[n], s.names.index(n)))
-
-
-def _rank(matrix: Sequence[Sequence[int]]) -> int:
-    """Rank modulo the oracle's prime."""
-    rows = [list(row) for row in matrix]
-    rank = 0
-    for column in range(len(rows[0])):
-        pivot = next((i for i in range(rank, len(rows)) if rows[i][column] % PRIME), None)
-        if pivot is None:
-            continue
-        rows[rank], rows[pivot] = rows[pivot], rows[rank]
-        inverse = pow(rows[rank][column], -1, PRIME)
-        for i in range(rank + 1, len(rows)):
-            factor = rows[i][column] * inverse % PRIME
-            rows[i] = [(x - factor * y) % PRIME for x, y in zip(rows[i], rows[rank], strict=True)]
-        rank += 1
-    return rank

@@ -16,13 +16,19 @@ from typing import Any
 
 from gcrules.algebra.evaluate import PRIME
 from gcrules.errors import InputError, LimitReached
+from gcrules.gauss import echelon, kernel
 from gcrules.screws.field import Field, Matrix, Row
 
 __all__ = ["RATIONALS", "RESIDUES", "Exact", "Rationals", "Residues"]
 
 
 class Exact(Field):
-    """Linear algebra by Gauss and Jordan's elimination, in any field with exact zeros."""
+    """Linear algebra by Gauss and Jordan's elimination, over the rationals (no `modulus`) or modulo a prime."""
+
+    @property
+    def modulus(self) -> int | None:
+        """The prime, None for the rationals."""
+        return None
 
     def components(self, value: Any, size: int, what: str) -> Row:
         if isinstance(value, str | Mapping) or not isinstance(value, Iterable):
@@ -45,22 +51,7 @@ class Exact(Field):
 
     def echelon(self, matrix: Matrix) -> tuple[tuple[Row, ...], tuple[int, ...]]:
         """The reduced echelon form without zero rows, and the columns of its leading ones."""
-        left = [[self.number(x) for x in row] for row in matrix]
-        pivots: list[int] = []
-        for column in range(len(left[0]) if left else 0):
-            top = len(pivots)
-            found = next((i for i in range(top, len(left)) if left[i][column]), None)
-            if found is None:
-                continue
-            left[top], left[found] = left[found], left[top]
-            inverse = self.quotient(1, left[top][column])
-            left[top] = [self.reduced(x * inverse) for x in left[top]]
-            for i, row in enumerate(left):
-                if i != top and row[column]:
-                    factor = row[column]
-                    left[i] = [self.reduced(x - factor * y) for x, y in zip(row, left[top], strict=True)]
-            pivots.append(column)
-        return tuple(map(tuple, left[: len(pivots)])), tuple(pivots)
+        return echelon([[self.number(x) for x in row] for row in matrix], self.modulus)
 
     def rank(self, matrix: Matrix) -> int:
         return len(self.echelon(matrix)[1])
@@ -71,16 +62,8 @@ class Exact(Field):
 
     def kernel(self, matrix: Matrix, width: int = 6) -> Matrix:
         """One vector for each column without a leading one; `width` counts where there are no rows."""
-        rows, pivots = self.echelon(matrix)
-        width = len(matrix[0]) if matrix else width
-        found = []
-        for free in (c for c in range(width) if c not in pivots):
-            vector = [self.number(0)] * width
-            vector[free] = self.number(1)
-            for row, column in zip(rows, pivots, strict=True):
-                vector[column] = self.reduced(-row[free])
-            found.append(tuple(vector))
-        return tuple(found)
+        rows = [[self.number(x) for x in row] for row in matrix]
+        return tuple(kernel(rows, len(rows[0]) if rows else width, self.modulus))
 
     def complement(self, matrix: Matrix) -> Matrix:
         """Unit vectors at the leading ones: a kernel vector is zero where it is zero in the other columns."""
@@ -175,6 +158,10 @@ class Residues(Exact):
     def __post_init__(self) -> None:
         if self.p % 4 != 3 or any(pow(b, self.p - 1, self.p) != 1 for b in (2, 3, 5, 7) if self.p != b):
             raise InputError(f"{self.p} is no prime of the form 4n + 3")
+
+    @property
+    def modulus(self) -> int | None:
+        return self.p
 
     def number(self, value: Any, what: str = "a number") -> int:
         if isinstance(value, int):

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from fractions import Fraction
 
 from gcrules.algebra.bracket import BracketPolynomial, Coefficient, Monomial
 from gcrules.algebra.straighten import straighten_terms
+from gcrules.gauss import echelon
 
 __all__ = ["combination", "simplicity"]
 
@@ -22,27 +22,10 @@ def combination(normal: BracketPolynomial, monomials: Iterable[Monomial], limit:
         [*(form.get(tableau, 0) for form in forms), normal.terms.get(tableau, 0)]
         for tableau in dict.fromkeys(t for form in (*forms, normal.terms) for t in form)
     ]
-    solved: list[list[Fraction]] = []
-    pivots: list[int] = []
-    for row in rows:
-        left = [Fraction(x) for x in row]
-        for pivot, one in zip(pivots, solved, strict=True):
-            if left[pivot]:
-                factor = left[pivot]
-                left = [x - factor * y for x, y in zip(left, one, strict=True)]
-        place = next((i for i, x in enumerate(left) if x), None)
-        if place is None:
-            continue
-        if place == len(columns):
-            return None
-        left = [x / left[place] for x in left]
-        for n, one in enumerate(solved):
-            if one[place]:
-                factor = one[place]
-                solved[n] = [x - factor * y for x, y in zip(one, left, strict=True)]
-        solved.append(left)
-        pivots.append(place)
-    return normal.with_terms({columns[i]: one[-1] for i, one in zip(pivots, solved, strict=True)})
+    solved, pivots = echelon(rows)
+    if len(columns) in pivots:
+        return None
+    return normal.with_terms({columns[i]: row[-1] for i, row in zip(pivots, solved, strict=True)})
 
 
 def simplicity(poly: BracketPolynomial) -> tuple[object, ...]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.bracket import BracketPolynomial, Terms
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Terms
 from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.shortest import shortest_forms
@@ -32,7 +32,7 @@ _ZERO = Certificate("normal-form", "the normal form is zero")
 
 
 def shorten(
-    e: Expr | BracketPolynomial,
+    e: Expr | BracketPolynomial | ExtensorPolynomial,
     *,
     points: Iterable[str] = (),
     ideal: Iterable[str] = (),
@@ -50,7 +50,7 @@ def shorten(
     """
     terms = max(limit, MAX_TERMS)
     points, ideal = tuple(points), tuple(ideal)
-    poly = e if isinstance(e, BracketPolynomial) else expand(e, points=points, ideal=ideal, rank=rank, limit=terms)
+    poly = expand(e, points=points, ideal=ideal, rank=rank, limit=terms) if isinstance(e, Expr) else e
     if not isinstance(poly, BracketPolynomial):
         raise InputError(f"only scalars are shortened, this is {ex.step_name(poly.step, poly.rank)}")
     kept = _canonical(poly)
@@ -70,7 +70,9 @@ def shorten(
     return _together(poly, normal, found, terms)
 
 
-def _superbracket_forms(e: Expr | BracketPolynomial, poly: BracketPolynomial) -> list[BracketPolynomial]:
+def _superbracket_forms(
+    e: Expr | BracketPolynomial | ExtensorPolynomial, poly: BracketPolynomial
+) -> list[BracketPolynomial]:
     """The shortest of the 24-term and 16-term forms over all orders of the lines, for a superbracket of six lines."""
     if not isinstance(e, ex.Superbracket) or len(e.lines) != 6 or not len(poly):
         return []
