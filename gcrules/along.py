@@ -27,14 +27,14 @@ from gcrules.numeric.arrays import from_poses, matrices
 from gcrules.numeric.asked import one_pose, three
 from gcrules.numeric.closeness import ROUNDING
 from gcrules.numeric.many import PoseNumbers, numbers
-from gcrules.numeric.path_file import load_poses
-from gcrules.numeric.path_least import Least, least
-from gcrules.numeric.path_report import PathReport, Zero
-from gcrules.numeric.path_segment import Segment, segments
-from gcrules.numeric.path_zeros import Place, Stretch, places, stretches
 from gcrules.numeric.pose import Pose, exact
 from gcrules.numeric.rig import Rig, rig
 from gcrules.numeric.threshold import DEFAULT, Threshold, degrees, parse_threshold
+from gcrules.paths.least import Least, least
+from gcrules.paths.report import PathReport, Zero
+from gcrules.paths.segment import Segment, segments
+from gcrules.paths.table import load_poses
+from gcrules.paths.zeros import Place, Stretch, places, stretches
 from gcrules.posed import report
 from gcrules.robots.geometry import Platform, load_platform
 

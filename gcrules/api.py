@@ -322,7 +322,7 @@ def compiled(
     `pose`. `engine` is "numba" or "numpy", with equal values; numba where it is installed if it is not given. Raises
     InputError for other expressions, for joints at infinity and for degenerate robots.
     """
-    from gcrules.numeric.compiled import compiled as made  # numpy, for this function only
+    from gcrules.compiling.compiled import compiled as made  # numpy, for this function only
 
     return made(robot, expression, about=about, engine=engine)
 

@@ -20,18 +20,18 @@ from hypothesis import strategies as st
 import gcrules as gc
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.shortest import superbracket_form
+from gcrules.compiling import compiled as module
+from gcrules.compiling import engines
+from gcrules.compiling.compiled import CompiledCondition, compiled
+from gcrules.compiling.scalars import Graph, Scalar
+from gcrules.compiling.tape import Line, Program, allocated, fused, lower
+from gcrules.compiling.tracing import Mechanism, trace
+from gcrules.compiling.vectors import of_expression, of_legs, of_polynomial
 from gcrules.errors import EngineFault, InputError
 from gcrules.legs import read_legs
-from gcrules.numeric import compiled as module
-from gcrules.numeric import engines
 from gcrules.numeric.arrays import matrices
-from gcrules.numeric.compiled import CompiledCondition, compiled
 from gcrules.numeric.cubic import superbracket_at
-from gcrules.numeric.scalars import Graph, Scalar
-from gcrules.numeric.tape import Line, Program, allocated, fused, lower
-from gcrules.numeric.tracing import Mechanism, trace
 from gcrules.numeric.turns import rotation
-from gcrules.numeric.vectors import of_expression, of_legs, of_polynomial
 from gcrules.robots.geometry import load_platform, parse_platform
 
 F = Fraction

@@ -22,16 +22,16 @@ import gcrules as gc
 from gcrules.analysis import Analysis, analyze
 from gcrules.cli import cli
 from gcrules.errors import GcrulesError, InputError, LimitReached
-from gcrules.numeric import path_file
 from gcrules.numeric.cubic import superbracket_at, translation_polynomial
-from gcrules.numeric.path_file import read_poses
-from gcrules.numeric.path_report import PathReport
-from gcrules.numeric.path_segment import Segment, segments
-from gcrules.numeric.path_zeros import Stretch, places, stretches
 from gcrules.numeric.pose import Pose, parse_pose
 from gcrules.numeric.rig import Rig, rig
-from gcrules.numeric.roots import WIDTH, integers, roots, sign_after, sign_before
 from gcrules.numeric.turns import product as turn_product
+from gcrules.paths import table as path_file
+from gcrules.paths.report import PathReport
+from gcrules.paths.roots import WIDTH, integers, roots, sign_after, sign_before
+from gcrules.paths.segment import Segment, segments
+from gcrules.paths.table import read_poses
+from gcrules.paths.zeros import Stretch, places, stretches
 from gcrules.render.path_plot import _determinant
 from gcrules.robots.geometry import parse_platform
 

@@ -22,19 +22,19 @@ from gcrules.analysis import Analysis, analyze
 from gcrules.cli import cli
 from gcrules.errors import GcrulesError, InputError
 from gcrules.legs import read_legs
+from gcrules.nearest.cover import free_angle, free_distance
+from gcrules.nearest.multistart import Determinant, best_zero
+from gcrules.nearest.poses import _checked
+from gcrules.nearest.taylor import taylor
+from gcrules.nearest.zero import fibonacci, nearest_zero
 from gcrules.numeric.arrays import from_poses, from_vectors, matrices, read_arrays
 from gcrules.numeric.closeness import closeness, noise
-from gcrules.numeric.cover import free_angle, free_distance
 from gcrules.numeric.cubic import EXPONENTS, Cubic, determinant, superbracket_at, translation_polynomial
 from gcrules.numeric.extensors import mutual_moment, normalised, plane_equation
 from gcrules.numeric.jacobian import Jacobian, jacobian
 from gcrules.numeric.motion import dependence, exact_dependence
-from gcrules.numeric.multistart import Determinant, best_zero
-from gcrules.numeric.nearest import fibonacci, nearest_zero
-from gcrules.numeric.nearest_pose import _checked
 from gcrules.numeric.pose import Pose, parse_pose
 from gcrules.numeric.readings import NEAR_ZERO, readings
-from gcrules.numeric.taylor import taylor
 from gcrules.numeric.threshold import parse_threshold
 from gcrules.numeric.turns import from_euler, product, rotation
 from gcrules.numeric.variety import signature, variety

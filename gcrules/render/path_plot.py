@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from gcrules.numeric.arrays import matrices
 from gcrules.numeric.jacobian import jacobian
-from gcrules.numeric.path_report import PathReport, Zero
+from gcrules.paths.report import PathReport, Zero
 from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, text_width
 
 __all__ = ["plot"]

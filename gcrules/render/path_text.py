@@ -7,9 +7,9 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from gcrules.numeric.motion import Dependence
-from gcrules.numeric.path_report import PathReport, Zero
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.threshold import degrees
+from gcrules.paths.report import PathReport, Zero
 
 __all__ = ["as_text"]
 

@@ -13,10 +13,10 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.numeric.certify import Search, search
+from gcrules.nearest.certify import Search, search
+from gcrules.nearest.taylor import Taylor, taylor
 from gcrules.numeric.cubic import Cubic
 from gcrules.numeric.quadric import one_sign, split, touching
-from gcrules.numeric.taylor import Taylor, taylor
 
 __all__ = ["FAR", "NearestZero", "fibonacci", "nearest_zero"]
 

@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from gcrules.condition import Condition
 from gcrules.numeric.many import PoseNumbers
 from gcrules.numeric.motion import Dependence
-from gcrules.numeric.path_least import Least
-from gcrules.numeric.path_zeros import Stretch
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.rig import Rig
 from gcrules.numeric.threshold import Threshold, degrees
+from gcrules.paths.least import Least
+from gcrules.paths.zeros import Stretch
 
 if TYPE_CHECKING:
     from gcrules.render.drawing import Drawing

@@ -14,11 +14,11 @@ from fractions import Fraction
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
+from gcrules.compiling.scalars import Graph, Ring, Scalar
+from gcrules.compiling.tape import Program, lower
+from gcrules.compiling.vectors import Places, Vector, add, dot, sub
 from gcrules.errors import EngineFault
-from gcrules.numeric.scalars import Graph, Ring, Scalar
-from gcrules.numeric.tape import Program, lower
 from gcrules.numeric.turns import rotation
-from gcrules.numeric.vectors import Places, Vector, add, dot, sub
 
 __all__ = ["KINDS", "Mechanism", "Road", "trace"]
 

@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.errors import InputError
+from gcrules.nearest.cover import free_angle, free_distance
+from gcrules.nearest.multistart import Determinant, best_zero
+from gcrules.nearest.zero import nearest_zero
 from gcrules.numeric.arrays import from_poses
 from gcrules.numeric.closeness import closeness
-from gcrules.numeric.cover import free_angle, free_distance
 from gcrules.numeric.cubic import superbracket_at, translation_polynomial
 from gcrules.numeric.jacobian import Jacobian, jacobian
-from gcrules.numeric.multistart import Determinant, best_zero
-from gcrules.numeric.nearest import nearest_zero
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.rig import Rig
 from gcrules.numeric.turns import from_vector, product, rotation, short

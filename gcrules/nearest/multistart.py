@@ -15,9 +15,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.nearest.zero import fibonacci
 from gcrules.numeric.arrays import from_vectors, matrices
 from gcrules.numeric.jacobian import Jacobian
-from gcrules.numeric.nearest import fibonacci
 
 __all__ = ["Determinant", "best_zero"]
 

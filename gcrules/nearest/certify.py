@@ -16,7 +16,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.numeric.taylor import Taylor
+from gcrules.nearest.taylor import Taylor
 
 __all__ = ["GAPS", "MAX_BOXES", "Search", "search"]
 

@@ -27,17 +27,17 @@ from gcrules.algebra.expr import Expr, points_of, rank_of
 from gcrules.algebra.syntax import Context, parse
 from gcrules.algebra.text import text as as_text
 from gcrules.analysis import Analysis, analyze
+from gcrules.compiling.batches import Batch, given_joints, given_poses, output
+from gcrules.compiling.engines import engine_named, runner
+from gcrules.compiling.tape import Program
+from gcrules.compiling.tracing import Mechanism, Road, trace
+from gcrules.compiling.vectors import of_expression, of_legs, of_polynomial
 from gcrules.condition import ONE
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.numeric.asked import three
-from gcrules.numeric.batches import Batch, given_joints, given_poses, output
-from gcrules.numeric.engines import engine_named, runner
 from gcrules.numeric.pose import exact
 from gcrules.numeric.rig import rig
-from gcrules.numeric.tape import Program
-from gcrules.numeric.tracing import Mechanism, Road, trace
-from gcrules.numeric.vectors import of_expression, of_legs, of_polynomial
 from gcrules.robots.geometry import Platform, load_platform
 
 __all__ = ["CompiledCondition", "compiled"]

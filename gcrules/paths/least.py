@@ -19,8 +19,8 @@ from gcrules.numeric.arrays import matrices
 from gcrules.numeric.closeness import ROUNDING, noise
 from gcrules.numeric.jacobian import jacobian
 from gcrules.numeric.many import CHUNK
-from gcrules.numeric.path_segment import Segment
 from gcrules.numeric.rig import Rig
+from gcrules.paths.segment import Segment
 
 __all__ = ["MOST", "Least", "least"]
 

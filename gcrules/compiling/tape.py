@@ -1,6 +1,6 @@
 r"""A traced polynomial as a straight-line program, and the registers that it needs.
 
->>> from gcrules.numeric.scalars import Graph
+>>> from gcrules.compiling.scalars import Graph
 >>> graph = Graph(3)
 >>> x, y, z = graph.inputs
 >>> program = lower(graph, 2 * (x - y) * (y - x) + z)
@@ -25,7 +25,7 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import Any
 
-from gcrules.numeric.scalars import Graph, Ring, Scalar
+from gcrules.compiling.scalars import Graph, Ring, Scalar
 
 __all__ = ["BINARY", "OPERATIONS", "Line", "Program", "allocated", "fused", "inputs_first", "lower"]
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gcrules.numeric.roots import Root, roots, sign_after, sign_before
+from gcrules.paths.roots import Root, roots, sign_after, sign_before
 
 __all__ = ["Place", "Stretch", "places", "stretches"]
 

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.compiling.tape import BINARY, Program, allocated, fused, inputs_first
 from gcrules.errors import InputError
-from gcrules.numeric.tape import BINARY, Program, allocated, fused, inputs_first
 
 __all__ = ["ENGINES", "Run", "engine_named", "runner"]
 

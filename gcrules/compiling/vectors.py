@@ -16,8 +16,8 @@ from typing import Any
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket, permutation_sign
+from gcrules.compiling.scalars import Ring, Scalar
 from gcrules.line_text import Leg
-from gcrules.numeric.scalars import Ring, Scalar
 
 __all__ = ["Places", "Vector", "add", "cross", "dot", "of_expression", "of_legs", "of_polynomial", "sub"]
 

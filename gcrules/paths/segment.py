@@ -30,8 +30,8 @@ from gcrules.errors import EngineFault, InputError
 from gcrules.numeric.cubic import determinant
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.rig import Rig
-from gcrules.numeric.roots import integers
 from gcrules.numeric.turns import Quaternion, Vector
+from gcrules.paths.roots import integers
 
 __all__ = ["Segment", "segments"]
 
