@@ -109,6 +109,8 @@ def _poses(given: str | PathLike[str] | Sequence[Any], unit: str) -> tuple[tuple
     if isinstance(given, (str, PathLike)):
         found, notes = load_poses(fspath(given), unit)
     else:
+        if not hasattr(given, "__iter__"):
+            raise InputError(f"{str(given)[:40]} is no path", hint="give two poses or more, or the name of a table")
         listed = [_pose(k, p, unit) for k, p in enumerate(given)]
         found, notes = tuple(listed), tuple(dict.fromkeys(n for p in listed for n in p.notes))
     if len(found) < 2:
@@ -208,7 +210,8 @@ def _samples(
     special = np.array([lowest.parameter, *(z.parameter for z in zeros)])
     where = np.union1d(regular[~_among(regular, special)], special)  # no sample that is a zero but for rounding
     first = np.minimum(where.astype(int), len(way) - 1)
-    parts = [s.arrays(where[first == k] - k) for k, s in enumerate(way)]
+    starts = np.searchsorted(first, np.arange(len(way) + 1))  # the places are in order
+    parts = [s.arrays(where[starts[k] : starts[k + 1]] - k) for k, s in enumerate(way)]
     shift, turn = (np.concatenate(p) for p in zip(*parts, strict=True))
     turn /= np.linalg.norm(turn, axis=1, keepdims=True)
     rotations = matrices(turn)

@@ -23,8 +23,9 @@ from gcrules.algebra.shortest import superbracket_form
 from gcrules.compiling import compiled as module
 from gcrules.compiling import engines
 from gcrules.compiling.compiled import CompiledCondition, compiled
+from gcrules.compiling.native import native
 from gcrules.compiling.scalars import Graph, Scalar
-from gcrules.compiling.tape import Line, Program, allocated, fused, lower
+from gcrules.compiling.tape import Line, Program, allocated, lower
 from gcrules.compiling.tracing import Mechanism, trace
 from gcrules.compiling.vectors import of_expression, of_legs, of_polynomial
 from gcrules.errors import EngineFault, InputError
@@ -94,49 +95,66 @@ def test_programs_compute_what_was_traced(traced: tuple[Graph, Any], inputs: lis
     assert len(set(program.lines)) == len(program.lines)  # nothing twice
     used = {n for line in program.lines for n in line.operands}
     assert used == set(range(len(program.lines) - 1))  # nothing in vain
-    for lines in (program.lines, fused(program.lines)):
-        held, count = allocated(lines)
-        registers: list[Any] = [None] * count
-        for n, line in enumerate(lines):
-            assert held[n] not in {held[m] for m in line.operands}
-            assert all(registers[held[m]] == m for m in line.operands)  # no operand was overwritten
-            registers[held[n]] = n
+    held, count = allocated(program.lines)
+    registers: list[Any] = [None] * count
+    for n, line in enumerate(program.lines):
+        assert held[n] not in {held[m] for m in line.operands}
+        assert all(registers[held[m]] == m for m in line.operands)  # no operand was overwritten
+        registers[held[n]] = n
 
 
-@settings(max_examples=25, deadline=None)
+@needs_numba
+@settings(max_examples=10, deadline=None)
 @given(graphs(), st.integers(0, 2**32 - 1))
-def test_the_interpreter_of_numba_gives_the_same_bits(traced: tuple[Graph, Any], seed: int) -> None:
+def test_machine_code_gives_the_same_bits(traced: tuple[Graph, Any], seed: int) -> None:
     program = lower(*traced)
     if not program.lines:
         return
-    data = np.random.default_rng(seed).normal(size=(160, 4))
+    data = np.random.default_rng(seed).normal(size=(61, 4))
     found = []
-    for run in (engines._numpy(program), interpreted(program)):
-        out = np.empty(160)
+    for run in (engines._numpy(program), native(program)):
+        out = np.empty(61)
         with np.errstate(all="ignore"):
             run(data[:, :1], data[:, 1:], out)
         found.append(out)
     assert np.array_equal(*found, equal_nan=True)
 
 
-def interpreted(program: Program) -> Callable[..., None]:
-    """What numba compiles, as plain Python."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(engines, "_kernel", lambda: engines._interpret)
-        return engines._numba(program)
+@needs_numba
+def test_every_operation_has_its_instruction() -> None:
+    lines = [Line("input", (k,)) for k in range(4)]
+    lines += [Line("mul", (0, 1)), Line("scale", (2,), F(3)), Line("inv", (3,)), Line("shift", (4,), F(-1, 2))]
+    lines += [Line("add", (5, 6)), Line("sub", (7, 8))]
+    data = np.array([[2.0, 3, 4, 8], [1, -2, 0.5, 2]])
+    for k in range(1, len(lines) + 1):
+        out = np.empty(2)
+        native(Program(4, tuple(lines[:k])))(data, np.empty((2, 0)), out)
+        assert out.tolist() == [Program(4, tuple(lines[:k])).exact(row) for row in data.tolist()]
 
 
-def test_every_operation_has_its_code() -> None:
-    x = Line("input", (0,)), Line("input", (1,)), Line("input", (2,)), Line("input", (3,))
-    for first in (Line("mul", (0, 1)), Line("scale", (0,), F(3))):
-        for second in (Line("mul", (2, 3)), Line("scale", (2,), F(5)), Line("inv", (2,))):
-            for op in ("add", "sub"):
-                program = Program(4, (*x, first, second, Line(op, (4, 5))))
-                out, data = np.empty(2), np.array([[2.0, 3, 4, 7], [1, -2, 0.5, 9]])
-                with np.errstate(divide="ignore"):  # the rest of the block of poses is empty
-                    interpreted(program)(data, np.empty((2, 0)), out)
-                assert out.tolist() == [program.exact(row) for row in data.tolist()]
-                assert len(fused(program.lines)) <= 6
+@needs_numba
+@pytest.mark.parametrize("layout", ["rows", "columns", "gaps", "backwards", "one row", "not aligned"])
+def test_machine_code_takes_any_memory(layout: str) -> None:
+    """Every number of poses about the width of a vector, and nothing written beside the values."""
+    program = Program(3, (*(Line("input", (k,)) for k in range(3)), Line("sub", (0, 1)), Line("mul", (2, 3))))
+    run = native(program)
+    for n in (1, 2, 7, 8, 9, 15, 16, 17, 24, 25):
+        x = np.random.default_rng(n).normal(size=(n, 3))
+        packed = np.frombuffer(b"." + x.tobytes(), dtype=np.float64, offset=1).reshape(n, 3)
+        given_x = {
+            "rows": x,
+            "columns": np.asfortranarray(x),
+            "gaps": np.repeat(np.repeat(x, 2, axis=0), 3, axis=1)[::2, ::3],
+            "backwards": x[::-1].copy()[::-1],
+            "one row": np.broadcast_to(x[0], (n, 3)),
+            "not aligned": packed,
+        }[layout]
+        whole = np.full(2 * n + 2, 7.0)
+        for out in (whole[1 : n + 1], whole[1:-1:2]):
+            whole[:] = 7
+            run(given_x[:, :1], given_x[:, 1:], out)
+            assert np.array_equal(out, given_x[:, 2] * (given_x[:, 0] - given_x[:, 1]))
+            assert (whole == 7).sum() == n + 2
 
 
 # --- exact: the program is the superbracket ------------------------------------------------------------------------
@@ -446,6 +464,7 @@ EYES = np.eye(3)[None].repeat(4, axis=0)
         (([[1, 2, 3j]],), "not numbers"),
         (([[True, False, True]],), "not numbers"),
         (([[None, 1, 2]],), "pose 0 is not finite|not numbers"),
+        ((np.ma.masked_array(np.zeros((2, 3)), mask=np.eye(2, 3)),), "masked"),
         (([[0, 0, 0], [0, NAN, 0]],), "pose 1 is not finite"),
         (([[0, float("-inf"), 0]],), "pose 0 is not finite"),
         (([[1e200, 1e200, 1e200]],), "pose 0 is beyond the range of floats"),

@@ -21,6 +21,7 @@ from hypothesis import strategies as st
 import gcrules as gc
 from gcrules.analysis import Analysis, analyze
 from gcrules.cli import cli
+from gcrules.cli import path as path_command
 from gcrules.errors import GcrulesError, InputError, LimitReached
 from gcrules.numeric.cubic import superbracket_at, translation_polynomial
 from gcrules.numeric.pose import Pose, parse_pose
@@ -460,6 +461,12 @@ def test_notes_of_tables() -> None:
     assert read_poses(text)[1] == ("columns left out: time", "quaternions normalised: 2")
 
 
+@pytest.mark.parametrize("poses", [None, 5, 2.5])
+def test_what_is_no_path(robots: dict[str, Analysis], poses: Any) -> None:
+    with pytest.raises(InputError, match="is no path"):
+        gc.path(robots["octahedral"], poses)
+
+
 def test_sizes_of_tables(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(path_file, "MAX_POSES", 3)
     with pytest.raises(LimitReached, match="4 poses are more than 3"):
@@ -516,6 +523,26 @@ def test_the_command_writes_values_and_a_picture(robot: str, tmp_path: Path) -> 
     assert run(robot, *WAY, "--plot", pdf).exit_code == 0
     assert Path(pdf).read_bytes().startswith(b"%PDF")
     assert {p.name for p in tmp_path.iterdir()} == {"v.csv", "p.svg", "p.pdf"}
+
+
+def test_an_interrupt_leaves_nothing_behind(robot: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: Any, tell: Any, **__: Any) -> None:
+        tell("segment 3 of 7")
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(path_command, "along", interrupted)
+    done = run(robot, *WAY, "--csv", str(tmp_path / "v.csv"), "--plot", str(tmp_path / "p.svg"))
+    assert (done.exit_code, done.stdout) == (130, "")
+    assert done.stderr == "interrupted while computing: segment 3 of 7; nothing was written\n"
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("option", ["--csv", "--plot", "-o"])
+def test_a_missing_directory_is_told_before_the_work(robot: str, option: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(path_command, "along", None)
+    done = run(robot, *WAY, option, "/nowhere/at/all.svg")
+    assert done.exit_code == 2
+    assert "/nowhere/at/all.svg: cannot be written: there is no such directory" in done.stderr
 
 
 def test_forms_of_the_answer(robot: str) -> None:

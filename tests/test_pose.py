@@ -144,6 +144,25 @@ def test_a_quaternion_that_is_nearly_of_length_1_is_normalised_and_noted() -> No
     assert parse_pose(f"quaternion {HALF} 0 0 {HALF}").notes == ()
 
 
+@pytest.mark.parametrize(
+    ("given_numbers", "says"),
+    [
+        (np.zeros((2, 3), dtype=complex), "not numbers"),
+        (np.zeros((2, 3), dtype=bool), "not numbers"),
+        (np.array([["1", "2", "3"]]), "not numbers"),
+        (np.array([[1, 2, 10**400]], dtype=object), "not numbers"),
+        (np.array([[1, 2, 3j]], dtype=object), "not numbers"),
+        (np.array([[1, None, 3]], dtype=object), "row 0 is not finite"),
+        (np.ma.masked_array(np.zeros((2, 3)), mask=np.eye(2, 3)), "masked"),
+    ],
+    ids=["complex", "truth values", "text", "too large", "complex objects", "nothing", "masked"],
+)
+def test_arrays_of_other_things_are_refused(given_numbers: Any, says: str) -> None:
+    """Nothing is converted silently: an imaginary part or a mask would be lost."""
+    with pytest.raises(InputError, match=says):
+        gc.pose(OCTAHEDRON, given_numbers)
+
+
 def test_normalised_quaternions_of_arrays_are_noted() -> None:
     exactly = gc.pose(OCTAHEDRON, quaternion=[(1, 0, 0, 0), (HALF, 0, 0, HALF)])
     nearly = gc.pose(OCTAHEDRON, quaternion=[(1, 0, 0, 0), (0.7071, 0, 0, 0.7071)])

@@ -11,7 +11,7 @@ from gcrules.along import path as along
 from gcrules.cli.base import ExpressionCommand, Output, about_option, output_options
 from gcrules.cli.files import working
 from gcrules.cli.platforms import read_platform
-from gcrules.errors import InputError
+from gcrules.errors import FileError, InputError
 from gcrules.files import write_file
 from gcrules.render.drawing import save
 
@@ -56,16 +56,23 @@ def path(
         raise click.UsageError("Give the poses either by --poses POSES.csv or by --at, twice or more.")
     if plot is not None and os.path.splitext(plot)[1].lower() not in (".svg", ".pdf"):
         raise InputError(f"{plot} is no name of a plot", hint="plots are written as .svg or .pdf")
+    for target in (values, plot, out.path):  # told now, not after minutes of work
+        if target and not os.path.isdir(os.path.dirname(os.path.realpath(target))):
+            raise FileError("cannot be written: there is no such directory", filename=target)
     platform = read_platform(file)
-    with working("computing") as status:
-        found = along(
-            platform,
-            list(at) if table is None else table,
-            samples=samples,
-            about=about,
-            threshold=threshold,
-            tell=status.tell,
-        )
+    try:
+        with working("computing") as status:
+            found = along(
+                platform,
+                list(at) if table is None else table,
+                samples=samples,
+                about=about,
+                threshold=threshold,
+                tell=status.tell,
+            )
+    except KeyboardInterrupt:
+        click.echo(f"interrupted while {status.text}; nothing was written", err=True)
+        raise
     if plot is not None:
         save(found.plot(), plot)
     if values is not None:

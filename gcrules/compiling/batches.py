@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.errors import InputError
+from gcrules.numeric.arrays import real_numbers
 from gcrules.numeric.pose import UNIT_TOLERANCE
 
 __all__ = ["Batch", "given_joints", "given_poses", "output"]
@@ -105,14 +106,7 @@ def _together(arrays: Mapping[str, Array]) -> tuple[int, tuple[Array, ...]]:
 def _rows(given: Any, shape: tuple[int, ...], what: str) -> Array:
     """An array (N, …) of real numbers; one of the shape itself is a single row."""
     expected = f"give an array of shape (N, {', '.join(map(str, shape))})"
-    try:
-        found = np.asarray(given)
-        if found.dtype.kind not in "iuf":
-            if found.dtype.kind != "O":
-                raise TypeError
-            found = found.astype(np.float64)
-    except (TypeError, ValueError, OverflowError):
-        raise InputError(f"{what} are not numbers of one shape", hint=expected) from None
+    found = real_numbers(given, what, expected)
     if found.size == 0 and found.shape in ((0,), (0, *shape)):
         return np.empty((0, *shape))
     if found.shape == shape:

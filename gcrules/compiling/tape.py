@@ -27,7 +27,7 @@ from typing import Any
 
 from gcrules.compiling.scalars import Graph, Ring, Scalar
 
-__all__ = ["BINARY", "OPERATIONS", "Line", "Program", "allocated", "fused", "inputs_first", "lower"]
+__all__ = ["BINARY", "OPERATIONS", "Line", "Program", "allocated", "lower"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,57 +132,6 @@ def lower(graph: Graph, result: Ring) -> Program:
 def _negated(graph: Graph, n: int) -> int:
     op, a, b = graph.nodes[n]
     return graph.node("sub", int(b), a) if op == "sub" else graph.node("scale", n, -1)
-
-
-def fused(lines: Sequence[Line]) -> tuple[Line, ...]:
-    """The same with products that are used once, in a sum, done together with that sum: half as many lines.
-
-    Values are rounded as before. The new operations, of x, y, u, v and the constant c: x ± yu, yu − x, x ± cy, cy − x,
-    xy ± uv.
-    """
-    uses = [0] * len(lines)
-    for line in lines:
-        for n in line.operands:
-            uses[n] += 1
-    once = {n: line for n, line in enumerate(lines) if line.op in ("mul", "scale") and uses[n] == 1}
-    gone: set[int] = set()
-    changed = list(lines)
-    for n, line in enumerate(lines):
-        if line.op not in ("add", "sub"):
-            continue
-        x, y = line.args
-        first, second = once.get(x), once.get(y)
-        if first and second and first.op == second.op == "mul":
-            changed[n] = Line(f"mul_{line.op}_mul", first.args + second.args)
-            gone |= {x, y}
-        elif second:
-            changed[n] = Line(f"{line.op}_{second.op}", (x, *second.args), second.constant)
-            gone.add(y)
-        elif first:
-            op = f"add_{first.op}" if line.op == "add" else f"{first.op}_sub"
-            changed[n] = Line(op, (y, *first.args), first.constant)
-            gone.add(x)
-    place: dict[int, int] = {}
-    found: list[Line] = []
-    for n, line in enumerate(changed):
-        if n not in gone:
-            place[n] = len(found)
-            args = line.args if line.op == "input" else tuple(place[m] for m in line.args)
-            found.append(Line(line.op, args, line.constant))
-    return tuple(found)
-
-
-def inputs_first(program: Program) -> tuple[Line, ...]:
-    """The same lines after those of all inputs, used or not, in their order."""
-    place: list[int] = []
-    found = [Line("input", (k,)) for k in range(program.inputs)]
-    for line in program.lines:
-        if line.op == "input":
-            place.append(line.args[0])
-        else:
-            place.append(len(found))
-            found.append(Line(line.op, tuple(place[m] for m in line.args), line.constant))
-    return tuple(found)
 
 
 def allocated(lines: Sequence[Line]) -> tuple[tuple[int, ...], int]:

@@ -12,7 +12,7 @@ from gcrules.errors import InputError
 from gcrules.numeric.pose import SILENT, UNIT_TOLERANCE, Pose
 from gcrules.numeric.turns import check_sequence
 
-__all__ = ["from_poses", "from_vectors", "matrices", "normalised_note", "read_arrays"]
+__all__ = ["from_poses", "from_vectors", "matrices", "normalised_note", "read_arrays", "real_numbers"]
 
 Floats = NDArray[np.float64]
 
@@ -80,11 +80,25 @@ def matrices(quaternions: Floats) -> Floats:
     return np.moveaxis(np.array(rows), 2, 0)
 
 
-def _rows(given: Any, width: int, what: str) -> Floats:
+def real_numbers(given: Any, what: str, hint: str) -> NDArray[Any]:
+    """An array of real numbers of any kind. Raises InputError for others: truth values, complex and masked numbers,
+    text, rows of unequal length.
+    """
     try:
-        found = np.asarray(given, dtype=np.float64)
+        found = np.asarray(given)
+        if found.dtype.kind not in "iuf":
+            if found.dtype.kind != "O":
+                raise TypeError
+            found = found.astype(np.float64)
     except (TypeError, ValueError, OverflowError):
-        raise InputError(f"{what} are not numbers of one shape", hint=f"give an array of shape (N, {width})") from None
+        raise InputError(f"{what} are not numbers of one shape", hint=hint) from None
+    if isinstance(given, np.ma.MaskedArray) and np.ma.getmaskarray(given).any():
+        raise InputError(f"{what}: some numbers are masked, so that they have no value", hint="leave these poses out")
+    return found
+
+
+def _rows(given: Any, width: int, what: str) -> Floats:
+    found = real_numbers(given, what, f"give an array of shape (N, {width})").astype(np.float64, copy=False)
     if found.ndim == 1 and found.shape[0] == width:
         found = found[None, :]
     if found.ndim != 2 or found.shape[1] != width:

@@ -17,12 +17,14 @@ from math import lcm
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg
 
-__all__ = ["Cubic", "determinant", "superbracket_at", "translation_polynomial"]
+__all__ = ["EXPONENTS", "Cubic", "determinant", "interpolated", "superbracket_at", "translation_polynomial"]
 
 Exponents = tuple[int, int, int]
 Points = Mapping[str, Sequence[Fraction]]
 
 EXPONENTS: tuple[Exponents, ...] = tuple(e for e in product(range(4), repeat=3) if sum(e) <= 3)  # type: ignore[misc]
+"""The twenty monomials of degree ≤ 3, which are as many places where one is determined by its values."""
+
 _FALLING = ((1,), (0, 1), (0, Fraction(-1, 2), Fraction(1, 2)), (0, Fraction(1, 3), Fraction(-1, 2), Fraction(1, 6)))
 
 
@@ -55,7 +57,12 @@ def translation_polynomial(legs: Sequence[Leg], points: Points, moving: Sequence
     `points` are homogeneous with last coordinate 1. It is interpolated on the lattice of the multiples of `step` > 0
     (any will do; the numbers stay small near the robot's size).
     """
-    values = {e: superbracket_at(legs, points, moving, [step * c for c in e]) for e in EXPONENTS}
+    return interpolated({e: superbracket_at(legs, points, moving, [step * c for c in e]) for e in EXPONENTS}, step)
+
+
+def interpolated(samples: Mapping[Exponents, Fraction], step: Fraction) -> Cubic:
+    """The polynomial of degree ≤ 3 with these values at the multiples of `step` that `EXPONENTS` lists."""
+    values = dict(samples)
     for axis in range(3):  # values on the lattice → forward differences at 0, one axis after the other
         for order in range(1, 4):
             for e in sorted(EXPONENTS, key=lambda e: -e[axis]):

@@ -12,7 +12,7 @@ from gcrules.algebra.expr import Expr, Meet, Number, Power, Product
 from gcrules.gauss import kernel
 from gcrules.legs import Leg
 
-__all__ = ["Screw", "common_point", "factors", "free_motions", "vanishing"]
+__all__ = ["Screw", "common_point", "factors", "free_motions", "incidence_rows", "vanishing"]
 
 Vector = tuple[Fraction, ...]
 Points = Mapping[str, Sequence[int | Fraction]]
@@ -45,12 +45,12 @@ def common_point(e: Expr, points: Points) -> Vector | None:
     """
     if not isinstance(e, Meet):
         return None
-    rows = [row for part in e.children for row in _incidence(evaluate(part, points), part.step)]
+    rows = [row for part in e.children for row in incidence_rows(evaluate(part, points), part.step)]
     found = kernel(rows, 4)
     return found[0] if len(found) == 1 else None
 
 
-def _incidence(plucker: Sequence[Fraction], step: int) -> list[Vector]:
+def incidence_rows(plucker: Sequence[Fraction], step: int) -> list[Vector]:
     """The linear equations of the points of an extensor (step 1, 2 or 3) of rank 4: their join with it is zero."""
     coordinate = dict(zip(combinations(range(4), step), plucker, strict=True))
     rows = []

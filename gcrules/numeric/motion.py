@@ -16,7 +16,7 @@ from gcrules.numeric.incidence import Screw, free_motions
 from gcrules.numeric.jacobian import Jacobian
 from gcrules.numeric.variety import Variety, variety
 
-__all__ = ["Dependence", "Twist", "dependence", "exact_dependence", "scaled", "softest_twist"]
+__all__ = ["Dependence", "Twist", "dependence", "exact_dependence", "scaled", "softest_twist", "twist_of"]
 
 Floats = NDArray[np.float64]
 XYZ = tuple[float, float, float]
@@ -119,7 +119,7 @@ def dependence(j: Jacobian, names: Sequence[str], n: int = 0) -> Dependence:
     taking = [i for i in range(6) if np.abs(balances[:, i]).max() > _TOLERANCE]
     right = np.linalg.svd(rows)[2][rank:]
     return Dependence(
-        motions=tuple(_twist(v[:3], v[3:] / j.radius, j.centroid[n], j.radius) for v in right),
+        motions=tuple(twist_of(v[:3], v[3:] / j.radius, j.centroid[n], j.radius) for v in right),
         stress=scaled(balances[0].tolist()) if rank == 5 else None,
         legs=tuple(names[i] for i in taking),
         within=_spanned(rows[taking]),
@@ -131,7 +131,7 @@ def dependence(j: Jacobian, names: Sequence[str], n: int = 0) -> Dependence:
 def softest_twist(j: Jacobian, n: int = 0) -> Twist:
     """The motion of the platform that the legs notice least in pose n: Σ (u_i·v_i)² = σ² Σ |v_i|²."""
     v = j.softest[n]
-    return _twist(v[:3], v[3:] / j.radius, j.centroid[n], j.radius)
+    return twist_of(v[:3], v[3:] / j.radius, j.centroid[n], j.radius)
 
 
 def _spanned(rows: Floats) -> Variety:
@@ -163,7 +163,7 @@ def _twist_of(s: Screw, centroid: Floats) -> Twist:
     return Twist(_xyz(axis), _xyz(foot + axis * float((centroid - foot) @ axis)), float(s.pitch))
 
 
-def _twist(velocity: Floats, turn: Floats, centroid: Floats, radius: float) -> Twist:
+def twist_of(velocity: Floats, turn: Floats, centroid: Floats, radius: float) -> Twist:
     """From the velocity of the centroid and the angular velocity; a turn so slow that it moves no joint is none."""
     size = float(np.linalg.norm(turn))
     if size * radius <= 1e-9 * float(np.linalg.norm(velocity)):

@@ -144,7 +144,7 @@ def parse_pose(text: str, unit: str = "") -> Pose:
     for part in text.split(";"):
         span = Span(start + len(part) - len(part.lstrip()), start + max(len(part.rstrip()), 1))
         start += len(part) + 1
-        if not part.strip():
+        if not part.replace(",", " ").strip():
             continue
         try:
             key, value = _part(part.replace(",", " ").split(), unit)

@@ -2,6 +2,11 @@ r"""The line variety that lines span: planar pencil, bundle, regulus, congruence
 
 Lines are vectors of six coordinates (u, m) with u·m = 0; the form (u, m) ↦ 2 u·m has the signature (3, 3). The span of
 some lines is told by its dimension and the signature of this form on it: positive, negative and null directions.
+
+`gcrules.screws.kinds` tells more of less: any span of screws, with the points and planes of its lines, finite and
+infinite ones apart, and it raises LimitReached where floats do not decide that. Here the span is one of lines and the
+words are projective (a bundle may have its point at infinity), so that the signature is enough; it always answers, as a
+report of a pose must, and the signature is part of the answer. On spans of lines both agree (`tests/test_screws.py`).
 """
 
 from __future__ import annotations
@@ -49,7 +54,7 @@ def variety(rows: Sequence[Row], tolerance: float = 0.0) -> Variety:
 def _name(rows: Sequence[Row], n: int, signs: tuple[int, int, int], tolerance: float) -> str:
     positive, negative, null = signs
     if n == 3 and null == 3:  # directions have rank 3 in a bundle, 1 in one of parallel lines, 2 in a plane
-        if _directions(rows, tolerance) == 2:
+        if _directions(rows, tolerance) in (0, 2):  # 0 in the plane at infinity
             return "a plane field (lines in one plane)"
         return "a bundle (lines through one point, possibly at infinity)"
     if n == 4 and null == 0:

@@ -36,6 +36,7 @@ from gcrules.paths.roots import integers
 __all__ = ["Segment", "segments"]
 
 Floats = NDArray[np.float64]
+_Whole = tuple[dict[str, list[int]], list[list[int]], list[list[int]]]
 
 
 @dataclass(frozen=True)
@@ -94,7 +95,8 @@ class Segment:
         It is interpolated at one place more than its degree asks for. Raises EngineFault where the last does not fit.
         """
         places = list(islice((s for k in count() for s in ((k, -k) if k else (0,))), self.degree + 2))
-        table = [self._value(s) for s in places]
+        whole = self._whole()  # not kept: a path may have very many segments
+        table = [self._value(s, whole) for s in places]
         for order in range(1, len(places)):
             for i in reversed(range(order, len(places))):
                 table[i] = (table[i] - table[i - 1]) / (places[i] - places[i - order])
@@ -106,8 +108,7 @@ class Segment:
             found[0] += difference
         return tuple(integers(found))
 
-    @cached_property
-    def _whole(self) -> tuple[dict[str, list[int]], list[list[int]], list[list[int]]]:
+    def _whole(self) -> _Whole:
         """Lengths as whole multiples of one unit: base joints and arms, the ends of the centre's path, quaternions."""
         r = self.rig
         moving = {n for n in r.structure.names if r.structure.sides[n] == "platform"}
@@ -124,9 +125,9 @@ class Segment:
             [[int(c * turns) for c in q] for q in (self.q0, self.q1)],
         )
 
-    def _value(self, s: int) -> Fraction:
+    def _value(self, s: int, whole: _Whole) -> Fraction:
         """|q|⁶ times the superbracket at a whole s, up to a positive constant."""
-        joints, (c0, c1), (q0, q1) = self._whole
+        joints, (c0, c1), (q0, q1) = whole
         w, x, y, z = (a + s * (b - a) for a, b in zip(q0, q1, strict=True))
         n = w * w + x * x + y * y + z * z
         turn = (  # n R
