@@ -1,4 +1,4 @@
-"""Robots, from their files to the statement: 0.5 s or less warm, 2 s or less from a cold shell."""
+"""Robots, from their files to the statement: 0.5 s or less warm, 2 s or less from a cold shell; numbers in a pose."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from typing import Any
 import pytest
 
 import gcrules as gc
+from gcrules.kinematics.mechanism import mechanism
+from gcrules.kinematics.solve import free_coordinates
 from gcrules.robots.discovery import robots
 
 IDS = [one.id for one in robots()]
@@ -30,8 +32,21 @@ def test_warm(ratio: Callable[..., Any], name: str) -> None:
     ratio(analysed(name), {}, within=0.5, rounds=3)
 
 
-@pytest.mark.parametrize("name", ["3-rps", "4-ruu", "6-rus"])
+@pytest.mark.parametrize("name", IDS)
 def test_cold(ratio: Callable[..., Any], name: str) -> None:
     empty = [sys.executable, "-c", "pass"]
     others = {"an empty program": lambda: subprocess.run(empty, check=True)}
     ratio(cold(name), others, within=2, rounds=3)
+
+
+def posed(name: str) -> Callable[[], float]:
+    """The joints solved for a pose anew, and all numbers there."""
+    robot = gc.Robot.load(name)
+    robot.pose()  # the analysis, once
+    at = dict.fromkeys(free_coordinates(mechanism(robot)), 0.05)
+    return lambda: robot.pose(at).closeness
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_pose(ratio: Callable[..., Any], name: str) -> None:
+    ratio(posed(name), {}, within=0.1, rounds=5)

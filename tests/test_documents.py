@@ -20,8 +20,8 @@ from typing import Any, NamedTuple
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-# The pages of the catalog are generated, and compared as a whole by tools/check_docs.py.
-LEFT_OUT = ("catalog", "assets")
+# The pages of the catalog and of the robots are generated, and compared as a whole by tools/check_docs.py.
+LEFT_OUT = ("catalog", "robots", "assets")
 DOCUMENTS = (
     "README.md",
     *sorted(

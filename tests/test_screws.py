@@ -19,6 +19,7 @@ from hypothesis import strategies as st
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, random_rational_points
 from gcrules.algebra.syntax import parse
 from gcrules.errors import InputError, LimitReached
+from gcrules.numeric.variety import variety
 from gcrules.screws import (
     FLOATS,
     JOINTS,
@@ -507,6 +508,46 @@ SIGNED = ("two screws", "three screws", "force and two screws", "couple and two 
 
 def test_every_kind_has_an_example() -> None:
     assert SYSTEMS.keys() | AXES.keys() == KINDS.keys()
+
+
+PROJECTIVE = {  # how `gcrules.numeric.variety` names spans of lines, points at infinity being points
+    "a single line": ("force", "couple"),
+    "two skew lines": ("two forces", "force and couple"),
+    "a planar pencil": ("planar pencil", "parallel pencil", "two couples"),
+    "a bundle": ("bundle", "parallel bundle"),
+    "a plane field": ("plane field", "all couples"),
+    "a regulus": ("regulus", "regulus with a couple"),
+    "two planar pencils": (
+        "two planar pencils",
+        "two parallel pencils",
+        "planar pencil and couple",
+        "force and two couples",
+    ),
+    "a degenerate linear congruence": (
+        "bundle and plane field",
+        "parallel bundle and plane field",
+        "force and three couples",
+    ),
+    "a hyperbolic linear congruence": (
+        "hyperbolic congruence",
+        "hyperbolic congruence with an axis at infinity",
+    ),
+    "a parabolic linear congruence": ("parabolic congruence", "parabolic congruence with its axis at infinity"),
+    "an elliptic linear congruence": ("elliptic congruence",),
+    "a special linear complex": ("special complex", "special complex with its axis at infinity"),
+    "a general linear complex": ("general complex",),
+    "no variety": ("everything",),
+}
+
+
+@pytest.mark.parametrize(("kind", "name"), [(kind, name) for name, kinds in PROJECTIVE.items() for kind in kinds])
+def test_both_classifications_agree_on_spans_of_lines(kind: str, name: str) -> None:
+    for seed in range(3):
+        r = Random((kind, seed))
+        own = SYSTEMS[kind][0] if kind in SYSTEMS else span(SYSTEMS[AXES[kind]][0], RATIONALS).reciprocal().basis
+        system = span(r.mixed(list(moved(own, r.rotation(), r.vector()))), RATIONALS)
+        assert system.classify().kind == kind
+        assert variety(system.basis).name.startswith(name)
 
 
 def is_line(row: Any, field: Field) -> bool:

@@ -402,7 +402,10 @@ def test_script_fault(source: str, place: str, message: str) -> None:
         ("colinear(a, b, c)", "did you mean collinear(…)?"),
         ("collinear(a, b, c), Concurent ((ab), cd, ef)", "did you mean concurrent(…)?"),
         (r"coplaner((ab) /\ (cd), b, c, d)", "did you mean coplanar(…)?"),
-        ("parallel(ab, cd)", "a parenthesis is not closed"),
+        (
+            "parallel(ab, cd)",
+            "parallel(…) is no relation; the relations are collinear, coplanar, concurrent and incident",
+        ),
         ("(a, b)", "a parenthesis is not closed"),
         ("a, b", None),
         (f"{'collinear' * 50}(a, b)", "a parenthesis is not closed"),

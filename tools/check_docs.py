@@ -16,7 +16,7 @@ from urllib.parse import unquote
 ROOT = Path(__file__).resolve().parent.parent
 
 # The gcrules commands that write pages under docs/; each takes --check.
-GENERATORS: tuple[tuple[str, ...], ...] = (("catalog", "docs"),)
+GENERATORS: tuple[tuple[str, ...], ...] = (("catalog", "docs"), ("robot", "docs"))
 
 CODE = re.compile(r"^(```|~~~).*?^\1[ \t]*$|`[^`\n]+`", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\s*\)|^\[[^\]]+\]:\s*(\S+)", re.MULTILINE)

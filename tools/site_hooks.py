@@ -3,7 +3,7 @@
 * `<!-- drawing: NAME | caption -->` becomes a drawing of site_drawings.py, `<!-- generated: NAME -->` a part of
   site_grammar.py. Both are comments, so that the pages read well where they are not built.
 * Figures of gcrules that a page shows as images are put into the page, so that they follow its light and dark colours.
-* The pages of the catalog come into the navigation by themselves.
+* The pages of the catalog and of the robots come into the navigation by themselves.
 * What the theme's scripts would load in cases that do not occur here is taken out, with its source maps.
 * A link to a file of the repository outside docs/ leads to a page that shows the file.
 """
@@ -29,6 +29,7 @@ from gcrules.render.palette import ROLES
 ROOT = Path(__file__).resolve().parent.parent
 LOG = logging.getLogger("mkdocs.hooks.gcrules")
 
+OVERVIEWS = ("catalog/README.md", "robots/index.md")
 DRAWING = re.compile(r"^<!-- drawing: ([\w-]+)(?: \| (.*?))?\s*-->$", re.MULTILINE | re.DOTALL)
 GENERATED = re.compile(r"^<!-- generated: ([\w-]+) -->$", re.MULTILINE)
 SESSION = re.compile(r"^```python\n>>> ", re.MULTILINE)
@@ -41,23 +42,24 @@ def on_config(config: MkDocsConfig) -> MkDocsConfig:
     pygments.lexers.LEXERS["GcaLexer"] = (site_lexer.__name__, "gcrules script", ("gca",), ("*.gca",), ())
     for section in config.nav or ():
         for title, target in section.items():
-            if target == "catalog/README.md":
-                section[title] = [target, *_classes(Path(config.docs_dir))]
+            if target in OVERVIEWS:
+                section[title] = [target, *_listed(Path(config.docs_dir), target)]
     return config
 
 
-def _classes(docs: Path) -> list[dict[str, list[dict[str, str]]]]:
-    """The pages of the catalog under the headings of its overview, each where it is listed first."""
-    folder = docs / "catalog"
-    left = {p.stem for p in folder.glob("*.md")} - {"README"}
+def _listed(docs: Path, overview: str) -> list[dict[str, list[dict[str, str]]]]:
+    """The pages beside an overview, under its headings, each where it is listed first."""
+    path = docs / overview
+    folder = path.parent
+    left = {p.stem for p in folder.glob("*.md")} - {path.stem}
     groups: dict[str, list[str]] = {}
-    for section in re.split(r"^## ", (folder / "README.md").read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
+    for section in re.split(r"^## ", path.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
         title, _, body = section.partition("\n")
         names = [n for n in dict.fromkeys(re.findall(r"\]\(([^)/]+)\.md\)", body)) if n in left]
         left -= set(names)
         groups[unescape(title)] = names
     groups["Others"] = sorted(left)
-    return [{title: [{n: f"catalog/{n}.md"} for n in names]} for title, names in groups.items() if names]
+    return [{title: [{n: f"{folder.name}/{n}.md"} for n in names]} for title, names in groups.items() if names]
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:

@@ -88,7 +88,10 @@ def _misspelt(text: str, at: int, literals: Mapping[str, str]) -> str | None:
         return None
     relations = literals["RELATION"].partition(")")[0].lstrip("(").split("|")
     near = get_close_matches(before[0].lower(), relations, n=1, cutoff=0.7)
-    return f"did you mean {near[0]}(…)?" if near and near[0] != before[0] else None
+    if before[0] in relations:
+        return None
+    listing = f"{', '.join(relations[:-1])} and {relations[-1]}"
+    return f"did you mean {near[0]}(…)?" if near else f"{before[0]}(…) is no relation; the relations are {listing}"
 
 
 def _unclosed(text: str, pair: str) -> bool:

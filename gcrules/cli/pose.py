@@ -2,22 +2,37 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
 
-from gcrules.cli.base import ExpressionCommand, Output, about_option, output_options
-from gcrules.cli.files import working
+from gcrules.cli.base import ExpressionCommand, Output, output_options
+from gcrules.cli.files import read_stdin, working
 from gcrules.cli.platforms import read_platform
+from gcrules.errors import FileError, InputError
 from gcrules.posed import pose as posed
+from gcrules.robots.geometry import Platform, parse_platform
+from gcrules.robots.model import Robot
+from gcrules.yamlfile import Document
 
 __all__ = ["pose"]
 
+_OF_ROBOTS = ("limbs", "mobility", "lines")  # keys of robot files that geometry files do not have
+
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml")
+@click.argument("file", metavar="FILE.yaml|ID")
 @click.option(
-    "--at", default="0 0 0", metavar="POSE", help='"x y z; euler zyx 10 0 0 deg"; by default the file\'s pose.'
+    "--at",
+    metavar="POSE",
+    help='"x y z; euler zyx 10 0 0 deg"; by default the file\'s pose. Robots: "z=0.2, roll=5deg".',
 )
-@about_option
+@click.option("--actuators", metavar="VALUES", help='Instead of a pose, of a robot with joints: "q1=0.1, q2=5deg".')
+@click.option(
+    "--about",
+    metavar="CENTRE",
+    help="What the platform turns about: origin (the default of geometry files), centroid, or x,y,z.",
+)
 @click.option(
     "--threshold",
     default="0.5 deg",
@@ -26,21 +41,78 @@ __all__ = ["pose"]
     help="Closer than this is close: turn of a leg (deg, rad), or translation.",
 )
 @click.option("--accuracy", metavar="LENGTH", help="How well the joints' places are known; by default exactly.")
-@click.option("--nearest/--no-nearest", default=True, help="Seek the nearest singular poses (about a second).")
+@click.option("--nearest/--no-nearest", default=None, help="Seek the nearest singular poses (about a second).")
 @output_options()
-def pose(file: str, at: str, about: str, threshold: str, accuracy: str | None, nearest: bool, out: Output) -> None:
+def pose(
+    file: str,
+    at: str | None,
+    actuators: str | None,
+    about: str | None,
+    threshold: str,
+    accuracy: str | None,
+    nearest: bool | None,
+    out: Output,
+) -> None:
     """Tell how close a robot is to a singularity in a pose, what is nearest, and why.
 
     \b
     gcrules pose robot.yaml
     gcrules pose robot.yaml --at "10 0 -5; euler zyx 30 0 0 deg" --about centroid
     gcrules pose robot.yaml --at "0 0 5 mm; quaternion 1 0 0 0" --threshold 20mm --json
+    gcrules pose 3-rps --at "z=0.2, roll=5deg, pitch=0deg"
 
     A pose is a translation x y z and, after a semicolon, a turn: quaternion w x y z, rotation-vector x y z deg, or
     euler SEQUENCE a b c deg (xyz about the fixed axes, XYZ about the axes that turn along). It moves the platform from
-    where the file has it. "-" reads the file from standard input.
+    where the file has it. "-" reads the file from standard input. A robot that is described by its joints, a file or
+    an id, is answered as by "gcrules robot pose".
     """
-    platform = read_platform(file)
+    read = _read(file)
+    if isinstance(read, Robot):
+        unfit = [option for option, value in (("--accuracy", accuracy), ("--nearest", nearest)) if value]
+        unfit += ["--about"] if about not in (None, "centroid") else []
+        if unfit:
+            raise InputError(
+                f"{unfit[0]} is for platforms with their dimensions; {read.id} is described by its joints",
+                hint="its platform turns about the centroid of the limbs' ends; see docs/robot-numbers.md",
+            )
+        with working("computing"):
+            answer = read.pose(at, actuators=actuators, threshold=threshold)
+        out.show(answer)
+        return
+    if actuators is not None:
+        raise InputError("--actuators is for robots described by their joints", hint="give a pose by --at")
     with working("computing"):
-        found = posed(platform, at, about=about, threshold=threshold, accuracy=accuracy, nearest=nearest)
+        found = posed(
+            read,
+            "0 0 0" if at is None else at,
+            about=about or "origin",
+            threshold=threshold,
+            accuracy=accuracy,
+            nearest=nearest is not False,
+        )
     out.show(found)
+
+
+def _read(file: str) -> Platform | Robot:
+    """A platform, or a robot described by its joints: by its keys, or by its id."""
+    if file == "-":
+        text = read_stdin()
+        if _is_robot(Document.parse(text, "<stdin>")):
+            return Robot.parse(text, "<stdin>")
+        platform = parse_platform(text, "<stdin>")
+        for warning in platform.warnings:
+            click.echo(f"warning: {warning}", err=True)
+        return platform
+    path = Path(file)
+    if not path.suffix and len(path.parts) == 1 and not path.exists():
+        return Robot.load(file)
+    try:
+        robot = _is_robot(Document.load(file))
+    except FileError:  # said again, and better, by the reader of platforms
+        robot = False
+    return Robot.load(file) if robot else read_platform(file)
+
+
+def _is_robot(document: Document) -> bool:
+    root = document.root
+    return root.kind == "mapping" and any(key.text in _OF_ROBOTS for key, _ in root.entries())

@@ -1,4 +1,4 @@
-"""The commands about robots: robot list, show, check, analyze, new."""
+"""The commands about robots: robot list, show, check, analyze, pose, docs, new."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ from pathlib import Path
 
 import click
 
-from gcrules.cli.base import Output, output_options, search_option
+from gcrules.cli.base import ExpressionCommand, Output, output_options, search_option
 from gcrules.cli.files import working
-from gcrules.errors import FileError, GcrulesError
+from gcrules.cli.robot_docs import docs
+from gcrules.errors import FileError, GcrulesError, LimitReached
 from gcrules.files import write_file
 from gcrules.robots.checks import notes
 from gcrules.robots.discovery import FILE, robots
@@ -135,6 +136,49 @@ def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Out
     out.show(found)
 
 
+@robot.command("pose", cls=ExpressionCommand)
+@_name
+@_plugins
+@click.option("--at", metavar="POSE", help='"z=0.2, roll=5deg, …" or "x y z; euler zyx a b c deg"; home by default.')
+@click.option("--actuators", metavar="VALUES", help='Instead of a pose: "q1=0.1, q2=5deg", from home.')
+@click.option("--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close.")
+@click.option("--search", is_flag=True, help="Seek the first singular configuration on the way there from home.")
+@output_options()
+def pose_command(
+    name: str,
+    folders: tuple[str, ...],
+    at: str | None,
+    actuators: str | None,
+    threshold: str,
+    search: bool,
+    out: Output,
+) -> None:
+    """Tell how close a robot is to a singularity in a configuration, and why; solve its joints for a pose.
+
+    \b
+    gcrules robot pose 3-rps
+    gcrules robot pose 3-rps --at "z=0.2, roll=5deg, pitch=0deg"
+    gcrules robot pose 3-rps --actuators "q1=0.1, q2=0.2" --json
+    gcrules robot pose 3-rps --at "z=0, roll=60deg, pitch=0deg" --search
+
+    Coordinates are x, y, z of the platform's centre and roll, pitch, yaw about the fixed axes (or rx, ry, rz, the
+    rotation vector), as many as the platform has freedoms; the others follow. All are from home.
+    """
+    read = Robot.load(name, plugins=folders)
+    with working("computing"):
+        if not search:
+            found = read.pose(at, actuators=actuators, threshold=threshold)
+        else:
+            singular = read.singular(at, actuators=actuators, threshold=threshold)
+            if singular is None:
+                raise LimitReached(
+                    f"no singular configuration was found on the way to {at or actuators}",
+                    hint="it is sought at samples of the way: go farther, or in another direction",
+                )
+            found = singular
+    out.show(found)
+
+
 @robot.command("new")
 @click.argument("robot_id", metavar="ID")
 @click.option("-o", "--output", "path", metavar="FILE", help="Where to write it; ID/robot.yaml by default.")
@@ -153,3 +197,6 @@ def new_command(robot_id: str, path: str | None) -> None:
     write_file(path, text)
     if path != "-":
         click.echo(f"{path} is written; check it with: gcrules robot check {path}")
+
+
+robot.add_command(docs)

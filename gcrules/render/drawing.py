@@ -30,6 +30,7 @@ __all__ = [
     "Shape",
     "Text",
     "beside",
+    "mapped",
     "name_runs",
     "save",
     "scaled",
@@ -131,7 +132,7 @@ class Drawing:
 
 def scaled(drawing: Drawing, factor: float) -> Drawing:
     """The whole drawing, strokes included, larger or smaller."""
-    shapes = tuple(_mapped(s, factor, (0.0, 0.0)) for s in drawing.shapes)
+    shapes = tuple(mapped(s, factor, (0.0, 0.0)) for s in drawing.shapes)
     return Drawing(drawing.width * factor, drawing.height * factor, shapes, drawing.title)
 
 
@@ -141,7 +142,7 @@ def beside(drawings: Sequence[Drawing], gap: float = 8.0, title: str = "") -> Dr
     shapes: list[Shape] = []
     left = 0.0
     for d in drawings:
-        shapes += [_mapped(s, 1.0, (left, (height - d.height) / 2)) for s in d.shapes]
+        shapes += [mapped(s, 1.0, (left, (height - d.height) / 2)) for s in d.shapes]
         left += d.width + gap
     return Drawing(left - gap, height, tuple(shapes), title)
 
@@ -151,7 +152,7 @@ def without_text(drawing: Drawing) -> Drawing:
     shapes = tuple(s for s in drawing.shapes if not isinstance(s, Text))
     places = [p for s in shapes for p in _extent(s)] or [(0.0, 0.0), (drawing.width, drawing.height)]
     (left, right), (top, bottom) = ((min(c) - 3, max(c) + 3) for c in zip(*places, strict=True))
-    moved = tuple(_mapped(s, 1.0, (-left, -top)) for s in shapes)
+    moved = tuple(mapped(s, 1.0, (-left, -top)) for s in shapes)
     return Drawing(right - left, bottom - top, moved, drawing.title)
 
 
@@ -167,7 +168,9 @@ def _extent(shape: Shape) -> tuple[XY, ...]:
     return (shape.at,)
 
 
-def _mapped(shape: Shape, factor: float, shift: XY) -> Shape:
+def mapped(shape: Shape, factor: float, shift: XY) -> Shape:
+    """A shape larger or smaller by a factor, then shifted."""
+
     def at(p: XY) -> XY:
         return p[0] * factor + shift[0], p[1] * factor + shift[1]
 

@@ -17,6 +17,7 @@ ROLES: dict[str, tuple[str, str]] = {
     "base": ("#8B94A0", "#7C8793"),
     "platform": ("#8B94A0", "#A7B1BD"),
     "mark": ("#B00020", "#FF6B7A"),
+    "drive": ("#F5B400", "#FFC93C"),
     "entity1": ("#0072B2", "#56B4E9"),
     "entity2": ("#D55E00", "#F0803C"),
     "entity3": ("#009E73", "#2FC49B"),

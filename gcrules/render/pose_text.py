@@ -3,7 +3,6 @@ r"""A pose's report as plain text and as LaTeX: the verdict with its reason, the
 from __future__ import annotations
 
 import math
-import textwrap
 from collections.abc import Iterator, Sequence
 
 from gcrules.nearest.poses import NearestPose
@@ -11,41 +10,25 @@ from gcrules.numeric.incidence import factors
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.report import PoseReport
 from gcrules.numeric.threshold import degrees
+from gcrules.render.tables import ASCII, columns, table, wrapped
 
 __all__ = ["as_latex", "as_text"]
-
-WIDTH = 100
-_ASCII = str.maketrans(
-    {
-        "σ": "sigma",
-        "ρ": "rho",
-        "²": "^2",
-        "×": "x",
-        "°": " deg",
-        "∧": "/\\",
-        "∨": "\\/",
-        "·": "*",
-        "−": "-",
-        "≤": "<=",
-        "⁹": "^9",
-    }
-)
 
 
 def as_text(r: PoseReport, *, unicode: bool = False) -> str:
     """The whole report; without `unicode` in ASCII."""
     lines = list(_lines(r))
     found = "\n".join(lines)
-    return found if unicode else found.translate(_ASCII)
+    return found if unicode else found.translate(ASCII)
 
 
 def _lines(r: PoseReport) -> Iterator[str]:
     u = r.rig.unit
-    yield from _wrapped(f"{r.verdict}: {r.reason}")
+    yield from wrapped(f"{r.verdict}: {r.reason}")
     for sentence in r.causes:
-        yield from _wrapped(sentence, "  ")
+        yield from wrapped(sentence, "  ")
     yield ""
-    yield from _table(
+    yield from table(
         [
             ("pose", f"{_pose(r.pose)}, about {_about(r)}"),
             ("closeness", f"σ = {r.closeness:.4g} (0 singular, at most 1; knows neither frame nor unit)"),
@@ -111,7 +94,7 @@ def _readings(r: PoseReport) -> Iterator[str]:
                 meaning = "" if (x.name, x.meaning) in explained or x.value is None else x.meaning
                 explained.add((x.name, x.meaning))
                 rows.append((x.name, value, meaning))
-        yield from _columns(rows, "    ")
+        yield from columns(rows, "    ")
 
 
 def _nearest(r: PoseReport) -> Iterator[str]:
@@ -130,9 +113,9 @@ def _nearest(r: PoseReport) -> Iterator[str]:
                 rows.append(("", "", f"at {_pose(n.pose)}"))
             if several and n.distance:
                 rows += [("", "", cause) for cause in n.causes]
-    yield from _columns(rows, "  ")
+    yield from columns(rows, "  ")
     if any(n.kind == "combined" and n.pose for n in r.nearest) and r.verdict != "singular":
-        yield from _wrapped(
+        yield from wrapped(
             f"combined: root of |shift|² + (ρ·angle)², ρ = {_length(r.radius, u)}, of the centroid of the legs' ends",
             "  ",
         )
@@ -150,20 +133,20 @@ def _motion(r: PoseReport) -> Iterator[str]:
     u = r.rig.unit
     d = r.dependence
     if r.verdict == "close":
-        yield from _wrapped(f"Nearly dependent legs, forces in the ratio {_shares(r, r.stress)}.")
+        yield from wrapped(f"Nearly dependent legs, forces in the ratio {_shares(r, r.stress)}.")
     if d is None:
-        yield from _wrapped(
+        yield from wrapped(
             f"Softest motion: the platform can {r.softest.text(u)}. The legs' lengths then "
             f"change only {r.closeness:.3g} times as fast as the platform's joints move (root mean squares)."
         )
         return
     for m in d.motions:
-        yield from _wrapped(f"Gained motion: the platform can {m.text(u)}; to first order no leg changes its length.")
+        yield from wrapped(f"Gained motion: the platform can {m.text(u)}; to first order no leg changes its length.")
     if d.stress is not None:
-        yield from _wrapped(f"Dependent legs: their forces balance in the ratio {_shares(r, d.stress)}.")
+        yield from wrapped(f"Dependent legs: their forces balance in the ratio {_shares(r, d.stress)}.")
     else:
-        yield from _wrapped(f"Dependent legs: {', '.join(d.legs)}, in {len(d.motions)} independent ways.")
-    yield from _wrapped(f"Line variety: the dependent legs span {d.within.name}; all six span {d.all_legs.name}.")
+        yield from wrapped(f"Dependent legs: {', '.join(d.legs)}, in {len(d.motions)} independent ways.")
+    yield from wrapped(f"Line variety: the dependent legs span {d.within.name}; all six span {d.all_legs.name}.")
 
 
 def _shares(r: PoseReport, stress: Sequence[float]) -> str:
@@ -200,34 +183,6 @@ def _number(x: float) -> str:
 
 def _small(x: float) -> str:
     return "0" if abs(x) < 1e-12 else f"{x:.4g}"
-
-
-def _table(rows: Sequence[tuple[str, str]]) -> Iterator[str]:
-    width = max(len(name) for name, _ in rows)
-    for name, value in rows:
-        yield from _wrapped(value, f"{name:<{width}}  ", " " * (width + 2))
-
-
-def _columns(rows: Sequence[tuple[str, str, str]], indent: str) -> Iterator[str]:
-    first, second = (max(len(row[i]) for row in rows) for i in (0, 1))
-    for a, b, c in rows:
-        head = f"{indent}{a:<{first}}  {b:<{second}}  "
-        yield from _wrapped(c, head, " " * len(head))
-
-
-def _wrapped(text: str, first: str = "", rest: str | None = None) -> list[str]:
-    if not text:
-        return [first.rstrip()]
-    other = " " * len(first) if rest is None else rest
-    found = textwrap.wrap(
-        text,
-        WIDTH,
-        initial_indent=first,
-        subsequent_indent=other or "  ",
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
-    return [line.rstrip() for line in found]
 
 
 def as_latex(r: PoseReport) -> str:

@@ -43,14 +43,18 @@ def choose_view(
     legs: Sequence[tuple[str, str]],
     normals: Sequence[XYZ] = (),
     directions: Sequence[XYZ] = (),
+    *,
+    elevations: Sequence[float] = _ELEVATIONS,
+    apart: float = 0.09,
 ) -> tuple[View, float]:
     """The best of a fixed set of viewpoints, and how much still hides each other there (0 for nothing).
 
-    Joints should be apart from each other and from foreign legs, the planes with the given unit normals should not be
-    seen edge on, nor lines with the given unit directions from their ends. Equal merits are decided by the order of the
-    viewpoints.
+    Joints should be `apart` from each other (in sizes of the picture) and off foreign legs, the planes with the given
+    unit normals should not be seen edge on, nor lines with the given unit directions from their ends. `elevations` are
+    angles in degrees. Equal merits are decided by the order of the viewpoints.
     """
-    scored = ((round(_clutter(v, points, legs, normals, directions), 6), i, v) for i, v in enumerate(_views()))
+    views = enumerate(_views(elevations))
+    scored = ((round(_clutter(v, points, legs, normals, directions, apart), 6), i, v) for i, v in views)
     cost, _, view = min(scored, key=lambda s: s[:2])
     return view, cost
 
@@ -63,8 +67,8 @@ def distance_to_stroke(p: XY, start: XY, end: XY) -> float:
     return hypot(p[0] - start[0] - t * dx, p[1] - start[1] - t * dy)
 
 
-def _views() -> Iterator[View]:
-    for elevation in _ELEVATIONS:
+def _views(elevations: Sequence[float]) -> Iterator[View]:
+    for elevation in elevations:
         for azimuth in _AZIMUTHS:
             yield View.at(azimuth - 60, elevation)
 
@@ -75,13 +79,14 @@ def _clutter(
     legs: Sequence[tuple[str, str]],
     normals: Sequence[XYZ],
     directions: Sequence[XYZ],
+    apart: float,
 ) -> float:
     at = {name: view.flat(p) for name, p in points.items()}
     xs, ys = [x for x, _ in at.values()], [y for _, y in at.values()]
     size = max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
     total = 0.0
     for p, q in combinations(at.values(), 2):
-        total += _near(hypot(p[0] - q[0], p[1] - q[1]) / size, 0.09)
+        total += _near(hypot(p[0] - q[0], p[1] - q[1]) / size, apart)
     for name, p in at.items():
         for a, b in legs:
             if name not in (a, b):

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from itertools import combinations, pairwise
 from typing import Any
 
 from gcrules.errors import InputError, LimitReached
 from gcrules.robots.family import Definition
 from gcrules.robots.limbs import LimbText
-from gcrules.robots.relations import AXES, Values, combined
+from gcrules.robots.relations import Values, combined
 from gcrules.robots.robot_text import Fact, RobotText
 from gcrules.screws import RATIONALS, RESIDUES, Limb
 from gcrules.yamlfile import Node
@@ -19,15 +18,22 @@ from gcrules.yamlfile import Node
 __all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes"]
 
 _SEEDS = (11, 12)
-_TOLERANCE = Fraction(1, 10**6)
 
 
 def check_family(robot: RobotText, places: Mapping[str, Node], facts: Sequence[tuple[Node, Fact]]) -> None:
-    """Zero directions, points that are one, points outside the plane, facts that do not hold."""
+    """Zero directions, points that are one, points outside the plane, facts that do not hold.
+
+    Of copies, which stand at one node, only the first is reported, and nothing that only follows from another fault.
+    """
     family = robot.family
     members = [family.member(seed) for seed in _SEEDS]
+    bad: set[str] = set()
     for d in family.definitions:
         values = [m[d.name] for m in members]
+        before = len(places[d.name].document.faults)
+        if not bad.isdisjoint(d.relation.names) or any(places[n] == places[d.name] for n in bad):
+            bad.add(d.name)
+            continue
         if d.sort == "direction" and not any(map(any, values)):
             places[d.name].fault(
                 f"the direction {d.name} is zero in every member of the family",
@@ -37,10 +43,16 @@ def check_family(robot: RobotText, places: Mapping[str, Node], facts: Sequence[t
             places[d.name].fault(f"{d.name} does not lie in the plane z = 0 of a planar robot")
         else:
             _check_arguments(d, members[0], places[d.name])
-    points = [d.name for d in family.definitions if d.sort == "point"]
+        if len(places[d.name].document.faults) > before:
+            bad.add(d.name)
+    points = [d.name for d in family.definitions if d.sort == "point" and d.name not in bad]
+    told: list[Node] = []
     for a, b in combinations(points, 2):
-        if all(m[a] == m[b] for m in members):
-            places[b].fault(f"{a} and {b} are one point in every member of the family", "give it one name")
+        if all(m[a] == m[b] for m in members) and places[b] not in told:
+            told.append(places[b])
+            places[b].fault(
+                f"{a} and {b} are one point in every member of the family", "use one name for both, or move one of them"
+            )
     for node, fact in facts:
         said = fact.said
         if any(any(said.relation.residual(said.sort, RESIDUES, m, m[said.name])) for m in members):
@@ -120,10 +132,14 @@ def _check_platform(robot: RobotText, limbs: Sequence[Limb], mobility: Node) -> 
     freedom = 6 - RESIDUES.rank(held) if held else 6
     actuators = sum(text.actuators for text in robot.limbs)
     if robot.mobility != freedom:
-        mobility.fault(f"the platform has mobility {freedom}, not {robot.mobility}")
+        mobility.fault(
+            f"the platform has mobility {freedom}, not {robot.mobility}",
+            f"its limbs apply constraints of rank {6 - freedom} together; check joints, parallel axes and this number",
+        )
     if actuators != freedom:
         word = "few" if actuators < freedom else "many"
-        mobility.fault(f"too {word} actuators: {actuators} for a platform of mobility {freedom}")
+        change = "star more joints" if actuators < freedom else "take stars away"
+        mobility.fault(f"too {word} actuators: {actuators} for a platform of mobility {freedom}", change)
     elif RESIDUES.rank(locked) < 6:
         trivial = 3 if robot.family.plane else 0
         mobility.fault(
@@ -157,13 +173,7 @@ def home_values(robot: RobotText) -> dict[str, Any]:
 
     Raises InputError, naming what has no coordinates.
     """
-    values: dict[str, Any] = {n: RATIONALS.vector(axis) for n, axis in AXES.items()}
-    for d in robot.family.definitions:
-        given = (robot.home or {}).get(d.name)
-        if given is None and d.parameters:
-            raise InputError(f"home gives no coordinates for {d.name}, which the relations leave free")
-        values[d.name] = given if given is not None else d.relation.value(d.sort, RATIONALS, values, ())
-    return values
+    return robot.values_at()
 
 
 def check_home(robot: RobotText, node: Node) -> None:
@@ -174,13 +184,17 @@ def check_home(robot: RobotText, node: Node) -> None:
         node.fault(fault.message, fault.hint)
         return
     keys = {key.text: value for key, value in node.entries()}
-    size = max((abs(c) for v in values.values() for c in v), default=Fraction(1)) or Fraction(1)
     for d in robot.family.definitions:
         place = keys.get(d.name, node)
         if d.sort == "direction" and not any(values[d.name]):
             place.fault(f"the direction {d.name} is zero at home")
-        elif any(abs(r) > _TOLERANCE * size**3 for r in d.relation.residual(d.sort, RATIONALS, values, values[d.name])):
-            place.fault(f"home violates the relation of {d.name}", "its coordinates do not satisfy what makes it")
+        elif robot.violates(d, values):
+            place.fault(
+                f"home violates the relation of {d.name}: {d.text}",
+                "change its coordinates"
+                if d.parameters
+                else "leave it out, and it is computed from the others, or change its coordinates",
+            )
     twice = Counter(values[d.name] for d in robot.family.definitions if d.sort == "point")
     for d in robot.family.definitions:
         if d.sort == "point" and twice[values[d.name]] > 1:

@@ -9,18 +9,9 @@ from itertools import combinations, product
 
 from gcrules.robots.family import Family
 from gcrules.robots.limbs import LimbText
-from gcrules.robots.relations import AXES, Term, Values, combined
-from gcrules.robots.wrenches import (
-    PLANAR,
-    LimbWrenches,
-    Line,
-    Sample,
-    directions,
-    key,
-    limb_wrenches,
-    reciprocal_to,
-    samples,
-)
+from gcrules.robots.names import Sample, directions, key, samples
+from gcrules.robots.relations import AXES, Term, Values, Vector, combined
+from gcrules.robots.wrenches import PLANAR, LimbWrenches, Line, limb_wrenches, reciprocal_to
 from gcrules.screws import RESIDUES
 from gcrules.screws.field import Row
 
@@ -67,10 +58,15 @@ class Equivalent:
 
     def points(self, family: Family, values: Values) -> dict[str, Row]:
         """Homogeneous coordinates of all points at a member modulo the prime, derived ones among them."""
-        found = family.homogeneous(values)
+        made = self.derived_at(values)
+        return family.homogeneous(values) | {n: (*v, 0) for n, v in made.items()}
+
+    def derived_at(self, values: Values) -> dict[str, Vector]:
+        """The derived directions at a member modulo the prime."""
+        known = dict(values)
         for name, u, v in self.derived:
-            found[name] = (*RESIDUES.cross(*(combined(t, values, RESIDUES) for t in (u, v))), 0)
-        return found
+            known[name] = RESIDUES.cross(*(combined(t, known, RESIDUES) for t in (u, v)))
+        return {n: known[n] for n, _, _ in self.derived}
 
     def to_json(self) -> dict[str, object]:
         return {
@@ -85,8 +81,11 @@ def _words(term: Term) -> str:
     return term[0][1] if len(term) == 1 else "".join(n for _, n in reversed(term))
 
 
-def equivalent(family: Family, limbs: Sequence[LimbText]) -> Equivalent:
-    """Choose the equivalent structure of a robot on exact random members of its family."""
+def equivalent(family: Family, limbs: Sequence[LimbText], *, frame: bool = True) -> Equivalent:
+    """Choose the equivalent structure of a robot on exact random members of its family.
+
+    With `frame` constraints that limbs have in common may be replaced by lines that all limbs together hold.
+    """
     at = samples(family, limbs)
     one = directions(family, at)
     name = {n: one[key(s.values[n] for s in at)] if sort == "direction" else n for n, sort in family.sorts.items()}
@@ -110,7 +109,7 @@ def equivalent(family: Family, limbs: Sequence[LimbText]) -> Equivalent:
     constraints = [line for limb in found for line in limb.lines or () if line.role == "constraint"]
     if len(constraints) > full - mobility:
         names = [limb.name for limb in limbs]
-        constraints = _over_constrained(family, names, constraints, at, full - mobility, trivial)
+        constraints = _over_constrained(family, names if frame else (), constraints, at, full - mobility, trivial)
     lines = list(constraints)
     for line in (line for limb in found for line in limb.lines or () if line.role != "constraint"):
         rows = [one.row(at[0].points) for one in (*lines, line)]
@@ -130,7 +129,7 @@ def equivalent(family: Family, limbs: Sequence[LimbText]) -> Equivalent:
         result.rank,
         tuple(n for n in used if at[0].points[n][3] == 0),
         tuple(_incidences(family, tuple(used), at)),
-        tuple(d for limb in found for d in limb.derived if d[0] in used),
+        tuple(d for limb in found if used.keys() & {n for n, _, _ in limb.derived} for d in limb.derived),
     )
 
 
@@ -143,12 +142,13 @@ def _over_constrained(
     trivial: tuple[Row, ...],
 ) -> list[Line]:
     """A basis of the constraints of all limbs together. Lines through fixed directions of the frame are preferred, so
-    that what depends on the choice of some limbs does not appear in the condition.
+    that what depends on the choice of some limbs does not appear in the condition; without `names` of limbs there are
+    none.
     """
     twists = [RESIDUES.kernel([(*r[3:], *r[:3]) for r in _constraints(s)]) for s in at]
     finite = [n for n in dict.fromkeys(n for line in lines for n in line.ends) if at[0].points[n][3]]
     frame = []
-    for a, b in [*combinations(AXES, 2), *product(finite, AXES)] if not family.plane else ():
+    for a, b in [*combinations(AXES, 2), *product(finite, AXES)] if names and not family.plane else ():
         line = Line((a, b), FRAME, a in AXES, "constraint")
         rows = [line.row(s.points) for s in at]
         if all(map(reciprocal_to, twists, rows)):
@@ -157,7 +157,11 @@ def _over_constrained(
             frame.append(replace(line, limb=next(own, FRAME)))
     fixed = {*AXES, *finite}
     chosen: list[Line] = []
-    for line in sorted((*lines, *frame), key=lambda one: [n not in fixed for n in one.ends].count(True)):
+
+    def moving(line: Line) -> tuple[int, int]:
+        return sum(n not in fixed for n in line.ends), sum(n not in AXES for n in line.ends)
+
+    for line in sorted((*lines, *frame), key=moving):
         rows = [*trivial, *(one.row(at[0].points) for one in chosen)]
         if len(chosen) < size and RESIDUES.rank([*rows, line.row(at[0].points)]) > len(rows):
             chosen.append(line)

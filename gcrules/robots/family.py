@@ -13,7 +13,7 @@ Fraction(0, 1)
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -22,7 +22,7 @@ from typing import Any
 from gcrules.robots.relations import AXES, Relation, Values, Vector
 from gcrules.screws import RATIONALS, RESIDUES, Field
 
-__all__ = ["Definition", "Family", "Path", "in_order"]
+__all__ = ["Definition", "Family", "Path", "circles", "in_order"]
 
 _SMALL = 9
 
@@ -89,6 +89,23 @@ class Family:
         start, other = self.parameters((seed, "start"), RESIDUES), self.parameters((seed, "end"), RESIDUES)
         return Path(self, {n: start[n] for n in start}, name, other[name])
 
+    def across(self, seed: object) -> Callable[[int], dict[str, Vector]]:
+        """Members along a random line on which all parameters change; coordinates are polynomials modulo the prime.
+
+        A common factor of polynomials in the parameters is found there as that of polynomials in one variable, and a
+        factor of one of them divides another there only if it does so everywhere (but for lines of a chance of about
+        degree² / 2^61).
+        """
+        start, step = self.parameters((seed, "from"), RESIDUES), self.parameters((seed, "to"), RESIDUES)
+
+        def member(t: int) -> dict[str, Vector]:
+            return self.at(
+                {n: tuple(RESIDUES.reduced(a + t * b) for a, b in zip(start[n], step[n], strict=True)) for n in start},
+                RESIDUES,
+            )
+
+        return member
+
     def merged(self, values: Values) -> bool:
         """Whether points of different names coincide at a member."""
         places = [values[d.name] for d in self.definitions if d.sort == "point"]
@@ -140,3 +157,17 @@ def in_order(definitions: Iterable[Definition], cyclic: Callable[[tuple[str, ...
         known.update(d.name for d in ready)
         left = [d for d in left if d.name not in known]
     return tuple(found)
+
+
+def circles(needs: Mapping[str, Sequence[str]]) -> Iterator[tuple[str, ...]]:
+    """Circles among names of which each needs another one, without those that only hang on a circle."""
+    seen: set[str] = set()
+    for start in needs:
+        walk: list[str] = []
+        name = start
+        while name not in walk and name not in seen and needs.get(name):
+            walk.append(name)
+            name = needs[name][0]
+        seen.update(walk)
+        if name in walk:
+            yield tuple(walk[walk.index(name) :])

@@ -1,16 +1,23 @@
-r"""Robots for users: `gc.Robot.load(id or path)`, `.analyze()`."""
+r"""Robots for users: `gc.Robot.load(id or path)`, `.analyze()`, and numbers in a configuration by `.pose()`."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import math
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import cached_property
 from os import PathLike
+from typing import TYPE_CHECKING, Any
 
 from gcrules.robots.discovery import find_robot
 from gcrules.robots.robot_analysis import RobotAnalysis, analyze_robot
 from gcrules.robots.robot_file import load_robot, parse_robot
 from gcrules.robots.robot_text import RobotText
 from gcrules.rules.factorization import SECONDS
+
+if TYPE_CHECKING:
+    from gcrules.kinematics.mechanism import Mechanism
+    from gcrules.kinematics.report import RobotPose
 
 __all__ = ["Robot"]
 
@@ -40,3 +47,58 @@ class Robot(RobotText):
     def analyze(self, *, search: float = SECONDS) -> RobotAnalysis:
         """When and why the robot is singular; `search` as for `gcrules.analyze`."""
         return analyze_robot(self, search=search)
+
+    def pose(
+        self,
+        at: Any = None,
+        *,
+        actuators: str | Mapping[str, float] | Sequence[float] | None = None,
+        threshold: Any = "0.5 deg",
+    ) -> RobotPose:
+        """The numbers in the configuration with this pose or with these amounts of the actuators; at home without both.
+
+        `at` is text as for `gcrules pose` ("x y z; euler zyx a b c deg"), or as many coordinates as the platform has
+        freedoms: "z=0.2, roll=5deg, pitch=0deg", or a mapping with angles in radians. `actuators` are text as
+        "q1=0.1, q2=5deg", a mapping, or all of them in the order of the file. All are differences from home, in its
+        unit of length; the platform turns about the centroid of the limbs' ends on it. Raises InputError for what makes
+        no sense, and where the robot does not assemble, with how far it comes.
+        """
+        from gcrules.kinematics.posed import posed  # numpy, for numbers only
+
+        return posed(self._mechanism, lambda: self._analysis, at, actuators, threshold=threshold)
+
+    def at(self, *, degrees: bool = False, threshold: Any = "0.5 deg", **coordinates: float) -> RobotPose:
+        """The numbers in the pose with these coordinates: `.at(z=0.2, roll=5, pitch=0, degrees=True)`; see `pose`."""
+        lengths = ("x", "y", "z")
+        scale = math.pi / 180 if degrees else 1
+        given = {n: v if n in lengths or not isinstance(v, int | float) else v * scale for n, v in coordinates.items()}
+        return self.pose(given, threshold=threshold)
+
+    def poses(self, ats: Iterable[Any], *, threshold: Any = "0.5 deg") -> tuple[RobotPose, ...]:
+        """The numbers in each of these poses, which are as for `pose`."""
+        return tuple(self.pose(at, threshold=threshold) for at in ats)
+
+    def singular(
+        self,
+        towards: Any = None,
+        *,
+        actuators: str | Mapping[str, float] | Sequence[float] | None = None,
+        threshold: Any = "0.5 deg",
+    ) -> RobotPose | None:
+        """The first singular configuration that is found on the straight way in these coordinates from home, or None.
+
+        Arguments and errors as for `pose`. A search at samples: what it does not find may be there all the same.
+        """
+        from gcrules.kinematics.posed import first_singular_pose  # numpy, for numbers only
+
+        return first_singular_pose(self._mechanism, lambda: self._analysis, towards, actuators, threshold=threshold)
+
+    @cached_property
+    def _mechanism(self) -> Mechanism:
+        from gcrules.kinematics.mechanism import mechanism
+
+        return mechanism(self)
+
+    @cached_property
+    def _analysis(self) -> RobotAnalysis:
+        return self.analyze()

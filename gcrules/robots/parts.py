@@ -8,7 +8,7 @@ screws, and it is seen which factors vanish.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations_with_replacement
 
@@ -21,10 +21,11 @@ from gcrules.robots.limbs import LimbText
 from gcrules.robots.relations import Term, Values, combined
 from gcrules.robots.singular import PRIME, interpolated, roots
 from gcrules.robots.wrenches import PLANAR
-from gcrules.screws import RESIDUES, reciprocal
+from gcrules.screws import RESIDUES, Field, reciprocal
 from gcrules.screws.field import Row
 
 __all__ = [
+    "ASIDE",
     "KINDS",
     "Part",
     "Ranks",
@@ -49,6 +50,9 @@ KINDS: Mapping[str, str] = {
 }
 """What the kinds of factors mean."""
 
+ASIDE = ("never", "choice", "limb")
+"""Kinds of factors that are no singularities of the robot."""
+
 _ENOUGH = 3  # singular members for each factor
 _MOST_PATHS = 16
 _NEVER_SEEDS = (21, 22, 23)
@@ -66,7 +70,9 @@ class Ranks:
 @dataclass(frozen=True)
 class Part:
     """A factor of the condition: `kind` is a key of `KINDS`, `members` the number of exact singular members on which
-    that was seen, `reason` says why a factor never vanishes, `statement` when it does.
+    that was seen, `reason` says why a factor never vanishes, `statement` when it does. `same` is another factor of this
+    robot that vanishes wherever this one does; `chosen` the number of those members at which a factor that counts
+    vanishes although the wrenches keep their rank, since the chosen lines depend on each other.
     """
 
     expression: Expr
@@ -74,6 +80,8 @@ class Part:
     members: int = 0
     reason: str = ""
     statement: str = ""
+    same: Expr | None = None
+    chosen: int = 0
 
 
 @dataclass
@@ -99,24 +107,24 @@ class Told:
         return self.votes[e] or self.shared[e] or self.merged[e]
 
 
-def ranks(family: Family, limbs: Sequence[LimbText], values: Values) -> Ranks:
-    """The ranks at a member, from the joint screws alone. Raises InputError where a joint is none."""
+def ranks(family: Family, limbs: Sequence[LimbText], values: Values, field: Field = RESIDUES) -> Ranks:
+    """The ranks at a member in this field, from the joint screws alone. Raises InputError where a joint is none."""
     trivial = list(PLANAR) if family.plane else []
     held: list[Row] = list(trivial)
     locked: list[Row] = list(trivial)
     dimensions = []
     for text in limbs:
-        limb = text.at(values, RESIDUES)
-        rows, actuated = limb.twists(RESIDUES), limb.actuated
+        limb = text.at(values, field)
+        rows, actuated = limb.twists(field), limb.actuated
         passive = [row for i, row in enumerate(rows) if i not in actuated]
-        own = reciprocal(rows, RESIDUES)
-        every = reciprocal(passive, RESIDUES) if actuated else own
+        own = reciprocal(rows, field)
+        every = reciprocal(passive, field) if actuated else own
         held += own
         locked += every
         dimensions.append((6 - len(own), 6 - len(every)))
     return Ranks(
-        (RESIDUES.rank(held) if held else 0) - len(trivial),
-        (RESIDUES.rank(locked) if locked else 0) - len(trivial),
+        (field.rank(held) if held else 0) - len(trivial),
+        (field.rank(locked) if locked else 0) - len(trivial),
         tuple(dimensions),
     )
 
@@ -142,7 +150,7 @@ def paths(family: Family, names: Sequence[str], seed: object = 0) -> Iterator[Pa
     """Paths of members, each moving one name on which these names depend, all in turn."""
     needed = upstream(family, names)
     moving = [n for n in family.moving if n in needed]
-    for n in range(_MOST_PATHS):
+    for n in range(max(_MOST_PATHS, len(moving))):
         if moving:
             yield family.path((seed, n), moving[n % len(moving)])
 
@@ -157,9 +165,16 @@ def upstream(family: Family, names: Sequence[str]) -> set[str]:
 
 
 def tell_apart(
-    family: Family, limbs: Sequence[LimbText], structure: Equivalent, superbracket: Expr, factors: Sequence[Expr]
+    family: Family,
+    limbs: Sequence[LimbText],
+    structure: Equivalent,
+    superbracket: Expr,
+    factors: Sequence[Expr],
+    several: Collection[Expr] = (),
 ) -> tuple[tuple[Part, ...], Told]:
-    """The kind of each factor, and how many singular members were met."""
+    """The kind of each factor, and how many singular members were met. `several` are factors that are known to vanish
+    for more than one reason: because of them all paths are searched.
+    """
     parts: dict[Expr, Part] = {}
     for e in factors:
         reason = never(family, limbs, structure, e)
@@ -174,16 +189,26 @@ def tell_apart(
         polynomial = interpolated(lambda t, path=path: value(path.member(t)))  # type: ignore[misc]
         for t in roots(polynomial or []):
             _vote(family, limbs, structure, path.member(t), generic, told)
-        if told.votes and all(sum(v.values()) >= _ENOUGH for v in told.votes.values()):
+        if told.votes and not several and all(map(_enough, told.votes.values())):
             break
     for e in open_factors:
         votes = told.best(e)
-        parts[e] = Part(e, _kind(votes), sum(votes.values()))
+        kind = _kind(votes)
+        parts[e] = Part(e, kind, sum(votes.values()), chosen=0 if kind in ASIDE else votes["choice"])
     return tuple(parts[e] for e in dict.fromkeys(factors)), told
 
 
+def _enough(votes: Counter[str]) -> bool:
+    return votes["actuation"] + votes["constraint"] >= _ENOUGH
+
+
 def not_told(
-    family: Family, limbs: Sequence[LimbText], structure: Equivalent, superbracket: Expr, factors: Sequence[Expr]
+    family: Family,
+    limbs: Sequence[LimbText],
+    structure: Equivalent,
+    superbracket: Expr,
+    factors: Sequence[Expr],
+    several: Collection[Expr] = (),
 ) -> tuple[tuple[Part, ...], Told]:
     """The factors of a robot that is given by lines: whose wrenches they are is not known."""
     reason = "the robot is given by its lines: actuation and constraint are not told apart"
@@ -205,6 +230,8 @@ def _vote(
     if here.limbs != generic.limbs:
         kind = "limb"
     elif here.wrenches == generic.wrenches:
+        if _imaginary(limbs, structure, values):
+            return
         kind = "choice"
     else:
         kind = "constraint" if here.constraints < generic.constraints else "actuation"
@@ -214,6 +241,13 @@ def _vote(
         counted = told.votes if len(zero) == 1 else told.shared
     for e in zero:
         counted[e][kind] += 1
+
+
+def _imaginary(limbs: Sequence[LimbText], structure: Equivalent, values: Values) -> bool:
+    """Whether a direction has length zero, as residues may have and real directions have not."""
+    vectors = [combined(t, values, RESIDUES) for limb in limbs for j in limb.joints for t in j.directions]
+    vectors += structure.derived_at(values).values()
+    return any(RESIDUES.dot(v, v) == 0 for v in vectors)
 
 
 def _kind(votes: Counter[str]) -> str:

@@ -11,9 +11,10 @@ from gcrules.algebra.text import text
 from gcrules.robots.parts import KINDS, Part
 from gcrules.robots.robot_analysis import RobotAnalysis
 from gcrules.robots.serial import LimbSingularity
+from gcrules.robots.subsets import CommonFactor, Subset
 from gcrules.robots.wrenches import LimbWrenches, Line
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["as_latex", "as_text", "sections"]
 
 _WIDTH = 100
 
@@ -21,16 +22,20 @@ _WIDTH = 100
 def as_text(a: RobotAnalysis, *, unicode: bool = False) -> str:
     """Limbs, equivalent lines, condition, factors, singularities of limbs, certificate."""
     out = [*_wrapped(a.statement), "", *_head(a)]
-    for number, (title, lines) in enumerate(_sections(a, unicode), 1):
+    for number, (title, lines) in enumerate(sections(a, unicode), 1):
         out += ["", f"{number}. {title}"]
         for line in lines:
             out += _wrapped(line, 3)
     return "\n".join(out)
 
 
-def _sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]:
+def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]:
+    """The stages of an analysis: titles, and lines of text."""
     if a.structure.limbs:
         yield "Limbs: wrenches with the actuators locked", [_limb(limb) for limb in a.structure.limbs]
+    if a.structure.limbs and any(limb.lines is None for limb in a.structure.limbs):
+        none = ["not known: the file has no home configuration"]
+        yield "Wrenches that are no such lines, at home", [str(one) for one in a.wrenches] or none
     if a.structure.lines is not None:
         yield "Equivalent structure", [_structure(a)]
     if a.condition is not None and a.lines is not None:
@@ -42,12 +47,47 @@ def _sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]
             left = ", ".join(text(e, unicode=unicode, names=names) for e in a.cofactors)
             factors.append(f"{left}: cofactor; where it vanishes so does the expression, singular or not")
         yield "Its factors for this robot", factors
+    if a.structure.over and a.lines is not None and a.structure.limbs:
+        title = f"All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines"
+        too_high = ["not compared: their superbrackets have a degree above 63 in the parameters of the family"]
+        yield title, _common(a.common, a.lines.structure.names, unicode) if a.common else too_high
     if a.structure.limbs:
         yield "Singularities of the limbs by themselves (of codimension one)", [_serial(one) for one in a.limbs]
     sure = [a.certificate]
     if a.published is not None:
         sure.append(f"published condition {a.published.condition}: {a.published.verdict}, {a.published.detail}")
     yield "Certificate", sure
+
+
+_NUMBERS = ("six", "three")
+_SHOWN = 6  # cofactors that are shown in words
+
+
+def _common(c: CommonFactor, names: tuple[str, ...], unicode: bool) -> list[str]:
+    """What the subsets of an over-constrained robot's lines have in common, and the cofactors."""
+    count = "one of them is" if c.independent == 1 else f"{c.independent} of them are"
+    out = [
+        f"the limbs have {c.lines} different lines, with {c.subsets} such subset{'s' * (c.subsets > 1)}, and {count}"
+        " not zero in the whole family; the condition is the common factor of their superbrackets"
+    ]
+    for one in c.listed[:_SHOWN] if c.independent > 1 else ():
+        out.append(f"with the constraints {_lines(one)}: {_cofactor(one, names, unicode)}")
+    if c.independent > _SHOWN:
+        out.append(f"and {c.independent - _SHOWN} more, which --json lists")
+    if c.independent > 1:
+        out.append(f"with the constraints that were chosen, {_lines(c.chosen)}: {_cofactor(c.chosen, names, unicode)}")
+    return out
+
+
+def _lines(one: Subset) -> str:
+    return " ".join("".join(ends) for ends in one.lines)
+
+
+def _cofactor(one: Subset, names: tuple[str, ...], unicode: bool) -> str:
+    if not one.degree:
+        return "no cofactor"
+    shown = f" {text(one.cofactor, unicode=unicode, names=names)}" if one.cofactor else ""
+    return f"cofactor{shown}" + (f", zero where {one.statement}" if one.statement else "")
 
 
 def _serial(one: LimbSingularity) -> str:
@@ -92,13 +132,16 @@ def _structure(a: RobotAnalysis) -> str:
 
 def _part(part: Part, names: tuple[str, ...], unicode: bool) -> str:
     shown = text(part.expression, unicode=unicode, names=names)
+    if part.same is not None:
+        return f"{shown}: {part.kind}, implies that {text(part.same, unicode=unicode, names=names)} is zero"
     if part.reason and part.kind != "never":
         return f"{shown}: zero where {part.statement}; {part.reason}" if part.statement else f"{shown}: {part.reason}"
     if part.kind == "never":
         return f"{shown}: never for this robot, {part.reason}"
     said = f" zero where {part.statement}" if part.statement else ""
-    seen = f" (seen at {part.members} exact members)" if part.members else ""
-    return f"{shown}: {part.kind},{said or ' ' + KINDS[part.kind]}{seen}"
+    seen = f" (seen at {part.members - part.chosen} exact members)" if part.members else ""
+    chosen = f"; at {part.chosen} others only the chosen lines depend on each other" if part.chosen else ""
+    return f"{shown}: {part.kind},{said or ' ' + KINDS[part.kind]}{seen}{chosen}"
 
 
 def _wrapped(words: str, indent: int = 0) -> list[str]:
@@ -128,15 +171,23 @@ def as_latex(a: RobotAnalysis) -> str:
     ]
     if a.structure.limbs:
         out += [r"\subsection*{Limbs}", *(rf"{words(_limb(limb))}\par" for limb in a.structure.limbs)]
+    if a.wrenches:
+        out += [r"\subsection*{Wrenches that are no such lines, at home}"]
+        out += [rf"{words(str(one))}\par" for one in a.wrenches]
     if a.condition is not None and a.lines is not None:
         left = ex.mul(a.condition.cofactor, a.lines.structure.superbracket)
         out += [r"\subsection*{Condition of the lines}", _display(left, a.condition.right_side)]
         out += [r"\subsection*{Factors}"]
         out += [f"{_display(None, p.expression)}\n{words(_told(p))}" for p in a.parts]
+    if a.common is not None and a.lines is not None:
+        out += [rf"\subsection*{{All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines}}"]
+        out += [rf"{words(line)}\par" for line in _common(a.common, a.lines.structure.names, True)]
     return "\n".join([*out, r"\subsection*{Certificate}", words(a.certificate), r"\end{document}"])
 
 
 def _told(part: Part) -> str:
+    if part.same is not None:
+        return f"{part.kind}; implies that {text(part.same, unicode=True)} is zero"
     said = f"zero where {part.statement}" if part.statement else KINDS[part.kind]
     return f"{part.kind}; {part.reason or said}"
 

@@ -16,14 +16,18 @@ from gcrules.condition import Condition
 from gcrules.errors import EngineFault
 from gcrules.robots.conditions import condition_of_lines, factors_at
 from gcrules.robots.equivalent import FRAME, Equivalent, equivalent
-from gcrules.robots.parts import Part, at_member, not_told, ranks, tell_apart
+from gcrules.robots.home import HomeWrench, home_wrenches
+from gcrules.robots.overlaps import of_several_kinds, without_repetition
+from gcrules.robots.parts import ASIDE, Part, at_member, not_told, ranks, tell_apart
 from gcrules.robots.published import MEMBERS, Published, published
 from gcrules.robots.relations import AXES
 from gcrules.robots.robot_text import RobotText
 from gcrules.robots.serial import LimbSingularity, limb_singularities
+from gcrules.robots.subsets import CommonFactor, common_factor, sees_constraints
 from gcrules.robots.words import Words
 from gcrules.robots.wrenches import Line
 from gcrules.rules.factorization import SECONDS
+from gcrules.rules.listing import listed
 
 __all__ = ["RobotAnalysis", "analyze_robot"]
 
@@ -34,7 +38,9 @@ class RobotAnalysis:
 
     `lines` is the analysis of the equivalent structure's lines, None where limbs apply wrenches that are no lines of
     the robot's points; `condition` that of its readings that is used, an identity for these lines; `parts` its factors
-    told apart, `limbs` the singularities of limbs by themselves. `members` exact random members were checked.
+    told apart, `limbs` the singularities of limbs by themselves. `members` exact random members were checked. `common`
+    is what the six-subsets of an over-constrained robot's lines have in common, `wrenches` are those at home of limbs
+    that have no lines.
     """
 
     robot: RobotText
@@ -49,6 +55,8 @@ class RobotAnalysis:
     members: int = 0
     met: int = 0
     published: Published | None = None
+    common: CommonFactor | None = None
+    wrenches: tuple[HomeWrench, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """The object of `gcrules analyze` for the equivalent lines, with what is known of the robot."""
@@ -71,11 +79,15 @@ class RobotAnalysis:
                     "statement": p.statement,
                     "members": p.members,
                     "reason": p.reason,
+                    "chosen": p.chosen,
+                    "same": None if p.same is None else text(p.same, names=names),
                 }
                 for p in self.parts
             ],
             "limb_singularities": [s.to_json() for s in self.limbs],
             "cofactors": [text(e, names=names) for e in self.cofactors],
+            "common_factor": None if self.common is None else self.common.to_json(names),
+            "home_wrenches": [one.to_json() for one in self.wrenches],
             "statement": self.statement,
             "robot_certificate": {"detail": self.certificate, "members": self.members, "singular_members": self.met},
             "published": None if self.published is None else vars(self.published).copy(),
@@ -108,14 +120,19 @@ def analyze_robot(robot: RobotText, *, search: float = SECONDS) -> RobotAnalysis
     structure = equivalent(robot.family, robot.limbs) if robot.limbs else _given_lines(robot)
     if structure.lines is None:
         return _without_lines(robot, structure)
+    if structure.over and not sees_constraints(robot.family, structure):
+        structure = equivalent(robot.family, robot.limbs, frame=False)
     found, condition = condition_of_lines(robot, structure, search)
     family = robot.family
     cofactors, factors = factors_at(robot, structure, condition)
     tell = tell_apart if robot.limbs else not_told
-    parts, told = tell(family, robot.limbs, structure, found.structure.superbracket, factors)
+    several = of_several_kinds(family, structure, factors) if robot.limbs else frozenset()
+    parts, told = tell(family, robot.limbs, structure, found.structure.superbracket, factors, several)
     base = tuple(p for limb in robot.limbs for p in limb.joints[0].points if p not in robot.platform)
-    words = Words(family, structure.lines, robot.platform, base, frozenset(structure.ideal) | frozenset(AXES))
+    words = Words(family, structure.lines or (), robot.platform, base, frozenset(structure.ideal) | frozenset(AXES))
     parts = tuple(replace(p, statement=words.clause(p.expression) or "") for p in parts)
+    parts = without_repetition(family, structure, parts)
+    common = common_factor(family, structure, found.structure.superbracket, cofactors, parts, words)
     serial = limb_singularities(family, robot.limbs)
     members = _check(robot, structure, found, cofactors, factors)
     return RobotAnalysis(
@@ -125,12 +142,13 @@ def analyze_robot(robot: RobotText, *, search: float = SECONDS) -> RobotAnalysis
         condition,
         parts,
         serial,
-        _statement(structure, condition, cofactors, parts, serial),
+        _with_derived(_statement(structure, condition, cofactors, parts, serial), structure),
         _certificate(robot, condition, members, told.met),
         cofactors,
         members,
         told.met,
         published(robot, structure, found) if robot.condition else None,
+        common,
     )
 
 
@@ -195,19 +213,39 @@ def _statement(
     parts: Sequence[Part],
     serial: Sequence[LimbSingularity],
 ) -> str:
-    outside = "Outside the singularities of its limbs, the" if _some(serial) else "The"
+    aside = ["Outside the singularities of its limbs"] * _some(serial)
+    if any(p.chosen for p in parts):
+        aside.append("where the lines that were chosen for a limb do not depend on each other")
+    outside = f"{_upper(' and '.join(aside))}, the" if aside else "The"
     also = ""
     if any(line.limb == FRAME for line in structure.lines or ()):
-        also = " It is singular too where the constraints of all limbs together lose rank."
-    live = [p for p in parts if p.kind not in ("never", "choice", "limb")]
-    if live and all(p.statement for p in live) and not cofactors:
+        also = (
+            " It is singular too where the constraints of all limbs together lose rank, which takes two conditions or"
+            " more."
+        )
+    live = [p for p in parts if p.kind not in ASIDE and p.same is None]
+    if live and not cofactors and (any(p.statement for p in live) or any(p.kind in ASIDE for p in parts)):
         mark = len({p.kind for p in live}) > 1 or live[0].kind == "constraint"
-        said = [p.statement + _MARKS[p.kind] if mark else p.statement for p in live]
+        words = [p.statement or f"{text(p.expression, unicode=True)} = 0" for p in live]
+        said = [w + _MARKS[p.kind] if mark else w for w, p in zip(words, live, strict=True)]
         return f"{outside} robot is singular exactly when {', or '.join(said)}.{also}"
     if not live:
         return "No singular member of the family was found outside the singularities of its limbs."
-    first = condition.statement + also
-    return first if outside == "The" else f"Outside the singularities of its limbs: {first}"
+    first = condition.statement.replace("Without the legs", "Without the wrenches along").replace(
+        "the legs", "the lines"
+    )
+    first += also
+    return first if outside == "The" else f"{outside.removesuffix(', the')}: {first}"
+
+
+def _with_derived(statement: str, structure: Equivalent) -> str:
+    """The statement, and what the derived directions are that it names."""
+    named = [f"{n} is the direction {what}" for n, what in structure.named if n in statement]
+    return f"{statement} Here {listed(named)}." if named else statement
+
+
+def _upper(words: str) -> str:
+    return words[:1].upper() + words[1:]
 
 
 def _certificate(robot: RobotText, condition: Condition, members: int, met: int) -> str:
@@ -222,10 +260,13 @@ def _certificate(robot: RobotText, condition: Condition, members: int, met: int)
 
 def _without_lines(robot: RobotText, structure: Equivalent) -> RobotAnalysis:
     """Where wrenches of a limb are no lines through the robot's points."""
-    no = [limb for limb in structure.limbs if limb.lines is None]
-    if no:
-        which = "; ".join(f"{limb.limb.name} applies a system of the kind {limb.kind!r}" for limb in no)
-        why = f"its wrenches are not spanned by lines through the robot's points: {which}"
+    kinds: dict[str, list[str]] = {}
+    for limb in structure.limbs:
+        if limb.lines is None:
+            kinds.setdefault(limb.kind, []).append(limb.limb.name)
+    if kinds:
+        which = "; ".join(f"{listed(names)} ({kind})" for kind, names in kinds.items())
+        why = f"no lines through the robot's points span the wrenches of {which}"
     else:
         why = f"its wrenches have rank {structure.rank} in every configuration"
     return RobotAnalysis(
@@ -237,4 +278,5 @@ def _without_lines(robot: RobotText, structure: Equivalent) -> RobotAnalysis:
         limb_singularities(robot.family, robot.limbs),
         f"No condition in points is given for this robot: {why}. Its Jacobian can be computed in any configuration.",
         "the ranks hold at exact random members",
+        wrenches=home_wrenches(robot, structure),
     )

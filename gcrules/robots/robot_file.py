@@ -23,13 +23,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from itertools import pairwise
 from os import PathLike
 from pathlib import Path
 
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.robots.checks import check_family, check_home, check_limbs
-from gcrules.robots.family import Definition, Family, in_order
+from gcrules.robots.family import Definition, Family, circles, in_order
 from gcrules.robots.file_parts import MAX_TEXT, numbered, read_facts, read_home, read_lines, read_platform
 from gcrules.robots.limbs import LimbText, read_joints
 from gcrules.robots.relations import AXES, RELATIONS, relation
@@ -165,11 +166,17 @@ class _Reader:
         good = [d for d in definitions if self._sound(d, sorts)]
 
         def cyclic(names: tuple[str, ...]) -> None:
-            known = {d.name for d in good}
-            for name in names:
-                used = {u for d in good if d.name == name for u in d.relation.names}
-                if used <= known | set(AXES):
-                    self.places[name].fault(f"{name} is defined by itself, in a circle: {', '.join(names[:6])}")
+            needs = {d.name: [n for n in d.relation.names if n in names] for d in good if d.name in names}
+            told: list[Node] = []
+            for circle in circles(needs):
+                place = self.places[circle[0]]
+                if place not in told:  # copies stand at one place
+                    chain = ", ".join(f"{a} needs {b}" for a, b in pairwise((*circle, circle[0])))
+                    place.fault(
+                        f"{circle[0]} is defined by itself, in a circle: {chain}",
+                        "let each relation use only names that can be made before it",
+                    )
+                told += [self.places[n] for n in circle]
 
         if len(good) < len(definitions):
             return Family(tuple(good), plane)

@@ -5,12 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
+from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.robots.family import Definition, Family
 from gcrules.robots.limbs import LimbText
+from gcrules.robots.relations import AXES
+from gcrules.screws import RATIONALS, Limb
 
 __all__ = ["Fact", "RobotText"]
+
+_TOLERANCE = Fraction(1, 10**6)
 
 Vector = tuple[Fraction, Fraction, Fraction]
 
@@ -61,3 +67,41 @@ class RobotText:
         for limb in self.limbs:
             counts[limb.chain] = counts.get(limb.chain, 0) + 1
         return " + ".join(f"{n}-{chain}" if n > 1 else chain for chain, n in counts.items())
+
+    def values_at(self, coordinates: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """Coordinates of all points and directions, as fractions: those given (at home if None), and from them those
+        that the relations determine. Whether the relations hold is not looked at.
+
+        Raises InputError, naming what has no coordinates.
+        """
+        given = (self.home or {}) if coordinates is None else coordinates
+        where = "home" if coordinates is None else "the configuration"
+        values: dict[str, Any] = {n: RATIONALS.vector(axis) for n, axis in AXES.items()}
+        for d in self.family.definitions:
+            own = given.get(d.name)
+            if own is None and d.parameters:
+                raise InputError(f"{where} gives no coordinates for {d.name}, which the relations leave free")
+            made = d.relation.value(d.sort, RATIONALS, values, ()) if own is None else own
+            values[d.name] = RATIONALS.vector([Fraction(c) if isinstance(c, float) else c for c in made])
+        return values
+
+    def limbs_at(self, coordinates: Mapping[str, Any] | None = None) -> tuple[Limb, ...]:
+        """The limbs in any configuration, as values of `gcrules.screws`: their Jacobian is `screws.jacobian(limbs)`.
+
+        `coordinates` holds three numbers for each point and direction that the relations leave free (those at home if
+        None). Raises InputError for coordinates that are missing or that violate a relation by more than 1e-6.
+        """
+        values = self.values_at(coordinates)
+        for d in self.family.definitions:
+            if self.violates(d, values):
+                raise InputError(
+                    f"the coordinates of {d.name} violate its relation: {d.text}",
+                    hint="leave out what the relations determine, or change its coordinates",
+                )
+        return tuple(limb.at(values, RATIONALS) for limb in self.limbs)
+
+    def violates(self, d: Definition, values: Mapping[str, Any]) -> bool:
+        """Whether values violate the relation of a name by more than 1e-6 of their size."""
+        size = max((abs(c) for v in values.values() for c in v), default=Fraction(1)) or Fraction(1)
+        limit = _TOLERANCE * size**3
+        return any(abs(r) > limit for r in d.relation.residual(d.sort, RATIONALS, values, values[d.name]))

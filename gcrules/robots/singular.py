@@ -14,21 +14,21 @@ from collections.abc import Callable, Sequence
 
 from gcrules.algebra.evaluate import PRIME
 
-__all__ = ["PRIME", "interpolated", "roots"]
+__all__ = ["PRIME", "Poly", "at", "divided", "gcd", "interpolated", "radical", "roots"]
 
-_DEGREES = (3, 7, 15, 31)
+_DEGREES = (3, 7, 15, 31, 63)
 _CHECKS = (1_000_003, 2_000_029)
 
 Poly = list[int]  # coefficients of 1, t, t² …; the last is not zero
 
 
 def interpolated(value: Callable[[int], int]) -> Poly | None:
-    """The polynomial that takes these values modulo the prime (degree 31 at most, else None); checked at two points."""
+    """The polynomial that takes these values modulo the prime (degree 63 at most, else None); checked at two points."""
     known: list[int] = []
     for degree in _DEGREES:
         known += [value(t) % PRIME for t in range(len(known), degree + 1)]
         found = _newton(known)
-        if all(_at(found, t) == value(t) % PRIME for t in _CHECKS):
+        if all(at(found, t) == value(t) % PRIME for t in _CHECKS):
             return found
     return None
 
@@ -50,7 +50,8 @@ def _newton(values: Sequence[int]) -> Poly:
     return _trimmed(found)
 
 
-def _at(f: Poly, t: int) -> int:
+def at(f: Poly, t: int) -> int:
+    """The value at t."""
     value = 0
     for c in reversed(f):
         value = (value * t + c) % PRIME
@@ -62,7 +63,7 @@ def roots(f: Poly) -> tuple[int, ...]:
     f = _trimmed([c % PRIME for c in f])
     if len(f) < 2:
         return ()
-    linear = _gcd(_minus(_power([0, 1], PRIME, f), [0, 1]), f)
+    linear = gcd(_minus(_power([0, 1], PRIME, f), [0, 1]), f)
     return tuple(sorted(_split(linear, random.Random(1))))
 
 
@@ -74,9 +75,9 @@ def _split(f: Poly, rng: random.Random) -> list[int]:
         return [-f[0] * pow(f[1], -1, PRIME) % PRIME]
     while True:
         half = _minus(_power([rng.randrange(PRIME), 1], (PRIME - 1) // 2, f), [1])
-        part = _gcd(half, f)
+        part = gcd(half, f)
         if 1 < len(part) < len(f):
-            return _split(part, rng) + _split(_divided(f, part)[0], rng)
+            return _split(part, rng) + _split(divided(f, part)[0], rng)
 
 
 def _trimmed(f: Poly) -> Poly:
@@ -100,8 +101,8 @@ def _times(f: Poly, g: Poly) -> Poly:
     return _trimmed(found)
 
 
-def _divided(f: Poly, g: Poly) -> tuple[Poly, Poly]:
-    """Quotient and remainder."""
+def divided(f: Poly, g: Poly) -> tuple[Poly, Poly]:
+    """Quotient and remainder modulo the prime."""
     rest, lead = list(f), pow(g[-1], -1, PRIME)
     quotient = [0] * max(len(f) - len(g) + 1, 0)
     for k in range(len(quotient) - 1, -1, -1):
@@ -112,17 +113,31 @@ def _divided(f: Poly, g: Poly) -> tuple[Poly, Poly]:
     return _trimmed(quotient), _trimmed(rest)
 
 
-def _gcd(f: Poly, g: Poly) -> Poly:
+def gcd(f: Poly, g: Poly) -> Poly:
+    """A greatest common divisor modulo the prime, up to a number."""
     while g:
-        f, g = g, _divided(f, g)[1]
+        f, g = g, divided(f, g)[1]
     return f
 
 
+def radical(f: Poly) -> Poly:
+    """The polynomial with the same zeros, each of them once, and leading coefficient 1.
+
+    >>> radical([0, 0, 2])  # 2 t²
+    [0, 1]
+    """
+    if len(f) < 2:
+        return [1] if f else []
+    found = divided(f, gcd(f, _trimmed([n * c % PRIME for n, c in enumerate(f)][1:])))[0]
+    lead = pow(found[-1], -1, PRIME)
+    return [c * lead % PRIME for c in found]
+
+
 def _power(base: Poly, exponent: int, modulus: Poly) -> Poly:
-    found, base = [1], _divided(base, modulus)[1]
+    found, base = [1], divided(base, modulus)[1]
     while exponent:
         if exponent & 1:
-            found = _divided(_times(found, base), modulus)[1]
-        base = _divided(_times(base, base), modulus)[1]
+            found = divided(_times(found, base), modulus)[1]
+        base = divided(_times(base, base), modulus)[1]
         exponent >>= 1
     return found

@@ -48,6 +48,10 @@ class Words:
         match len(far):
             case 0 if len(names) == 3:
                 return f"the points {listed(names)} are on a line"
+            case 1 if len(names) == 3:
+                return f"the line {''.join(near)} has the direction {far[0]}"
+            case 2 if len(names) == 3:
+                return f"the directions {listed(far)} are parallel"
             case 0:
                 return self._flat(near)
             case 1 if self.family.level(near, far[0]):
@@ -98,6 +102,9 @@ class Words:
             if steps == [2, 2]:
                 return f"the lines {listed([str(a) for a in near])} meet (possibly at infinity)"
             if steps == [2, 2, 2]:
+                finite = [a for a in near if not set(points_of(a)) <= self.ideal]
+                if len(finite) == 2:
+                    return f"the lines {listed([str(a) for a in finite])} are parallel"
                 return f"the lines {listed([str(a) for a in near])} meet in a point or are parallel"
             if steps == [2, 3, 3]:
                 return self._line_and_planes(near)

@@ -6,26 +6,26 @@ then it is one of the limb's wrenches on all members (error below 1e-15 for each
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations, count
+from itertools import combinations
 
 from gcrules.robots.family import Family
 from gcrules.robots.limbs import LimbText
-from gcrules.robots.relations import AXES, Term, Values, combined
-from gcrules.screws import RATIONALS, RESIDUES, Limb
+from gcrules.robots.names import Key, Named, Sample, add_derived, crosswise, free_names, names_of_limb, names_of_others
+from gcrules.robots.relations import AXES, Term
+from gcrules.screws import RATIONALS, RESIDUES
 from gcrules.screws.field import Row
 from gcrules.screws.screw import join_of
 from gcrules.screws.systems import ScrewSystem
 
-__all__ = ["PLANAR", "LimbWrenches", "Line", "Sample", "limb_wrenches", "sample"]
+__all__ = ["PLANAR", "LimbWrenches", "Line", "limb_wrenches", "reciprocal_to"]
 
 PLANAR: tuple[Row, ...] = ((0, 0, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (0, 0, 0, 0, 1, 0))
 """Wrenches that keep a body in the plane z = 0: every planar robot has them."""
 
-_SEEDS = (1, 2, 3)
+_REAL_SEEDS = range(8)
 _MOST = 11  # candidates among which a basis is chosen
-_COST = {"own": 0, "direction": 1, "axis": 2, "derived": 3, "other": 5, "other direction": 6}
 
 
 @dataclass(frozen=True)
@@ -48,20 +48,11 @@ class Line:
         return {"line": list(self.ends), "kind": "couple" if self.couple else "force", "role": self.role}
 
 
-@dataclass(frozen=True, eq=False)
-class Sample:
-    """A member modulo the prime, with the limbs there and the values of derived directions added to the points."""
-
-    values: Values
-    limbs: tuple[Limb, ...]
-    points: dict[str, Row]
-
-
 @dataclass(frozen=True)
 class LimbWrenches:
     """What a limb applies with locked actuators: the dimensions of its wrench system and of its part that holds without
     actuators, the lines that span it (None where no lines of the robot's points do), and the system in words at one
-    member. `derived` are directions u × v that the lines use: (name, u, v).
+    member. `derived` are directions u × v that the lines use: (name, u, v); u and v may be derived ones before it.
     """
 
     limb: LimbText
@@ -82,33 +73,6 @@ class LimbWrenches:
             "system": self.kind,
             "wrenches": None if self.lines is None else [line.to_json() for line in self.lines],
         }
-
-
-def sample(family: Family, limbs: Sequence[LimbText], values: Values) -> Sample:
-    """The limbs at a member, modulo the prime."""
-    return Sample(values, tuple(limb.at(values, RESIDUES) for limb in limbs), family.homogeneous(values))
-
-
-def samples(family: Family, limbs: Sequence[LimbText]) -> tuple[Sample, ...]:
-    """The members on which lines are tested."""
-    return tuple(sample(family, limbs, family.member(seed)) for seed in _SEEDS)
-
-
-Key = tuple[Row, ...]
-
-
-def key(rows: Iterable[Row]) -> Key:
-    """A direction at all members, the same for all multiples of it."""
-    return tuple(RESIDUES.simplest(row) for row in rows)
-
-
-def directions(family: Family, at: Sequence[Sample]) -> Mapping[Key, str]:
-    """One name for each direction: an axis of the frame, else the first that is parallel to it in the whole family."""
-    found: dict[Key, str] = {}
-    for name, sort in family.sorts.items():
-        if sort == "direction":
-            found.setdefault(key(s.values[name] for s in at), name)
-    return found
 
 
 def reciprocal_to(twists: Iterable[Row], wrench: Row) -> bool:
@@ -135,18 +99,16 @@ def limb_wrenches(
     constraint = ScrewSystem.span(all_twists[0], RESIDUES).reciprocal()
     trivial = PLANAR if family.plane else ()
     wanted = system.dimension - len(trivial)
-    own = _names(family, limb, at, one)
-    derived = {n: pair for n, _, pair in own if pair}
-    for name, pair in derived.items():
-        for s in at:
-            u, v = (combined(t, s.values, RESIDUES) for t in pair)
-            s.points[name] = (*RESIDUES.cross(u, v), 0)
     held = constraint.dimension - len(trivial)
+    own = names_of_limb(family, limb, at, one)
+    derived = {n: pair for n, _, pair in own if pair}
+    add_derived(derived, at)
+    across = crosswise(limb, derived, at, one)
+    derived |= {n: pair for n, _, pair in across if pair}
+    add_derived({n: derived[n] for n, _, _ in across}, at)
     lines: tuple[Line, ...] | None = None
-    for names in (
-        own,
-        [*own, *_others(family, own, one)],
-    ):  # points of other limbs only where those of this one do not do
+    # directions u × (u × v), and then points of other limbs, only where the limb's own points and directions do not do
+    for names in (own, [*own, *across], [*own, *names_of_others(family, own, one)]):
         candidates = _candidates(limb, names, at, all_twists, passive, shared)
         lines = _basis(candidates, at[0].points, wanted, held, trivial)
         if lines is not None:
@@ -154,8 +116,10 @@ def limb_wrenches(
     if lines is not None:
         short = sum(line.role == "constraint" for line in lines) < held
         lines = tuple(replace(line, role="both") if short and line.role == "actuation" else line for line in lines)
-    used = [n for n in derived if any(n in line.ends for line in lines or ())]
-    new = dict(zip(used, _free_names(family, place), strict=False))
+    ends_used = {n for line in lines or () for n in line.ends}
+    ends_used |= {n for name in ends_used & derived.keys() for t in derived[name] for _, n in t}
+    used = [n for n in derived if n in ends_used]
+    new = dict(zip(used, free_names(family, place), strict=False))
     for s in at:
         s.points.update({new[n]: s.points[n] for n in used})
     if lines is not None:
@@ -168,28 +132,40 @@ def limb_wrenches(
         limb.freedoms,
         6 - constraint.dimension,
         lines,
-        system.classify().kind if lines is not None else _real_kind(family, limb),
-        tuple((new[n], *derived[n]) for n in used),
+        _kind(system, family) if lines is not None else _real_kind(family, limb),
+        tuple((new[n], _renamed(derived[n][0], new), _renamed(derived[n][1], new)) for n in used),
     )
 
 
+PLANE: tuple[Row, ...] = ((1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0), (0, 0, 0, 0, 0, 1))
+"""Forces in the plane z = 0 and the couple normal to it: what acts on a planar robot."""
+
+
+def _kind(system: ScrewSystem, family: Family) -> str:
+    """Of a planar robot only the part in the plane counts."""
+    part = system & ScrewSystem.span(PLANE, system.field) if family.plane else system
+    return part.classify().kind
+
+
 def _real_kind(family: Family, limb: LimbText) -> str:
-    """The kind of the system at a rational member: residues have square roots that rational numbers have not."""
-    found = limb.at(family.member(_SEEDS[0], RATIONALS), RATIONALS)
-    held = found.constraint_system(RATIONALS)
-    kind = f"{found.locked_system(RATIONALS).dimension}-system of screws"
+    """The kind of the system at rational members: residues have square roots that rational numbers have not. Where
+    members differ, only its dimension is said.
+    """
+    found = [limb.at(family.member(seed, RATIONALS), RATIONALS) for seed in _REAL_SEEDS]
+    kinds = {_kind(one.locked_system(RATIONALS), family) for one in found}
+    kind = kinds.pop() if len(kinds) == 1 else f"{found[0].locked_system(RATIONALS).dimension}-system of screws"
+    held = found[0].constraint_system(RATIONALS)
     if held.dimension == 1 and held.classify().kind not in ("force", "couple"):
         return f"{kind}, its constraint a screw of finite pitch"
     return kind
 
 
-_Named = tuple[str, float, tuple[Term, Term] | None]
 _Costly = tuple[float, Line]
 
 
 def _candidates(
     limb: LimbText,
-    names: Sequence[_Named],
+    names: Sequence[Named],
     at: Sequence[Sample],
     twists: Sequence[Sequence[Row]],
     passive: Sequence[Sequence[Row]],
@@ -217,45 +193,8 @@ def _bundles_along_axes(found: list[_Costly], points: Mapping[str, Row]) -> list
     return [(c, line) for c, line in found if not (full & set(line.ends) and far & set(line.ends))]
 
 
-def _names(family: Family, limb: LimbText, at: Sequence[Sample], one: Mapping[Key, str]) -> list[_Named]:
-    """Points and directions of the limb, each with a cost; derived directions with their two factors."""
-    own = dict.fromkeys((*(p for j in limb.joints for p in j.points), *limb.through))
-    terms = list(dict.fromkeys(d for j in limb.joints for d in j.directions))
-    own.update(dict.fromkeys(n for term in terms if len(term) > 1 for _, n in reversed(term)))
-    single = [term[0][1] for term in terms if len(term) == 1 and term[0][0] == 1]
-    own_directions = dict.fromkeys(one[key(s.values[n] for s in at)] for n in single)
-    found: list[_Named] = [(n, _COST["own"], None) for n in own]
-    found += [(n, _COST["direction"], None) for n in own_directions]
-    if family.plane:
-        return [n for n in found if n[0] != "z"]
-    found += [(n, _COST["axis"], None) for n in AXES if n not in own_directions]
-    for letter, pair in zip(_temporary(), combinations(terms, 2), strict=False):
-        rows = [RESIDUES.cross(*(combined(t, s.values, RESIDUES) for t in pair)) for s in at]
-        if all(map(any, rows)) and key(rows) not in one:
-            found.append((letter, _COST["derived"], pair))
-    return found
-
-
-def _others(family: Family, own: Sequence[_Named], one: Mapping[Key, str]) -> list[_Named]:
-    """Points and directions of the rest of the robot."""
-    known = {n for n, _, _ in own} | ({"z"} if family.plane else set())
-    names = {n for n, sort in family.sorts.items() if sort == "point"} | set(one.values())
-    rest = [(n, sort) for n, sort in family.sorts.items() if n in names - known]
-    return [(n, _COST["other" if sort == "point" else "other direction"], None) for n, sort in rest]
-
-
-def _temporary() -> Iterator[str]:
-    """Names that no point bears."""
-    return (f":{n}" for n in count())
-
-
-def _free_names(family: Family, place: int) -> Iterator[str]:
-    """n1, n1', n1'' … for the first limb, as far as they are free."""
-    name = f"n{place + 1}"
-    while True:
-        if name not in family.sorts:
-            yield name
-        name += "'"
+def _renamed(term: Term, new: Mapping[str, str]) -> Term:
+    return tuple((c, new.get(n, n)) for c, n in term)
 
 
 def _basis(
