@@ -62,6 +62,18 @@ docs: $(READY) ## write the generated pages of docs/, check every link, build th
 	@$(build-site)
 	@echo "The guide is in $(CURDIR)/$(SITE)/index.html"
 
+.PHONY: studio
+studio: studio-ui/node_modules/.package-lock.json ## build the studio's page from studio-ui/ into gcrules/studio/static (needs Node)
+	cd studio-ui && npm run --silent build
+
+.PHONY: studio-check
+studio-check: studio-ui/node_modules/.package-lock.json ## check its types and that the committed page is the one its sources give
+	cd studio-ui && npm run --silent check
+
+studio-ui/node_modules/.package-lock.json: studio-ui/package-lock.json
+	@command -v npm > /dev/null || { echo "make: building the page needs Node 20 or later with npm." >&2; exit 1; }
+	cd studio-ui && npm ci --ignore-scripts --no-fund --no-audit --loglevel=error
+
 .PHONY: bench
 bench: $(BENCH_READY) ## run the benchmarks beside naive forms and peers, in an environment of their own
 	$(BENCH_VENV)/bin/python -m pytest benchmarks
@@ -72,7 +84,7 @@ bench-curve: $(BENCH_READY) ## measure normal forms and factoring again, and red
 
 .PHONY: clean
 clean: ## remove the environments and everything generated
-	rm -rf $(VENV) $(BENCH_VENV) build dist .coverage .coverage.* .benchmarks .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) $(BENCH_VENV) studio-ui/node_modules build dist .coverage .coverage.* .benchmarks .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(READY): pyproject.toml

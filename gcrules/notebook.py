@@ -19,8 +19,8 @@ __all__ = ["view"]
 def view(robot: Platform | Analysis | RobotText | RobotAnalysis | str, *, pose: Any = None) -> RobotWidget:
     """A widget that shows a robot in 3D and moves its platform, for Jupyter and other notebooks.
 
-    `robot` is a platform (`load_platform`), an analysis, legs as text, or a robot described by its joints, which is
-    shown at home. `pose` is where the platform begins: text as for `gcrules pose`, a `Pose`, or a mapping with
+    `robot` is a platform (`load_platform`), an analysis, legs as text, or a robot described by its joints, which stays
+    at home unless it is a platform on six legs. `pose` is where the platform begins: text as for `gcrules pose`, a `Pose`, or a mapping with
     `translation` and `quaternion`; turns are about the centroid of the platform's joints. The widget's traits `pose`,
     `closeness` and `verdict` follow the platform, and setting `pose` moves it; `numbers()` is the full report there.
 

@@ -53,7 +53,7 @@ def check_page(page: str) -> None:
 @pytest.mark.parametrize("path", EXAMPLES, ids=[p.stem for p in EXAMPLES])
 def test_reports_of_the_examples(path: Path) -> None:
     a = gc.analyze(gc.load_platform(path))
-    page = gc.report(a)
+    page = gc.report(a, interactive=False)
     check_page(page)
     assert a.pose is not None
     assert ("Singular:" in page) == (a.pose.verdict == "singular") == path.stem.endswith("-singular")
@@ -67,7 +67,7 @@ def test_there_are_examples() -> None:
 @pytest.mark.parametrize("legs", [*STRUCTURES, *(e.legs for e in load().entries)], ids=str)
 def test_reports_of_all_classes(legs: str | tuple[tuple[str, str], ...]) -> None:
     a = gc.analyze(legs)
-    page = gc.report(a)
+    page = gc.report(a, interactive=False)
     check_page(page)
     check_page(fragment(a))
     assert page.count("<svg") == 2
@@ -95,7 +95,7 @@ def test_every_formula_of_a_stage_is_true(legs: str | tuple[tuple[str, str], ...
 
 
 def test_long_names() -> None:
-    page = gc.report(LONG)
+    page = gc.report(LONG, interactive=False)
     check_page(page)
     assert "left top" in page
     assert "lefttop" not in page
@@ -106,7 +106,7 @@ def test_report_in_a_browser(run_browser: Callable[..., str], tmp_path: Path) ->
     """From file://, with formulas and figures in the document and no text outside them lost."""
     path = tmp_path / "report.html"
     a = gc.analyze(gc.load_platform(EXAMPLES[0]))
-    path.write_text(gc.report(a), encoding="utf-8")
+    path.write_text(gc.report(a, interactive=False), encoding="utf-8")
     dom = run_browser(path)
     assert a.condition.statement in dom
     assert dom.count("<math") > 10

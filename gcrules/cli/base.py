@@ -292,8 +292,6 @@ def search_option(default: float) -> Callable[[_Command], _Command]:
 
 about_option = click.option(
     "--about",
-    default="origin",
-    show_default=True,
     metavar="CENTRE",
-    help="What the platform turns about: origin, centroid, or x,y,z.",
+    help="What the platform turns about: origin (the default of geometry files), centroid (of robots), or x,y,z.",
 )

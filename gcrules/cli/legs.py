@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -28,6 +28,11 @@ from gcrules.errors import InputError
 from gcrules.files import write_file
 from gcrules.robots.geometry import Platform, load_platform, parse_platform
 from gcrules.rules.factorization import SECONDS
+from gcrules.yamlfile import Document, near
+
+if TYPE_CHECKING:
+    from gcrules.robots.model import Robot
+    from gcrules.robots.robot_analysis import RobotAnalysis
 
 __all__ = ["analyze", "report"]
 
@@ -35,7 +40,6 @@ _order = click.option("--order", metavar="LEGS", help='Keep this order of the le
 _recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
 _search = search_option(SECONDS)
 _LEGS = "LEGS|FILE.yaml"
-_legs = click.argument("legs", nargs=-1, required=True, metavar=_LEGS)
 
 
 @click.command(cls=ExpressionCommand)
@@ -90,7 +94,7 @@ def analyze(
     """
     special = assumptions or space.rank != 4 or search != SECONDS
     if manual.wanted:
-        others = recheck or full or catalogs or figure or choice != Choice() or out.latex or special
+        others = recheck or full or catalogs or figure or choice.words or choice.without or out.latex or special
         _check_manual(legs, others, manual)
         run_manual(_platform_or_legs(legs) if legs else None, order, manual, space, out)
     if not legs:
@@ -102,7 +106,7 @@ def analyze(
 
 
 @click.command(cls=ExpressionCommand)
-@_legs
+@click.argument("legs", nargs=-1, required=True, metavar=f"{_LEGS}|ROBOT")
 @click.option("-o", "--output", "path", default="-", metavar="FILE.html", help="Write to a file.")
 @_order
 @_recheck
@@ -111,6 +115,7 @@ def analyze(
 @catalog_option
 @rules_options
 @space_options()
+@click.option("--3d/--no-3d", "interactive", default=True, help="Leave the 3D viewer out: a small file.")
 def report(
     legs: tuple[str, ...],
     path: str,
@@ -121,18 +126,45 @@ def report(
     catalogs: tuple[str, ...],
     choice: Choice,
     space: Space,
+    interactive: bool,
 ) -> None:
     """Write the analysis as a self-contained HTML page: formulas, figures, and for a geometry file the numbers.
 
     \b
     gcrules report "ab af cb cd ed ef" -o octahedron.html
-    gcrules report robot.yaml -o robot.html
+    gcrules report platform.yaml -o platform.html
+    gcrules report 3-rps -o 3-rps.html
 
-    It takes the same lines as `gcrules analyze`: with --given, --ideal and --rank too.
+    It takes the same lines as `gcrules analyze`: with --given, --ideal and --rank too; and robots that are described by
+    their joints, as `gcrules robot analyze` does: an id, or a robot file. In the page the robot is seen in 3D, and its
+    platform can be moved; the page loads nothing, and works from a file. --no-3d leaves that out.
     """
     from gcrules.render.report import report as rendered  # not needed by analyze
 
-    write_file(path, rendered(_analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)))
+    robot = _robot(legs, choice.folders)
+    if robot is None:
+        found: Analysis | RobotAnalysis = _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
+    else:
+        if order or recheck or assumptions or catalogs or choice.words or choice.without or space != Space(4, (), ()):
+            raise click.UsageError("A robot of joints takes -o, --search, --plugins and --no-3d only.")
+        with working("analysing"):
+            found = robot.analyze(search=search)
+    write_file(path, rendered(found, interactive=interactive))
+
+
+def _robot(words: tuple[str, ...], folders: tuple[str, ...]) -> Robot | None:
+    """The robot of an id or a robot file; None for legs and geometry files."""
+    from gcrules.robots.discovery import robots  # not needed by analyze
+    from gcrules.robots.model import Robot
+
+    if len(words) != 1 or words[0] == "-":
+        return None
+    (word,) = words
+    if _is_path(word):
+        keys = {key.text for key, _ in Document.load(word).root.entries()}
+        return Robot.load(word, plugins=folders) if keys & {"limbs", "lines"} and "legs" not in keys else None
+    known = {one.id for one in robots(folders)}
+    return Robot.load(word, plugins=folders) if word in known or near(word, known) else None
 
 
 @dataclass(frozen=True)

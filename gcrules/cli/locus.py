@@ -15,7 +15,7 @@ __all__ = ["locus"]
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml")
+@click.argument("file", metavar="FILE.yaml|ID")
 @click.option("--over", metavar="VARIABLES", help="The free variables: x,y,e3, or translation, rotation, all.")
 @click.option("--fix", metavar="VALUES", help='Values of variables, "x=0, e1=1/2"; without --over the others are free.')
 @click.option("--at", metavar="POSE", help="Where the variables that are neither free nor fixed come from.")
@@ -36,7 +36,7 @@ def locus(
     fix: str | None,
     at: str | None,
     rotation: str,
-    about: str,
+    about: str | None,
     export: str | None,
     limit: int,
     out: Output,
@@ -50,12 +50,12 @@ def locus(
     gcrules locus robot.yaml --rotation rodrigues --export maple -o locus.mpl
 
     The variables are x, y, z (the translation in the file's unit) and those of the rotation. "-" reads the file from
-    standard input.
+    standard input; the id of a robot with six legs, as of "gcrules robot list", does as well.
     """
     if export is not None and (out.json or out.latex):
         raise click.UsageError("--export excludes --json and --latex.")
-    platform = read_platform(file)
+    platform, centre = read_platform(file, about)
     with working("computing"):
-        found = computed(platform, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
+        found = computed(platform, over, fix=fix, at=at, rotation=rotation, about=centre, limit=limit)
         text = found.text(unicode=out.unicode) if export is None else found.written(export)
     out.show(found, text)

@@ -23,7 +23,7 @@ _BAR = 24
 
 
 @click.command("map", cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml")
+@click.argument("file", metavar="FILE.yaml|ID")
 @click.option(
     "--over",
     multiple=True,
@@ -60,7 +60,7 @@ def map_(
     file: str,
     over: tuple[str, ...],
     at: str | None,
-    about: str,
+    about: str | None,
     limits: str | None,
     threshold: str,
     measure: str,
@@ -79,14 +79,14 @@ def map_(
     The coordinates are x, y, z (translation), rx, ry, rz (rotation vector), zyx1, zyx2, zyx3 or another sequence of
     Euler angles, or azimuth, tilt, torsion; angles end with deg or rad. A long run may be interrupted: with -o the
     finished chunks are kept in a folder FILE.part, and the same command goes on from there. "-" reads the robot's
-    file from standard input.
+    file from standard input; the id of a robot with six legs, as of "gcrules robot list", does as well.
     """
-    platform = read_platform(file)
+    platform, centre = read_platform(file, about)
     check_outputs(outputs, len(read_axes(over, platform.units)))
     work = _folder(outputs)
     if work is None and restart:
         raise InputError("--restart without -o", hint="chunks are kept only where -o names a file")
-    analysis, task, limit = planned(platform, over, at, about, limits, threshold, measure)
+    analysis, task, limit = planned(platform, over, at, centre, limits, threshold, measure)
     if work is not None:
         if task.number == 1 and not os.path.isdir(work):
             work = None

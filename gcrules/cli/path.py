@@ -19,7 +19,7 @@ __all__ = ["path"]
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml")
+@click.argument("file", metavar="FILE.yaml|ID")
 @click.option("--poses", "table", metavar="POSES.csv", help="A table of poses, two or more.")
 @click.option("--at", multiple=True, metavar="POSE", help="A pose, as in gcrules pose; give two or more.")
 @about_option
@@ -34,7 +34,7 @@ def path(
     file: str,
     table: str | None,
     at: tuple[str, ...],
-    about: str,
+    about: str | None,
     samples: int,
     threshold: str,
     values: str | None,
@@ -50,7 +50,8 @@ def path(
     Between two poses the centre moves on a straight line and the platform turns about one axis, the shorter way. None
     is missed, however few samples there are: the superbracket is an exact polynomial there. The first line of a table
     names its columns: x, y, z, and qw, qx, qy, qz, or rx [deg], ry [deg], rz [deg], or zyx1 [deg], zyx2 [deg],
-    zyx3 [deg]. "-" reads the robot's file from standard input.
+    zyx3 [deg]. "-" reads the robot's file from standard input; the id of a robot
+    with six legs, as of "gcrules robot list", does as well.
     """
     if (table is None) == (not at):
         raise click.UsageError("Give the poses either by --poses POSES.csv or by --at, twice or more.")
@@ -59,14 +60,14 @@ def path(
     for target in (values, plot, out.path):  # told now, not after minutes of work
         if target and not os.path.isdir(os.path.dirname(os.path.realpath(target))):
             raise FileError("cannot be written: there is no such directory", filename=target)
-    platform = read_platform(file)
+    platform, centre = read_platform(file, about)
     try:
         with working("computing") as status:
             found = along(
                 platform,
                 list(at) if table is None else table,
                 samples=samples,
-                about=about,
+                about=centre,
                 threshold=threshold,
                 tell=status.tell,
             )

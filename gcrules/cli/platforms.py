@@ -1,18 +1,64 @@
-"""Reading the platform that a command is given."""
+"""Reading the platform or the robot that a command is given: a file, an id, or standard input."""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 import click
 
 from gcrules.cli.files import read_stdin
+from gcrules.errors import FileError
+from gcrules.robots.as_platform import as_platform
 from gcrules.robots.geometry import Platform, load_platform, parse_platform
+from gcrules.robots.model import Robot
+from gcrules.yamlfile import Document
 
-__all__ = ["read_platform"]
+__all__ = ["centre", "read_either", "read_platform"]
+
+_OF_ROBOTS = ("limbs", "mobility", "lines")  # keys of robot files that geometry files do not have
 
 
-def read_platform(file: str) -> Platform:
-    """The platform of a geometry file, or of standard input for "-"; its warnings go to standard error."""
-    platform = parse_platform(read_stdin(), "<stdin>") if file == "-" else load_platform(file)
+def read_platform(file: str, about: str | None) -> tuple[Platform, str]:
+    """What `read_either` finds as a platform, and what it turns about unless `about` says it (see `centre`).
+
+    Raises InputError for robots whose limbs are no six legs.
+    """
+    read = read_either(file)
+    if isinstance(read, Robot):
+        return as_platform(read), centre(read, about)
+    return read, centre(read, about)
+
+
+def centre(read: Platform | Robot, about: str | None) -> str:
+    """What is turned about: `about`, else the origin of geometry files, the centroid of robots described by joints."""
+    return about or ("centroid" if isinstance(read, Robot) else "origin")
+
+
+def read_either(file: str) -> Platform | Robot:
+    """A platform with its dimensions, or a robot described by its joints (told by its keys, or by its id); "-" is
+    standard input. Warnings of geometry files go to standard error.
+    """
+    if file == "-":
+        text = read_stdin()
+        if _is_robot(Document.parse(text, "<stdin>")):
+            return Robot.parse(text, "<stdin>")
+        return _warned(parse_platform(text, "<stdin>"))
+    path = Path(file)
+    if not path.suffix and len(path.parts) == 1 and not path.exists():
+        return Robot.load(file)
+    try:
+        robot = _is_robot(Document.load(file))
+    except FileError:  # said again, and better, by the reader of platforms
+        robot = False
+    return Robot.load(file) if robot else _warned(load_platform(file))
+
+
+def _warned(platform: Platform) -> Platform:
     for warning in platform.warnings:
         click.echo(f"warning: {warning}", err=True)
     return platform
+
+
+def _is_robot(document: Document) -> bool:
+    root = document.root
+    return root.kind == "mapping" and any(key.text in _OF_ROBOTS for key, _ in root.entries())

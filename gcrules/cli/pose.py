@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import click
 
 from gcrules.cli.base import ExpressionCommand, Output, output_options
-from gcrules.cli.files import read_stdin, working
-from gcrules.cli.platforms import read_platform
-from gcrules.errors import FileError, InputError
+from gcrules.cli.files import working
+from gcrules.cli.platforms import centre, read_either
+from gcrules.errors import InputError
 from gcrules.posed import pose as posed
-from gcrules.robots.geometry import Platform, parse_platform
+from gcrules.robots.as_platform import as_platform
+from gcrules.robots.geometry import Platform
 from gcrules.robots.model import Robot
-from gcrules.yamlfile import Document
 
 __all__ = ["pose"]
-
-_OF_ROBOTS = ("limbs", "mobility", "lines")  # keys of robot files that geometry files do not have
 
 
 @click.command(cls=ExpressionCommand)
@@ -64,21 +60,20 @@ def pose(
     A pose is a translation x y z and, after a semicolon, a turn: quaternion w x y z, rotation-vector x y z deg, or
     euler SEQUENCE a b c deg (xyz about the fixed axes, XYZ about the axes that turn along). It moves the platform from
     where the file has it. "-" reads the file from standard input. A robot that is described by its joints, a file or
-    an id, is answered as by "gcrules robot pose".
+    an id, is answered as by "gcrules robot pose"; with --nearest, --accuracy or --about x,y,z as the platform that its
+    six legs make.
     """
-    read = _read(file)
+    read = read_either(file)
     if isinstance(read, Robot):
+        about = centre(read, about)
         unfit = [option for option, value in (("--accuracy", accuracy), ("--nearest", nearest)) if value]
-        unfit += ["--about"] if about not in (None, "centroid") else []
-        if unfit:
-            raise InputError(
-                f"{unfit[0]} is for platforms with their dimensions; {read.id} is described by its joints",
-                hint="its platform turns about the centroid of the limbs' ends; see docs/robot-numbers.md",
-            )
-        with working("computing"):
-            answer = read.pose(at, actuators=actuators, threshold=threshold)
-        out.show(answer)
-        return
+        unfit += ["--about"] if about != "centroid" else []
+        if not unfit:
+            with working("computing"):
+                answer = read.pose(at, actuators=actuators, threshold=threshold)
+            out.show(answer)
+            return
+        read = _as_platform(read, unfit[0])
     if actuators is not None:
         raise InputError("--actuators is for robots described by their joints", hint="give a pose by --at")
     with working("computing"):
@@ -93,26 +88,11 @@ def pose(
     out.show(found)
 
 
-def _read(file: str) -> Platform | Robot:
-    """A platform, or a robot described by its joints: by its keys, or by its id."""
-    if file == "-":
-        text = read_stdin()
-        if _is_robot(Document.parse(text, "<stdin>")):
-            return Robot.parse(text, "<stdin>")
-        platform = parse_platform(text, "<stdin>")
-        for warning in platform.warnings:
-            click.echo(f"warning: {warning}", err=True)
-        return platform
-    path = Path(file)
-    if not path.suffix and len(path.parts) == 1 and not path.exists():
-        return Robot.load(file)
+def _as_platform(robot: Robot, option: str) -> Platform:
     try:
-        robot = _is_robot(Document.load(file))
-    except FileError:  # said again, and better, by the reader of platforms
-        robot = False
-    return Robot.load(file) if robot else read_platform(file)
-
-
-def _is_robot(document: Document) -> bool:
-    root = document.root
-    return root.kind == "mapping" and any(key.text in _OF_ROBOTS for key, _ in root.entries())
+        return as_platform(robot)
+    except InputError as fault:
+        raise InputError(
+            f"{option} is for platforms with their dimensions; {fault.message}",
+            hint="its platform turns about the centroid of the limbs' ends; see docs/robot-numbers.md",
+        ) from None

@@ -12,8 +12,8 @@ nor basis. For six legs with ball joints it is the σ of `gcrules.numeric.jacobi
 
 In a singular configuration some ξ has P′_i ξ = 0 for all i, all seen from the platform; so Σ |P_i ξ|² =
 Σ |(P_i − P′_i) ξ|² ≤ sin² θ Σ (…), θ the largest angle between W_i and W′_i, also where a singular limb has more
-wrenches there: no singular configuration before the wrenches of some limb have turned by asin σ relative to the
-platform. Derived here.
+wrenches there: no such configuration before the wrenches of some limb have turned by asin σ relative to the
+platform. A limb may be singular by itself sooner: then the platform is held, but an actuator is not felt. Derived here.
 """
 
 from __future__ import annotations
@@ -91,7 +91,8 @@ def closeness(m: Mechanism, here: Configuration) -> Closeness:
     every = np.concatenate(rows)
     keep = list(_PLANE) if m.robot.family.plane else list(range(6))
     values, vectors = np.linalg.eigh(metric[np.ix_(keep, keep)])
-    balance = vectors / np.sqrt(values)
+    # a turn about a line through all ends, ball joints each, moves none of them; no limb's wrench notices it either
+    balance = vectors / np.sqrt(np.where(values > _ROUNDING * values[-1], values, 1.0))
     left, sizes, right = np.linalg.svd(every[:, keep] @ balance)
     motions = np.zeros((len(keep), 6))
     motions[:, keep] = (balance @ right.T).T

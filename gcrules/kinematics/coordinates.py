@@ -8,7 +8,7 @@ import numpy as np
 
 from gcrules.kinematics.rigid import Floats, exponential, rotation_vector
 
-__all__ = ["ANGLES", "COORDINATES", "LENGTHS", "SHIFTS", "TURNS", "VECTOR", "coordinates", "slopes"]
+__all__ = ["ANGLES", "COORDINATES", "LENGTHS", "SHIFTS", "TURNS", "VECTOR", "coordinates", "slopes", "wrapped"]
 
 SHIFTS = ("x", "y", "z")
 TURNS = ("roll", "pitch", "yaw")
@@ -39,11 +39,11 @@ def slopes(names: Sequence[str], motion: Floats, centre: Floats, size: float) ->
     found = np.empty((len(names), 6))
     for k, unit in enumerate(np.diag([1.0, 1.0, 1.0, size, size, size])):
         ends = [coordinates(names, exponential(unit, s * _STEP) @ motion, centre) for s in (1, -1)]
-        found[:, k] = _wrapped(names, ends[0] - ends[1]) / (2 * _STEP)
+        found[:, k] = wrapped(names, ends[0] - ends[1]) / (2 * _STEP)
     return np.asarray(found / np.array([1, 1, 1, size, size, size]))
 
 
-def _wrapped(names: Sequence[str], differences: Floats) -> Floats:
+def wrapped(names: Sequence[str], differences: Floats) -> Floats:
     """Differences of angles between −π and π."""
     angle = np.array([n in ANGLES for n in names], dtype=bool)
     return np.where(angle, (differences + np.pi) % (2 * np.pi) - np.pi, differences)

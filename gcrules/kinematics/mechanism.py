@@ -62,7 +62,7 @@ class Configuration:
 @dataclass(frozen=True, eq=False)
 class Mechanism:
     """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `firm` tells of each whether the limb ends
-    in a ball joint there (a hinge, in the plane), so that it passes on forces through that point alone. `centre` is the
+    in a passive ball joint there (a hinge, in the plane), so that it passes on forces through that point alone. `centre` is the
     centroid of the ends, `size` the root mean square of their distances from it (of all points, where it is 0). `ranks`
     are those of each limb's twists in the family, with `passive_ranks` of the undriven ones. `still` are coordinates
     that have to stay at 0: the places of limb and coordinate, and the joint as written.
@@ -103,7 +103,8 @@ def mechanism(robot: RobotText) -> Mechanism:
     if size <= 1e-9 * float(np.abs(ends).max(initial=0.0)) or not size:
         points = np.array([values[d.name] for d in robot.family.definitions if d.sort == "point"])
         size = float(np.sqrt(((points - points.mean(axis=0)) ** 2).sum(axis=1).mean())) or 1.0
-    firm = tuple(limb.joints[-1].kind == ("R" if robot.family.plane else "S") for limb in robot.limbs)
+    ball = "R" if robot.family.plane else "S"
+    firm = tuple(limb.joints[-1].kind == ball and not limb.joints[-1].actuated for limb in robot.limbs)
     family = ranks(robot.family, robot.limbs, robot.family.member("kinematics")).limbs
     every, passive = (tuple(pair[k] for pair in family) for k in (0, 1))
     return Mechanism(

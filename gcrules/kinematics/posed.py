@@ -170,11 +170,11 @@ def _verdict(m: Mechanism, near: Closeness, own: Sequence[float], limit: Thresho
     lost = [limb.name for limb, c in zip(m.robot.limbs, own, strict=True) if c <= SINGULAR]
     if lost:
         return "singular", f"{' and '.join(lost)} is singular by itself: its own twists depend on each other."
-    words = f"singular configuration before the wrenches of some limb have turned by {degrees(turn)}"
-    words += " relative to the platform"
+    words = "the limbs' own singularities apart, there is no singular configuration before the wrenches of some limb"
+    words += f" have turned by {degrees(turn)} relative to the platform"
     if turn >= limit.angle:
-        return "regular", f"No {words} (threshold {limit.text})."
-    return "close", f"It is only certain that there is no {words}; the threshold is {limit.text}."
+        return "regular", f"{_capital(words)} (threshold {limit.text})."
+    return "close", f"It is only certain that, {words}; the threshold is {limit.text}."
 
 
 def _causes(values: Sequence[Factor], verdict: str) -> tuple[str, ...]:

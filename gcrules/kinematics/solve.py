@@ -15,7 +15,8 @@ import numpy as np
 
 from gcrules.errors import InputError
 from gcrules.kinematics.chains import chain_of
-from gcrules.kinematics.coordinates import coordinates, slopes
+from gcrules.kinematics.coordinates import coordinates, slopes, wrapped
+from gcrules.kinematics.fixed import unfixed
 from gcrules.kinematics.mechanism import Configuration, Mechanism
 from gcrules.kinematics.riders import disagreement, moved, off_relations
 from gcrules.kinematics.rigid import Floats, exponential, inverse, logarithm, rotation_vector
@@ -51,7 +52,7 @@ class Course:
             return (np.array(reached) - part * w.values) / self._units
         motion = links[0][-1] @ here.platform
         if w.whole is None:
-            return (coordinates(w.names, motion, m.centre) - part * w.values) / self._units
+            return wrapped(w.names, coordinates(w.names, motion, m.centre) - part * w.values) / self._units
         goal = part_of(w, part, m.centre)
         shift = (motion - goal)[:3, :3] @ m.centre + (motion - goal)[:3, 3]
         return np.concatenate([shift / m.size, rotation_vector(motion[:3, :3] @ goal[:3, :3].T)])
@@ -222,13 +223,16 @@ def _configuration(
         chains = tuple(chain_of(limb, values) for limb in m.robot.limbs)
     except InputError as fault:
         raise _NotClosed(fault.message) from None
+    loose, name = unfixed(m, here.chains, links, chains)
+    if loose > 1e-6:
+        raise _NotClosed(f"{name} would not stay fixed in its links: other limbs move what it is named by")
     return Configuration(
         values,
         tuple(k @ before for k, before in zip(links, here.links, strict=True)),
         tuple(a + before for a, before in zip(amounts, here.amounts, strict=True)),
         chains,
         residual,
-        off,
+        max(off, loose),
     )
 
 

@@ -15,7 +15,7 @@ _LOST = 0.3  # of what it was at home
 
 def stopped(m: Mechanism, here: Configuration, wanted: Wanted, part: float, why: str) -> InputError:
     """The error for a course that ends at a part of the way; `here` is the last configuration that was reached."""
-    if wanted.whole is not None and m.robot.mobility < 6:
+    if wanted.whole is not None and m.robot.mobility < 6 and part <= 0:
         return InputError(
             f"{m.robot.id} cannot take the whole pose {wanted.text}: its platform has mobility {m.robot.mobility}",
             hint=f"give {m.robot.mobility} coordinates, such as z=0.2, roll=5deg; the others follow",

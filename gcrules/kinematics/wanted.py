@@ -58,7 +58,7 @@ def wanted_pose(m: Mechanism, pose: Pose, text: str = "") -> Wanted:
     motion[:3, :3] = [[float(c) for c in row] for row in pose.rotation]
     shift = np.array([float(c) for c in pose.translation])
     motion[:3, 3] = shift + m.centre - motion[:3, :3] @ m.centre
-    if m.robot.family.plane and (abs(shift[2]) > 0 or np.abs(motion[2, :2]).max() > 0):
+    if m.robot.family.plane and (abs(shift[2]) > 0 or np.abs(motion[2, :2]).max() > 0 or motion[2, 2] < 0):
         raise InputError("the robot moves in the plane z = 0", hint="its coordinates are x, y and yaw")
     vector = np.array(pose.rotation_vector)
     return Wanted((*SHIFTS, *VECTOR), np.concatenate([shift, vector]), False, motion, text or str(pose), pose.notes)
@@ -74,7 +74,18 @@ def wanted_coordinates(m: Mechanism, given: Mapping[str, Any], text: str = "") -
     if flat:
         raise InputError(f"{flat[0]} is fixed: the robot moves in the plane z = 0", hint="take x, y and yaw")
     _count(given, mobility, "coordinate", "the others follow from them")
-    return Wanted(tuple(given), _numbers(given), False, None, text or _shown(given))
+    values = _numbers(given)
+    _check_turn(dict(zip(given, values, strict=True)))
+    return Wanted(tuple(given), values, False, None, text or _shown(given))
+
+
+def _check_turn(values: Mapping[str, float]) -> None:
+    """Raises InputError for angles that no pose has, since another name of the same turn is the one that is used."""
+    hint = 'name the same turn in another way, or as a whole pose: "x y z; euler zyx a b c deg"'
+    if abs(values.get("pitch", 0.0)) >= math.pi / 2:
+        raise InputError("pitch has to lie between -90deg and 90deg", hint=hint)
+    if math.hypot(*(values.get(n, 0.0) for n in VECTOR)) >= math.pi:
+        raise InputError("the rotation vector rx, ry, rz has to be shorter than half a turn", hint=hint)
 
 
 def wanted_actuators(m: Mechanism, given: Mapping[str, Any] | Sequence[Any], text: str = "") -> Wanted:

@@ -17,7 +17,15 @@ from math import lcm
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg
 
-__all__ = ["EXPONENTS", "Cubic", "determinant", "interpolated", "superbracket_at", "translation_polynomial"]
+__all__ = [
+    "EXPONENTS",
+    "Cubic",
+    "determinant",
+    "interpolated",
+    "superbracket_at",
+    "translation_polynomial",
+    "whole_determinant",
+]
 
 Exponents = tuple[int, int, int]
 Points = Mapping[str, Sequence[Fraction]]
@@ -95,22 +103,29 @@ def superbracket_at(
 
 
 def determinant(rows: Sequence[Sequence[Fraction]]) -> Fraction:
-    """The determinant by Bareiss' elimination without fractions."""
+    """The determinant, exact."""
     scale = Fraction(1)
     m: list[list[int]] = []
     for row in rows:
         common = lcm(*(c.denominator for c in map(Fraction, row)))
         m.append([int(c * common) for c in row])
         scale *= common
+    return Fraction(whole_determinant(m)) / scale
+
+
+def whole_determinant(m: list[list[int]]) -> int:
+    """The determinant of whole numbers by Bareiss' elimination without fractions, which uses the matrix up."""
     n, sign, previous = len(m), 1, 1
     for k in range(n - 1):
         pivot = next((i for i in range(k, n) if m[i][k]), None)
         if pivot is None:
-            return Fraction(0)
+            return 0
         if pivot != k:
             m[k], m[pivot], sign = m[pivot], m[k], -sign
-        for i in range(k + 1, n):
+        top, first = m[k], m[k][k]
+        for row in m[k + 1 :]:
+            factor = row[k]
             for j in range(k + 1, n):
-                m[i][j] = (m[i][j] * m[k][k] - m[i][k] * m[k][j]) // previous
-        previous = m[k][k]
-    return Fraction(sign * m[-1][-1]) / scale
+                row[j] = (row[j] * first - factor * top[j]) // previous
+        previous = first
+    return sign * m[-1][-1]

@@ -21,13 +21,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import count, islice, pairwise
-from math import lcm
+from math import gcd, lcm
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.errors import EngineFault, InputError
-from gcrules.numeric.cubic import determinant
+from gcrules.numeric.cubic import whole_determinant
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.rig import Rig
 from gcrules.numeric.turns import Quaternion, Vector
@@ -93,18 +93,19 @@ class Segment:
         """The superbracket along the segment times a positive function: integers, lowest power first; () if it is 0.
 
         It is interpolated at one place more than its degree asks for. Raises EngineFault where the last does not fit.
+        The polynomial that is interpolated has whole coefficients (see `_value`), so all divided differences are whole.
         """
         places = list(islice((s for k in count() for s in ((k, -k) if k else (0,))), self.degree + 2))
         whole = self._whole()  # not kept: a path may have very many segments
         table = [self._value(s, whole) for s in places]
         for order in range(1, len(places)):
             for i in reversed(range(order, len(places))):
-                table[i] = (table[i] - table[i - 1]) / (places[i] - places[i - order])
+                table[i] = (table[i] - table[i - 1]) // (places[i] - places[i - order])
         if table[-1]:
             raise EngineFault("the superbracket along a path has a higher degree than was proved")
-        found: list[Fraction] = []
+        found: list[int] = []
         for place, difference in zip(reversed(places[:-1]), reversed(table[:-1]), strict=True):  # Horner, as Newton's
-            found = [a - place * b for a, b in zip([Fraction(0), *found], [*found, Fraction(0)], strict=True)]
+            found = [a - place * b for a, b in zip([0, *found], [*found, 0], strict=True)]
             found[0] += difference
         return tuple(integers(found))
 
@@ -125,8 +126,12 @@ class Segment:
             [[int(c * turns) for c in q] for q in (self.q0, self.q1)],
         )
 
-    def _value(self, s: int, whole: _Whole) -> Fraction:
-        """|q|⁶ times the superbracket at a whole s, up to a positive constant."""
+    def _value(self, s: int, whole: _Whole) -> int:
+        """|q|⁶ times the superbracket at a whole s, up to a positive constant.
+
+        The determinant is −n⁹ D, n = |q|², with whole coefficients in s. So −n³ D has, too, once the common divisor of
+        the coefficients of n is taken out of the n⁶ that it is divided by (Gauss' lemma).
+        """
         joints, (c0, c1), (q0, q1) = whole
         w, x, y, z = (a + s * (b - a) for a, b in zip(q0, q1, strict=True))
         n = w * w + x * x + y * y + z * z
@@ -137,18 +142,26 @@ class Segment:
         )
         centre = [n * (a + s * (b - a)) for a, b in zip(c0, c1, strict=True)]
         sides = self.rig.structure.sides
-        places = {
-            name: [m + sum(r * c for r, c in zip(row, p, strict=True)) for m, row in zip(centre, turn, strict=True)]
-            if sides[name] == "platform"
-            else [n * c for c in p]
-            for name, p in joints.items()
-        }
+        places = {}  # all n times the point
+        for name, (u, v, t) in joints.items():
+            if sides[name] == "platform":
+                places[name] = tuple(m + r[0] * u + r[1] * v + r[2] * t for m, r in zip(centre, turn, strict=True))
+            else:
+                places[name] = (n * u, n * v, n * t)
         rows = []
         for a, b in self.rig.structure.legs:
-            p, q = places[a], places[b]  # both n times the point
-            moment = (p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
-            rows.append([Fraction(c) for c in (*(d - c for c, d in zip(p, q, strict=True)), *moment)])
-        return -determinant(rows) / n**6  # forces are n times too long, moments n²: the determinant is −n⁹ D
+            (i, j, k), (u, v, t) = places[a], places[b]
+            rows.append([u - i, v - j, t - k, j * t - k * v, k * u - i * t, i * v - j * u])
+        return -whole_determinant(rows) // (n // _content(q0, q1)) ** 6  # forces are n times too long, moments n²
+
+
+def _content(q0: Sequence[int], q1: Sequence[int]) -> int:
+    """The greatest common divisor of the coefficients of |q0 + s (q1 − q0)|²."""
+    step = [b - a for a, b in zip(q0, q1, strict=True)]
+    return gcd(
+        *(sum(a * b for a, b in zip(p, q, strict=True)) for p, q in ((q0, q0), (step, step))),
+        2 * sum(a * b for a, b in zip(q0, step, strict=True)),
+    )
 
 
 def _common(rows: Sequence[Sequence[Fraction]]) -> int:

@@ -22,6 +22,8 @@ from gcrules.render.sample import sample_coordinates
 from gcrules.render.scene import draw_platform
 
 __all__ = [
+    "distinct_entities",
+    "free_name",
     "graph_figure",
     "incidence_in_words",
     "named_lines",
@@ -65,7 +67,7 @@ def robot_figure(a: Analysis, at: Coordinates | None = None, *, key: bool = True
         homogeneous = {n: (*map(Fraction, c), Fraction(1)) for n, c in exact.items()}
         marks = _common_points(a, homogeneous)
         lines += _axis(a, homogeneous, points)
-    entities, _ = _entities(a)
+    entities = distinct_entities(a)
     return draw_platform(s.oriented, points, s.base, s.platform, entities, lines, marks, key=key)
 
 
@@ -157,6 +159,13 @@ def _entities(a: Analysis) -> tuple[list[Entity], list[Entity]]:
     for e in reversed(different.values()):
         parts[e.kind == "line" and e.points in named].append(e)
     return parts
+
+
+def distinct_entities(a: Analysis) -> list[Entity]:
+    """The entities that are drawn in space, each once; the n-th has the n-th colour. Lines with a name are not among
+    them (see `named_lines`): their colours follow.
+    """
+    return _entities(a)[0]
 
 
 def _line(e: Expr, points: Mapping[str, XYZ]) -> tuple[XYZ, XYZ] | None:

@@ -1,9 +1,8 @@
-r"""The report: one self-contained HTML page with every stage, formulas as MathML, figures as SVG."""
+r"""The report: one self-contained HTML page with every stage, formulas as MathML, the robot in 3D and as SVG."""
 
 from __future__ import annotations
 
 from html import escape
-from importlib.resources import files
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
@@ -11,38 +10,49 @@ from gcrules.analysis import Analysis
 from gcrules.numeric.value import PoseValue
 from gcrules.render.derivation import reasons
 from gcrules.render.figures import graph_figure, robot_figure
-from gcrules.render.mathml import mathml_terms
+from gcrules.render.report_page import footer, page, robot_figure_html
+from gcrules.render.scene_json import drawable, scene
 from gcrules.render.stages import VERDICTS, Fact, Formula, Item, Stage, stages
+from gcrules.render.terms import formula_html
 from gcrules.robots.geometry import Platform
+from gcrules.robots.robot_analysis import RobotAnalysis
 from gcrules.rules.derivation import Step
 
 __all__ = ["fragment", "report"]
 
 
-def report(analysis: Analysis) -> str:
-    """The HTML page of an analysis; of a platform with coordinates also the robot in its pose and the numbers there."""
+def report(analysis: Analysis | RobotAnalysis, *, interactive: bool = True) -> str:
+    """The HTML page of an analysis; of a platform with coordinates also the robot in its pose and the numbers there, of
+    a robot with limbs these too.
+
+    `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
+    """
+    if isinstance(analysis, RobotAnalysis):
+        from gcrules.render.robot_report import robot_report  # numpy, for robots only
+
+        return robot_report(analysis, interactive=interactive)
+    live = interactive and drawable(analysis)
     platform = analysis.platform
     title = (platform.title if platform else "") or f"Legs {analysis.structure.text()}"
     sections = [
         _header(title, analysis, platform),
         f'<section class="answer"><p>{escape(analysis.condition.statement)}</p>{_sure(analysis)}</section>',
-        _figures(analysis),
+        _figures(analysis, live=live),
         *([_numbers(analysis.pose)] if analysis.pose else []),
         "<h2>Step by step</h2>",
         '<ol class="stages">',
         *(_stage(s) for s in stages(analysis) if s.title != "In this pose"),
         "</ol>",
         _derivation(analysis),
-        _footer(),
+        footer(),
     ]
-    head = f'<meta charset="utf-8"><title>{escape(title)} – gcrules</title>{_VIEWPORT}<style>{_css()}</style>'
-    return f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head><body><main>{"".join(sections)}</main></body></html>\n'
+    return page(title, sections, scene(analysis) if live else None)
 
 
 def fragment(analysis: Analysis) -> str:
     """The condition, statement and graph as an HTML fragment, for notebooks."""
     graph = graph_figure(analysis).svg() if analysis.structure.joined else ""
-    formula = _formula(Formula(*_identity(analysis)))
+    formula = formula_html(Formula(*_identity(analysis)))
     return f'<div class="gcrules"><p>{escape(analysis.condition.statement)}</p>{formula}{graph}</div>'
 
 
@@ -65,19 +75,17 @@ def _sure(a: Analysis) -> str:
     return f'<p class="sure">{escape(a.condition.certificate.detail)}.</p>'
 
 
-def _figures(a: Analysis) -> str:
+def _figures(a: Analysis, *, live: bool) -> str:
     if not a.structure.joined:
         return ""
     graph = f"<figure>{graph_figure(a, key=False).svg()}<figcaption>The legs as a graph</figcaption></figure>"
-    s = a.structure
-    if s.special or s.stand_ins or s.rank != 4:  # no sample shape has such points
+    if not drawable(a):  # no sample shape has such points
         return f'<div class="figures">{graph}</div>'
-    robot = robot_figure(a).svg()
     caption = "The robot in the pose of the file" if a.platform else "A sample shape (no coordinates were given)"
-    return (
-        f'<div class="figures"><figure class="robot">{robot}<figcaption>{caption}, with the entities of the condition'
-        f"</figcaption></figure>{graph}</div>"
-    )
+    caption += ", with the entities of the condition"
+    hint = "Drag to turn the view, shift and turn the platform."
+    robot = robot_figure_html(robot_figure(a).svg(), caption, live=live, hint=hint)
+    return f'<div class="figures">{robot}{graph}</div>'
 
 
 def _numbers(pose: PoseValue) -> str:
@@ -102,20 +110,15 @@ def _stage(stage: Stage) -> str:
 
 def _item(item: Item) -> str:
     if isinstance(item, Formula):
-        return _formula(item)
+        return formula_html(item)
     if isinstance(item, Fact):
         return f'<p><span class="key">{escape(item.key)}</span> {escape(item.value)}</p>'
     return f"<p>{escape(item)}</p>"
 
 
-def _formula(item: Formula) -> str:
-    left = [*mathml_terms(item.left), '<span class="gc-term"><math><mo>=</mo></math></span>'] if item.left else []
-    return f'<p class="formula">{" ".join([*left, *mathml_terms(item.right)])}</p>'
-
-
 def _derivation(a: Analysis) -> str:
     """The steps in one table, every single step in another that is folded away."""
-    first = _formula(Formula(None, a.derivation.before))
+    first = formula_html(Formula(None, a.derivation.before))
     table = f'<table class="derivation">{"".join(_step(s, s.rule, s.why) for s in a.derivation)}</table>'
     unfolded = a.unfolded()
     words = reasons(unfolded)
@@ -132,18 +135,4 @@ def _derivation(a: Analysis) -> str:
 
 
 def _step(step: Step, name: str, why: str) -> str:
-    return f"<tr><th>{escape(name)}</th><td>{escape(why)}{_formula(Formula(None, step.after))}</td></tr>"
-
-
-def _footer() -> str:
-    from gcrules import __version__
-
-    legend = "Brackets [abcd] are determinants of homogeneous points; ∨ is join, ∧ is meet."
-    return f"<footer>gcrules {__version__}. {legend}</footer>"
-
-
-def _css() -> str:
-    return files("gcrules.render").joinpath("report.css").read_text(encoding="utf-8")
-
-
-_VIEWPORT = '<meta name="viewport" content="width=device-width, initial-scale=1">'
+    return f"<tr><th>{escape(name)}</th><td>{escape(why)}{formula_html(Formula(None, step.after))}</td></tr>"

@@ -3,11 +3,14 @@ r"""The report of a robot that is described by its joints: limbs, equivalent lin
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from html import escape
 from math import dist
 from typing import Any
 
 from gcrules.algebra import expr as ex
+from gcrules.analysis import Analysis
+from gcrules.errors import InputError
 from gcrules.render.bsp import XYZ
 from gcrules.render.figures import graph_figure
 from gcrules.render.report_page import footer, page, robot_figure_html
@@ -16,15 +19,17 @@ from gcrules.render.robot_drawing import draw_robot
 from gcrules.render.robot_entities import Entity, entities
 from gcrules.render.robot_poses import live_parts
 from gcrules.render.robot_values import lines_at
+from gcrules.render.scene_json import drawable, scene
 from gcrules.render.solids import flat_normal
 from gcrules.render.stages import Formula
 from gcrules.render.terms import formula_html
+from gcrules.robots.as_platform import as_platform
 from gcrules.robots.parts import KINDS, Part
 from gcrules.robots.report import sections
 from gcrules.robots.robot_analysis import RobotAnalysis
 from gcrules.studio.limbs import limb_views
 
-__all__ = ["robot_report", "robot_scene"]
+__all__ = ["on_six_legs", "robot_report", "robot_scene"]
 
 Values = Mapping[str, Sequence[float]]
 
@@ -51,8 +56,11 @@ def robot_report(a: RobotAnalysis, *, interactive: bool = True) -> str:
 
 def robot_scene(a: RobotAnalysis) -> dict[str, Any]:
     """The robot at home as the 3D viewer takes it: limbs with joints and wrenches, and the equivalent lines between
-    finite points. Nothing of it moves: that takes the joints' equations.
+    finite points. Only a platform on six legs moves: with others that takes the joints' equations.
     """
+    legged = on_six_legs(a)
+    if legged is not None:
+        return scene(legged)
     values = {n: [float(c) for c in v] for n, v in a.robot.values_at().items()}
     sorts = a.robot.family.sorts
     legs = [list(leg) for leg in a.structure.legs if all(sorts.get(n) == "point" for n in leg)]
@@ -76,14 +84,34 @@ def robot_scene(a: RobotAnalysis) -> dict[str, Any]:
                 "kind": e.kind,
                 "points": list(e.points),
                 "label": "".join(e.points),
-                "colour": len(a.structure.limbs) + i,
+                "colour": _colour(a, e, i),
             }
             for i, e in enumerate(found)
             if all(sorts.get(n) == "point" for n in e.points)
         ],
         "limbs": limb_views(a, values),
-        "planes": [p for i, e in enumerate(found, len(a.structure.limbs)) if (p := _far_plane(a, e, i, size))],
+        "planes": [p for i, e in enumerate(found) if (p := _far_plane(a, e, _colour(a, e, i), size))],
     }
+
+
+def on_six_legs(a: RobotAnalysis) -> Analysis | None:
+    """The analysis of a platform on six legs at home; None for other robots."""
+    if a.lines is None or not drawable(a.lines):
+        return None
+    try:
+        return replace(a.lines, platform=as_platform(a.robot))
+    except InputError:  # it has other limbs
+        return None
+
+
+def _colour(a: RobotAnalysis, e: Entity, number: int) -> int:
+    """That of the limb whose line lies in the entity, or all whose points are a limb's; else one of its own."""
+    names = set(e.points)
+    place = {limb.limb.name: i for i, limb in enumerate(a.structure.limbs)}
+    own = [place[line.limb] for line in a.structure.lines or () if names.issuperset(line.ends) and line.limb in place]
+    ends = [{n for line in limb.lines or () for n in line.ends} for limb in a.structure.limbs]
+    own += [i for i, all_ends in enumerate(ends) if names <= all_ends]
+    return own[0] if own else len(place) + number
 
 
 def _far_plane(a: RobotAnalysis, e: Entity, colour: int, size: float) -> dict[str, Any] | None:

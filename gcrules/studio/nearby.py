@@ -1,0 +1,53 @@
+"""The nearest singular poses, for the page."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from gcrules.errors import InputError
+from gcrules.nearest.poses import NearestPose
+from gcrules.numeric.closeness import ROUNDING
+from gcrules.numeric.pose import Pose
+from gcrules.numeric.threshold import degrees
+from gcrules.posed import report
+from gcrules.studio.answer_views import FoundView, Nearest
+from gcrules.studio.numbers import exact_pose, threshold_of
+from gcrules.studio.subject import Subject
+from gcrules.studio.views import PoseJson
+
+__all__ = ["nearest"]
+
+_WORDS = {
+    "translation": "the same orientation",
+    "rotation": "turned about the centroid of the legs' platform ends",
+    "combined": "shifted and turned",
+}
+
+
+def nearest(subject: Subject, pose: PoseJson, threshold: str | None, tell: Callable[[str], None]) -> Nearest:
+    """Those in translation, in rotation, in both. Raises InputError where the platform does not move by poses."""
+    moving, a = subject.moving, subject.analysis
+    if moving is None or a is None:
+        why = subject.why_not or "the nearest singular pose is sought for platforms on six legs"
+        raise InputError(why, hint="for robots with limbs: gcrules robot pose ID --search")
+    tell("seeking the nearest singular poses")
+    limit = threshold_of(threshold, subject.unit)
+    found = report(a, moving, exact_pose(pose), threshold=limit, accuracy=ROUNDING * moving.size)
+    return {"found": [_view(n, n.pose, subject.unit) for n in found.nearest if n.pose is not None]}
+
+
+def _view(n: NearestPose, pose: Pose, unit: str) -> FoundView:
+    angle = n.kind == "rotation"
+    distance = math.degrees(n.distance) if angle else n.distance
+    shown = degrees(n.distance) if angle else f"{n.distance:.4g} {unit}".strip()
+    sure = "proved to be the nearest" if n.certified else "the nearest that was found"
+    return {
+        "kind": n.kind,
+        "distance": distance,
+        "unit": "deg" if angle else unit,
+        "certified": n.certified,
+        "text": f"{shown} away ({_WORDS[n.kind]}), {sure}",
+        "pose": {"translation": [float(c) for c in pose.translation], "quaternion": list(pose.unit_quaternion)},
+        "causes": list(n.causes),
+    }

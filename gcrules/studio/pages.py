@@ -1,0 +1,70 @@
+"""The files of the page: those of the bundle and no others, each with its type."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse, Response
+
+__all__ = ["STATIC", "Pages"]
+
+STATIC = Path(__file__).parent / "static"
+
+_TYPES = {
+    ".html": "text/html; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".css": "text/css; charset=utf-8",
+    ".woff2": "font/woff2",
+    ".svg": "image/svg+xml",
+    ".txt": "text/plain; charset=utf-8",
+}
+_KEPT = {".woff2": "max-age=604800"}
+"""How long a browser keeps a file without asking; for others it asks each time whether they have changed."""
+
+_NOT_BUILT = "The page is not part of this installation; build it with `npm run build` in studio-ui.\n"
+
+
+@dataclass(frozen=True)
+class _File:
+    data: bytes
+    tag: str
+    changed: int
+
+
+class Pages:
+    """Serves the files of a folder, read when they are first asked for or have changed."""
+
+    def __init__(self, folder: Path = STATIC) -> None:
+        self.folder = folder
+        self.known: dict[Path, _File] = {}
+
+    async def answer(self, request: Request) -> Response:
+        """The file that is asked for."""
+        name = request.path_params.get("name", "") or "index.html"
+        path = self._listed().get(name)
+        if path is None:
+            missing = _NOT_BUILT if name == "index.html" else "There is no such file.\n"
+            return PlainTextResponse(missing, 404)
+        file = self._file(path)
+        headers = {"etag": file.tag, "cache-control": _KEPT.get(path.suffix, "no-cache")}
+        if request.headers.get("if-none-match") == file.tag:
+            return Response(status_code=304, headers=headers)
+        return Response(file.data, media_type=_TYPES[path.suffix], headers=headers)
+
+    def _listed(self) -> dict[str, Path]:
+        """What there is, by the name in the address: nothing outside the folder has one."""
+        if not self.folder.is_dir():
+            return {}
+        found = (p for p in self.folder.rglob("*") if p.suffix in _TYPES and p.is_file())
+        return {p.relative_to(self.folder).as_posix(): p for p in found}
+
+    def _file(self, path: Path) -> _File:
+        changed = path.stat().st_mtime_ns
+        known = self.known.get(path)
+        if known is None or known.changed != changed:
+            data = path.read_bytes()
+            known = self.known[path] = _File(data, f'"{hashlib.sha256(data).hexdigest()[:32]}"', changed)
+        return known

@@ -1,0 +1,75 @@
+"""A worker process: takes one job after the other from its standard input, and can be ended at any time."""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from typing import Any
+
+from gcrules.errors import GcrulesError
+from gcrules.studio.answers import answer
+from gcrules.studio.faults import fault_view, limit, own_fault
+from gcrules.studio.subject import Subject, read_subject
+from gcrules.studio.wire import Job, Tell, framed, key_of, read
+
+__all__ = ["done", "serve"]
+
+_KEPT = 8
+
+
+def done(job: Job, known: dict[str, Subject], tell: Tell) -> tuple[str, Any, Subject | None]:
+    """What came of a job: ("done", result, subject) or ("fault", fault, None). `known` are subjects of earlier ones."""
+    name, args, subject = job
+    try:
+        source = args.get("source")
+        if source is not None:
+            subject = _subject(source, subject, known, tell)
+        result = None if name == "subject" else answer(name, subject, args, tell)
+        return "done", result, subject
+    except GcrulesError as fault:
+        return "fault", fault_view(fault), None
+    except MemoryError:
+        return "fault", limit("there is not enough memory for this", "try something smaller"), None
+    except RecursionError:
+        return "fault", limit("this is nested too deeply", "try something smaller"), None
+    except Exception as fault:
+        traceback.print_exc()
+        return "fault", own_fault(f"{type(fault).__name__}: {fault}"), None
+
+
+def _subject(source: Any, given: Subject | None, known: dict[str, Subject], tell: Tell) -> Subject:
+    """A subject that was used before has more of itself worked out than one that was just sent."""
+    key = key_of(source)
+    found = known.pop(key, None) or given
+    if found is None:
+        tell("analysing")
+        found = read_subject(source)
+    known[key] = found
+    while len(known) > _KEPT:
+        known.pop(next(iter(known)))
+    return found
+
+
+def serve() -> None:
+    """Work until the server is gone."""
+    inward, outward = sys.stdin.buffer, sys.stdout.buffer
+    sys.stdout = sys.stderr  # nothing but frames goes to the server
+    known: dict[str, Subject] = {}
+
+    def put(frame: Any) -> None:
+        outward.write(framed(frame))
+        outward.flush()
+
+    while True:
+        try:
+            job = read(inward)
+        except EOFError:
+            return
+        put(done(job, known, lambda words: put(("progress", words, None))))
+
+
+if __name__ == "__main__":
+    try:
+        serve()
+    except (KeyboardInterrupt, BrokenPipeError):
+        sys.exit(0)

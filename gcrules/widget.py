@@ -1,0 +1,91 @@
+"""The widget of `gcrules.view`. It needs anywidget (the extra `widget`)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.resources import files
+from math import isfinite
+from typing import Any
+
+import anywidget
+import traitlets
+
+from gcrules.analysis import Analysis
+from gcrules.errors import InputError
+from gcrules.numeric.pose import Pose, parse_pose
+from gcrules.numeric.report import PoseReport
+from gcrules.numeric.value import CLOSE, measure
+from gcrules.posed import pose as report_at
+from gcrules.render.robot_report import on_six_legs, robot_scene
+from gcrules.render.scene_json import Scenery
+from gcrules.robots.robot_analysis import RobotAnalysis
+
+__all__ = ["RobotWidget"]
+
+HOME = {"translation": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0]}
+
+_ZERO = 1e-9  # a closeness that is 0 within rounding
+
+
+class RobotWidget(anywidget.AnyWidget):
+    """A robot in 3D. `pose` (shift and unit quaternion, scalar first) goes both ways; it may be set as text too.
+
+    `closeness` (0 to 1) and `verdict` (regular | close | singular within rounding) are those of the pose, for
+    `observe`; None for a robot with other limbs than six legs, which is shown at home.
+    """
+
+    _esm = files("gcrules.studio").joinpath("static", "widget.js")
+
+    scene = traitlets.Dict().tag(sync=True)
+    pose = traitlets.Any().tag(sync=True)
+    closeness = traitlets.Float(None, allow_none=True)
+    verdict = traitlets.Unicode(None, allow_none=True)
+
+    def __init__(self, robot: Analysis | RobotAnalysis, pose: Any = None) -> None:
+        if isinstance(robot, RobotAnalysis):
+            robot = on_six_legs(robot) or robot
+        self._analysis = robot if isinstance(robot, Analysis) else None
+        self._scenery = Scenery.of(robot) if isinstance(robot, Analysis) else None
+        shown = robot_scene(robot) if isinstance(robot, RobotAnalysis) else self._scenery.at()  # type: ignore[union-attr]
+        super().__init__(scene=shown, pose=HOME if pose is None else pose)
+
+    @traitlets.validate("pose")
+    def _posed(self, proposal: Mapping[str, Any]) -> dict[str, list[float]]:
+        return _read(proposal["value"], self._scenery.unit if self._scenery else "")
+
+    @traitlets.observe("pose")
+    def _moved(self, change: Mapping[str, Any]) -> None:
+        if self._scenery is None:
+            return
+        sigma = measure(self._scenery.structure, self._scenery.points(change["new"]))
+        self.closeness = sigma
+        self.verdict = "singular" if sigma < _ZERO else "close" if sigma < CLOSE else "regular"
+
+    def numbers(self, **options: Any) -> PoseReport:
+        """The report of `gcrules.pose` for the pose that is shown, with its options.
+
+        Raises InputError for a robot without coordinates.
+        """
+        if self._analysis is None or self._analysis.platform is None:
+            raise InputError("numbers are for robots that are given by legs and coordinates")
+        t, q = (" ".join(map(repr, self.pose[key])) for key in ("translation", "quaternion"))
+        found = report_at(self._analysis, f"{t}; quaternion {q}", about="centroid", **options)
+        assert isinstance(found, PoseReport)
+        return found
+
+
+def _read(value: Any, unit: str) -> dict[str, list[float]]:
+    """A pose of any form in that of the viewer. Raises InputError for what is none."""
+    if isinstance(value, str):
+        value = parse_pose(value, unit)
+    if isinstance(value, Pose):
+        return {"translation": list(map(float, value.translation)), "quaternion": list(value.unit_quaternion)}
+    try:
+        found = {key: [float(c) for c in value[key]] for key in ("translation", "quaternion")}
+    except (TypeError, KeyError, ValueError):
+        raise InputError(f"{str(value)[:60]!r} is no pose", hint='write "10 0 5; euler zyx 30 0 0 deg"') from None
+    numbers = [c for cs in found.values() for c in cs]
+    size = sum(c * c for c in found["quaternion"]) ** 0.5
+    if len(found["translation"]) != 3 or len(numbers) != 7 or not size or not all(map(isfinite, numbers)):
+        raise InputError("a pose has three finite numbers as translation and four, not all 0, as quaternion")
+    return {**found, "quaternion": [c / size for c in found["quaternion"]]}

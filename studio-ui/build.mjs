@@ -1,0 +1,80 @@
+// Bundles the page, the viewer and the notebook widget into gcrules/studio/static, which is committed.
+//   node build.mjs           writes the bundle
+//   node build.mjs --check   compares it with the committed one; exit 1 and the names of stale files
+//   node build.mjs --watch   writes it again at every change, with source maps
+import { build, context } from "esbuild";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join, relative } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const target = join(here, "..", "gcrules", "studio", "static");
+const check = process.argv.includes("--check");
+const watch = process.argv.includes("--watch");
+
+const common = {
+  absWorkingDir: here,
+  bundle: true,
+  minify: !watch,
+  sourcemap: watch ? "inline" : false,
+  target: "es2022",
+  charset: "utf8",
+  legalComments: "linked",
+  logLevel: "warning",
+  jsx: "automatic",
+  jsxImportSource: "preact",
+  loader: { ".woff2": "file", ".woff": "empty", ".ttf": "empty", ".svg": "text" },
+  assetNames: "fonts/[name]",
+};
+
+const bundles = (out) => [
+  // the page of `gcrules studio`
+  { ...common, entryPoints: { studio: "src/page/main.tsx" }, outdir: out, format: "esm" },
+  // the viewer by itself: a classic script that defines `GcrulesViewer` (module scripts do not load from file://)
+  { ...common, entryPoints: { viewer: "src/viewer/index.ts" }, outdir: out, format: "iife", globalName: "GcrulesViewer" },
+  // the notebook widget, an ES module with a default export
+  { ...common, entryPoints: { widget: "src/widget/index.ts" }, outdir: out, format: "esm" },
+];
+
+function listed(folder, below = folder) {
+  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
+    const path = join(folder, entry.name);
+    return entry.isDirectory() ? listed(path, below) : [relative(below, path)];
+  });
+}
+
+async function write(out) {
+  rmSync(out, { recursive: true, force: true });
+  mkdirSync(out, { recursive: true });
+  for (const options of bundles(out)) {
+    if (watch) await (await context(options)).watch();
+    else await build(options);
+  }
+  cpSync(join(here, "src", "page", "index.html"), join(out, "index.html"));
+}
+
+if (check) {
+  const fresh = mkdtempSync(join(tmpdir(), "studio-"));
+  await write(fresh);
+  const names = new Set([...listed(fresh), ...(existsSync(target) ? listed(target) : [])]);
+  const same = (name) =>
+    [fresh, target].every((f) => existsSync(join(f, name))) &&
+    readFileSync(join(fresh, name)).equals(readFileSync(join(target, name)));
+  const stale = [...names].filter((name) => !same(name)).sort();
+  rmSync(fresh, { recursive: true });
+  if (stale.length) {
+    console.error(`the bundle is stale (npm run build): ${stale.join(", ")}`);
+    process.exit(1);
+  }
+  console.log(`the bundle is up to date: ${names.size} files`);
+} else if (watch) {
+  await write(target);
+} else {
+  // elsewhere first: a fault in the sources leaves the old bundle as it is
+  const fresh = mkdtempSync(join(tmpdir(), "studio-"));
+  await write(fresh);
+  rmSync(target, { recursive: true, force: true });
+  cpSync(fresh, target, { recursive: true });
+  rmSync(fresh, { recursive: true });
+}

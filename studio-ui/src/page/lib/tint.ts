@@ -1,0 +1,16 @@
+// Which letters of a monomial belong to which entity: each entity colours one bracket that holds all of its points.
+import type { Entity, Monomial } from "../../protocol";
+
+/** For each bracket, point → colour number. */
+export type Tint = readonly ReadonlyMap<string, number>[];
+
+export function tintOf(monomial: Monomial, entities: readonly Entity[]): Tint {
+  const tint = monomial.brackets.map(() => new Map<string, number>());
+  for (const { points, colour } of entities) {
+    const free = monomial.brackets.findIndex(
+      (bracket, i) => points.every((p) => bracket.points.includes(p)) && !points.some((p) => tint[i]?.has(p)),
+    );
+    if (free >= 0) points.forEach((p) => tint[free]?.set(p, colour));
+  }
+  return tint;
+}

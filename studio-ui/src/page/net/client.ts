@@ -1,0 +1,72 @@
+// Requests as promises. Those without an answer are asked again when the line is back: the server keeps no state, so a
+// restarted one answers them as well.
+import type { Fault, Method, Methods, Reply } from "../../protocol";
+import { openSocket, type Line, type Socket } from "./socket";
+import type { ReadonlySignal } from "@preact/signals";
+
+/** What a refused request throws. */
+export class Refused extends Error {
+  constructor(readonly fault: Fault) {
+    super(fault.message);
+  }
+}
+
+export interface Ask {
+  /** The server works on the latest request of a channel only. */
+  channel?: string;
+  progress?(words: string): void;
+  signal?: AbortSignal;
+}
+
+export interface Client {
+  line: ReadonlySignal<Line>;
+  ask<M extends Method>(method: M, args: Methods[M]["args"], options?: Ask): Promise<Methods[M]["result"]>;
+  retry(): void;
+}
+
+interface Waiting {
+  text: string;
+  done(reply: Reply): void;
+  progress?(words: string): void;
+}
+
+export function openClient(url: string): Client {
+  const waiting = new Map<number, Waiting>();
+  let last = 0;
+
+  const socket: Socket = openSocket(url, {
+    open: () => waiting.forEach((request) => socket.send(request.text)),
+    message: (text) => answer(JSON.parse(text) as Reply),
+  });
+
+  function answer(reply: Reply): void {
+    const request = waiting.get(reply.id);
+    if (!request) return;
+    if ("progress" in reply) return request.progress?.(reply.progress);
+    waiting.delete(reply.id);
+    request.done(reply);
+  }
+
+  function ask<M extends Method>(method: M, args: Methods[M]["args"], options: Ask = {}): Promise<Methods[M]["result"]> {
+    const id = (last += 1);
+    const { channel, progress, signal } = options;
+    const text = JSON.stringify({ id, do: method, args, ...(channel && { channel }) });
+    return new Promise((resolve, reject) => {
+      const done = (reply: Reply) => {
+        if (!("ok" in reply)) return;
+        if (reply.ok) resolve(reply.result as Methods[M]["result"]);
+        else reject(new Refused(reply.error));
+      };
+      waiting.set(id, { text, done, ...(progress && { progress }) });
+      socket.send(text);
+      signal?.addEventListener("abort", () => {
+        if (!waiting.delete(id)) return;
+        last += 1;
+        socket.send(JSON.stringify({ id: last, do: "cancel", args: { target: id } }));
+        reject(new Refused({ kind: "cancelled", message: "Cancelled." }));
+      });
+    });
+  }
+
+  return { line: socket.line, ask, retry: socket.retry };
+}

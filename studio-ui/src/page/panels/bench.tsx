@@ -1,0 +1,170 @@
+// The expression bench: the language of gcrules, answered as it is written; points, lines and planes stand in 3D.
+import { useEffect, useMemo, useState } from "preact/hooks";
+import type { BenchResult } from "../../protocol";
+import { StoreProvider } from "../parts/context";
+import { FaultBox } from "../parts/fault-box";
+import { Icon } from "../parts/icon";
+import type { Overlay } from "../state/scene";
+import { Answers, labelOf } from "./bench/answers";
+import { Editor, type Below } from "./bench/editor";
+import { createEvaluation } from "./bench/evaluation";
+import { examplesFor } from "./bench/examples";
+import type { PanelProps } from "./index";
+import "./bench/bench.css";
+
+export function Bench({ store }: PanelProps) {
+  const evaluation = useMemo(() => createEvaluation(store), [store]);
+  useEffect(() => evaluation.dispose, [evaluation]);
+  const [hidden, hide] = useState<ReadonlySet<string>>(new Set());
+  const text = store.bench$.value;
+  const bench = evaluation.bench.value;
+  const results = bench?.results ?? NONE;
+  const fault = evaluation.fault.value ?? bench?.fault ?? null;
+  const study = store.study.value;
+
+  useEffect(() => {
+    store.space.overlay.value = overlayOf(results.filter((result) => !hidden.has(labelOf(result))));
+  }, [store, results, hidden]);
+  useEffect(() => () => void (store.space.overlay.value = null), [store]);
+
+  const toggle = (label: string): void =>
+    hide((now) => new Set(now.has(label) ? [...now].filter((other) => other !== label) : [...now, label]));
+  const rank = Number(/^\s*(?:#.*\s*)*rank\s+(\d+)/.exec(text)?.[1] ?? 4);
+  const below = useMemo<Below[]>(
+    () =>
+      grouped(results).map((group) => ({
+        end: group[0]?.end ?? 0,
+        key: JSON.stringify([group, group.map((result) => hidden.has(labelOf(result)))]),
+        content: (
+          <StoreProvider value={store}>
+            <Answers results={group} hidden={hidden} rank={rank} onToggle={toggle} />
+          </StoreProvider>
+        ),
+      })),
+    [store, results, hidden, rank],
+  );
+
+  function write(next: string): void {
+    if (next !== store.bench$.peek()) store.edit({ bench: next }, "bench");
+  }
+
+  const examples = examplesFor(study);
+  const drawn = results.filter(({ drawn: shown }) => shown).length;
+  return (
+    <div class="bench">
+      <header>
+        <h2>Expression bench</h2>
+        <div class="bar">
+          <label class="examples">
+            <span class="sr-only">Examples</span>
+            <select
+              value=""
+              data-testid="bench-examples"
+              onChange={(event) => {
+                const chosen = examples[Number(event.currentTarget.value)];
+                event.currentTarget.value = "";
+                if (!chosen) return;
+                store.settle();
+                store.edit({ bench: chosen.text });
+                evaluation.run();
+              }}
+            >
+              <option value="">Examples …</option>
+              {examples.map(({ title }, i) => (
+                <option key={title} value={i}>
+                  {title}
+                </option>
+              ))}
+            </select>
+          </label>
+          <Help />
+          <span class="space" />
+          {evaluation.busy.value && (
+            <span class="busy" role="status">
+              <span class="spinner" aria-hidden="true" />
+              <button type="button" class="quiet" onClick={evaluation.stop} data-testid="bench-stop">
+                Stop
+              </button>
+            </span>
+          )}
+          <button type="button" class="primary" disabled={!text.trim()} title="Ctrl Enter" onClick={evaluation.run} data-testid="bench-run">
+            <Icon name="play" size={13} /> Evaluate
+          </button>
+        </div>
+      </header>
+      <Editor text={text} below={below} fault={fault} onText={write} onRun={evaluation.run} />
+      {fault && <FaultBox fault={fault} text={text} />}
+      <p class="note" role="status" data-testid="bench-note">
+        {noteOf(results, drawn, study !== null, fault !== null)}
+      </p>
+    </div>
+  );
+}
+
+const NONE: readonly BenchResult[] = [];
+
+function noteOf(results: readonly BenchResult[], drawn: number, open: boolean, wrong: boolean): string {
+  if (results.length === 0 && !wrong) {
+    return open
+      ? "Write joins and meets of the robot's joints: what is a point, a line or a plane stands in 3D at the pose."
+      : "Letters are points. Open a structure to see points, lines and planes in 3D.";
+  }
+  const count = (n: number, noun: string) => `${n} ${noun}${n === 1 ? "" : "s"}`;
+  const refuted = results.filter(({ verdict }) => verdict === "refuted").length;
+  return [
+    count(results.length, "answer"),
+    drawn > 0 ? `${drawn} in 3D` : "",
+    refuted > 0 ? `${refuted} refuted` : "",
+    wrong ? "a fault" : "",
+  ]
+    .filter(Boolean)
+    .join(" · ");
+}
+
+/** Answers of one statement stand together. */
+function grouped(results: readonly BenchResult[]): BenchResult[][] {
+  const groups = new Map<number, BenchResult[]>();
+  results.forEach((result) => groups.set(result.end, [...(groups.get(result.end) ?? []), result]));
+  return [...groups.values()];
+}
+
+function overlayOf(results: readonly BenchResult[]): Overlay {
+  const planes: Overlay["planes"] = [];
+  const constructed: Overlay["constructed"] = [];
+  for (const { drawn } of results) {
+    if (drawn?.kind === "plane") planes.push({ label: drawn.label, normal: drawn.normal, offset: drawn.offset });
+    else if (drawn) constructed.push(drawn);
+  }
+  return { planes, constructed, entities: [], alone: planes.length + constructed.length > 0 };
+}
+
+function Help() {
+  return (
+    <details class="bench-help">
+      <summary data-testid="bench-help">Language</summary>
+      <dl>
+        {HELP.map(([sign, words]) => (
+          <>
+            <dt>
+              <code>{sign}</code>
+            </dt>
+            <dd>{words}</dd>
+          </>
+        ))}
+      </dl>
+    </details>
+  );
+}
+
+const HELP: readonly [string, string][] = [
+  ["abc", "join: the plane through a, b, c"],
+  ["ab /\\ cde", "meet: the point of the line on the plane"],
+  ["p \\/ q", "join of expressions"],
+  ["[abcd]", "bracket: the determinant"],
+  ["[[ab, cd, …]]", "superbracket of six lines"],
+  ["let p = …", "a name for an expression"],
+  ["x == y", "proved, or refuted by exact points"],
+  ["points left right", "long names"],
+  ["rank 3", "the plane; 4 is space"],
+  ["# …", "a comment"],
+];

@@ -1,0 +1,120 @@
+// The editor: text, faults under the places they are at, and answers below the statements they belong to.
+import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
+import { bracketMatching } from "@codemirror/language";
+import { lintGutter, setDiagnostics } from "@codemirror/lint";
+import { EditorState, StateEffect, StateField, type Extension } from "@codemirror/state";
+import { Decoration, EditorView, highlightActiveLine, keymap, lineNumbers, placeholder, WidgetType, type DecorationSet } from "@codemirror/view";
+import { render, type ComponentChild } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import type { Fault } from "../../../protocol";
+import { gca } from "./language";
+
+/** What stands below the line in which a statement ends. `key` tells whether it has changed. */
+export interface Below {
+  end: number;
+  key: string;
+  content: ComponentChild;
+}
+
+interface Props {
+  text: string;
+  below: readonly Below[];
+  fault: Fault | null;
+  onText(text: string): void;
+  onRun(): void;
+}
+
+class BelowWidget extends WidgetType {
+  constructor(readonly key: string, readonly content: ComponentChild) {
+    super();
+  }
+  override eq(other: BelowWidget): boolean {
+    return other.key === this.key;
+  }
+  toDOM(): HTMLElement {
+    const box = document.createElement("div");
+    render(this.content, box);
+    return box;
+  }
+  override destroy(box: HTMLElement): void {
+    render(null, box);
+  }
+}
+
+const setBelow = StateEffect.define<readonly Below[]>();
+
+const belowField = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(shown, change) {
+    const set = change.effects.find((effect) => effect.is(setBelow));
+    if (!set) return shown.map(change.changes);
+    const { doc } = change.state;
+    const widgets = (set.value as readonly Below[]).map(({ end, key, content }) => {
+      const at = doc.lineAt(Math.min(end, doc.length)).to;
+      return Decoration.widget({ widget: new BelowWidget(key, content), block: true, side: 1 }).range(at);
+    });
+    return Decoration.set(widgets, true);
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+export function Editor({ text, below, fault, onText, onRun }: Props) {
+  const box = useRef<HTMLDivElement>(null);
+  const view = useRef<EditorView | null>(null);
+  const calls = useRef({ onText, onRun });
+  calls.current = { onText, onRun };
+
+  useEffect(() => {
+    if (!box.current) return undefined;
+    const listens = EditorView.updateListener.of((update) => {
+      if (update.docChanged) calls.current.onText(update.state.doc.toString());
+    });
+    const runs = keymap.of([{ key: "Mod-Enter", run: () => (calls.current.onRun(), true) }]);
+    const state = EditorState.create({ doc: text, extensions: [runs, ...EXTENSIONS, listens] });
+    const made = new EditorView({ state, parent: box.current });
+    view.current = made;
+    return () => {
+      view.current = null;
+      made.destroy();
+    };
+  }, []);
+
+  useEffect(() => {
+    const editor = view.current;
+    if (!editor || editor.state.doc.toString() === text) return;
+    editor.dispatch({ changes: { from: 0, to: editor.state.doc.length, insert: text } });
+  }, [text]);
+
+  useEffect(() => view.current?.dispatch({ effects: setBelow.of(below) }), [below]);
+
+  useEffect(() => {
+    const editor = view.current;
+    if (editor) editor.dispatch(setDiagnostics(editor.state, fault ? marksOf(fault, editor.state.doc.length) : []));
+  }, [fault]);
+
+  return <div class="bench-editor" ref={box} data-testid="bench-editor" />;
+}
+
+/** A fault without extent marks the character before it. */
+function marksOf(fault: Fault, length: number) {
+  return [fault, ...(fault.more ?? [])].flatMap(({ place, message, hint }) => {
+    if (!place) return [];
+    const to = Math.min(Math.max(place.end, place.start + 1), length);
+    const from = Math.min(place.start, Math.max(to - 1, 0));
+    return [{ from, to, severity: "error" as const, message: hint ? `${message}\n${hint}` : message }];
+  });
+}
+
+const EXTENSIONS: Extension[] = [
+  lineNumbers(),
+  lintGutter(),
+  history(),
+  bracketMatching(),
+  highlightActiveLine(),
+  EditorView.lineWrapping,
+  EditorView.contentAttributes.of({ "aria-label": "Expressions", spellcheck: "false", autocapitalize: "off" }),
+  placeholder("let p = ab /\\ cde"),
+  gca,
+  belowField,
+  keymap.of([...defaultKeymap, ...historyKeymap]),
+];

@@ -1,0 +1,70 @@
+// A number that is typed: taken over at Enter and when the field is left; the arrow keys change it by a step.
+import { useRef, useState } from "preact/hooks";
+
+interface Props {
+  value: number;
+  step: number;
+  label: string;
+  digits: number;
+  testid?: string;
+  onChange(value: number): void;
+  onDone?(): void;
+}
+
+export function NumberField({ value, step, label, digits, testid, onChange, onDone }: Props) {
+  const [text, setText] = useState<string | null>(null);
+  const field = useRef<HTMLInputElement>(null);
+  const shown = text ?? fitting(value, digits);
+
+  function take(typed: string): void {
+    setText(null);
+    const found = readNumber(typed);
+    if (found !== null && found !== value) onChange(found);
+    else if (field.current) field.current.value = fitting(value, digits);
+    onDone?.();
+  }
+
+  function key(event: KeyboardEvent): void {
+    const by = { ArrowUp: step, ArrowDown: -step, PageUp: 10 * step, PageDown: -10 * step }[event.key];
+    if (event.key === "Enter") return take(event.currentTarget instanceof HTMLInputElement ? event.currentTarget.value : "");
+    if (event.key === "Escape") return setText(null);
+    if (by === undefined) return;
+    event.preventDefault();
+    setText(null);
+    onChange(Number((value + by).toPrecision(12)));
+  }
+
+  return (
+    <input
+      ref={field}
+      class="number"
+      type="text"
+      inputMode="decimal"
+      aria-label={label}
+      data-testid={testid}
+      value={shown}
+      onInput={(event) => setText(event.currentTarget.value)}
+      onBlur={(event) => (text === null ? onDone?.() : take(event.currentTarget.value))}
+      onFocus={(event) => event.currentTarget.select()}
+      onKeyDown={key}
+    />
+  );
+}
+
+/** Reads 1.5, −2, 1e-3 and 1,5; null if it is no number. */
+export function readNumber(text: string): number | null {
+  const plainText = text.trim().replace("−", "-").replace(/^([+-]?\d+),(\d+)$/, "$1.$2");
+  const number = Number(plainText);
+  return plainText === "" || !Number.isFinite(number) ? null : number;
+}
+
+/** With up to two digits more where the number has them. */
+export function fitting(value: number, digits: number): string {
+  const exact = [digits, digits + 1].find((d) => Math.abs(Number(value.toFixed(d)) - value) < 1e-9);
+  return plain(value, exact ?? digits + 2);
+}
+
+export const plain = (value: number, digits: number): string => {
+  const rounded = value.toFixed(digits);
+  return Number(rounded) === 0 ? (0).toFixed(digits) : rounded.replace("-", "−");
+};

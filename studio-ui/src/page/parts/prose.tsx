@@ -1,0 +1,28 @@
+// A sentence whose entities take their colours and can be pointed at.
+import { wordsOf } from "../lib/prose";
+import { useStore } from "./context";
+import { letters } from "./entity-chip";
+import { tone } from "./formula";
+import { PointName } from "./point-name";
+
+export function Prose({ text }: { text: string }) {
+  const { study, lit } = useStore();
+  const on = lit.current.value?.entity;
+  return (
+    <>
+      {wordsOf(text, study.value?.entities ?? []).map(({ text: word, entity, source }) =>
+        source ? (
+          <cite>{word}</cite>
+        ) : entity ? (
+          <span class={entity.id === on ? "entity-word lit" : "entity-word"} data-entity={entity.id} style={tone(entity)}>
+            {letters(word).map((name, i) => (
+              <PointName key={i} name={name} />
+            ))}
+          </span>
+        ) : (
+          word
+        ),
+      )}
+    </>
+  );
+}

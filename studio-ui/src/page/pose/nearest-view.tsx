@@ -1,0 +1,66 @@
+// The nearest singular poses: asked for once, then a button each that moves the platform there.
+import { useComputed } from "@preact/signals";
+import type { Pose } from "../../protocol";
+import { useStore } from "../parts/context";
+import { FaultBox } from "../parts/fault-box";
+import { short } from "../lib/format";
+import { samePose } from "../state/doc";
+import type { Seeking } from "../state/seeking";
+
+const KINDS = ["translation", "rotation", "combined"] as const;
+const LABELS: Record<string, string> = { translation: "translation", rotation: "rotation", combined: "both" };
+
+/** Whether what was found still holds: at the pose it was sought from, at what was found, and on the way between. */
+function isKnown(seeking: Seeking, pose: Pose, moves: boolean): boolean {
+  if (seeking.state !== "found") return false;
+  return moves || [seeking.from, ...seeking.nearest.found.map((one) => one.pose)].some((known) => samePose(known, pose));
+}
+
+export function NearestView() {
+  const { seeker, moving, pose$ } = useStore();
+  const seeking = seeker.seeking.value;
+  const known = useComputed(() => isKnown(seeker.seeking.value, pose$.value, moving.active.value)).value;
+  const busy = seeking.state === "busy";
+  const nearest = known && seeking.state === "found" ? seeking.nearest : null;
+  const found = nearest?.found ?? [];
+
+  async function toward(kind: string): Promise<void> {
+    const ready = nearest ?? (await seeker.start());
+    const target = ready?.found.find((one) => one.kind === kind);
+    if (target) moving.to(target.pose);
+  }
+
+  return (
+    <section class="nearest" aria-label="Nearest singular pose">
+      <h3>Nearest singular pose by</h3>
+      <div class="buttons">
+        {KINDS.map((kind) => {
+          const one = found.find((f) => f.kind === kind);
+          const never = nearest !== null && !one;
+          return (
+            <button
+              type="button"
+              key={kind}
+              disabled={busy || never}
+              title={one?.text ?? (never ? "none was found" : undefined)}
+              data-testid={`nearest-${kind}`}
+              onClick={() => void toward(kind)}
+            >
+              <span>{LABELS[kind]}</span>
+              <strong>{one ? `${short(one.distance, 3)}${one.unit === "deg" ? "°" : ` ${one.unit}`}` : never ? "none" : "find"}</strong>
+            </button>
+          );
+        })}
+      </div>
+      {busy && (
+        <p class="busy" role="status">
+          <span class="spinner" aria-hidden="true" /> {seeking.words} …
+          <button type="button" class="quiet" onClick={seeker.stop} data-testid="nearest-stop">
+            Stop
+          </button>
+        </p>
+      )}
+      {seeking.state === "failed" && <FaultBox fault={seeking.fault} />}
+    </section>
+  );
+}

@@ -1,0 +1,33 @@
+// Where the platform is, how close to a singularity that is, and where the nearest one lies.
+import { useState } from "preact/hooks";
+import { useStore } from "../parts/context";
+import { Tabs } from "../parts/tabs";
+import { NearestView } from "./nearest-view";
+import { ReadingsTable } from "./readings-table";
+import { Sliders } from "./sliders";
+import { VerdictView } from "./verdict-view";
+import { WayPlot } from "./way-plot";
+
+const TABS = [
+  { id: "way", label: "Along the way", testid: "tab-way" },
+  { id: "readings", label: "Readings", testid: "tab-readings" },
+] as const;
+type Tab = (typeof TABS)[number]["id"];
+
+export function PosePanel() {
+  const { study } = useStore();
+  const [tab, choose] = useState<Tab>("way");
+  const shown = study.value;
+  if (!shown) return null;
+  return (
+    <div class="pose-panel">
+      <VerdictView />
+      {shown.axes.length > 0 && <Sliders study={shown} />}
+      {shown.kind === "platform" && shown.axes.length > 0 && <NearestView />}
+      <section class="tabbed">
+        <Tabs<Tab> name="Numbers" tabs={TABS} current={tab} onChoose={choose} />
+        {tab === "way" ? <WayPlot /> : <ReadingsTable />}
+      </section>
+    </div>
+  );
+}

@@ -1,0 +1,65 @@
+// The verdict at the pose: value, closeness, and the reason. Its height stays, so that sliders do not move under the hand.
+import { computed } from "@preact/signals";
+import { useMemo } from "preact/hooks";
+import type { Verdict } from "../../protocol";
+import { steady } from "../lib/format";
+import { useStore } from "../parts/context";
+import { FaultBox } from "../parts/fault-box";
+import { Icon, type IconName } from "../parts/icon";
+import { Gauge } from "./gauge";
+
+const WORDS: Record<Verdict, [string, IconName]> = {
+  regular: ["Regular", "ok"],
+  close: ["Close to singular", "warn"],
+  singular: ["Singular", "stop"],
+};
+
+export function VerdictView() {
+  const { posing, client } = useStore();
+  const stale = client.line.value === "lost" ? " stale" : "";
+  const texts = useMemo(
+    () => ({
+      value: computed(() => (posing.numbers.value ? steady(posing.numbers.value.value) : "…")),
+      closeness: computed(() => (posing.numbers.value ? steady(posing.numbers.value.closeness).trim().replace("+", "") : "…")),
+      verdict: computed(() => posing.numbers.value?.verdict ?? null),
+    }),
+    [posing],
+  );
+  const verdict = texts.verdict.value;
+  const [word, icon] = verdict ? WORDS[verdict] : ["…", "ok" as const];
+  return (
+    <section class={`verdict ${verdict ?? "waiting"}${stale}`} aria-label="At this pose">
+      <div class="headline">
+        <p class="word" role="status" data-testid="verdict" data-verdict={verdict ?? ""}>
+          <Icon name={icon} size={20} /> {word}
+        </p>
+        <dl>
+          <dt title="The superbracket over its scale, with its sign: zero at a singular pose">value</dt>
+          <dd data-testid="value">{texts.value}</dd>
+          <dt title="Closeness: 0 at a singular pose, at most 1; knows neither frame nor unit">σ</dt>
+          <dd data-testid="closeness">{texts.closeness}</dd>
+        </dl>
+      </div>
+      <Gauge />
+      <Reason />
+    </section>
+  );
+}
+
+function Reason() {
+  const { posing } = useStore();
+  const fault = posing.fault.value;
+  const numbers = posing.numbers.value;
+  if (fault) return <FaultBox fault={fault} />;
+  if (!numbers) return null;
+  return (
+    <div class="reason">
+      <p data-testid="reason">{numbers.reason}</p>
+      {numbers.notes.map((note) => (
+        <p class="note" key={note}>
+          {note}
+        </p>
+      ))}
+    </div>
+  );
+}

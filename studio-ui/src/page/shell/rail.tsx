@@ -1,0 +1,26 @@
+// The panels by name.
+import { panels } from "../panels";
+import { useStore } from "../parts/context";
+import { Icon } from "../parts/icon";
+
+export function Rail() {
+  const { panel$, source$, go } = useStore();
+  const [panel, source] = [panel$.value, source$.value];
+  return (
+    <nav class="rail" aria-label="Panels">
+      {panels.map(({ id, title, icon, needs }) => (
+        <button
+          type="button"
+          key={id}
+          aria-current={id === panel ? "page" : undefined}
+          disabled={needs === "study" && !source}
+          data-testid={`panel-${id}`}
+          onClick={() => go({ panel: id })}
+        >
+          <Icon name={icon} size={20} />
+          <span>{title}</span>
+        </button>
+      ))}
+    </nav>
+  );
+}

@@ -1,0 +1,56 @@
+// The frame of the page: bar, rail, the panel that is open, and beside it the robot in 3D with its pose.
+import { useEffect, useRef } from "preact/hooks";
+import { panels } from "../panels";
+import { listen } from "../parts/pointing";
+import { Safe } from "../parts/safe";
+import type { Store } from "../state/store";
+import { PosePanel } from "../pose/pose-panel";
+import { Banner } from "./banner";
+import { useKeys } from "./keys";
+import { Opening } from "./opening";
+import { Rail } from "./rail";
+import { Splitter } from "./splitter";
+import { TopBar } from "./top-bar";
+import { ViewerPane } from "./viewer-pane";
+
+export function Shell({ store }: { store: Store }) {
+  const root = useRef<HTMLDivElement>(null);
+  const drawn = useRef(false);
+  const { across, down } = store.taste;
+  useEffect(() => (root.current ? listen(root.current, store) : undefined), [store]);
+  useKeys(store);
+
+  const panel = panels.find(({ id }) => id === store.panel$.value) ?? panels[0];
+  if (!panel) return null;
+  const study = store.study.value;
+  const waits = panel.needs === "study" && !study;
+  const beside = panel.layout === "beside" && study !== null;
+  drawn.current ||= beside; // the viewer is made when it is first needed, and then kept
+  const Content = panel.component;
+  return (
+    <div class="shell" ref={root}>
+      <a class="skip" href="#content" onClick={(event) => (event.preventDefault(), document.getElementById("content")?.focus())}>
+        To the content
+      </a>
+      <TopBar />
+      <Banner />
+      <div class="body">
+        <Rail />
+        <main
+          class={beside ? "split" : "split single"}
+          style={{ "--across": `${100 * across.value}%`, "--down": `${100 * down.value}%` }}
+        >
+          <section id="content" class={`content ${panel.layout}`} tabIndex={-1} aria-label={panel.title}>
+            <Safe of={`${panel.id} ${store.stage$.value} ${study?.title}`}>{waits ? <Opening /> : <Content store={store} />}</Safe>
+          </section>
+          {beside && <Splitter share={across} direction="across" label="Width of the steps" />}
+          <aside class="side" hidden={!beside} aria-label="Robot and pose">
+            {drawn.current && <ViewerPane />}
+            {beside && <Splitter share={down} direction="down" label="Height of the picture" />}
+            <div class="below">{beside && <Safe of={study}><PosePanel /></Safe>}</div>
+          </aside>
+        </main>
+      </div>
+    </div>
+  );
+}

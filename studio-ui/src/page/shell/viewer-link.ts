@@ -1,0 +1,145 @@
+// The viewer and the store, each told of the other's changes.
+import { effect, untracked } from "@preact/signals";
+import type { Numbers, Study } from "../../protocol";
+import { createViewer, type Layer, type Viewer } from "../../viewer";
+import { entityTarget, pointTarget, type Target } from "../state/lit";
+import { samePose } from "../state/doc";
+import { foundBy, posedPart, sceneOf, withOverlay } from "../state/scene";
+import type { Store } from "../state/store";
+import { createPace } from "./pace";
+
+export function connect(element: HTMLElement, store: Store): () => void {
+  const { pose$, study, lit, space, taste, moving } = store;
+  let held = false;
+  const viewer = createViewer(element, {
+    theme: taste.theme.peek(),
+    onPose(pose, done) {
+      moving.stop();
+      held = !done;
+      store.edit({ pose }, "hand");
+      if (done) store.settle();
+    },
+    onPick: (name) => void (space.pick(name) || lit.pin(pointTarget(name))),
+    onHover: (what) => lit.hover(hovered(store, what)),
+  });
+  space.viewer.value = viewer;
+
+  const stops = [
+    effect(() => {
+      const shown = study.value;
+      if (!shown) return;
+      untracked(() => {
+        viewer.show({ ...sceneOf(shown), entities: entitiesNow(store) });
+        viewer.setPose(pose$.peek());
+      });
+    }),
+    effect(() => viewer.update({ entities: entitiesNow(store), ...extrasNow(store) })),
+    followPose(store, viewer),
+    keepInSight(store, viewer, element, () => held),
+    effect(() => viewer.highlight(highlightOf(lit.current.value))),
+    effect(() => viewer.setMode(space.mode.value)),
+    effect(() => viewer.setTheme(taste.theme.value)),
+    effect(() => Object.entries(space.layers.value).forEach(([layer, on]) => viewer.setVisible(layer as Layer, on))),
+    effect(() => viewer.animateMotion(space.playing.value)),
+  ];
+  return () => {
+    stops.forEach((stop) => stop());
+    space.viewer.value = null;
+    viewer.dispose();
+  };
+}
+
+const REST = 500; // milliseconds without a move
+
+/** Fits the view when a move has brought the platform out of sight; a view that the user has chosen so is kept. */
+function keepInSight({ pose$, study }: Store, viewer: Viewer, element: HTMLElement, held: () => boolean): () => void {
+  let timer = 0;
+  let wasSeen = true;
+  function rest(): void {
+    const seen = inSight(viewer, element, study.peek());
+    if (wasSeen && !seen && !held()) viewer.setView("fit");
+    else wasSeen = seen;
+  }
+  const stop = effect(() => {
+    void pose$.value;
+    window.clearTimeout(timer);
+    timer = window.setTimeout(rest, REST);
+  });
+  return () => {
+    window.clearTimeout(timer);
+    stop();
+  };
+}
+
+function inSight(viewer: Viewer, { clientWidth, clientHeight }: HTMLElement, study: Study | null): boolean {
+  if (clientWidth === 0) return true; // the picture is not on show
+  const within = (at: readonly [number, number] | null) =>
+    at !== null && at[0] >= 0 && at[1] >= 0 && at[0] <= clientWidth && at[1] <= clientHeight;
+  return (study?.platform ?? []).every((name) => within(viewer.toScreen(name)));
+}
+
+const PATIENCE = 40; // milliseconds that a picture waits for the numbers of its pose
+
+/** Numbers come faster than pictures are made: of those that come meanwhile only the newest are drawn. */
+function followPose(store: Store, viewer: Viewer): () => void {
+  const { posing, pose$ } = store;
+  let drawn: Numbers | null = null;
+  const pace = createPace(() => {
+    const pose = pose$.peek();
+    const numbers = posing.numbers.peek();
+    if (!samePose(pose, viewer.pose)) viewer.setPose(pose);
+    if (numbers && numbers !== drawn) {
+      const part = posedPart(numbers, samePose(numbers.pose, pose));
+      viewer.update({ ...part, constructed: constructedNow(store, numbers) });
+    }
+    drawn = numbers;
+  });
+  const stops = [
+    effect(() => {
+      if (!samePose(pose$.value, viewer.pose)) pace.ask(PATIENCE);
+    }),
+    effect(() => {
+      if (posing.numbers.value) pace.ask(0);
+    }),
+    pace.stop,
+  ];
+  return () => stops.forEach((stop) => stop());
+}
+
+/** The entities that the guided steps have come to; null for all. */
+export function foundNow({ study, panel$, stage$ }: Store): string[] | null {
+  const shown = study.value;
+  return shown && panel$.value === "guided" ? foundBy(shown.stages, stage$.value) : null;
+}
+
+function entitiesNow(store: Store) {
+  const shown = store.study.value;
+  return shown ? withOverlay(sceneOf(shown), foundNow(store), store.space.overlay.value) : [];
+}
+
+/** What panels add. Constructions of the condition belong to the steps from the condition on. */
+function extrasNow(store: Store) {
+  const extra = store.space.overlay.value;
+  const numbers = store.posing.numbers.peek();
+  return { planes: extra?.planes ?? [], ghost: extra?.ghost, constructed: constructedNow(store, numbers) };
+}
+
+function constructedNow(store: Store, numbers: Numbers | null) {
+  const extra = store.space.overlay.value;
+  const own = foundNow(store) === null && !extra?.alone ? (numbers?.constructed ?? []) : [];
+  return [...own, ...(extra?.constructed ?? [])];
+}
+
+function hovered({ study }: Store, what: { point?: string; entity?: string } | null): Target | null {
+  if (!what) return null;
+  const entity = study.peek()?.entities.find(({ id }) => id === what.entity);
+  if (entity) return entityTarget(entity);
+  return what.point === undefined ? null : pointTarget(what.point);
+}
+
+function highlightOf(target: Target | null) {
+  if (!target) return null;
+  const { kind, points, entity } = target;
+  if (entity !== undefined) return { entities: [entity], points };
+  return kind === "leg" ? { legs: [[points[0] ?? "", points[1] ?? ""] as [string, string]] } : { points };
+}

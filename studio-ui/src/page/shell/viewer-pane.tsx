@@ -1,0 +1,39 @@
+// The robot in 3D: makes the viewer, tells it of every change, and hears from it.
+import { useEffect, useRef } from "preact/hooks";
+import { useStore } from "../parts/context";
+import { EntityChip } from "../parts/entity-chip";
+import { Toolbar } from "./toolbar";
+import { connect, foundNow } from "./viewer-link";
+import { Warning } from "./warning";
+
+export function ViewerPane() {
+  const store = useStore();
+  const box = useRef<HTMLDivElement>(null);
+  useEffect(() => (box.current ? connect(box.current, store) : undefined), [store]);
+  return (
+    <section class="viewer-pane" aria-label="Robot in 3D">
+      <div class="viewer" ref={box} data-testid="viewer" />
+      <Toolbar />
+      <Warning />
+      <Legend />
+    </section>
+  );
+}
+
+function Legend() {
+  const store = useStore();
+  const { study, space } = store;
+  const shown = study.value;
+  if (!shown) return null;
+  const found = foundNow(store);
+  const extra = space.overlay.value;
+  const own = extra?.alone ? [] : shown.entities.filter(({ id }) => found === null || found.includes(id));
+  return (
+    <div class="legend" aria-label="Entities">
+      {own.length === 0 && "Drag to look around. Point at a joint, a leg or a bracket: it lights up everywhere."}
+      {own.map((entity) => (
+        <EntityChip key={entity.id} entity={entity} named={false} />
+      ))}
+    </div>
+  );
+}

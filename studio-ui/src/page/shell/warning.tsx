@@ -1,0 +1,69 @@
+// Over the picture, where the pose is close or singular: what has gone wrong in the geometry, and the motion that is gained.
+import { useEffect, useState } from "preact/hooks";
+import { useStore } from "../parts/context";
+import { Icon } from "../parts/icon";
+import { Prose } from "../parts/prose";
+
+export function Warning() {
+  const { posing, space } = useStore();
+  const [open, unfold] = useState(false);
+  const numbers = posing.numbers.value;
+  const warns = numbers !== null && numbers.verdict !== "regular";
+  const movable = warns && numbers.motion !== null;
+  useEffect(() => {
+    if (!movable) space.playing.value = false;
+  }, [movable]);
+  if (!warns) return null;
+  const causes = numbers.causes.flatMap((cause) => cause.split("\n"));
+  const motion = numbers.motion ? [sentence(numbers.motion.text)] : [];
+  const [first, ...others] = [...causes, ...motion];
+  if (first === undefined) return null;
+  return (
+    <div class={`warning ${numbers.verdict}`} data-testid="warning">
+      {movable && <Play />}
+      <ul data-testid="causes" class={open ? "open" : ""}>
+        <li>
+          <Prose text={first} />
+        </li>
+        {others.map((text) => (
+          <li key={text} hidden={!open} {...(motion.includes(text) && { "data-testid": "motion" })}>
+            <Prose text={text} />
+          </li>
+        ))}
+      </ul>
+      {others.length > 0 && (
+        <button
+          type="button"
+          class="quiet unfold"
+          aria-expanded={open}
+          aria-label={open ? "Less" : "More about it"}
+          title={open ? "Less" : "More about it"}
+          data-testid="warning-more"
+          onClick={() => unfold(!open)}
+        >
+          <Icon name="more" size={16} />
+        </button>
+      )}
+    </div>
+  );
+}
+
+function Play() {
+  const { space } = useStore();
+  const playing = space.playing.value;
+  return (
+    <button
+      type="button"
+      class="play"
+      aria-pressed={playing}
+      aria-label={playing ? "Stop the motion" : "Show the gained motion"}
+      title={playing ? "Stop the motion" : "Show the motion that the platform gains"}
+      data-testid="play-motion"
+      onClick={() => (space.playing.value = !playing)}
+    >
+      <Icon name={playing ? "pause" : "play"} size={14} /> {playing ? "Stop" : "Motion"}
+    </button>
+  );
+}
+
+const sentence = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1) + (text.endsWith(".") ? "" : ".");

@@ -1,0 +1,57 @@
+// Opens a platform or robot file: by the button, or dropped anywhere on the page. Its text goes to the server, not its path.
+import { useEffect, useRef, useState } from "preact/hooks";
+import type { Fault } from "../../protocol";
+import { useStore } from "../parts/context";
+import { FaultBox } from "../parts/fault-box";
+import { Icon } from "../parts/icon";
+
+const LARGEST = 400_000; // characters that the server takes
+
+export function FileButton() {
+  const { open } = useStore();
+  const [fault, tell] = useState<Fault | null>(null);
+  const input = useRef<HTMLInputElement>(null);
+
+  async function take(file: File | undefined): Promise<void> {
+    if (!file) return;
+    tell(null);
+    if (file.size > LARGEST) {
+      return tell({ kind: "input", message: `${file.name} is too large`, hint: `at most ${LARGEST / 1000} kB are read` });
+    }
+    open({ kind: "file", text: await file.text(), name: file.name });
+  }
+
+  useEffect(() => {
+    const over = (event: DragEvent) => event.preventDefault();
+    const drop = (event: DragEvent) => {
+      event.preventDefault();
+      void take(event.dataTransfer?.files[0]);
+    };
+    addEventListener("dragover", over);
+    addEventListener("drop", drop);
+    return () => {
+      removeEventListener("dragover", over);
+      removeEventListener("drop", drop);
+    };
+  }, []);
+
+  return (
+    <>
+      <button type="button" onClick={() => input.current?.click()} title="A platform or robot file (YAML); it can also be dropped here">
+        <Icon name="file" size={16} /> Open a file
+      </button>
+      <input
+        ref={input}
+        type="file"
+        accept=".yaml,.yml,.json"
+        hidden
+        data-testid="file"
+        onChange={(event) => {
+          void take(event.currentTarget.files?.[0]);
+          event.currentTarget.value = "";
+        }}
+      />
+      {fault && <FaultBox fault={fault} />}
+    </>
+  );
+}

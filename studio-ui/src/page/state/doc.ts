@@ -1,0 +1,55 @@
+// What the user has made: everything that undo brings back and that the link in the address bar restores.
+import type { Pose, Sketch, Source, StageId, Vec3 } from "../../protocol";
+
+export type PanelId = "start" | "guided" | "manual" | "bench" | "draw" | "take-away";
+
+export interface Doc {
+  source: Source | null;
+  pose: Pose;
+  panel: PanelId;
+  /** null: the first one of the structure. */
+  stage: StageId | null;
+  /** Closer than this is close: an angle ("0.5 deg") or a length ("20 mm"). */
+  threshold: string;
+  /** Commands of manual mode. */
+  commands: string[];
+  /** Text of the expression bench. */
+  bench: string;
+  /** What is being drawn, if anything. */
+  sketch: Sketch | null;
+}
+
+export const HOME: Pose = { translation: [0, 0, 0], quaternion: [1, 0, 0, 0] };
+
+export const EMPTY: Doc = {
+  source: null,
+  pose: HOME,
+  panel: "start",
+  stage: null,
+  threshold: "0.5 deg",
+  commands: [],
+  bench: "",
+  sketch: null,
+};
+
+/** The fields that say where the user is rather than what was made: changing them is no step to undo. */
+export const NAVIGATION = ["panel", "stage"] as const satisfies readonly (keyof Doc)[];
+
+export function sameSource(a: Source | null, b: Source | null): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}
+
+export function samePose(a: Pose, b: Pose): boolean {
+  const flat = (p: Pose) => [...p.translation, ...p.quaternion, ...(p.coordinates ?? [])];
+  const [x, y] = [flat(a), flat(b)];
+  return x.length === y.length && x.every((value, i) => Math.abs(value - (y[i] ?? NaN)) < 1e-12);
+}
+
+export const isHome = (pose: Pose): boolean =>
+  samePose({ ...pose, coordinates: [] }, { ...HOME, coordinates: [] }) && !pose.coordinates?.some((c) => c !== 0);
+
+export function shifted(pose: Pose, axis: 0 | 1 | 2, value: number): Pose {
+  const translation: Vec3 = [...pose.translation];
+  translation[axis] = value;
+  return { ...pose, translation };
+}

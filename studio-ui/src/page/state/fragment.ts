@@ -1,0 +1,56 @@
+// The document in the fragment of the address: base64url of JSON, deflated where that is shorter. Only what differs from
+// the empty document is written, so that the link of a class is short. The fragment never leaves the browser.
+import { EMPTY, HOME, samePose, type Doc } from "./doc";
+import { readDoc } from "./read";
+
+const LARGE = 240; // characters of JSON above which deflating pays
+
+export async function writeFragment(doc: Doc): Promise<string> {
+  const json = compact(doc);
+  if (json === "{}") return "";
+  if (json.length < LARGE || typeof CompressionStream === "undefined") return plainFragment(doc);
+  const deflated = await piped(new TextEncoder().encode(json), new CompressionStream("deflate-raw"));
+  return `#z=${toBase64(deflated)}`;
+}
+
+/** The same without deflating: at once, for when the page goes away. */
+export function plainFragment(doc: Doc): string {
+  const json = compact(doc);
+  return json === "{}" ? "" : `#s=${toBase64(new TextEncoder().encode(json))}`;
+}
+
+/** The document of a fragment; null if there is none or if it cannot be read. */
+export async function readFragment(fragment: string): Promise<Doc | null> {
+  const found = /^#([sz])=([\w-]+)$/.exec(fragment);
+  if (!found) return null;
+  try {
+    const bytes = fromBase64(found[2] ?? "");
+    const plain = found[1] === "z" ? await piped(bytes, new DecompressionStream("deflate-raw")) : bytes;
+    return readDoc(JSON.parse(new TextDecoder().decode(plain)));
+  } catch {
+    return null;
+  }
+}
+
+function compact(doc: Doc): string {
+  const changed = Object.entries(doc).filter(([key, value]) => {
+    if (key === "pose") return !samePose(doc.pose, HOME);
+    return JSON.stringify(value) !== JSON.stringify(EMPTY[key as keyof Doc]);
+  });
+  return JSON.stringify(Object.fromEntries(changed));
+}
+
+async function piped(bytes: Uint8Array<ArrayBuffer>, through: GenericTransformStream): Promise<Uint8Array<ArrayBuffer>> {
+  const stream = new Blob([bytes]).stream().pipeThrough(through as ReadableWritablePair<Uint8Array, Uint8Array<ArrayBuffer>>);
+  return new Uint8Array(await new Response(stream as BodyInit).arrayBuffer());
+}
+
+function toBase64(bytes: Uint8Array): string {
+  const text = Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+  return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+
+function fromBase64(text: string): Uint8Array<ArrayBuffer> {
+  const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
+  return Uint8Array.from(binary, (letter) => letter.charCodeAt(0));
+}

@@ -1,0 +1,93 @@
+// Numbers at the pose: asked for at every move, latest first; with the way that closeness has gone.
+import { effect, signal, type ReadonlySignal } from "@preact/signals";
+import type { Along, Fault, Numbers, Pose, Source } from "../../protocol";
+import type { Client } from "../net/client";
+import { latest } from "../net/latest";
+import { sameSource } from "./doc";
+import type { Editing } from "./editing";
+import { faultOf, type Studying } from "./studying";
+import { extended, LONGEST, passedOf, type Passed } from "./trail";
+
+export interface Posing {
+  numbers: ReadonlySignal<Numbers | null>;
+  fault: ReadonlySignal<Fault | null>;
+  /** The last moves; refreshed at most ten times a second. */
+  trail: ReadonlySignal<readonly Passed[]>;
+  forget(): void;
+  /** A way that is gone now: evenly sampled by the server. The function that is returned puts it into the trail. */
+  walk(way: Pose[]): () => void;
+}
+
+interface Asked {
+  source: Source;
+  pose: Pose;
+  threshold: string;
+}
+
+const THROTTLE = 100; // milliseconds between two pictures of the way
+
+export function createPosing(client: Client, editing: Editing, studying: Studying): Posing {
+  const numbers = signal<Numbers | null>(null);
+  const fault = signal<Fault | null>(null);
+  const trail = signal<readonly Passed[]>([]);
+  let passed: readonly Passed[] = [];
+  let timer = 0;
+
+  const current = (asked: Asked) => sameSource(asked.source, editing.doc.peek().source) && studying.study.peek() !== null;
+
+  function note(found: Numbers): void {
+    show(extended(passed, found));
+  }
+
+  function show(way: readonly Passed[]): void {
+    passed = way;
+    timer ||= window.setTimeout(() => {
+      timer = 0;
+      trail.value = passed;
+    }, THROTTLE);
+  }
+
+  const request = latest(
+    (asked: Asked) => client.ask("pose", { ...asked }, { channel: "pose" }),
+    (found, asked) => {
+      if (!current(asked)) return;
+      numbers.value = found;
+      fault.value = null;
+      note(found);
+    },
+    (error, asked) => {
+      const said = faultOf(error);
+      if (current(asked) && said.kind !== "superseded") fault.value = said;
+    },
+  );
+
+  function forget(): void {
+    passed = [];
+    trail.value = passed;
+  }
+
+  function walk(way: Pose[]): () => void {
+    const before = passed;
+    const { source, threshold } = editing.doc.peek();
+    let sampled: readonly Passed[] = [];
+    const asked = source ? client.ask("along", { source, poses: way, threshold }, { channel: "along" }) : null;
+    const take = (found: Along) => void (sampled = passedOf(found, way));
+    asked?.then(take, () => undefined); // without an answer the poses seen on the way stay
+    return () => sampled.length > 0 && show([...before, ...sampled].slice(-LONGEST));
+  }
+
+  effect(() => {
+    if (studying.study.value !== null) return;
+    numbers.value = null;
+    fault.value = null;
+    forget();
+  });
+
+  const { source$, pose$, threshold$ } = editing;
+  effect(() => {
+    const [pose, threshold, source] = [pose$.value, threshold$.value, source$.peek()];
+    if (studying.study.value && source) request({ source, pose, threshold });
+  });
+
+  return { numbers, fault, trail, forget, walk };
+}

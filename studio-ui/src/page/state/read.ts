@@ -1,0 +1,66 @@
+// Reads a document that comes from outside (a link): every field is checked, what is not understood is left out.
+import type { Pose, Sketch, Source, StageId, Vec3 } from "../../protocol";
+import { EMPTY, HOME, type Doc, type PanelId } from "./doc";
+
+type Loose = Record<string, unknown>;
+
+export const PANELS: readonly PanelId[] = ["start", "guided", "manual", "bench", "draw", "take-away"];
+export const STAGES: readonly StageId[] = [
+  "structure", "superbracket", "shortest", "tetrahedra", "planes", "lines", "left-over",
+  "condition", "statement", "check", "limbs", "equivalent",
+];
+
+const isObject = (x: unknown): x is Loose => typeof x === "object" && x !== null && !Array.isArray(x);
+const isText = (x: unknown): x is string => typeof x === "string";
+const isNumber = (x: unknown): x is number => typeof x === "number" && Number.isFinite(x);
+const listOf = <T>(is: (x: unknown) => x is T) => (x: unknown): x is T[] => Array.isArray(x) && x.every(is);
+const isVec3 = (x: unknown): x is Vec3 => listOf(isNumber)(x) && x.length === 3;
+const isLeg = (x: unknown): x is [string, string] => listOf(isText)(x) && x.length === 2;
+const among = <T extends string>(allowed: readonly T[]) => (x: unknown): x is T => allowed.some((a) => a === x);
+
+export function readSource(x: unknown): Source | null {
+  if (!isObject(x)) return null;
+  const { kind, id, name, legs, text } = x;
+  if ((kind === "class" || kind === "robot") && isText(id)) return { kind, id };
+  if (kind === "example" && isText(name)) return { kind, name };
+  if (kind === "legs" && isText(legs)) return { kind, legs };
+  if (kind === "file" && isText(text) && isText(name)) return { kind, text, name };
+  return null;
+}
+
+export function readPose(x: unknown): Pose {
+  if (!isObject(x) || !isVec3(x.translation) || !listOf(isNumber)(x.quaternion) || x.quaternion.length !== 4) return HOME;
+  const [w, a, b, c] = x.quaternion as [number, number, number, number];
+  const size = Math.hypot(w, a, b, c);
+  if (size < 1e-9) return HOME;
+  const unit = Math.abs(size - 1) < 1e-9;
+  const pose: Pose = {
+    translation: x.translation,
+    quaternion: unit ? [w, a, b, c] : [w / size, a / size, b / size, c / size],
+  };
+  return listOf(isNumber)(x.coordinates) ? { ...pose, coordinates: x.coordinates } : pose;
+}
+
+export function readSketch(x: unknown): Sketch | null {
+  if (!isObject(x) || !isText(x.title) || !isObject(x.points)) return null;
+  const { title, base, platform, legs } = x;
+  const points = Object.entries(x.points).filter((e): e is [string, Vec3] => isVec3(e[1]));
+  if (!listOf(isText)(base) || !listOf(isText)(platform) || !listOf(isLeg)(legs)) return null;
+  return { title, base, platform, legs, points: Object.fromEntries(points) };
+}
+
+export function readDoc(x: unknown): Doc {
+  if (!isObject(x)) return EMPTY;
+  const source = readSource(x.source);
+  const panel = among(PANELS)(x.panel) ? x.panel : EMPTY.panel;
+  return {
+    source,
+    pose: readPose(x.pose),
+    panel: source || panel === "bench" || panel === "draw" ? panel : "start",
+    stage: among(STAGES)(x.stage) ? x.stage : EMPTY.stage,
+    threshold: isText(x.threshold) ? x.threshold : EMPTY.threshold,
+    commands: listOf(isText)(x.commands) ? x.commands : [],
+    bench: isText(x.bench) ? x.bench : "",
+    sketch: readSketch(x.sketch),
+  };
+}

@@ -1,0 +1,48 @@
+// All that the page knows, in one object that every panel is given.
+import { signal, type ReadonlySignal } from "@preact/signals";
+import type { Gallery } from "../../protocol";
+import type { Client } from "../net/client";
+import type { Doc } from "./doc";
+import { createEditing, type Editing } from "./editing";
+import { createLit, type Lit } from "./lit";
+import { createMoving, type Moving } from "./moving";
+import { createPosing, type Posing } from "./posing";
+import { createSeeker, type Seeker } from "./seeking";
+import { createSpace, type Space } from "./space";
+import { createStudying, type Studying } from "./studying";
+import { createTaste, type Taste } from "./taste";
+
+export interface Store extends Editing, Studying {
+  /** Asks the server; see protocol.ts. */
+  client: Client;
+  gallery: ReadonlySignal<Gallery | null>;
+  posing: Posing;
+  moving: Moving;
+  seeker: Seeker;
+  lit: Lit;
+  space: Space;
+  taste: Taste;
+}
+
+export function createStore(client: Client, start: Doc): Store {
+  const editing = createEditing(start);
+  const studying = createStudying(client, editing);
+  const gallery = signal<Gallery | null>(null);
+  void client.ask("gallery", {}).then((found) => (gallery.value = found));
+  void client.ask("hello", {}).then(({ opened }) => {
+    if (opened && !editing.doc.peek().source) editing.open(opened);
+  });
+  const posing = createPosing(client, editing, studying);
+  return {
+    ...editing,
+    ...studying,
+    client,
+    gallery,
+    posing,
+    moving: createMoving(editing, posing),
+    seeker: createSeeker(client, editing),
+    lit: createLit(),
+    space: createSpace(),
+    taste: createTaste(),
+  };
+}

@@ -1,0 +1,53 @@
+// Preferences of this browser: they belong to the reader, not to the document, and are kept between visits.
+import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
+import { ANGLES, type Angles } from "../lib/rotation";
+import type { Theme } from "../../viewer";
+
+export interface Taste {
+  /** null: as the system says. */
+  chosen: Signal<Theme | null>;
+  theme: ReadonlySignal<Theme>;
+  /** How the three angles of a turn are given. */
+  angles: Signal<Angles>;
+  /** Share of the width that the steps take, and of the height of the other side that the picture takes. */
+  across: Signal<number>;
+  down: Signal<number>;
+}
+
+const KEY = "gcrules-studio";
+
+export function createTaste(): Taste {
+  const kept = read();
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const system = signal<Theme>(dark.matches ? "dark" : "light");
+  dark.addEventListener("change", () => (system.value = dark.matches ? "dark" : "light"));
+
+  const chosen = signal<Theme | null>(kept.chosen === "light" || kept.chosen === "dark" ? kept.chosen : null);
+  const angles = signal(ANGLES.find((kind) => kind === kept.angles) ?? "vector");
+  const across = signal(share(kept.across, 0.5));
+  const down = signal(share(kept.down, 0.47));
+  const theme = computed<Theme>(() => chosen.value ?? system.value);
+
+  effect(() => void (document.documentElement.dataset.theme = theme.value));
+  effect(() => write({ chosen: chosen.value, angles: angles.value, across: across.value, down: down.value }));
+  return { chosen, theme, angles, across, down };
+}
+
+export const share = (x: unknown, otherwise: number): number =>
+  typeof x === "number" && x >= 0.2 && x <= 0.8 ? x : otherwise;
+
+function read(): Record<string, unknown> {
+  try {
+    return (JSON.parse(localStorage.getItem(KEY) ?? "{}") as Record<string, unknown> | null) ?? {};
+  } catch {
+    return {}; // storage may be forbidden: preferences then last as long as the page
+  }
+}
+
+function write(value: Record<string, unknown>): void {
+  try {
+    localStorage.setItem(KEY, JSON.stringify(value));
+  } catch {
+    // see read
+  }
+}

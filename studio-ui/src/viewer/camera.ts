@@ -1,0 +1,91 @@
+// The camera: where it looks from, fitted to the robot, and its way from one view to another.
+import { PerspectiveCamera, Vector3 } from "three";
+import { planeOf } from "./bsp";
+import type { Model } from "./drawing";
+import type { Vec3, View } from "./types";
+import { centre, cross, dot, length, mix, scale, sub, unit } from "./vectors";
+
+const ELEVATION = 20;
+
+export function newCamera(): PerspectiveCamera {
+  const camera = new PerspectiveCamera(26, 1, 0.01, 100);
+  camera.up.set(0, 0, 1);
+  return camera;
+}
+
+export interface Stand {
+  eye: Vec3;
+  target: Vec3;
+}
+
+/** Where to stand so that the whole robot is seen from a direction. */
+export function fitted(camera: PerspectiveCamera, model: Model, direction: Vec3): Stand {
+  const half = (camera.fov * Math.PI) / 360;
+  const narrow = Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
+  const far = (1.03 * model.reach) / Math.sin(narrow);
+  return { eye: mix(model.middle, sum(model.middle, unit(direction)), far), target: model.middle };
+}
+
+const sum = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+
+/** The direction of a standard view, seen from the middle. From the top x goes to the right and y up. */
+export function directionOf(view: Exclude<View, "fit">, model: Model): Vec3 {
+  if (view === "front") return [0, -1, 0];
+  if (view === "side") return [1, 0, 0];
+  if (view === "top") return [0, -1e-4, 1];
+  return telling(model);
+}
+
+/** Among the directions around the robot the one in which joints hide each other least and no plane is seen edge on. */
+function telling(model: Model): Vec3 {
+  const joints = model.tags.filter((t) => t.look === "joint").map((t) => scale(sub(t.at, model.middle), 1 / model.radius));
+  const normals = model.faces.flatMap((face) => {
+    const n = planeOf(face.corners);
+    return n ? [n.normal] : [];
+  });
+  const legs = model.rods.filter((r) => r.solid).map((r) => unit(sub(r.b, r.a)));
+  let best: { cost: number; eye: Vec3 } | null = null;
+  for (let azimuth = -60; azimuth < 300; azimuth += 10) {
+    const [a, e] = [(azimuth * Math.PI) / 180, (ELEVATION * Math.PI) / 180];
+    const eye: Vec3 = [Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e)];
+    const right: Vec3 = [-Math.sin(a), Math.cos(a), 0];
+    const up = cross(eye, right);
+    const flat = joints.map((p) => [dot(p, right), dot(p, up)] as const);
+    let cost = 0;
+    flat.forEach(([x, y], i) =>
+      flat.slice(i + 1).forEach(([u, v]) => {
+        const apart = Math.hypot(x - u, y - v);
+        cost += apart < 0.22 ? 4 * (1 - apart / 0.22) : 0;
+      }),
+    );
+    for (const n of normals) cost += Math.abs(dot(n, eye)) < 0.2 ? 2 * (1 - Math.abs(dot(n, eye)) / 0.2) : 0;
+    for (const u of legs) cost += Math.max(0, Math.abs(dot(u, eye)) - 0.85) * 6;
+    if (!best || cost < best.cost - 1e-9) best = { cost, eye };
+  }
+  return best!.eye;
+}
+
+export function stand(camera: PerspectiveCamera, target: Vector3, { eye, target: t }: Stand, size: number): void {
+  camera.position.set(...eye);
+  target.set(...t);
+  camera.lookAt(target);
+  clip(camera, target, size);
+}
+
+/** Near and far planes around what is seen. */
+export function clip(camera: PerspectiveCamera, target: Vector3, size: number): void {
+  const away = camera.position.distanceTo(target);
+  camera.near = Math.max(away - 8 * size, 0.02 * size);
+  camera.far = away + 8 * size;
+  camera.updateProjectionMatrix();
+}
+
+/** A stand on the way from one to another, t from 0 to 1: around the target, not through it. */
+export function between(from: Stand, to: Stand, t: number): Stand {
+  const ease = t * t * (3 - 2 * t);
+  const target = mix(from.target, to.target, ease);
+  const [a, b] = [sub(from.eye, from.target), sub(to.eye, to.target)];
+  const way = mix(unit(a), unit(b), ease);
+  const direction = length(way) > 0.05 ? unit(way) : unit(centre([a, cross(a, [0.3, 0.2, 1])]));
+  return { eye: sum(target, scale(direction, length(a) + (length(b) - length(a)) * ease)), target };
+}

@@ -1,0 +1,133 @@
+// What is drawn: faces, rods, balls, cones and labels in space with their colours, whoever draws them.
+import { blend, colourOf, entityRole, type Role } from "./palette";
+import type { Outline } from "./solids";
+import type { Highlight, Layer, Scene, Theme, Vec3 } from "./types";
+import { along, distance, mix, sub, unit } from "./vectors";
+
+export interface Face extends Outline {
+  colour: string;
+  /** Opacity of the area. */
+  fill: number;
+  /** Radius of the edges in space. */
+  rim: number;
+  entity?: string;
+}
+export interface Rod {
+  a: Vec3;
+  b: Vec3;
+  radius: number;
+  colour: string;
+  /** Shaded as a round body; lines are not. */
+  solid: boolean;
+  entity?: string;
+}
+export interface Ball {
+  at: Vec3;
+  radius: number;
+  fill: string;
+  rim: string;
+  /** Radius with the rim. */
+  outer: number;
+}
+export interface Cone {
+  base: Vec3;
+  tip: Vec3;
+  radius: number;
+  colour: string;
+}
+export interface Tag {
+  text: string;
+  at: Vec3;
+  /** Radius in space to keep clear of. */
+  clear: number;
+  colour: string;
+  look: "joint" | "entity" | "construction";
+  strong: boolean;
+  upright: boolean;
+}
+export interface Model {
+  faces: Face[];
+  rods: Rod[];
+  balls: Ball[];
+  cones: Cone[];
+  tags: Tag[];
+  /** Thin lines of the ground. */
+  grid: [Vec3, Vec3][];
+  /** The width of a square of the grid, in words. */
+  gauge: string;
+  /** A ball around all joints. */
+  middle: Vec3;
+  radius: number;
+  /** What the camera is fitted to: the joints with the entities around them. */
+  reach: number;
+}
+
+export interface State {
+  theme: Theme;
+  highlight: Highlight | null;
+  hidden: ReadonlySet<Layer>;
+  /** Place in the swing of the gained motion, from −1 to 1; null while it rests. */
+  swing: number | null;
+}
+
+/** Lengths as shares of the scene's size. */
+export const SIZES = { joint: 0.021, leg: 0.0085, line: 0.0055, edge: 0.003, margin: 0.13, extra: 0.3, far: 2.2 };
+
+/** Collects what is drawn, in the colours of a theme. */
+export class Drawing implements Model {
+  readonly faces: Face[] = [];
+  readonly rods: Rod[] = [];
+  readonly balls: Ball[] = [];
+  readonly cones: Cone[] = [];
+  readonly tags: Tag[] = [];
+  readonly grid: [Vec3, Vec3][] = [];
+  gauge = "";
+  readonly middle: Vec3;
+  readonly radius: number;
+
+  get reach(): number {
+    const corners = [...this.faces.flatMap((f) => f.corners), ...this.rods.flatMap((r) => [r.a, r.b])];
+    return Math.min(1.45 * this.radius, Math.max(this.radius, ...corners.map((c) => distance(c, this.middle))));
+  }
+
+  constructor(readonly scene: Scene, readonly state: State) {
+    const places = jointsOf(scene);
+    const bound = (k: 0 | 1 | 2, of: (...numbers: number[]) => number) => of(...places.map((p) => p[k]));
+    const half = (k: 0 | 1 | 2) => (bound(k, Math.min) + bound(k, Math.max)) / 2;
+    this.middle = places.length ? [half(0), half(1), half(2)] : [0, 0, 0];
+    this.radius = Math.max(...places.map((p) => distance(p, this.middle)), scene.size * 0.3);
+  }
+
+  colour = (role: Role): string => colourOf(role, this.state.theme);
+  entityColour = (number: number): string => this.colour(entityRole(number));
+  pale = (colour: string, share: number): string => blend(colour, this.colour("paper"), share);
+  shows = (layer: Layer): boolean => !this.state.hidden.has(layer);
+
+  line(a: Vec3, b: Vec3, colour: string, more: Partial<Rod> = {}): void {
+    this.rods.push({ a, b, colour, radius: SIZES.line * this.scene.size, solid: false, ...more });
+  }
+  dashes(a: Vec3, b: Vec3, colour: string, more: Partial<Rod> = {}): void {
+    const count = Math.max(1, Math.round(distance(a, b) / (0.085 * this.scene.size)));
+    for (let k = 0; k < count; k++) this.line(mix(a, b, (k + 0.2) / count), mix(a, b, (k + 0.8) / count), colour, more);
+  }
+  ball(at: Vec3, radius: number, fill: string, rim: string, width = 1): void {
+    this.balls.push({ at, radius, fill, rim, outer: radius * width });
+  }
+  arrow(a: Vec3, b: Vec3, colour: string, thick = 1): void {
+    const size = this.scene.size * thick;
+    const neck = along(b, unit(sub(b, a)), -0.075 * size);
+    this.line(a, neck, colour, { radius: SIZES.line * 1.3 * size });
+    this.cones.push({ base: neck, tip: b, radius: 0.024 * size, colour });
+  }
+  tag(text: string, at: Vec3, colour: string, look: Tag["look"], more: Partial<Tag> = {}): void {
+    if (this.shows("labels")) this.tags.push({ text, at, colour, look, clear: 0, strong: false, upright: false, ...more });
+  }
+}
+
+/** The places of the points that are drawn. */
+export function jointsOf(scene: Scene): Vec3[] {
+  const names = new Set([...scene.base, ...scene.platform, ...scene.legs.flat()]);
+  const places = [...names].flatMap((n) => (scene.points[n] ? [scene.points[n]] : []));
+  for (const limb of scene.limbs ?? []) places.push(...limb.joints.flatMap((j) => (j.point ? [j.point] : [])));
+  return places.length ? places : Object.values(scene.points);
+}

@@ -1,0 +1,230 @@
+// The viewer with what is needed to move the platform where there is no page around it: in the HTML report and in
+// notebooks. Six sliders, standard views, and the numbers of the pose, computed here.
+import { colourOf, entityRole } from "./palette";
+import { eulerAngles, fromEuler, IDENTITY } from "./pose";
+import { runs } from "./names";
+import { numbersAt, type PoseNumbers } from "./numbers";
+import { STYLE } from "./style";
+import type { Mode, Pose, Scene, Theme, Vec3, View, Viewer } from "./types";
+import { createViewer } from "./viewer";
+
+export interface Explorer {
+  readonly viewer: Viewer;
+  /** Those of the platform's pose; null for a robot that is not moved here. */
+  readonly numbers: PoseNumbers | null;
+  setPose(pose: Pose): void;
+  setScene(scene: Scene): void;
+  dispose(): void;
+}
+
+export interface ExplorerOptions {
+  onPose?(pose: Pose, done: boolean): void;
+  renderer?: "auto" | "svg";
+}
+
+const VERDICTS = {
+  regular: "Regular: the six legs control the platform here.",
+  close: "Warning: close to singular.",
+  singular: "Warning: singular within rounding: the legs do not control the platform here.",
+};
+const MODES: [Mode, string, string][] = [
+  ["orbit", "View", "Drag turns the view"],
+  ["translate", "Shift", "Handles that shift the platform"],
+  ["rotate", "Turn", "Handles that turn the platform"],
+];
+const VIEWS: [View, string][] = [
+  ["iso", "3D"],
+  ["front", "Front"],
+  ["side", "Side"],
+  ["top", "Top"],
+  ["fit", "Fit"],
+];
+const AXES = ["x", "y", "z", "about z", "about y", "about x"];
+
+export function explore(host: HTMLElement, first: Scene, options: ExplorerOptions = {}): Explorer {
+  let scene = first;
+  let pose = first.pose ?? IDENTITY;
+  let numbers: PoseNumbers | null = null;
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const theme = (): Theme => (dark.matches ? "dark" : "light");
+
+  const root = make("div", { class: "gcx" });
+  const canvas = make("div", { class: "gcx-view" });
+  const side = make("div", { class: "gcx-side" });
+  const verdict = make("p", { class: "gcx-verdict", role: "status" });
+  const table = make("dl", { class: "gcx-numbers" });
+  const legend = make("ul", { class: "gcx-legend" });
+  const sliders = AXES.map((name, i) => slider(name, i));
+  const swing = make("input", { type: "checkbox" });
+  const gained = make("label", { class: "gcx-motion" }, swing, " show the motion that the platform gains");
+  const home = button("Home", "The pose of the file", () => move(IDENTITY, true));
+  side.append(verdict, table, gained, make("div", { class: "gcx-sliders" }, ...sliders.map((s) => s.row)), home, legend);
+  const bar = make("div", { class: "gcx-bar" });
+  root.append(bar, canvas, side);
+  if (!document.getElementById("gcx-style")) document.head.append(make("style", { id: "gcx-style" }, STYLE));
+  host.replaceChildren(root);
+
+  const viewer = createViewer(canvas, {
+    theme: theme(),
+    renderer: options.renderer ?? "auto",
+    gizmo: Boolean(first.recipe),
+    wheel: "focused",
+    onPose: (p, done) => move(p, done),
+  });
+  const modes = MODES.map(([mode, name, words]) => {
+    const one = button(name, words, () => chosen(mode));
+    one.dataset.mode = mode;
+    return one;
+  });
+  const chosen = (mode: Mode) => {
+    viewer.setMode(mode);
+    modes.forEach((b) => b.setAttribute("aria-pressed", String(b.dataset.mode === mode)));
+  };
+  bar.append(
+    make("span", { class: "gcx-modes", role: "group", "aria-label": "What dragging does" }, ...modes),
+    make("span", { role: "group", "aria-label": "Views" }, ...VIEWS.map(([view, name]) => button(name, `View: ${name}`, () => viewer.setView(view)))),
+  );
+  swing.addEventListener("change", () => viewer.animateMotion(swing.checked));
+  const themed = () => {
+    viewer.setTheme(theme());
+    showLegend();
+  };
+  dark.addEventListener("change", themed);
+  start(first);
+  chosen("orbit");
+
+  /** Whether nothing moves: what is drawn is no platform on six legs. */
+  function still(): boolean {
+    return !scene.recipe;
+  }
+
+  function start(next: Scene): void {
+    scene = next;
+    root.classList.toggle("gcx-still", still());
+    pose = next.pose ?? IDENTITY;
+    viewer.show(next);
+    sliders.forEach((s, i) => s.reach(i < 3 ? 1.2 * next.size : 180));
+    showLegend();
+    settle();
+  }
+
+  /** The platform to a pose, the numbers after it. */
+  function move(next: Pose, done: boolean): void {
+    pose = next;
+    viewer.setPose(next);
+    settle();
+    options.onPose?.(next, done);
+  }
+
+  function settle(): void {
+    if (still()) return;
+    const found = numbersAt({ ...scene, points: viewer.points() });
+    numbers = found;
+    viewer.update({ constructed: found.constructed, motion: found.motion });
+    root.dataset.verdict = verdict.dataset.verdict = found.verdict;
+    verdict.textContent = VERDICTS[found.verdict];
+    gained.hidden = !found.motion;
+    const places = [...pose.translation, ...eulerAngles(pose.quaternion)];
+    sliders.forEach((s, i) => s.set(places[i]!));
+    const rows: [string, HTMLElement | string][] = [
+      ["Superbracket", figure(found.superbracket, scene.unit && `${scene.unit}⁹`)],
+      ["Closeness", figure(found.closeness)],
+      ...(found.motion ? [["Gained motion", found.motion.text] as [string, string]] : []),
+    ];
+    table.replaceChildren(...rows.flatMap(([key, value]) => [make("dt", {}, key), make("dd", {}, value)]));
+  }
+
+  function showLegend(): void {
+    legend.replaceChildren(
+      ...scene.entities.map((e) => {
+        const item = entry(e.colour, e.kind, " ", named(e.label));
+        item.tabIndex = 0;
+        for (const [name, on] of [["pointerenter", 1], ["focus", 1], ["pointerleave", 0], ["blur", 0]] as const)
+          item.addEventListener(name, () => viewer.highlight(on ? { entities: [e.id], points: e.points } : null));
+        return item;
+      }),
+      ...(scene.planes ?? []).flatMap((p) => (p.colour === undefined ? [] : [entry(p.colour, "plane ", named(p.label))])),
+      ...(scene.recipe?.lines ?? []).map((line) => entry(line.colour, "line ", named(line.label))),
+      ...(scene.limbs ?? []).map((limb) => entry(limb.colour, `${limb.name}: ${limb.wrenches.join(", ")}`)),
+    );
+  }
+
+  function entry(colour: number, ...words: (Node | string)[]): HTMLLIElement {
+    const item = make("li", {}, ...words);
+    item.style.setProperty("--own", colourOf(entityRole(colour), theme()));
+    return item;
+  }
+
+  function slider(name: string, i: number) {
+    const range = make("input", { type: "range", "aria-label": i < 3 ? `shift along ${name}` : `turn ${name}`, step: "any" });
+    const box = make("input", { type: "number", "aria-label": i < 3 ? `shift along ${name}` : `turn ${name}, degrees`, step: "any" });
+    const read = (value: string, done: boolean) => {
+      const number = Number(value);
+      if (value === "" || !Number.isFinite(number)) return;
+      const places = [...pose.translation, ...eulerAngles(pose.quaternion)];
+      places[i] = number;
+      const turn = places.slice(3) as Vec3;
+      move({ translation: places.slice(0, 3) as Vec3, quaternion: i < 3 ? pose.quaternion : fromEuler(turn) }, done);
+    };
+    range.addEventListener("input", () => read(range.value, false));
+    range.addEventListener("change", () => read(range.value, true));
+    box.addEventListener("change", () => read(box.value, true));
+    const row = make("label", { class: "gcx-row" }, make("span", {}, i < 3 ? named(name) : name), range, box);
+    return {
+      row,
+      reach: (far: number) => [range.min, range.max] = [String(-far), String(far)],
+      set: (value: number) => {
+        const shown = Number(value.toPrecision(5));
+        if (document.activeElement !== range) range.value = String(value);
+        if (document.activeElement !== box) box.value = String(Math.abs(shown) < 1e-9 * scene.size ? 0 : shown);
+      },
+    };
+  }
+
+  return {
+    viewer,
+    get numbers() {
+      return numbers;
+    },
+    setPose(next) {
+      pose = next;
+      viewer.setPose(next);
+      settle();
+    },
+    setScene: start,
+    dispose() {
+      dark.removeEventListener("change", themed);
+      viewer.dispose();
+      root.remove();
+    },
+  };
+}
+
+/** Four digits; large and small numbers with a power of ten. */
+function figure(value: number, unit = ""): HTMLElement {
+  const plain = value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e6);
+  const [digits, power] = plain ? [String(Number(value.toPrecision(4)))] : value.toExponential(3).split("e");
+  const signed = (text: string) => text.replace("-", "−").replace("+", "");
+  const found = make("span", {}, signed(digits!));
+  if (power) found.append(" × 10", make("sup", {}, signed(power)));
+  if (unit) found.append(` ${unit}`);
+  return found;
+}
+
+function named(label: string): HTMLElement {
+  const parts = runs(label).map((run) => make(run.style === "italic" ? "i" : run.style === "sub" ? "sub" : "span", {}, run.text));
+  return make("span", { class: "gcx-name" }, ...parts);
+}
+
+function button(name: string, words: string, act: () => void): HTMLButtonElement {
+  const found = make("button", { type: "button", title: words }, name);
+  found.addEventListener("click", act);
+  return found;
+}
+
+function make<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Record<string, string>, ...children: (Node | string)[]): HTMLElementTagNameMap[K] {
+  const found = document.createElement(tag);
+  for (const [key, value] of Object.entries(attributes)) found.setAttribute(key, value);
+  found.append(...children);
+  return found;
+}

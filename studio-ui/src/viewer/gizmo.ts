@@ -1,0 +1,68 @@
+// The handles that move and turn the platform.
+import { Object3D, Quaternion, type PerspectiveCamera } from "three";
+import { TransformControls } from "three/addons/controls/TransformControls.js";
+import { normalised } from "./pose";
+import type { Mode, Pose, Vec3 } from "./types";
+import { add, sub } from "./vectors";
+
+export interface GizmoEvents {
+  moved(pose: Pose): void;
+  done(): void;
+  dragging(on: boolean): void;
+  changed(): void;
+}
+
+export class Gizmo {
+  readonly helper: Object3D;
+  readonly proxy = new Object3D();
+  private readonly controls: TransformControls;
+  private about: Vec3 = [0, 0, 0];
+
+  constructor(camera: PerspectiveCamera, surface: HTMLElement, on: GizmoEvents) {
+    this.controls = new TransformControls(camera, surface);
+    this.controls.setSpace("world");
+    this.controls.setSize(1);
+    this.controls.setColors(0xd1495b, 0x3a9d5d, 0x3b7dd8, 0xe6a100);
+    this.controls.attach(this.proxy);
+    this.helper = this.controls.getHelper();
+    this.controls.addEventListener("objectChange", () => on.moved(this.pose));
+    this.controls.addEventListener("mouseUp", () => on.done());
+    this.controls.addEventListener("dragging-changed", ({ value }) => on.dragging(Boolean(value)));
+    this.controls.addEventListener("change", () => on.changed());
+    this.setMode("orbit");
+  }
+
+  private get pose(): Pose {
+    const { x, y, z, w } = this.proxy.quaternion;
+    return { translation: sub(this.proxy.position.toArray() as Vec3, this.about), quaternion: normalised([w, x, y, z]) };
+  }
+
+  get dragging(): boolean {
+    return this.controls.dragging;
+  }
+  /** Whether the pointer is over a handle. */
+  get grabbed(): boolean {
+    return this.controls.enabled && this.controls.axis !== null;
+  }
+
+  place(pose: Pose, about: Vec3): void {
+    this.about = about;
+    if (this.controls.dragging) return;
+    const [w, x, y, z] = pose.quaternion;
+    this.proxy.position.set(...add(about, pose.translation));
+    this.proxy.quaternion.copy(new Quaternion(x, y, z, w));
+    this.proxy.updateMatrixWorld();
+  }
+
+  setMode(mode: Mode): void {
+    const on = mode === "translate" || mode === "rotate";
+    this.controls.enabled = this.helper.visible = on;
+    if (!on) this.controls.axis = null;
+    else this.controls.setMode(mode);
+  }
+
+  dispose(): void {
+    this.controls.detach();
+    this.controls.dispose();
+  }
+}

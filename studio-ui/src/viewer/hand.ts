@@ -1,0 +1,126 @@
+// Pointer and keys on the surface: what is pointed at, what is picked, how the keys move platform and view.
+import { nudged } from "./keys";
+import { spoken } from "./names";
+import type { Rig } from "./rig";
+import type { Surface } from "./surface";
+import type { Mode, Pose, Scene } from "./types";
+
+export interface Pointed {
+  point?: string;
+  entity?: string;
+}
+
+/** What the hand can reach. */
+export interface Reach {
+  readonly mode: Mode;
+  readonly scene: Scene;
+  readonly pose: Pose;
+  readonly rig: Rig;
+  readonly surface: Surface;
+  /** Whether the platform may be moved, and whether the pointer is over a handle. */
+  readonly movable: boolean;
+  readonly grabbed: boolean;
+  under(x: number, y: number, reach: number): Pointed;
+  hovered(found: Pointed | null): void;
+  picked(name: string): void;
+  moved(pose: Pose): void;
+  done(): void;
+  fit(): void;
+}
+
+const ARROWS: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+const REST = 250; // milliseconds after which a key's move counts as done
+
+export class Hand {
+  private pressed: [number, number] | null = null;
+  private last: Pointed | null = null;
+  private rest = 0;
+
+  constructor(private readonly reach: Reach, stop: AbortSignal) {
+    const on = <K extends keyof HTMLElementEventMap>(name: K, act: (event: HTMLElementEventMap[K]) => void) =>
+      reach.surface.root.addEventListener(name, act, { signal: stop });
+    on("pointermove", (e) => this.hover(e));
+    on("pointerleave", () => this.point(null));
+    on("pointerdown", (e) => {
+      this.pressed = [e.clientX, e.clientY];
+      reach.rig.halt();
+    });
+    on("pointerup", (e) => this.release(e));
+    on("keydown", (e) => this.key(e));
+    stop.addEventListener("abort", () => clearTimeout(this.rest));
+  }
+
+  /** Nothing is pointed at any more, for what was is gone. */
+  forget(): void {
+    this.last = null;
+  }
+
+  private under(e: PointerEvent): Pointed {
+    return this.reach.under(...this.reach.surface.place(e), e.pointerType === "mouse" ? 14 : 24);
+  }
+
+  private hover(e: PointerEvent): void {
+    if (e.buttons || this.reach.grabbed) return;
+    const found = this.under(e);
+    this.point(found.point || found.entity ? found : null);
+    if (this.reach.mode === "pick") this.reach.surface.cursor = found.point ? "pointer" : "crosshair";
+  }
+
+  private point(found: Pointed | null): void {
+    if (found?.point === this.last?.point && found?.entity === this.last?.entity) return;
+    this.last = found;
+    this.reach.hovered(found);
+  }
+
+  private release(e: PointerEvent): void {
+    const still = this.pressed && Math.hypot(e.clientX - this.pressed[0], e.clientY - this.pressed[1]) < 6;
+    this.pressed = null;
+    const name = still && !this.reach.grabbed ? this.under(e).point : undefined;
+    if (name) this.pick(name);
+  }
+
+  private pick(name: string): void {
+    this.reach.surface.say(`Point ${spoken(name)}`);
+    this.reach.picked(name);
+  }
+
+  private key(e: KeyboardEvent): void {
+    if (e.ctrlKey || e.metaKey) return;
+    const { reach } = this;
+    const arrow = ARROWS[e.key];
+    const picking = reach.mode === "pick";
+    if (picking && (arrow || e.key === "Enter") && !e.altKey) this.walk(arrow);
+    else if (arrow && (e.altKey || !reach.movable)) reach.rig.turn(arrow[0] * 0.12, arrow[1] * 0.12);
+    else if (e.key === "+" || e.key === "=") reach.rig.zoom(1 / 1.15);
+    else if (e.key === "-") reach.rig.zoom(1.15);
+    else if (e.key === "Home") reach.fit();
+    else {
+      const pose = reach.movable && !picking ? nudged(reach.pose, e.key, e.shiftKey, reach.scene.size) : null;
+      if (!pose) return;
+      reach.moved(pose);
+      clearTimeout(this.rest);
+      this.rest = window.setTimeout(() => reach.done(), REST);
+    }
+    e.preventDefault();
+  }
+
+  /** Arrow keys walk through the points, Enter (no arrow) picks. */
+  private walk(arrow: [number, number] | undefined): void {
+    const names = [...this.reach.scene.base, ...this.reach.scene.platform];
+    const at = this.last?.point ? names.indexOf(this.last.point) : -1;
+    if (!arrow) {
+      if (at >= 0) this.pick(names[at]!);
+      return;
+    }
+    if (!names.length) return;
+    const step = arrow[0] + arrow[1];
+    const next = names[(Math.max(at, step < 0 ? 0 : -1) + step + names.length) % names.length]!;
+    this.point({ point: next });
+    this.reach.surface.say(`Point ${spoken(next)}`);
+  }
+}

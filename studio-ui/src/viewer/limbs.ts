@@ -1,0 +1,69 @@
+// Limbs: links, joints by their kind, and wrenches: forces as arrows, couples as curved arrows.
+import { SIZES, type Drawing } from "./drawing";
+import { curvedArrow } from "./motion";
+import type { LimbView, Vec3 } from "./types";
+import { add, along, distance, mix, scale, unit } from "./vectors";
+
+type JointView = LimbView["joints"][number];
+
+export function drawnLimbs(d: Drawing): void {
+  for (const limb of d.scene.limbs ?? []) {
+    const colour = d.entityColour(limb.colour);
+    links(d, limb);
+    limb.joints.forEach((joint, i) => jointShape(d, joint, placeOf(limb.joints, i)));
+    for (const line of limb.lines) wrench(d, limb, line, colour);
+  }
+}
+
+/** Where a joint is drawn: a slide without a place of its own between its neighbours. */
+function placeOf(joints: readonly JointView[], i: number): Vec3 | null {
+  if (joints[i]!.point) return joints[i]!.point;
+  const before = joints.slice(0, i).reverse().find((j) => j.point)?.point;
+  const after = joints.slice(i + 1).find((j) => j.point)?.point;
+  return before && after ? mix(before, after, 0.5) : null;
+}
+
+function links(d: Drawing, limb: LimbView): void {
+  const places = limb.joints.flatMap((j) => (j.point ? [j.point] : []));
+  for (let i = 1; i < places.length; i++)
+    if (distance(places[i - 1]!, places[i]!) > 1e-6 * d.scene.size)
+      d.rods.push({ a: places[i - 1]!, b: places[i]!, radius: SIZES.leg * d.scene.size, colour: d.colour("leg"), solid: true });
+}
+
+/** Short bars along the axes of turns, a thick one along a slide, a ball for a spherical joint. */
+function jointShape(d: Drawing, joint: JointView, at: Vec3 | null): void {
+  const size = d.scene.size;
+  if (!at) return;
+  const fill = joint.actuated ? d.colour("drive") : d.pale(d.colour("leg"), 0.25);
+  const bar = (axis: Vec3, half: number, radius: number) => {
+    const u = unit(axis);
+    d.rods.push({ a: along(at, u, -half * size), b: along(at, u, half * size), radius: radius * size, colour: fill, solid: true });
+  };
+  const kind = joint.kind.replace(/[^A-Za-z]/g, "");
+  if (kind === "S") {
+    d.ball(at, 0.026 * size, fill, d.colour("ink"), 1.25);
+  } else if (kind === "P") {
+    joint.axes.forEach((axis) => bar(axis, 0.075, 0.026));
+  } else if (joint.axes.length) {
+    joint.axes.forEach((axis) => bar(axis, 0.06, 0.016));
+  } else {
+    d.ball(at, 0.02 * size, fill, d.colour("ink"), 1.3);
+  }
+}
+
+function wrench(d: Drawing, limb: LimbView, line: LimbView["lines"][number], colour: string): void {
+  const size = d.scene.size;
+  const direction = unit(line.direction);
+  const first = limb.joints.find((j) => j.point)?.point ?? d.middle;
+  if (line.wrench === "force") {
+    const at = line.point ?? first;
+    const tip = along(at, direction, 0.5 * size);
+    d.arrow(at, tip, colour);
+    d.tag(line.text, tip, colour, "construction");
+    return;
+  }
+  const at = line.point ?? add(first, scale(direction, 0.16 * size));
+  curvedArrow(d, at, direction, 0.1 * size, colour);
+  d.line(along(at, direction, -0.12 * size), along(at, direction, 0.16 * size), colour, { radius: 0.004 * size });
+  d.tag(line.text, along(at, direction, 0.16 * size), colour, "construction");
+}

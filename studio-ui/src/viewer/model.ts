@@ -1,0 +1,172 @@
+// The robot, its surroundings and the entities of its condition, as a drawing.
+import { Drawing, SIZES, jointsOf, type Model, type State } from "./drawing";
+import { drawnLimbs } from "./limbs";
+import { drawnMotion, swung } from "./motion";
+import { body, disc, patch, stretched, throughBall, volume, type Outline } from "./solids";
+import type { Scene, SceneEntity, Vec3 } from "./types";
+import { centre, distance } from "./vectors";
+
+export function modelOf(scene: Scene, state: State): Model {
+  const d = new Drawing(scene, state);
+  if (d.shows("grid")) ground(d);
+  bodies(d, scene.points, 0);
+  if (d.shows("legs")) legs(d);
+  if (d.shows("entities")) {
+    scene.entities.forEach((entity) => entityShape(d, entity));
+    constructions(d);
+  }
+  if (d.shows("wrenches")) drawnLimbs(d);
+  if (scene.ghost) bodies(d, { ...scene.points, ...scene.ghost }, 0.6, true);
+  if (d.shows("motion") && scene.motion) {
+    drawnMotion(d, scene.motion);
+    if (state.swing !== null) bodies(d, swung(scene, scene.motion, state.swing), 0.25, true);
+  }
+  joints(d);
+  return d;
+}
+
+function bodies(d: Drawing, points: Record<string, Vec3>, pale: number, ghost = false): void {
+  for (const role of ghost ? (["platform"] as const) : (["base", "platform"] as const)) {
+    const corners = d.scene[role].flatMap((n) => (points[n] ? [points[n]] : []));
+    const colour = d.pale(ghost ? d.colour("mark") : d.colour(role), pale);
+    const rim = SIZES.edge * d.scene.size;
+    for (const outline of body(corners)) d.faces.push({ ...outline, colour, fill: 0.26, rim });
+    if (corners.length === 2) d.line(corners[0]!, corners[1]!, colour, { radius: rim * 1.6 });
+    if (ghost) corners.forEach((at) => d.ball(at, 0.6 * SIZES.joint * d.scene.size, colour, colour));
+  }
+  if (ghost)
+    for (const [a, b] of d.scene.legs)
+      if (points[a] && points[b]) d.line(points[a], points[b], d.pale(d.colour("mark"), 0.6), { radius: SIZES.edge * d.scene.size });
+}
+
+function legs(d: Drawing): void {
+  const marked = new Set((d.state.highlight?.legs ?? []).map((l) => [...l].sort().join("\n")));
+  const coloured = new Map(d.scene.entities.flatMap((e) => (e.kind === "line" ? [[[...e.points].sort().join("\n"), e.colour]] : []) as [string, number][]));
+  const robot = Boolean(d.scene.limbs?.length);
+  for (const [a, b] of d.scene.legs) {
+    const [p, q] = [d.scene.points[a], d.scene.points[b]];
+    if (!p || !q || distance(p, q) < 1e-9 * d.scene.size) continue;
+    const key = [a, b].sort().join("\n");
+    const entity = d.shows("entities") ? coloured.get(key) : undefined;
+    const colour = marked.has(key) ? d.colour("mark") : entity !== undefined ? d.entityColour(entity) : d.colour("leg");
+    const width = marked.has(key) ? 1.5 : robot ? 0.55 : 1;
+    d.rods.push({ a: p, b: q, radius: SIZES.leg * width * d.scene.size, colour, solid: true });
+  }
+}
+
+/** How strongly an entity is drawn while some are pointed at. */
+function emphasis(d: Drawing, id: string): number {
+  const chosen = d.state.highlight?.entities;
+  return !chosen?.length ? 1 : chosen.includes(id) ? 1.8 : 0.35;
+}
+
+function entityShape(d: Drawing, e: SceneEntity): void {
+  const { scene } = d;
+  const corners = e.points.flatMap((n) => (scene.points[n] ? [scene.points[n]] : []));
+  if (corners.length < e.points.length) return;
+  const strength = emphasis(d, e.id);
+  const colour = strength < 1 ? d.pale(d.entityColour(e.colour), 0.55) : d.entityColour(e.colour);
+  const marks = (scene.constructed ?? []).flatMap((c) =>
+    c.kind === "point" && c.entities.includes(e.id) && distance(c.at, d.middle) < SIZES.far * d.radius ? [c.at] : [],
+  );
+  const rim = SIZES.edge * scene.size * (strength > 1 ? 1.8 : 1);
+  const calm = d.state.swing !== null && scene.motion && d.shows("motion") ? 0.4 : 1; // what moves comes first
+  const face = (outline: Outline, fill: number) =>
+    d.faces.push({ ...outline, colour, fill: Math.min(0.55, fill * strength * calm), rim, entity: e.id });
+  const label = (at: Vec3) => d.tag(e.label, at, colour, "entity", { strong: strength > 1 });
+  const all = (ring: Vec3[]): Outline => ({ corners: ring, edges: ring.map(() => true) });
+  if (e.kind === "tetrahedron") {
+    if (Math.abs(volume(corners, scene.size)) < 1e-9) body(corners).forEach((outline) => face(outline, 0.34));
+    else for (const out of corners) face(all(corners.filter((c) => c !== out)), 0.13);
+    label(centre(corners));
+  } else if (e.kind === "plane") {
+    // within three hundredths of the size a mark is where the planes nearly meet
+    const ring = patch(corners, SIZES.margin * scene.size, marks, 0.04 * scene.size);
+    if (!ring) return;
+    face(all(ring), 0.24);
+    label(apart(d, ring));
+  } else if (e.kind === "line") {
+    const [a, b] = stretched(corners[0]!, corners[1]!, SIZES.extra * scene.size, marks);
+    d.dashes(a, b, colour, { entity: e.id, radius: SIZES.line * scene.size * (strength > 1 ? 1.5 : 1) });
+    label(a[2] > b[2] ? a : b);
+  }
+}
+
+/** The place on a ring that is farthest from the labels of other entities and from marks, rather outside than inside. */
+function apart(d: Drawing, ring: Vec3[]): Vec3 {
+  const others = [
+    ...d.tags.filter((t) => t.look === "entity").map((t) => t.at),
+    ...(d.scene.constructed ?? []).flatMap((c) => (c.kind === "point" ? [c.at] : [])),
+  ];
+  const worth = (p: Vec3) => Math.min(d.radius, ...others.map((o) => distance(o, p))) + 0.5 * distance(p, d.middle);
+  return ring.reduce((a, b) => (worth(b) > worth(a) + 1e-9 ? b : a));
+}
+
+function constructions(d: Drawing): void {
+  const { scene } = d;
+  (scene.constructed ?? []).forEach((c, i) => {
+    if (c.kind === "point") {
+      if (distance(c.at, d.middle) > SIZES.far * d.radius) return;
+      const radius = SIZES.joint * scene.size;
+      d.ball(c.at, radius, d.colour("mark"), d.colour("paper"), 1.28);
+      d.tag(c.label, c.at, d.colour("mark"), "construction", { clear: radius * 1.3, strong: true });
+      return;
+    }
+    const ends = throughBall(c.at, c.direction, d.middle, 1.18 * d.radius);
+    if (!ends) return;
+    const colour = d.entityColour("colour" in c && typeof c.colour === "number" ? c.colour : scene.entities.length + i);
+    d.line(ends[0], ends[1], colour, { radius: 1.25 * SIZES.line * scene.size });
+    d.tag(c.label, ends[0][2] > ends[1][2] ? ends[0] : ends[1], colour, "construction");
+  });
+  (scene.planes ?? []).forEach((plane, i) => {
+    const colour = d.entityColour(plane.colour ?? scene.entities.length + (scene.constructed?.length ?? 0) + i);
+    const part = plane.through ? patch(plane.through, 0.5 * SIZES.margin * scene.size) : null;
+    const ring = part ?? disc(plane.normal, plane.offset, d.middle, d.radius);
+    if (distance(centre(ring), d.middle) > SIZES.far * d.radius) return;
+    d.faces.push({ corners: ring, edges: ring.map(() => true), colour, fill: 0.2, rim: SIZES.edge * scene.size });
+    d.tag(plane.label, apart(d, ring), colour, "entity");
+  });
+}
+
+/** Joints of the base are filled, those of the platform are rings, as in the figures on paper. */
+function joints(d: Drawing): void {
+  const { scene } = d;
+  const marked = new Set(d.state.highlight?.points ?? []);
+  const ringed = new Map(scene.entities.flatMap((e) => (e.kind === "point" ? e.points.map((n) => [n, e.colour] as const) : [])));
+  const used = new Set([...scene.base, ...scene.platform, ...scene.legs.flat(), ...scene.entities.flatMap((e) => e.points)]);
+  for (const name of used) {
+    const at = scene.points[name];
+    if (!at) continue;
+    const strong = marked.has(name);
+    const own = ringed.get(name);
+    const rim = strong ? d.colour("mark") : own !== undefined ? d.entityColour(own) : d.colour("ink");
+    const radius = SIZES.joint * scene.size * (strong ? 1.35 : 1);
+    const fill = scene.platform.includes(name) ? d.colour("paper") : strong ? d.colour("mark") : d.colour("ink");
+    d.ball(at, radius, fill, rim, strong ? 1.6 : 1.36);
+    d.tag(name, at, strong ? d.colour("mark") : d.colour("ink"), "joint", { clear: radius * 1.4, strong });
+  }
+}
+
+/** 1, 2 or 5 times a power of ten, not above a length. */
+export function niceStep(length: number): number {
+  const power = 10 ** Math.floor(Math.log10(length));
+  return power * ([5, 2, 1].find((k) => k * power <= length * (1 + 1e-9)) ?? 1);
+}
+
+function ground(d: Drawing): void {
+  const { scene } = d;
+  const step = niceStep(scene.size / 2.2);
+  const feet = scene.base.flatMap((n) => (scene.points[n] ? [scene.points[n]] : []));
+  const standing = feet.length ? feet : jointsOf(scene);
+  if (!standing.length) return;
+  const floor = Math.min(...standing.map((p) => p[2])) - 0.004 * scene.size;
+  // the ground stays where it is while the platform moves
+  const middle = feet.length ? centre(feet) : d.middle;
+  const reach = Math.ceil((1.1 * scene.size) / step);
+  const at = (i: number, axis: 0 | 1) => (Math.round(middle[axis] / step) + i) * step;
+  for (let i = -reach; i <= reach; i++) {
+    d.grid.push([[at(i, 0), at(-reach, 1), floor], [at(i, 0), at(reach, 1), floor]]);
+    d.grid.push([[at(-reach, 0), at(i, 1), floor], [at(reach, 0), at(i, 1), floor]]);
+  }
+  d.gauge = `${String(Number(step.toPrecision(3)))}${scene.unit ? ` ${scene.unit}` : ""}`;
+}

@@ -1,0 +1,104 @@
+// The numbers of a pose without a server, in floating-point numbers: value, closeness, softest motion, constructions.
+// What they mean is said in docs/pose.md; a test compares them with those of the engine.
+import { common, constructed, lineOf } from "./extensors";
+import { backwards, cholesky, determinant, forwards, singular } from "./linear";
+import type { Constructed, Scene, Vec3 } from "./types";
+import { centre, cross, length, scale, sub, unit } from "./vectors";
+
+export interface PoseNumbers {
+  /** The superbracket of the legs, in the ninth power of the unit of length. */
+  superbracket: number;
+  /** Dimensionless, 0 (singular) to 1. */
+  closeness: number;
+  verdict: "regular" | "close" | "singular";
+  constructed: Constructed[];
+  motion: NonNullable<Scene["motion"]> | null;
+}
+
+const ZERO = 1e-9; // below this closeness a pose is singular within rounding
+const MET = 1e-9;
+
+export function numbersAt(scene: Scene): PoseNumbers {
+  const { closeness, motion } = softest(scene);
+  const close = scene.recipe?.close ?? 0.0087;
+  const verdict = closeness < ZERO ? "singular" : closeness < close ? "close" : "regular";
+  return {
+    superbracket: superbracket(scene),
+    closeness,
+    verdict,
+    constructed: constructions(scene),
+    motion: verdict === "regular" ? null : motion,
+  };
+}
+
+/** −det of the rows (direction, moment) of the legs, which does not depend on the origin. */
+function superbracket(scene: Scene): number {
+  const middle = centre(Object.values(scene.points));
+  const rows = scene.legs.map(([a, b]) => {
+    const [p, q] = [sub(scene.points[a]!, middle), sub(scene.points[b]!, middle)];
+    return [...sub(q, p), ...cross(p, q)];
+  });
+  return -(scene.recipe?.sign ?? 1) * determinant(rows);
+}
+
+/** The twist that the legs notice least among those that move the platform's joints equally far. */
+function softest(scene: Scene): { closeness: number; motion: PoseNumbers["motion"] } {
+  const none = { closeness: 0, motion: null };
+  const ends = scene.legs.map(([, b]) => scene.points[b]!);
+  const middle = centre(ends);
+  const arms = ends.map((p) => sub(p, middle));
+  const radius = Math.sqrt(arms.reduce((sum, a) => sum + length(a) ** 2, 0) / arms.length);
+  const directions = scene.legs.map(([a, b]) => sub(scene.points[b]!, scene.points[a]!));
+  if (!(radius > 0) || directions.some((d) => length(d) < 1e-12 * radius)) return none;
+  const lever = arms.map((a) => scale(a, 1 / radius));
+  const total = lever.reduce((sum, a) => sum + length(a) ** 2, 0);
+  const inertia = [0, 1, 2].map((i) =>
+    [0, 1, 2].map((j) => (i === j ? total : 0) - lever.reduce((sum, a) => sum + a[i]! * a[j]!, 0)),
+  );
+  const lower = cholesky(inertia);
+  if (!lower) return none;
+  const six = Math.sqrt(6);
+  const rows = directions.map((d, k) => {
+    const u = unit(d);
+    return [...scale(u, 1 / six), ...forwards(lower, cross(lever[k]!, u))];
+  });
+  const { values, vectors } = singular(rows);
+  const soft = vectors[5]!;
+  const velocity = soft.slice(0, 3).map((c) => c / six) as Vec3;
+  const turn = scale(backwards(lower, soft.slice(3)) as Vec3, 1 / radius);
+  return { closeness: Math.min(values[5]!, 1), motion: twist(velocity, turn, middle, radius, scene.unit) };
+}
+
+function twist(velocity: Vec3, turn: Vec3, middle: Vec3, radius: number, unitName: string): PoseNumbers["motion"] {
+  const size = length(turn);
+  if (size * radius <= 1e-9 * length(velocity))
+    return { axis: unit(velocity), through: middle, pitch: null, text: "the platform can shift" };
+  const axis = scale(turn, 1 / size);
+  const raw = (axis[0] * velocity[0] + axis[1] * velocity[1] + axis[2] * velocity[2]) / size;
+  const pitch = Math.abs(raw) > 1e-9 * radius ? raw : 0;
+  const foot = cross(turn, velocity).map((c, i) => middle[i]! + c / size ** 2) as Vec3;
+  const advance = `${Number(pitch.toPrecision(3))}${unitName ? ` ${unitName}` : ""}/rad`.replace("-", "−");
+  return { axis, through: foot, pitch, text: pitch ? `the platform can screw, with pitch ${advance}` : "the platform can turn" };
+}
+
+/** The named lines, and the points in which planes and lines meet or nearly do so. */
+function constructions(scene: Scene): Constructed[] {
+  const recipe = scene.recipe;
+  if (!recipe) return [];
+  const middle = centre(Object.values(scene.points));
+  const found: Constructed[] = [];
+  for (const line of recipe.lines) {
+    const at = lineOf(constructed(line.of, scene.points), middle);
+    if (at) found.push({ kind: "line", label: line.label, ...at, entities: [], colour: line.colour });
+  }
+  const small = Object.fromEntries(
+    Object.entries(scene.points).map(([n, p]) => [n, scale(sub(p, middle), 1 / scene.size)]),
+  );
+  for (const one of recipe.points) {
+    const met = common(one.of.map((part) => constructed(part, small)));
+    if (!met || met.miss > recipe.near) continue;
+    const at = met.at.map((c, i) => c * scene.size + middle[i]!) as Vec3;
+    found.push({ kind: "point", label: met.miss <= MET ? one.label : `≈ ${one.label}`, at, entities: one.entities });
+  }
+  return found;
+}

@@ -1,0 +1,116 @@
+// The camera in the user's hands: orbit and zoom by pointer or keys, standard views, and the flight from one to another.
+import { MathUtils, Spherical, Vector3 } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { between, clip, directionOf, fitted, newCamera, stand, type Stand } from "./camera";
+import type { Model } from "./drawing";
+import { sightOf, type Sight } from "./sight";
+import type { Vec3, View } from "./types";
+import { sub } from "./vectors";
+
+const FLIGHT = 280; // milliseconds from one view to another
+
+/** Whether the user wants nothing to move by itself. */
+export const calm = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+export class Rig {
+  readonly camera = newCamera();
+  width = 1;
+  height = 1;
+  private readonly orbit: OrbitControls;
+  private flight: { from: Stand; to: Stand; start: number } | null = null;
+  private size = 1;
+
+  constructor(surface: HTMLElement, private readonly changed: () => void) {
+    this.orbit = new OrbitControls(this.camera, surface);
+    this.orbit.enableDamping = !calm();
+    this.orbit.dampingFactor = 0.14;
+    this.orbit.addEventListener("change", changed);
+  }
+
+  /** Whether dragging turns the view. */
+  set enabled(on: boolean) {
+    this.orbit.enabled = on;
+  }
+  set wheel(on: boolean) {
+    this.orbit.enableZoom = on;
+  }
+
+  get sight(): Sight {
+    return sightOf(this.camera, this.width, this.height);
+  }
+  private get stand(): Stand {
+    return { eye: this.camera.position.toArray() as Vec3, target: this.orbit.target.toArray() as Vec3 };
+  }
+
+  resize(width: number, height: number): void {
+    [this.width, this.height] = [width, height];
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** At once to where the whole drawing is seen. */
+  fit(model: Model): void {
+    this.flight = null;
+    this.size = model.radius;
+    this.go(fitted(this.camera, model, directionOf("iso", model)));
+  }
+
+  view(name: View, model: Model): void {
+    const { eye, target } = this.stand;
+    const to = fitted(this.camera, model, name === "fit" ? sub(eye, target) : directionOf(name, model));
+    if (calm()) this.go(to);
+    else this.flight = { from: this.stand, to, start: performance.now() };
+    this.changed();
+  }
+
+  /** The camera at a time; true while it is under way. */
+  advance(now: number, size: number): boolean {
+    this.size = size;
+    let moving = false;
+    if (this.flight) {
+      const t = MathUtils.clamp((now - this.flight.start) / FLIGHT, 0, 1);
+      this.go(between(this.flight.from, this.flight.to, t));
+      if (t === 1) this.flight = null;
+      moving = true;
+    } else if (this.orbit.enableDamping) moving = this.orbit.update();
+    clip(this.camera, this.orbit.target, size);
+    return moving;
+  }
+
+  /** The user takes over. */
+  halt(): void {
+    this.flight = null;
+  }
+
+  turn(azimuth: number, polar: number): void {
+    const arm = new Vector3().subVectors(this.camera.position, this.orbit.target);
+    // three's spherical coordinates have y up
+    const ball = new Spherical().setFromCartesianCoords(arm.y, arm.z, arm.x);
+    ball.theta += azimuth;
+    ball.phi = MathUtils.clamp(ball.phi + polar, 0.01, Math.PI - 0.01);
+    const [y, z, x] = new Vector3().setFromSpherical(ball).toArray();
+    this.camera.position.copy(this.orbit.target).add(new Vector3(x, y, z));
+    this.moved();
+  }
+
+  zoom(factor: number): void {
+    this.camera.position.sub(this.orbit.target).multiplyScalar(factor).add(this.orbit.target);
+    this.moved();
+  }
+
+  dispose(): void {
+    this.orbit.dispose();
+  }
+
+  private moved(): void {
+    this.orbit.update();
+    this.changed();
+  }
+
+  private go(to: Stand): void {
+    this.orbit.minDistance = 0.3 * this.size;
+    this.orbit.maxDistance = 40 * this.size;
+    stand(this.camera, this.orbit.target, to, this.size);
+    this.orbit.update();
+  }
+}

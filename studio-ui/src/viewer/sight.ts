@@ -1,0 +1,50 @@
+// From space to the screen: the camera's view in plain numbers.
+import type { PerspectiveCamera } from "three";
+import type { Vec3 } from "./types";
+import { mix } from "./vectors";
+
+export interface Sight {
+  eye: Vec3;
+  width: number;
+  height: number;
+  /** The distance in front of which nothing is seen. */
+  near: number;
+  /** CSS pixels from the upper left corner, and the depth in front of the eye. */
+  place(p: Vec3): [x: number, y: number, depth: number];
+  /** Pixels for a unit of length at a depth. */
+  scale(depth: number): number;
+}
+
+export function sightOf(camera: PerspectiveCamera, width: number, height: number): Sight {
+  camera.updateMatrixWorld();
+  const view = camera.matrixWorldInverse.elements;
+  const focus = height / 2 / Math.tan((camera.fov * Math.PI) / 360);
+  return {
+    eye: camera.position.toArray() as Vec3,
+    width,
+    height,
+    near: camera.near,
+    scale: (depth) => focus / Math.max(depth, 1e-9),
+    place: ([x, y, z]) => {
+      const at = (i: number) => view[i]! * x + view[4 + i]! * y + view[8 + i]! * z + view[12 + i]!;
+      const depth = -at(2);
+      const k = focus / (Math.abs(depth) < 1e-9 ? 1e-9 : depth);
+      return [width / 2 + at(0) * k, height / 2 - at(1) * k, depth];
+    },
+  };
+}
+
+/** The part of a polygon or stroke in front of the eye. */
+export function inFront(sight: Sight, corners: readonly Vec3[]): Vec3[] {
+  const depth = corners.map((c) => sight.place(c)[2] - sight.near);
+  if (depth.every((d) => d > 0)) return [...corners];
+  const out: Vec3[] = [];
+  const count = corners.length;
+  for (let i = 0; i < count; i++) {
+    const j = (i + 1) % count;
+    if (depth[i]! > 0) out.push(corners[i]!);
+    if (depth[i]! * depth[j]! < 0 && (count > 2 || i === 0))
+      out.push(mix(corners[i]!, corners[j]!, depth[i]! / (depth[i]! - depth[j]!)));
+  }
+  return out;
+}

@@ -1,0 +1,69 @@
+// The elements of a viewer: what takes pointer and keys, the labels over the drawing, and what is said aloud.
+import type { PerspectiveCamera } from "three";
+import { Compass } from "./compass";
+import type { Model } from "./drawing";
+import { HELP } from "./keys";
+import { spoken } from "./names";
+import { LabelLayer, UPRIGHT, type Placed } from "./overlay";
+import { colourOf } from "./palette";
+import type { Scene, Theme } from "./types";
+
+export class Surface {
+  readonly root = document.createElement("div");
+  private readonly labels = new LabelLayer();
+  private readonly compass = new Compass();
+  private readonly gauge = document.createElement("div");
+  private readonly voice = document.createElement("div");
+
+  constructor(host: HTMLElement, private readonly help: boolean) {
+    const { root, voice, gauge } = this;
+    root.className = "gcrules-viewer";
+    root.tabIndex = 0;
+    root.setAttribute("role", "application");
+    root.setAttribute("aria-roledescription", "three-dimensional view");
+    root.style.cssText = "position:relative;width:100%;height:100%;overflow:hidden;touch-action:none;cursor:grab";
+    voice.setAttribute("aria-live", "polite");
+    voice.style.cssText = "position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)";
+    gauge.style.cssText = `position:absolute;left:4.6rem;bottom:.7rem;font:.75rem ${UPRIGHT};pointer-events:none`;
+    root.append(this.labels.node, this.compass.node, gauge, voice);
+    this.describe(null);
+    host.append(root);
+  }
+
+  set cursor(name: string) {
+    this.root.style.cursor = name;
+  }
+
+  say(words: string): void {
+    this.voice.textContent = words;
+  }
+
+  /** What there is, and how to move it, for those who do not see it. */
+  describe(scene: Scene | null): void {
+    this.root.setAttribute("aria-label", `${scene ? titleOf(scene) : "Robot"}, in three dimensions. ${this.help ? HELP : ""}`);
+  }
+
+  paint(theme: Theme): void {
+    this.root.style.background = colourOf("paper", theme);
+    this.gauge.style.color = colourOf("muted", theme);
+  }
+
+  /** The ground and the directions of the axes are seen or not. */
+  measure(on: boolean): void {
+    this.compass.node.style.visibility = this.gauge.style.visibility = on ? "" : "hidden";
+  }
+
+  show(model: Model, labels: readonly Placed[], camera: PerspectiveCamera, theme: Theme): void {
+    this.gauge.textContent = model.gauge ? `grid ${model.gauge}` : "";
+    this.compass.turn(camera, theme);
+    this.labels.show(labels, colourOf("paper", theme));
+  }
+
+  /** The place of a pointer, in pixels from the upper left corner. */
+  place(e: PointerEvent): [number, number] {
+    const box = this.root.getBoundingClientRect();
+    return [e.clientX - box.left, e.clientY - box.top];
+  }
+}
+
+export const titleOf = (scene: Scene): string => `Robot with legs ${scene.legs.map((leg) => spoken(leg.join(""))).join(", ")}`;

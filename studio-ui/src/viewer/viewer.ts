@@ -1,0 +1,293 @@
+// The viewer: puts scene, camera, handles and painter together. It draws only when something has changed.
+import type { Model } from "./drawing";
+import { newEasel, type Easel } from "./easel";
+import { Gizmo } from "./gizmo";
+import { Hand, type Pointed, type Reach } from "./hand";
+import { poseInWords } from "./keys";
+import { modelOf } from "./model";
+import { placeTags } from "./overlay";
+import { entityAt, pointAt } from "./picking";
+import { pngPicture, svgPicture, type Shot } from "./picture";
+import { carried, IDENTITY } from "./pose";
+import { calm, Rig } from "./rig";
+import { Surface, titleOf } from "./surface";
+import { splitDrawing } from "./svg";
+import type { Highlight, Layer, Mode, Options, Pose, Scene, Theme, Vec3, View, Viewer } from "./types";
+
+const SWING = 2400; // milliseconds for a swing to and fro
+const EMPTY: Scene = { points: {}, base: [], platform: [], legs: [], about: [0, 0, 0], size: 1, unit: "", entities: [] };
+
+export function createViewer(host: HTMLElement, options: Options = {}): Viewer {
+  return new Stage(host, options);
+}
+
+class Stage implements Viewer, Reach {
+  scene = EMPTY;
+  mode: Mode = "orbit";
+  readonly surface: Surface;
+  readonly rig: Rig;
+  /** Where the points of the scene were given, and where the platform is. */
+  private given = IDENTITY;
+  private current = IDENTITY;
+  private theme: Theme;
+  private wish: Highlight | null = null;
+  private pointed: Pointed | null = null;
+  private readonly hidden = new Set<Layer>();
+  private animated = false;
+
+  private readonly easel: Easel;
+  private readonly gizmo: Gizmo | null = null;
+  private readonly hand: Hand;
+  private readonly resizing: ResizeObserver;
+  private readonly stop = new AbortController();
+
+  private model: Model | null = null;
+  private split: ReturnType<typeof splitDrawing> = null;
+  private stale = true;
+  private fitting = true;
+  private frame = 0;
+  private pending = false;
+
+  constructor(host: HTMLElement, private readonly options: Options) {
+    this.theme = options.theme ?? "light";
+    this.surface = new Surface(host, options.gizmo !== false);
+    const { root } = this.surface;
+    this.easel = newEasel(root, options.renderer ?? "auto", () => this.changed());
+    this.rig = new Rig(root, () => this.request());
+    if (options.gizmo !== false) {
+      this.gizmo = new Gizmo(this.rig.camera, root, {
+        moved: (pose) => this.moved(pose),
+        done: () => this.done(),
+        dragging: (on) => (this.rig.enabled = !on),
+        changed: () => this.request(),
+      });
+      this.easel.hold(this.gizmo);
+    }
+    this.hand = new Hand(this, this.stop.signal);
+    if (options.wheel === "focused") {
+      this.rig.wheel = false;
+      root.addEventListener("focus", () => (this.rig.wheel = true), this.stop);
+      root.addEventListener("blur", () => (this.rig.wheel = false), this.stop);
+    }
+    this.resizing = new ResizeObserver(() => this.resize());
+    this.resizing.observe(host);
+    this.setTheme(this.theme);
+    this.resize();
+  }
+
+  // --- what the host may ask -----------------------------------------------------------------------------------
+
+  get renderer(): "webgl" | "svg" {
+    return this.easel.kind;
+  }
+
+  show(scene: Scene): void {
+    this.scene = scene;
+    this.given = this.current = scene.pose ?? IDENTITY;
+    this.pointed = null;
+    this.hand.forget();
+    this.fitting = true;
+    this.surface.describe(scene);
+    this.changed();
+  }
+
+  update(part: Partial<Scene>): void {
+    this.scene = { ...this.scene, ...part };
+    if (part.pose) this.given = part.pose;
+    else if (part.points) this.given = this.current;
+    this.changed();
+  }
+
+  get pose(): Pose {
+    return this.current;
+  }
+
+  points(): Record<string, Vec3> {
+    return this.posed().points;
+  }
+
+  setPose(pose: Pose): void {
+    this.current = pose;
+    this.changed();
+  }
+
+  setMode(mode: Mode): void {
+    this.mode = mode;
+    this.gizmo?.setMode(mode);
+    this.surface.cursor = mode === "pick" ? "crosshair" : "grab";
+    this.request();
+  }
+
+  highlight(what: Highlight | null): void {
+    this.wish = what;
+    this.changed();
+  }
+
+  setView(name: View): void {
+    this.rig.view(name, this.fresh());
+  }
+
+  setTheme(theme: Theme): void {
+    this.theme = theme;
+    this.surface.paint(theme);
+    this.changed();
+  }
+
+  setVisible(layer: Layer, on: boolean): void {
+    if (on) this.hidden.delete(layer);
+    else this.hidden.add(layer);
+    this.surface.measure(!this.hidden.has("grid"));
+    this.changed();
+  }
+
+  animateMotion(on: boolean): void {
+    this.animated = on;
+    this.changed();
+  }
+
+  toScreen(name: string): [number, number] | null {
+    const at = this.posed().points[name];
+    if (!at) return null;
+    this.fresh();
+    const [x, y, depth] = this.rig.sight.place(at);
+    return depth > this.rig.camera.near ? [x, y] : null;
+  }
+
+  async snapshot(kind: "png" | "svg"): Promise<string> {
+    const model = this.fresh();
+    const { sight } = this.rig;
+    const labels = placeTags(model, sight);
+    const shot: Shot = { model, split: this.split, sight, labels, theme: this.theme, title: titleOf(this.scene) };
+    if (kind === "svg") return svgPicture(shot);
+    const handles = this.gizmo?.helper;
+    const shown = handles?.visible ?? false;
+    if (handles) handles.visible = false;
+    this.easel.paint(this.rig.camera, sight);
+    if (handles) handles.visible = shown;
+    this.request();
+    return pngPicture(shot, this.easel.canvas);
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = -1;
+    this.stop.abort();
+    this.resizing.disconnect();
+    this.gizmo?.dispose();
+    this.rig.dispose();
+    this.easel.dispose();
+    this.surface.root.remove();
+  }
+
+  // --- drawing -------------------------------------------------------------------------------------------------
+
+  /** The scene is to be drawn anew. */
+  private changed(): void {
+    this.stale = true;
+    this.request();
+  }
+
+  /** A frame is wanted, the drawing may be the same. */
+  private request(): void {
+    if (this.frame === 0) this.frame = requestAnimationFrame((now) => this.draw(now));
+  }
+
+  private draw(now: number): void {
+    this.frame = 0;
+    if (this.pending) this.tell(false);
+    if (this.swings) this.changed();
+    const model = this.fresh(now);
+    if (this.rig.advance(now, model.radius)) this.request();
+    this.gizmo?.place(this.current, this.scene.about);
+    const { sight, camera } = this.rig;
+    this.easel.paint(camera, sight);
+    this.surface.show(model, placeTags(model, sight), camera, this.theme);
+  }
+
+  private get swings(): boolean {
+    return this.animated && Boolean(this.scene.motion) && !this.hidden.has("motion") && !calm();
+  }
+
+  /** The scene with the platform where it was moved to. */
+  private posed(): Scene {
+    const { given, current, scene } = this;
+    if (given === current || !scene.platform.length) return scene;
+    const points = { ...scene.points };
+    for (const n of scene.platform) if (points[n]) points[n] = carried(points[n], given, current, scene.about);
+    return { ...scene, points };
+  }
+
+  /** The drawing of the scene as it is now. */
+  private fresh(now = performance.now()): Model {
+    if (!this.stale && this.model) return this.model;
+    this.stale = false;
+    const points = [...(this.wish?.points ?? []), ...(this.pointed?.point ? [this.pointed.point] : [])];
+    const entities = [...(this.wish?.entities ?? []), ...(this.pointed?.entity ? [this.pointed.entity] : [])];
+    const swing = this.animated ? (calm() ? 1 : Math.sin((2 * Math.PI * now) / SWING)) : null;
+    const highlight = { points, entities, legs: this.wish?.legs ?? [] };
+    this.model = modelOf(this.posed(), { theme: this.theme, highlight, hidden: this.hidden, swing });
+    this.split = splitDrawing(this.model);
+    this.easel.load(this.model, this.split, this.theme);
+    if (this.fitting && this.scene !== EMPTY) {
+      this.fitting = false;
+      this.rig.fit(this.model);
+    }
+    return this.model;
+  }
+
+  private resize(): void {
+    const { root } = this.surface;
+    const [width, height] = [Math.max(root.clientWidth, 1), Math.max(root.clientHeight, 1)];
+    this.rig.resize(width, height);
+    this.easel.resize(width, height);
+    this.request();
+  }
+
+  // --- hands ---------------------------------------------------------------------------------------------------
+
+  get movable(): boolean {
+    return this.gizmo !== null;
+  }
+  get grabbed(): boolean {
+    return this.gizmo?.grabbed ?? false;
+  }
+
+  under(x: number, y: number, reach: number): Pointed {
+    const { sight } = this.rig;
+    const point = pointAt(this.posed(), sight, x, y, reach);
+    if (point) return { point };
+    const entity = this.hidden.has("entities") ? null : entityAt(this.fresh(), this.split, sight, x, y);
+    return entity ? { entity } : {};
+  }
+
+  hovered(found: Pointed | null): void {
+    this.pointed = found;
+    this.options.onHover?.(found);
+    this.changed();
+  }
+
+  picked(name: string): void {
+    this.options.onPick?.(name);
+  }
+
+  /** The host hears of moves at most once a frame, of the end of a move at once. */
+  moved(pose: Pose): void {
+    this.current = pose;
+    this.pending = true;
+    this.changed();
+  }
+
+  done(): void {
+    this.tell(true);
+    this.surface.say(poseInWords(this.current, this.scene.unit));
+  }
+
+  fit(): void {
+    this.setView("fit");
+  }
+
+  private tell(done: boolean): void {
+    this.pending = false;
+    this.options.onPose?.(this.current, done);
+  }
+}

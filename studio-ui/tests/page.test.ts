@@ -1,0 +1,171 @@
+// The pure parts of the page. `npm test` bundles this file and runs it with Node.
+import { strict as assert } from "node:assert";
+import test from "node:test";
+import { digitsOf } from "../src/page/pose/axis-slider";
+import { fitting, readNumber } from "../src/page/parts/number-field";
+import { litPoints, pointTarget, bracketTarget } from "../src/page/state/lit";
+import { wordsOf } from "../src/page/lib/prose";
+import { ANGLES, between, fromAngles, sameTurn, toAngles, toVector } from "../src/page/lib/rotation";
+import { along, degreesOf, sigmaOf } from "../src/page/lib/scale";
+import { splitBrackets, splitOperator } from "../src/page/lib/tex";
+import { tintOf } from "../src/page/lib/tint";
+import { chosen } from "../src/page/start/filter";
+import { EMPTY, HOME, samePose, type Doc } from "../src/page/state/doc";
+import { plainFragment, readFragment, writeFragment } from "../src/page/state/fragment";
+import { begin, closed, moved, record, redone, undone } from "../src/page/state/history";
+import { readDoc } from "../src/page/state/read";
+import { latest } from "../src/page/net/latest";
+import type { Entity, GalleryItem, Pose, Vec3 } from "../src/protocol";
+
+const GRID = [-180, -135, -90, -37, 0, 12.5, 90, 179, 180];
+const TURNED: Pose = { translation: [1, -2, 3.5], quaternion: [0.5, 0.5, -0.5, 0.5], coordinates: [0.25] };
+const plane = (id: string, points: string, colour: number): Entity => ({
+  id,
+  kind: "plane",
+  points: [...points.replaceAll("*", "")],
+  label: points,
+  colour,
+});
+
+for (const kind of ANGLES) {
+  test(`angles and turns, ${kind}: there and back, gimbal lock too`, () => {
+    for (const a of GRID) for (const b of GRID) for (const c of GRID) {
+      const turn = fromAngles(kind, [a, b, c]);
+      assert.ok(sameTurn(turn, fromAngles(kind, toAngles(kind, turn))), `${kind} ${a} ${b} ${c}`);
+    }
+  });
+}
+
+test("the way between two poses begins and ends at them, and turns steadily", () => {
+  assert.ok(samePose(between(HOME, TURNED, 1), TURNED));
+  const half = between({ ...HOME, coordinates: [0] }, TURNED, 0.5);
+  assert.deepEqual(half.translation, [0.5, -1, 1.75]);
+  const [whole, part] = [TURNED, half].map(({ quaternion }) => Math.hypot(...toVector(quaternion))) as [number, number];
+  assert.ok(Math.abs(part - whole / 2) < 1e-9);
+});
+
+const DOCS: Record<string, Doc> = {
+  nothing: EMPTY,
+  class: { ...EMPTY, source: { kind: "class", id: "3-3.3" }, panel: "guided", stage: "planes" },
+  "file, pose, bench": {
+    ...EMPTY,
+    source: { kind: "file", name: "ü.yaml", text: "legs: ab\n".repeat(200) },
+    pose: TURNED,
+    panel: "bench",
+    threshold: "20 mm",
+    commands: ["plane a b c"],
+    bench: "let p = a ∨ b",
+    sketch: { title: "t", points: { a: [0, 0, 1] }, base: ["a"], platform: [], legs: [["a", "b"]] },
+  },
+};
+for (const [name, doc] of Object.entries(DOCS)) {
+  test(`a link restores the document: ${name}`, async () => {
+    for (const link of [await writeFragment(doc), plainFragment(doc)]) {
+      assert.match(link, /^(#[sz]=[\w-]+)?$/);
+      if (link) assert.deepEqual(await readFragment(link), doc);
+    }
+  });
+}
+
+const HOSTILE = ["", "#s=", "#s=!!", "#z=AAAA", "#x=e30", `#s=${btoa("[]")}`, `#s=${btoa("null")}`, `#z=${btoa("{}")}`];
+test("a link that is no link, or a broken one, opens nothing", async () => {
+  for (const link of HOSTILE) {
+    const doc = await readFragment(link);
+    assert.ok(doc === null || JSON.stringify(doc) === JSON.stringify(EMPTY), link);
+  }
+});
+
+test("what a link says is checked field by field", () => {
+  const doc = readDoc({ source: { kind: "class", id: 3 }, pose: { translation: [1], quaternion: [] }, panel: "x", bench: {} });
+  assert.deepEqual(doc, EMPTY);
+  assert.deepEqual(readDoc({ pose: { translation: [0, 0, 0], quaternion: [2, 0, 0, 0] } }).pose, HOME);
+  assert.equal(readDoc({ panel: "guided" }).panel, "start");
+});
+
+const at = (x: number): Partial<Doc> => ({ pose: { ...HOME, translation: [x, 0, 0] } });
+test("a drag is undone as one step, navigation is none", () => {
+  let history = begin(EMPTY);
+  for (const x of [1, 2, 3]) history = record(history, at(x), "x");
+  history = record(closed(history), at(4), "x");
+  history = moved(history, { stage: "planes" });
+  const places = [undone(history), undone(undone(history))].map(({ present }) => present.pose.translation[0]);
+  assert.deepEqual(places, [3, 0]);
+  assert.equal(undone(history).present.stage, "planes");
+  assert.equal(redone(redone(undone(undone(history)))).present.pose.translation[0], 4);
+  assert.equal(record(undone(history), at(9), null).future.length, 0);
+});
+
+test("latest wins: one request under way, then the newest", async () => {
+  const [sent, seen]: [number[], number[]] = [[], []];
+  let free = (): void => undefined;
+  const ask = latest(
+    (n: number) => (sent.push(n), new Promise<number>((resolve) => (free = () => resolve(n)))),
+    (n) => seen.push(n),
+    () => assert.fail(),
+  );
+  [1, 2, 3].forEach(ask);
+  free();
+  await new Promise((resolve) => setTimeout(resolve));
+  free();
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.deepEqual([sent, seen], [[1, 3], [1, 3]]);
+});
+
+test("a bracket lights up where all of its points are, a point everywhere", () => {
+  assert.deepEqual(litPoints(["a", "b", "c", "d"], bracketTarget(["d", "c"])), ["d", "c"]);
+  assert.deepEqual(litPoints(["a", "b", "c", "e"], bracketTarget(["d", "c"])), []);
+  assert.deepEqual(litPoints(["a", "b"], pointTarget("b")), ["b"]);
+  assert.deepEqual(litPoints(["a"], null), []);
+});
+
+test("each entity colours one bracket of a monomial", () => {
+  const brackets = ["abce", "abdf", "cdef"].map((points) => ({ points: [...points], tex: "" }));
+  const tint = tintOf({ sign: 1, coefficient: "", brackets }, [plane("1", "abc", 0), plane("2", "b*df", 1), plane("3", "abd", 2)]);
+  assert.deepEqual(tint.map((map) => [...map.keys()].join("")), ["abc", "bdf", ""]);
+});
+
+test("names of entities and sources are found in sentences, not in words", () => {
+  const words = wordsOf("The planes abc and b*df meet; cabal. [White1991]", [plane("1", "abc", 0), plane("2", "b*df", 1)]);
+  assert.deepEqual(words.filter((w) => w.entity).map((w) => w.text), ["abc", "b*df"]);
+  assert.deepEqual(words.filter((w) => w.source).map((w) => w.text), ["White1991"]);
+  assert.equal(wordsOf("a sentence", []).length, 1);
+});
+
+test("formulas are split into operator, bracket and parentheses of others", () => {
+  assert.deepEqual(splitOperator("{}\\wedge aef"), ["{}\\wedge{}", "aef", ""]);
+  assert.deepEqual(splitOperator("{}\\wedge Ef)"), ["{}\\wedge{}", "Ef", ")"]);
+  assert.deepEqual(splitOperator("-(AB"), ["{}-{}(", "AB", ""]);
+  assert.deepEqual(splitOperator("(a \\vee b)"), ["", "(a \\vee b)", ""]);
+  assert.deepEqual(splitBrackets("2[abcd][efgh]", 2), { before: "2", brackets: ["[abcd]", "[efgh]"] });
+  assert.equal(splitBrackets("[\\![ab,\\, cd]\\!]", 2), null);
+});
+
+test("thresholds are angles or lengths; the gauge is logarithmic", () => {
+  assert.ok(Math.abs((sigmaOf("0.5 deg") ?? 0) - 2 * Math.sin(Math.PI / 720)) < 1e-15);
+  assert.ok(Math.abs((sigmaOf("0.1rad") ?? 0) - 2 * Math.sin(0.05)) < 1e-15);
+  assert.equal(sigmaOf("20 mm"), null);
+  assert.ok(Math.abs(degreesOf(sigmaOf("7 deg") ?? 0) - 7) < 1e-12);
+  assert.deepEqual([0, 1e-4, 1e-2, 1, 3].map((s) => Math.round(along(s) * 100)), [0, 0, 50, 100, 100]);
+});
+
+test("numbers are read as people type them", () => {
+  assert.deepEqual(["1.5", "−2", " 1e-3 ", "1,5", "", "x", "1/0"].map(readNumber), [1.5, -2, 0.001, 1.5, null, null, null]);
+  assert.deepEqual([0, 12.5, -408.32, 1 / 3].map((n) => fitting(n, 0)), ["0", "12.5", "−408.32", "0.33"]);
+  assert.deepEqual([1, 0.1, 0.001, 5].map(digitsOf), [0, 1, 3, 0]);
+});
+
+test("the gallery finds cards by every word", () => {
+  const item = (id: string, group: string): GalleryItem =>
+    ({ id, title: id, detail: "", group, statement: "four planes", svg: "", source: { kind: "class", id } });
+  const gallery = { classes: [item("6-3", "c"), item("3-3", "c"), item("6-6", "a")], robots: [item("delta", "3")], examples: [] };
+  const titles = (query: string) => chosen(gallery, "all", query).map(({ title, items }) => `${title}:${items.length}`);
+  assert.deepEqual(titles(""), ["3:1", "c:2", "a:1"]);
+  assert.deepEqual(titles("Planes 6-3"), ["c:1"]);
+  assert.deepEqual(titles("nothing"), []);
+});
+
+const zero: Vec3 = [0, 0, 0];
+test("poses compare by value", () => {
+  assert.ok(samePose(HOME, { translation: zero, quaternion: [1, 0, 0, 0] }));
+  assert.ok(!samePose(HOME, { ...HOME, coordinates: [0] }));
+});
