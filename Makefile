@@ -30,7 +30,7 @@ endif
 
 .PHONY: help
 help: ## list the targets
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 22
 
 .PHONY: demo
 demo: $(READY) ## analyse the octahedral platform, every stage, and write its report
@@ -67,8 +67,8 @@ studio: studio-ui/node_modules/.package-lock.json ## build the studio's page fro
 	cd studio-ui && npm run --silent build
 
 .PHONY: studio-check
-studio-check: studio-ui/node_modules/.package-lock.json ## check its types and that the committed page is the one its sources give
-	cd studio-ui && npm run --silent check
+studio-check: studio-ui/node_modules/.package-lock.json ## check its types, run its tests, compare the committed page with its sources
+	cd studio-ui && npm run --silent check && npm run --silent test
 
 studio-ui/node_modules/.package-lock.json: studio-ui/package-lock.json
 	@command -v npm > /dev/null || { echo "make: building the page needs Node 20 or later with npm." >&2; exit 1; }

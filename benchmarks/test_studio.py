@@ -1,14 +1,17 @@
-"""The studio's server: from the command to the first answers, and from a slider's request to its numbers.
+"""The studio: from the command to the first answers and to a page that can be used, and from a slider to its numbers.
 
-The fixture `studio` is the address of a running studio, its token in it; what a browser shows and when is measured from
-there (`studio.address`). Over the websocket a request is answered as the page asks it, one after the other.
+The fixture `studio` is a running studio. Over the websocket a request is answered as the page asks it, one after the
+other. In a browser (the system's Chromium, software rendering) times are taken by the page's own clock: from the event
+of a slider to the new value in the document, and to the frame that shows it. Chromium itself is running already.
 """
 
 from __future__ import annotations
 
+import gzip
 import json
 import os
 import re
+import shutil
 import statistics
 import subprocess
 import sys
@@ -26,6 +29,16 @@ connect = pytest.importorskip("websockets.sync.client").connect
 PLATFORMS = ["3-3.3", "6-4.2", "6-6", "5-5.1"]
 ROBOTS = ["gallardo-4dof", "delta", "6-rus"]
 REQUESTS = 200
+MOVES = 120
+STATIC = Path(__file__).resolve().parent.parent / "gcrules" / "studio" / "static"
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+SOFTWARE = (
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--no-first-run",
+)
 
 
 @dataclass(frozen=True)
@@ -144,3 +157,101 @@ def test_open(timed: Callable[..., Any], studio: Studio, name: str) -> None:
         start = time.perf_counter()
         ask("open", source={"kind": "legs", "legs": {"3-3.3": "ab af cb cd ed ef", "6-6": "ag bh ci dj ek fl"}[name]})
         timed(time.perf_counter() - start, {}, within=0.5)
+
+
+# --- in a browser --------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    """Chromium, headless, without a graphics card."""
+    playwright = pytest.importorskip("playwright.sync_api")
+    path = next(filter(None, map(shutil.which, (os.environ.get("GCRULES_BROWSER") or "", *BROWSERS))), None)
+    if path is None:
+        pytest.skip("needs chromium")
+    with playwright.sync_playwright() as running_playwright:
+        found = running_playwright.chromium.launch(executable_path=path, args=[*SOFTWARE, "--disable-dev-shm-usage"])
+        yield found
+        found.close()
+
+
+@contextmanager
+def new_page(browser: Any) -> Iterator[Any]:
+    context = browser.new_context(viewport={"width": 1280, "height": 800})
+    try:
+        yield context.new_page()
+    finally:
+        context.close()
+
+
+def first_page(browser: Any, state: Path) -> tuple[float, float]:
+    """Seconds from the command to a page with its gallery, and to the numbers of the first class that is opened."""
+    with new_page(browser) as page:
+        start = time.perf_counter()
+        with running(state) as found:
+            page.goto(found.address)
+            page.wait_for_selector("[data-testid=gallery-search]")
+            page.wait_for_selector(".card")
+            usable = time.perf_counter() - start
+            page.evaluate("gcrules.open({kind: 'class', id: '3-3.3'})")
+            page.wait_for_function("() => gcrules.posing.numbers.value")
+            return usable, time.perf_counter() - start
+
+
+def test_start_to_usable_page(timed: Callable[..., Any], browser: Any, tmp_path: Path) -> None:
+    usable, numbers = min(first_page(browser, tmp_path) for _ in range(3))
+    timed(usable, {"a class opened, with numbers": numbers}, within=2)
+
+
+SLIDE = """async moves => {
+  const slider = document.querySelector("[data-testid=slider-z]"), times = [];
+  const value = document.querySelector("[data-testid=value]");
+  const step = Number(slider.step), later = ms => new Promise(done => setTimeout(done, ms));
+  const frame = () => new Promise(done => requestAnimationFrame(() => {
+    const channel = new MessageChannel();  // its message comes after the frame has been handed on
+    channel.port1.onmessage = () => done(performance.now());
+    channel.port2.postMessage(null);
+  }));
+  for (let k = 1; k <= moves; k++) {
+    const changed = new Promise(done => {
+      const watch = new MutationObserver(() => { watch.disconnect(); done(performance.now()); });
+      watch.observe(value, {characterData: true, childList: true, subtree: true});
+    });
+    const start = performance.now();
+    slider.value = String(-k * step);
+    slider.dispatchEvent(new Event("input", {bubbles: true}));
+    const shown = await changed, painted = await frame();
+    times.push([(shown - start) / 1000, (painted - start) / 1000]);
+    await later(8);
+  }
+  return times; }"""
+"""Seconds from each event of a slider to the new value in the document, and until it is painted."""
+
+
+@pytest.mark.parametrize("name", ["octahedral", "platform-6-6"])
+def test_slider_to_value(timed: Callable[..., Any], browser: Any, studio: Studio, name: str) -> None:
+    with new_page(browser) as page:
+        page.goto(studio.address)
+        page.wait_for_function("() => window.gcrules")
+        page.evaluate("name => gcrules.open({kind: 'example', name})", name)
+        page.wait_for_function("() => gcrules.posing.numbers.value")
+        page.wait_for_timeout(800)
+        page.evaluate(SLIDE, 10)
+        times = page.evaluate(SLIDE, MOVES)
+    shown, painted = (sorted(column) for column in zip(*times, strict=True))
+    almost = int(0.95 * MOVES)
+    timed(statistics.median(shown), {"painted, median": statistics.median(painted)}, within=0.025)
+    timed(shown[almost], {"longest": shown[-1]}, within=0.05)
+    timed(painted[almost], {"longest": painted[-1]}, within=0.09)
+
+
+def test_bundle(record_property: Callable[[str, object], None]) -> None:
+    """All that a page may load, compressed as the server sends it; fonts are compressed already."""
+    sizes = [
+        path.stat().st_size if path.suffix == ".woff2" else len(gzip.compress(path.read_bytes(), 9))
+        for path in STATIC.rglob("*")
+        if path.is_file()
+    ]
+    record_property("bytes", sum(sizes))
+    print(f"bundle: {sum(sizes) / 1e6:.2f} MB compressed")
+    assert sum(sizes) <= 1_500_000

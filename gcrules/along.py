@@ -150,7 +150,8 @@ def _zero(analysis: Analysis, moving: Rig, way: Sequence[Segment], p: Place, lim
 
 
 def _explained(analysis: Analysis, moving: Rig, way: Sequence[Segment], s: Stretch, limit: Threshold) -> Stretch:
-    return replace(s, causes=_why(analysis, moving, _at(way, Fraction(s.start + s.end, 2)), limit)[0])
+    causes, dependence = _why(analysis, moving, _at(way, Fraction(s.start + s.end, 2)), limit)
+    return replace(s, causes=causes, dependence=dependence)
 
 
 def _at(way: Sequence[Segment], parameter: Fraction) -> Pose:

@@ -22,6 +22,8 @@ from gcrules.structure import NoLine, Structure, leg_text, legs_text
 
 __all__ = ["Leg", "Structure", "leg_text", "legs_text", "read_legs", "read_order"]
 
+_FILE = "a geometry file is read by gc.load_platform, a robot described by its joints by gc.Robot.load"
+
 
 def read_legs(
     legs: str | Iterable[str | Sequence[str] | Expr],
@@ -84,7 +86,8 @@ def _read_text(text: str, points: Sequence[str], rank: int = 4, built: bool = Tr
         try:
             yield read_line(re.sub(r"(?<=[\w'])\s*[-–]\s*(?=\w)", " ", word), points, rank, built)
         except GcrulesError as fault:
-            inner = InputError(f"{word!r} is not a leg: {fault.message}", hint=fault.hint)
+            hint = _FILE if re.search(r"\.ya?ml\s*$", text, re.IGNORECASE) else fault.hint
+            inner = InputError(f"{word!r} is not a leg: {fault.message}", hint=hint)
             raise inner.located(text, span=span) from None
 
 

@@ -3,7 +3,9 @@
 //   node build.mjs --check   compares it with the committed one; exit 1 and the names of stale files
 //   node build.mjs --watch   writes it again at every change, with source maps
 import { build, context } from "esbuild";
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import {
+  cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -20,7 +22,8 @@ const common = {
   sourcemap: watch ? "inline" : false,
   target: "es2022",
   charset: "utf8",
-  legalComments: "linked",
+  legalComments: "eof", // the viewer is copied into reports, its notices with it
+  metafile: true,
   logLevel: "warning",
   jsx: "automatic",
   jsxImportSource: "preact",
@@ -44,13 +47,26 @@ function listed(folder, below = folder) {
   });
 }
 
+/** The licences of the packages that these files come from. */
+function licences(files) {
+  const names = files.map((file) => /^node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]).filter(Boolean);
+  return [...new Set(names)].sort().map((name) => {
+    const folder = join(here, "node_modules", name);
+    const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+    const text = readFileSync(join(folder, readdirSync(folder).find((n) => /^licen[cs]e/i.test(n))), "utf8");
+    return `${name} ${version} (${license})\n\n${text.trim()}\n`;
+  }).join(`\n${"-".repeat(80)}\n\n`);
+}
+
 async function write(out) {
   rmSync(out, { recursive: true, force: true });
   mkdirSync(out, { recursive: true });
+  const inputs = [];
   for (const options of bundles(out)) {
     if (watch) await (await context(options)).watch();
-    else await build(options);
+    else inputs.push(...Object.keys((await build(options)).metafile.inputs));
   }
+  writeFileSync(join(out, "LICENSES.txt"), licences(inputs));
   cpSync(join(here, "src", "page", "index.html"), join(out, "index.html"));
 }
 

@@ -21,7 +21,7 @@ from gcrules.kinematics.chains import SHAPES, chain_of
 from gcrules.kinematics.closeness import Closeness, _locked, closeness, limb_closeness
 from gcrules.kinematics.coordinates import coordinates
 from gcrules.kinematics.mechanism import Configuration, Mechanism, mechanism
-from gcrules.kinematics.rigid import cross_matrix, exponential, inverse, logarithm
+from gcrules.kinematics.rigid import cross_matrix, exponential, inverse, logarithm, rotations
 from gcrules.kinematics.solve import Course, Solution, free_coordinates, goal, solve
 from gcrules.kinematics.wanted import read_actuators, read_pose, wanted_actuators, wanted_coordinates, wanted_pose
 from gcrules.kinematics.wrenches import wrench_jacobian
@@ -519,6 +519,10 @@ FAULTS = {
     "unknown actuator": (["3-rps", "--actuators", "p1=0"], "is no actuator"),
     "pose and actuators": (["3-rps", "--at", "0 0 0", "--actuators", "q1=0"], "at once"),
     "out of reach": (["delta", "--at", "x=0, y=0, z=-5"], "near its reach"),
+    "whole pose out of reach": (["delta", "--at", "0 0 -5"], "48.1% of the way"),
+    "flipped out of the plane": (["3-rpr", "--at", "0 0 0; euler zyx 0 0 180 deg"], "plane z = 0"),
+    "pitch": (["3-rps", "--at", "z=0, roll=0deg, pitch=90deg"], "between -90deg and 90deg"),
+    "rotation vector": (["3-rps", "--at", "z=0, rx=0deg, ry=200deg"], "shorter than half a turn"),
     "far out of reach": (["6-rus", "--at", "0 0 1e6"], "of the way"),
     "threshold": (["3-rps", "--threshold", "5mm"], "names no unit"),
     "unknown robot": (["3-rp"], "did you mean 3-rps"),
@@ -598,3 +602,165 @@ def test_loops_close_from_any_small_pose(numbers: tuple[float, float, float]) ->
 def test_cross_matrices() -> None:
     a, b = np.array([1.0, 2, 3]), np.array([-2.0, 0, 5])
     assert cross_matrix(a) @ b == pytest.approx(np.cross(a, b))
+
+
+# --- angles beyond half a turn, ends on a line, joints named by other limbs -------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "at", "whole"),
+    [
+        ("gough-stewart", "x=0, y=0, z=0, roll=0deg, pitch=0deg, yaw=200deg", "0 0 0; euler zyx 200 0 0 deg"),
+        ("gough-stewart", "x=0, y=0, z=0, roll=-190deg, pitch=0deg, yaw=0deg", "0 0 0; euler zyx 0 0 -190 deg"),
+        ("3-rpr", "x=0, y=0, yaw=200deg", "0 0 0; euler zyx 200 0 0 deg"),
+    ],
+    ids=["yaw", "roll", "in the plane"],
+)
+def test_more_than_half_a_turn(name: str, at: str, whole: str) -> None:
+    one, two = robot(name).pose(at), robot(name).pose(whole)
+    assert list(one.actuator_values.values()) == pytest.approx(list(two.actuator_values.values()), abs=1e-8)
+
+
+def test_ends_on_a_line() -> None:
+    """The platform can turn about the line through the three ball joints."""
+    r = robot("3-rps")
+    points = {"A1": (2, 0, 0), "A2": (0, 2, 0), "A3": (-2, 0, 0), "S1": (1, 0, 2), "S2": (0, 0, 2), "S3": (-1, 0, 2)}
+    axes = {"r1": (0, 1, 0), "r2": (1, 0, 0), "r3": (0, 1, 0)}
+    here = replace(r, home={n: tuple(map(Fraction, v)) for n, v in {**points, **axes}.items()}).pose()
+    assert (here.verdict, here.closeness) == ("singular", pytest.approx(0, abs=1e-12))
+    assert any(abs(abs(t.axis[0]) - 1) < 1e-9 and t.pitch == pytest.approx(0, abs=1e-9) for t in here.motions)
+
+
+DRIVEN_AT_THE_PLATFORM = """
+title: planar 3-RRR, driven at the platform
+space: plane
+copies: 3
+points: {A%: free, B%: free, C%: free}
+limbs: [{name: leg %, joints: "R(A%, z) R(B%, z) R*(C%, z)"}]
+platform: C%
+mobility: 3
+home: {A1: [0, 0, 0], A2: [10, 0, 0], A3: [5, 9, 0], B1: [1, 4, 0], B2: [9, 1, 0], B3: [7, 8, 0], C1: [4, 3, 0],
+  C2: [6, 3, 0], C3: [5, 5, 0]}
+"""
+
+
+def test_driven_ends_pass_on_moments() -> None:
+    m = mechanism(gc.Robot.parse(DRIVEN_AT_THE_PLATFORM))
+    assert m.firm == (False, False, False)
+    assert closeness(m, m.home).singular_values[0] <= 1
+
+
+ELBOWS = """
+title: a slider along the elbows of two other limbs
+space: plane
+points: {A1: free, B1: free, C1: free, A2: free, B2: free, C2: free, A3: free, C3: free}
+limbs:
+  - {name: one, joints: "R*(A1, z) R(B1, z) R(C1, z)"}
+  - {name: two, joints: "R*(A2, z) R(B2, z) R(C2, z)"}
+  - {name: three, joints: "R*(A3, z) P(B1 B2) R(C3, z)"}
+platform: C1 C2 C3
+mobility: 3
+home: {A1: [0, 0, 0], A2: [10, 0, 0], A3: [5, 9, 0], B1: [1, 4, 0], B2: [9, 1, 0], C1: [4, 3, 0], C2: [6, 3, 0],
+  C3: [5, 5, 0]}
+"""
+
+
+def test_joints_that_other_limbs_would_turn_are_refused() -> None:
+    with pytest.raises(gc.InputError, match=r"P\(B1 B2\) would not stay fixed in its links"):
+        gc.Robot.parse(ELBOWS).pose("x=0.2, y=0.1, yaw=5deg")
+
+
+def test_helical_joints_advance_by_their_pitch() -> None:
+    """Places of the hinge and of the ball joint after the turns that are given back: -3/2 for each radian."""
+    text = """
+title: 3-HRS
+copies: 3
+points: {A%: free, D%: free, B%: in plane D% perpendicular to r%}
+directions: {u%: free, r%: free}
+limbs: [{name: leg %, joints: "H*(A%, u%, -3/2) R(D%, r%) S(B%)"}]
+platform: B%
+mobility: 3
+home: {A1: [3, 0, 0], A2: [-2, 3, 0], A3: [-2, -3, 0], D1: [3, 1, 0], D2: [-3, 3, 0], D3: [-2, -4, 0], u1: [0, 0, 2],
+  u2: [0, 1, 2], u3: [1, 0, 3], r1: [0, 1, 0], r2: [1, 1, 0], r3: [1, -1, 0], B1: [1, 1, 2], B2: [-2, 2, 2],
+  B3: [-1, -3, 3]}
+"""
+    r = gc.Robot.parse(text)
+    assert r.home is not None
+    home = {n: np.array([float(c) for c in v]) for n, v in r.home.items()}
+    here = r.pose("x=0.1, y=0.05, z=-0.04")
+    for k, q in zip("123", here.actuator_values.values(), strict=True):
+        u = home[f"u{k}"] / np.linalg.norm(home[f"u{k}"])
+        turn = rotations(q * u)
+        hinge = home[f"A{k}"] + turn @ (home[f"D{k}"] - home[f"A{k}"]) - 1.5 * q * u
+        arm = np.array(here.points[f"B{k}"]) - hinge
+        assert np.array(here.points[f"D{k}"]) == pytest.approx(hinge, abs=1e-9)
+        assert arm @ (turn @ home[f"r{k}"]) == pytest.approx(0, abs=1e-9)
+        assert np.linalg.norm(arm) == pytest.approx(float(np.linalg.norm(home[f"B{k}"] - home[f"D{k}"])), abs=1e-9)
+
+
+SLEEVES = """
+title: 3-CS
+copies: 3
+points: {A%: free, B%: free}
+directions: {u%: free}
+limbs: [{name: leg %, joints: "C*2(A%, u%) S(B%)"}]
+platform: B%
+mobility: 3
+home: {A1: [3, 0, 0], A2: [-2, 3, 0], A3: [-2, -3, 0], u1: [0, 0, 2], u2: [0, 1, 2], u3: [1, 0, 3], B1: [1, 0, 2],
+  B2: [-1, 1, 2], B3: [-1, -1, 3]}
+"""
+
+
+def test_cylindrical_joints_slide_by_what_is_given_back() -> None:
+    r = gc.Robot.parse(SLEEVES)
+    assert r.home is not None
+    home = {n: np.array([float(c) for c in v]) for n, v in r.home.items()}
+    here = r.pose("z=0.05, roll=1deg, pitch=-1deg")
+    for k, q in zip("123", here.actuator_values.values(), strict=True):
+        u = home[f"u{k}"] / np.linalg.norm(home[f"u{k}"])
+        then, now = (p - home[f"A{k}"] for p in (home[f"B{k}"], np.array(here.points[f"B{k}"])))
+        assert (now - then) @ u == pytest.approx(q, abs=1e-9)
+        assert np.linalg.norm(np.cross(now, u)) == pytest.approx(float(np.linalg.norm(np.cross(then, u))), abs=1e-9)
+
+
+def test_coordinates_that_turn_back_are_named() -> None:
+    """At 24.4% of this way z, roll and pitch stop to determine the pose; no factor of the condition vanishes there."""
+    with pytest.raises(gc.InputError, match=r"24\.4% .* z, roll and pitch hardly determine the pose"):
+        gc.Robot.parse(SLEEVES).pose("z=0.3, roll=5deg, pitch=-4deg")
+
+
+PLANES = """
+title: 3-PEU
+copies: 3
+points: {A%: free}
+directions: {n%: free, u%: free, v%: free}
+limbs: [{name: leg %, joints: "P*(n%) E(A%, n%) U*1(A%, u%, v%)"}]
+platform: A%
+mobility: 6
+home: {A1: [3, 0, 0], A2: [-2, 3, 0], A3: [-2, -3, 1], n1: [0, 0, 2], n2: [0, 1, 2], n3: [1, 0, 3], u1: [1, 1, 0],
+  u2: [1, 0, 0], u3: [0, 1, 0], v1: [1, -1, 1], v2: [0, 1, 2], v3: [1, 0, 1]}
+"""
+
+
+def test_planar_joints_keep_their_distance() -> None:
+    r = gc.Robot.parse(PLANES)
+    assert r.home is not None
+    home = {n: np.array([float(c) for c in v]) for n, v in r.home.items()}
+    here = r.pose("0.1 0.2 0.3; euler zyx 5 6 7 deg")
+    driven = list(here.actuator_values.values())[::2]
+    for k, q in zip("123", driven, strict=True):
+        n = home[f"n{k}"] / np.linalg.norm(home[f"n{k}"])
+        assert (np.array(here.points[f"A{k}"]) - home[f"A{k}"]) @ n == pytest.approx(q, abs=1e-9)
+
+
+def test_limbs_by_themselves_are_left_out_of_the_guarantee() -> None:
+    """Close to the reach of an arm of a Delta robot it is singular by itself long before asin σ is used up."""
+    here = robot("delta").pose("x=0, y=0, z=-2.4")
+    assert here.limbs[0].closeness < 0.1
+    assert here.turn > 0.15
+    assert here.reason.startswith("The limbs' own singularities apart, there is no singular configuration before")
+
+
+def test_degrees_of_text() -> None:
+    here = robot("3-rpr").at(x="0.1", y=0, yaw="5", degrees=True)
+    assert here.coordinates["yaw"] == pytest.approx(np.deg2rad(5))

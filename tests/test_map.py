@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import io
+import itertools
 import json
 import math
 import os
@@ -536,6 +537,50 @@ def test_slabs_make_one_surface(robots: dict[str, Analysis], monkeypatch: pytest
         singular_map(robots["platform-6-6"], over, measure="value").surface()
 
 
+def test_files_of_surfaces_know_the_axes(robots: dict[str, Analysis]) -> None:
+    pytest.importorskip("skimage")
+    trimesh = pytest.importorskip("trimesh")
+    spans = {"x": "x -300:300:12", "y": "y -200:300:9", "z": "z -400:50:10"}
+    expected = None
+    for order in itertools.permutations("xyz"):
+        mesh = singular_map(robots["octahedral"], [spans[n] for n in order], measure="value").mesh
+        found = trimesh.load(io.BytesIO(ply(mesh)), file_type="ply", process=False)
+        bounds = [found.bounds, trimesh.load(io.BytesIO(glb(mesh)), file_type="glb").bounds]
+        expected = expected or bounds
+        assert np.allclose(bounds[0], expected[0])
+        assert np.allclose(bounds[1], expected[1])
+        normals = np.stack([mesh.normals[:, mesh.names.index(n)] for n in "xyz"], axis=1)
+        assert (found.face_normals * normals[found.faces[:, 0]]).sum(axis=1).mean() > 0.8
+
+
+ALWAYS = """
+legs: [au, bv, cw, dx, ey, fz]
+points: {a: [4, 0, 0], b: [2, 6, 0], c: [-4, 4, 0], d: [-6, -2, 0], e: [0, -6, 0], f: [6, -4, 0],
+         u: [2, 0, 5], v: [1, 3, 5], w: [-2, 2, 5], x: [-3, -1, 5], y: [0, -3, 5], z: [3, -2, 5]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("over", "everywhere"),
+    [
+        (["rx -40:40:7 deg", "ry -40:40:7 deg"], True),  # no part of the quaternion along z, which is a factor
+        (["azimuth -40:40:7 deg", "tilt 0:40:7 deg"], True),
+        (["rx -1:1:4 rad", "ry -1:1:4 rad", "x 0:1:3"], True),
+        (["rx -40:40:7 deg", "rz 10:40:7 deg"], False),
+    ],
+    ids=lambda v: " ".join(v) if isinstance(v, list) else str(v),
+)
+def test_turns_that_are_singular_throughout(over: list[str], everywhere: bool) -> None:
+    """Similar hexagons at one height: rounding gives the superbracket signs, of which no curves are made."""
+    m = singular_map(parse_platform(ALWAYS), over)
+    assert m.everywhere == everywhere
+    if everywhere:
+        assert not m.curves
+        assert m.summary.cells[0] == m.summary.cells[2] == 0
+        assert m.guarantee.startswith("every pose is singular")
+        assert len(over) == 2 or len(m.mesh.faces) == 0
+
+
 def test_meshes_are_read_back(robots: dict[str, Analysis]) -> None:
     trimesh = pytest.importorskip("trimesh")
     m = singular_map(robots["octahedral"], ["x -300:300:12", "y -300:300:13", "z -500:100:14"], measure="value")
@@ -664,7 +709,11 @@ def test_an_interrupted_run_goes_on(robots: dict[str, Analysis], tmp_path: Path,
     counted.append(-1)
     with pytest.raises(KeyboardInterrupt):
         singular_map(robots["octahedral"], SMALL, work=work)
-    assert sorted(p.name for p in work.iterdir()) == [*(f"chunk-{n:06d}.npz" for n in range(3)), "manifest.json"]
+    assert sorted(p.name for p in work.iterdir()) == [
+        *(f"chunk-{n:06d}.npz" for n in range(3)),
+        "lock",
+        "manifest.json",
+    ]
     (work / "chunk-000001.npz").write_bytes((work / "chunk-000001.npz").read_bytes()[:-50])  # damaged
     counted.clear()
     m = singular_map(robots["octahedral"], SMALL, work=work)
@@ -688,6 +737,48 @@ def test_a_changed_map_is_noticed(robots: dict[str, Analysis], tmp_path: Path, c
     assert "--restart" in fault.value.render()
     singular_map(robots["octahedral"], SMALL, work=work, restart=True, **change).store.close()
     assert not work.exists()
+
+
+def test_two_runs_at_a_time(robots: dict[str, Analysis], tmp_path: Path, counted: list[int]) -> None:
+    pytest.importorskip("fcntl")
+    work = tmp_path / "map.part"
+    m = singular_map(robots["octahedral"], SMALL, work=work)
+    lock = f"import fcntl; f = open({str(work / 'lock')!r}, 'ab'); fcntl.lockf(f, fcntl.LOCK_EX | fcntl.LOCK_NB)"
+    other = subprocess.run([sys.executable, "-c", lock], capture_output=True, text=True, check=False)
+    assert "BlockingIOError" in other.stderr
+    m.store.close()
+    holder = subprocess.Popen(
+        [sys.executable, "-c", f"import os; os.mkdir({str(work)!r}); {lock}; print(1, flush=True); input()"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+    )
+    with holder:
+        assert holder.stdout is not None
+        holder.stdout.readline()
+        with pytest.raises(InputError, match="another run is at work"):
+            singular_map(robots["octahedral"], SMALL, work=work)
+        holder.kill()
+    singular_map(robots["octahedral"], SMALL, work=work).store.close()  # a killed run holds nothing
+    assert not work.exists()
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_damaged_chunks_are_computed_again(
+    robots: dict[str, Analysis], tmp_path: Path, counted: list[int], seed: int
+) -> None:
+    m = singular_map(robots["octahedral"], SMALL, work=tmp_path / "map.part")
+    chunk = tmp_path / "map.part" / "chunk-000000.npz"
+    whole, expected = chunk.read_bytes(), m.store.get(0)
+    assert expected is not None
+    rng = np.random.default_rng(seed)
+    for _ in range(60):
+        data = bytearray(whole)
+        at = int(rng.integers(len(data)))
+        data[at : at + int(rng.integers(1, 9))] = bytes(rng.integers(0, 256, int(rng.integers(1, 9))).tolist())
+        chunk.write_bytes(data[: int(rng.integers(len(data)))] if rng.random() < 0.3 else data)
+        found = m.store.get(0)
+        assert found is None or all(np.array_equal(found[n], expected[n]) for n in m.arrays)
+    m.store.close()
 
 
 def test_other_files_are_left_alone(robots: dict[str, Analysis], tmp_path: Path) -> None:
@@ -845,14 +936,14 @@ def test_missing_libraries(
     monkeypatch.setitem(sys.modules, module, None)
     done = run(robot, *over, "-o", str(tmp_path / f"map{suffix}"))
     assert done.exit_code == 2
-    assert "pip install gcrules[maps]" in done.stderr
+    assert 'pip install "gcrules[maps]"' in done.stderr
     assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("limbs: []\n", "robot analyze"),
+        ("limbs: []\n", "there are no limbs"),
         (
             HUNT.replace("[0.25, 0.4330127018922193, 1]", "[-0.5, 1, 1]").replace(
                 "[0.25, -0.4330127018922193, 1]", "[-0.5, 2, 1]"

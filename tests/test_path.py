@@ -287,7 +287,10 @@ def test_places_where_segments_meet() -> None:
 
 def test_a_robot_that_is_always_singular() -> None:
     found = gc.path(parse_platform(ALWAYS), ["0 0 0", "1 2 3; euler zyx 10 0 0 deg"], samples=5)
-    assert found.stretches == (Stretch(0, 1, found.stretches[0].causes),)
+    (stretch,) = found.stretches
+    assert stretch == Stretch(0, 1, stretch.causes, stretch.dependence)
+    assert stretch.dependence is not None
+    assert "Gained motion" in found.text()
     assert found.degrees == (-1,)
     assert found.verdict == "singular"
     assert "zero polynomial" in found.text()

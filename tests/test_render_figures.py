@@ -455,7 +455,7 @@ def test_pdf_without_matplotlib(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(InputError, match="matplotlib") as found:
         save(SMALL, tmp_path / "x.pdf")
-    assert found.value.hint == "pip install gcrules[figures]"
+    assert found.value.hint == 'pip install "gcrules[figures]"'
 
 
 def test_svg_needs_no_library() -> None:

@@ -894,6 +894,30 @@ def test_commands(folder: Path) -> None:
     assert run("analyze", "nothing").exit_code == 2
 
 
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [
+        (["3-rps"], 0, "3-RPS robot (3-rps)"),
+        (["mine/robot.yaml"], 0, "three legs"),
+        (["mine", "--plugins", "."], 0, "three legs"),
+        (["3-rps", "--json"], 0, '"class": "6-3.2"'),
+        (["3rps"], 2, "did you mean 3-rps"),
+        (["3-rps", "--full"], 2, "A robot of joints takes"),
+        (["3-rps", "--rank", "3"], 2, "A robot of joints takes"),
+        (["ab,af,cb,cd,ed,ef"], 0, "four planes abc, aef, bdf and cde"),
+        (["abaf"], 2, "is not a leg"),
+    ],
+    ids=["id", "file", "of a folder", "JSON", "typing error", "option", "rank", "legs in one word", "no legs"],
+)
+def test_analyze_takes_robots(
+    words: list[str], code: int, said: str, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(folder)
+    result = CliRunner().invoke(cli, ["analyze", *words])
+    assert result.exit_code == code
+    assert said in (result.stderr if code else result.stdout)
+
+
 def test_a_refuted_condition_is_a_definite_no(folder: Path) -> None:
     path = folder / "mine" / "robot.yaml"
     path.write_text(f'{GOOD}condition: "[A1A2A3S1]"\n', "utf-8")

@@ -12,6 +12,7 @@ import signal
 import stat
 import subprocess
 import sys
+import time
 import warnings
 from collections.abc import Iterator
 from contextlib import ExitStack
@@ -315,6 +316,20 @@ def test_every_class_opens_and_has_numbers() -> None:
         json.dumps(study(subject, lambda _: None), allow_nan=False)
         found = numbers(subject, HOME)  # type: ignore[arg-type]
         assert (found["verdict"] == "singular") == (entry in ("6-2", "5-2", "4-4.s"))
+
+
+@pytest.mark.parametrize("entry", ["6-2", "5-2", "3-3.3", "6-6"])
+@pytest.mark.parametrize("away", [1e3, 1e8, 1e11, 1e13])
+def test_far_away_there_are_numbers_or_a_reason(entry: str, away: float) -> None:
+    subject = read_subject({"kind": "class", "id": entry})
+    pose = {"translation": [away, -away, 0.3 * away], "quaternion": [1.0, 0.3, -0.2, 0.1]}
+    if away > 1e12:
+        with pytest.raises(InputError, match="times the robot's size away"):
+            numbers(subject, pose)  # type: ignore[arg-type]
+    else:
+        found = numbers(subject, pose)  # type: ignore[arg-type]
+        assert 0 <= found["closeness"] <= 1
+        assert json.dumps(found, allow_nan=False)
 
 
 def test_singular_example(page: Page) -> None:
@@ -823,6 +838,23 @@ def test_token_becomes_a_cookie(client: TestClient) -> None:
     client.cookies.clear()
 
 
+def test_ticket_is_good_once() -> None:
+    client = TestClient(make_app(PORT, TOKEN, tickets=["t" * 43]), base_url=OWN)
+    assert [client.get(f"/?ticket={t}").status_code for t in ("", "x", "t" * 42, TOKEN)] == [403] * 4
+    answer = client.get(f"/?ticket={'t' * 43}", follow_redirects=False)
+    assert (answer.status_code, answer.headers["location"]) == (303, "/")
+    assert TOKEN in answer.headers["set-cookie"]
+    client.cookies.clear()
+    assert client.get(f"/?ticket={'t' * 43}").status_code == 403
+
+
+def test_port_that_browsers_leave_out() -> None:
+    client = TestClient(make_app(80, TOKEN), base_url="http://127.0.0.1")
+    known = {"cookie": KNOWN["cookie"], "origin": "http://127.0.0.1"}
+    assert client.get("/studio.js", headers=known | {"host": "127.0.0.1"}).status_code == 200
+    assert client.get("/studio.js", headers=known | {"host": f"127.0.0.1:{PORT}"}).status_code == 421
+
+
 @pytest.mark.parametrize(
     ("path", "headers", "status"),
     [
@@ -919,6 +951,12 @@ def test_token_is_no_link(tmp_path: Path) -> None:
     assert target.read_text() == "z" * 43
 
 
+@needs_modes
+def test_token_is_no_pipe(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "studio-token", 0o600)
+    assert re.fullmatch(r"[\w-]{43}", token_file.token(tmp_path))
+
+
 def test_token_that_cannot_be_kept(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(FileError, match="cannot be kept"):
@@ -960,6 +998,40 @@ def address_of(process: subprocess.Popen[str]) -> str:
     found = re.search(r"http://127\.0\.0\.1:\d+/\?token=\S+", line)
     assert found, line + (process.stderr.read() if process.stderr and process.poll() is not None else "")
     return found[0]
+
+
+def test_browser_is_not_started_with_the_token(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Other users of the machine see what a program was started with; a ticket is worth nothing once it was used."""
+    asked, said, tickets = [], [], []
+    monkeypatch.setattr(serving, "token", lambda: TOKEN)
+    monkeypatch.setattr(serving, "make_app", lambda *given: tickets.extend(given[3]) or make_app(*given))
+    monkeypatch.setattr(serving.webbrowser, "open", asked.append)
+    monkeypatch.setattr(serving.uvicorn.Server, "run", lambda server, sockets: server.ready())
+    serving.serve(port=0, say=said.append)
+    while not asked:
+        time.sleep(0.01)
+    assert TOKEN in said[0]
+    assert TOKEN not in asked[0]
+    assert asked[0].endswith(f"/?ticket={tickets[0]}")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs the number of the process that started another")
+def test_worker_ends_when_the_server_is_killed() -> None:
+    """In the middle of work, which nobody waits for any more."""
+    script = (
+        "import subprocess, sys, time\n"
+        "from gcrules.studio.wire import framed\n"
+        "worker = subprocess.Popen([sys.executable, '-m', 'gcrules.studio.worker'], stdin=-1, stdout=1)\n"
+        "worker.stdin.write(framed(('bench', {'text': '[abcd]' * 15_000}, None)))\n"
+        "worker.stdin.flush()\n"
+        "print('at work', flush=True)\n"
+        "time.sleep(60)\n"
+    )
+    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE) as server:
+        assert server.stdout is not None
+        assert server.stdout.readline() == b"at work\n"
+        server.kill()
+        assert b"done" not in server.stdout.read()  # no answer, and the worker has let the pipe go
 
 
 BROKEN_FRAMES = {

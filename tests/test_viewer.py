@@ -226,6 +226,19 @@ def test_the_command(arguments: list[str], code: int, said: str) -> None:
     assert said in (result.stderr if code else result.stdout)
 
 
+def test_a_report_of_no_analysis_says_what_to_write() -> None:
+    with pytest.raises(InputError, match="a report is of an analysis") as fault:
+        gc.report("ab af cb cd ed ef")  # type: ignore[arg-type]
+    assert "gc.analyze" in (fault.value.hint or "")
+
+
+@pytest.mark.parametrize("ask", [gc.analyze, gc.view], ids=["analyze", "view"])
+def test_a_file_in_place_of_legs_gets_a_hint(ask: Callable[[str], object]) -> None:
+    with pytest.raises(InputError) as fault:
+        ask("examples/octahedral.yaml")
+    assert "gc.load_platform" in (fault.value.hint or "")
+
+
 # --- the widget ----------------------------------------------------------------------------------------------------
 
 
@@ -275,7 +288,7 @@ def test_without_the_extra_a_widget_says_what_to_install(monkeypatch: pytest.Mon
     monkeypatch.delitem(sys.modules, "gcrules.widget", raising=False)
     with pytest.raises(InputError, match="needs the package anywidget") as fault:
         gc.view("ab af cb cd ed ef")
-    assert fault.value.hint == "pip install 'gcrules[widget]'"
+    assert fault.value.hint == 'pip install "gcrules[widget]"'
 
 
 # --- in a browser --------------------------------------------------------------------------------------------------

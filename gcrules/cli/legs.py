@@ -39,7 +39,8 @@ __all__ = ["analyze", "report"]
 _order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
 _recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
 _search = search_option(SECONDS)
-_LEGS = "LEGS|FILE.yaml"
+_LEGS = "LEGS|FILE.yaml|ROBOT"
+_SPACE = Space(4, (), ())  # where no option says otherwise
 
 
 @click.command(cls=ExpressionCommand)
@@ -74,10 +75,12 @@ def analyze(
     \b
     gcrules analyze "ab af cb cd ed ef"
     gcrules analyze S1A1 S1B1 S1C1 S2A2 S3A3 S3B3 --json
-    gcrules analyze robot.yaml --figure robot.svg
+    gcrules analyze platform.yaml --figure platform.svg
+    gcrules analyze 3-rps
 
     A leg is a joint of one body and a joint of the other, in this sequence throughout; joints that legs share bear
-    one name. "-" reads legs or a geometry file from standard input.
+    one name. "-" reads legs or a geometry file from standard input. A robot that is described by its joints, an id or a
+    robot file, is answered as by `gcrules robot analyze`.
 
     \b
     gcrules analyze "Aa Ab Bc Bd Ce Cf" --given "coplanar(A, B, a, b)"
@@ -94,11 +97,15 @@ def analyze(
     """
     special = assumptions or space.rank != 4 or search != SECONDS
     if manual.wanted:
-        others = recheck or full or catalogs or figure or choice.words or choice.without or out.latex or special
-        _check_manual(legs, others, manual)
+        refused = recheck or full or catalogs or figure or choice.words or choice.without or out.latex or special
+        _check_manual(legs, refused, manual)
         run_manual(_platform_or_legs(legs) if legs else None, order, manual, space, out)
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
+    others = order or recheck or full or figure or assumptions or catalogs or space != _SPACE
+    if of_joints := _of_joints(legs, choice, search, others):
+        out.show(of_joints)
+        return
     analysis = _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
     if figure:
         _draw(analysis, figure)
@@ -106,7 +113,7 @@ def analyze(
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("legs", nargs=-1, required=True, metavar=f"{_LEGS}|ROBOT")
+@click.argument("legs", nargs=-1, required=True, metavar=_LEGS)
 @click.option("-o", "--output", "path", default="-", metavar="FILE.html", help="Write to a file.")
 @_order
 @_recheck
@@ -141,26 +148,38 @@ def report(
     """
     from gcrules.render.report import report as rendered  # not needed by analyze
 
-    robot = _robot(legs, choice.folders)
-    if robot is None:
-        found: Analysis | RobotAnalysis = _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
-    else:
-        if order or recheck or assumptions or catalogs or choice.words or choice.without or space != Space(4, (), ()):
-            raise click.UsageError("A robot of joints takes -o, --search, --plugins and --no-3d only.")
-        with working("analysing"):
-            found = robot.analyze(search=search)
+    others = order or recheck or assumptions or catalogs or space != _SPACE
+    found: Analysis | RobotAnalysis | None = _of_joints(legs, choice, search, others)
+    found = found or _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
     write_file(path, rendered(found, interactive=interactive))
+
+
+def _of_joints(words: tuple[str, ...], choice: Choice, search: float, others: object) -> RobotAnalysis | None:
+    """The analysis of a robot described by its joints; None for legs and geometry files.
+
+    Raises UsageError for options that are for legs only: `others` is true if there are any.
+    """
+    robot = _robot(words, choice.folders)
+    if robot is None:
+        return None
+    if others or choice.words or choice.without:
+        raise click.UsageError("A robot of joints takes --search, --plugins and the options of output only.")
+    with working("analysing"):
+        return robot.analyze(search=search)
 
 
 def _robot(words: tuple[str, ...], folders: tuple[str, ...]) -> Robot | None:
     """The robot of an id or a robot file; None for legs and geometry files."""
-    from gcrules.robots.discovery import robots  # not needed by analyze
-    from gcrules.robots.model import Robot
-
     if len(words) != 1 or words[0] == "-":
         return None
     (word,) = words
-    if _is_path(word):
+    path = _is_path(word)
+    if not path and re.search(r"[\s,]", word):  # legs, for which the modules of robots need not be loaded
+        return None
+    from gcrules.robots.discovery import robots
+    from gcrules.robots.model import Robot
+
+    if path:
         keys = {key.text for key, _ in Document.load(word).root.entries()}
         return Robot.load(word, plugins=folders) if keys & {"limbs", "lines"} and "legs" not in keys else None
     known = {one.id for one in robots(folders)}

@@ -32,7 +32,11 @@ _BAR = 24
 )
 @click.option("--at", metavar="POSE", help="The pose of the other coordinates, as in gcrules pose; the file's own.")
 @about_option
-@click.option("--limits", metavar="RANGES", help='What the legs reach: "leg lengths 1..3", or "ab 1..3, cd 2..".')
+@click.option(
+    "--limits",
+    metavar="RANGES",
+    help='What the legs reach, in the unit of the file: "leg lengths 1..3", or "ab 1..3, cd 2..".',
+)
 @click.option(
     "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
 )

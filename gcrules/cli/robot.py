@@ -41,11 +41,11 @@ def robot() -> None:
     """
 
 
-@robot.command("list")
+@robot.command("list", short_help="List all robots that are known.")
 @_plugins
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def list_command(folders: tuple[str, ...], as_json: bool) -> None:
-    """List all robots that are known."""
+    """List all robots that are known: id, mobility of the platform, title."""
     found = [(one, Robot.load(one.path)) for one in robots(folders)]
     if as_json:
         rows = [
@@ -60,7 +60,7 @@ def list_command(folders: tuple[str, ...], as_json: bool) -> None:
         click.echo(f"{one.id:<{width}}  {r.mobility}  {r.title}{owner}")
 
 
-@robot.command("show")
+@robot.command("show", short_help="Show what a robot's file says.")
 @_name
 @_plugins
 def show_command(name: str, folders: tuple[str, ...]) -> None:
@@ -92,7 +92,7 @@ def _shown(r: Robot) -> Iterator[str]:
         yield f"platform: {' '.join(r.platform)}"
 
 
-@robot.command("check")
+@robot.command("check", short_help="Check robot files; all, if none is named.")
 @click.argument("names", nargs=-1, metavar="[ID|FILE]...")
 @_plugins
 @click.pass_context
@@ -124,24 +124,31 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
     ctx.exit(code)
 
 
-@robot.command("analyze")
+@robot.command("analyze", short_help="Tell when and why a robot is singular.")
 @_name
 @_plugins
 @search_option(SECONDS)
 @output_options()
 def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Output) -> None:
-    """Tell when and why a robot is singular: wrenches of its limbs, equivalent lines, condition, sentence."""
+    """Tell when and why a robot is singular: wrenches of its limbs, equivalent lines, condition, sentence.
+
+    \b
+    gcrules robot analyze 3-rps
+    gcrules robot analyze my-robot/robot.yaml --json
+    """
     with working("analysing"):
         found = Robot.load(name, plugins=folders).analyze(search=search)
     out.show(found)
 
 
-@robot.command("pose", cls=ExpressionCommand)
+@robot.command("pose", cls=ExpressionCommand, short_help="Tell how close it is to a singularity, and solve its joints.")
 @_name
 @_plugins
 @click.option("--at", metavar="POSE", help='"z=0.2, roll=5deg, …" or "x y z; euler zyx a b c deg"; home by default.')
 @click.option("--actuators", metavar="VALUES", help='Instead of a pose: "q1=0.1, q2=5deg", from home.')
-@click.option("--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close.")
+@click.option(
+    "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
+)
 @click.option("--search", is_flag=True, help="Seek the first singular configuration on the way there from home.")
 @output_options()
 def pose_command(
@@ -179,7 +186,7 @@ def pose_command(
     out.show(found)
 
 
-@robot.command("new")
+@robot.command("new", short_help="Write a robot file to begin with.")
 @click.argument("robot_id", metavar="ID")
 @click.option("-o", "--output", "path", metavar="FILE", help="Where to write it; ID/robot.yaml by default.")
 def new_command(robot_id: str, path: str | None) -> None:

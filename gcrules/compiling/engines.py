@@ -35,7 +35,7 @@ def engine_named(name: str | None) -> str:
     if name not in ENGINES:
         raise InputError(f"there is no engine {name!r}", hint=f"choose one of {', '.join(ENGINES)}")
     if not find_spec(name):
-        raise InputError(f"{name} is not installed", hint="pip install gcrules[fast], or take the engine numpy")
+        raise InputError(f"{name} is not installed", hint='pip install "gcrules[fast]", or take the engine numpy')
     return name
 
 

@@ -14,7 +14,9 @@ from gcrules.screws import JOINTS
 __all__ = ["unfixed"]
 
 
-def unfixed(m: Mechanism, before: Sequence[Chain], links: Sequence[Floats], after: Sequence[Chain]) -> tuple[float, str]:
+def unfixed(
+    m: Mechanism, before: Sequence[Chain], links: Sequence[Floats], after: Sequence[Chain]
+) -> tuple[float, str]:
     """How far the freedoms of a joint are from those that its links carry, at most, and that joint.
 
     `links` are the motions of all links from the chains `before` to those `after`, which are made from the names at

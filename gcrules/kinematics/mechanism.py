@@ -61,11 +61,12 @@ class Configuration:
 
 @dataclass(frozen=True, eq=False)
 class Mechanism:
-    """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `firm` tells of each whether the limb ends
-    in a passive ball joint there (a hinge, in the plane), so that it passes on forces through that point alone. `centre` is the
-    centroid of the ends, `size` the root mean square of their distances from it (of all points, where it is 0). `ranks`
-    are those of each limb's twists in the family, with `passive_ranks` of the undriven ones. `still` are coordinates
-    that have to stay at 0: the places of limb and coordinate, and the joint as written.
+    """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `firm` tells of each whether the limb
+    ends in a passive ball joint there (a hinge, in the plane), so that it passes on forces through that point
+    alone. `centre` is the centroid of the ends, `size` the root mean square of their distances from it (of all
+    points, where it is 0). `ranks` are those of each limb's twists in the family, with `passive_ranks` of the
+    undriven ones. `still` are coordinates that have to stay at 0: the places of limb and coordinate, and the joint
+    as written.
     """
 
     robot: RobotText

@@ -134,7 +134,10 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
             step /= 2
             if step < _SHORTEST * max(far, 1e-3):
                 reached = at + done * float(np.sign(end - at))
-                raise stopped(course.m, found.configuration, course.wanted, reached, str(fault)) from None
+                here = found.configuration
+                named = course.wanted.whole is None and not course.wanted.driven
+                told = _told(course, here) / _told(course, course.m.home) if named else 1.0
+                raise stopped(course.m, here, course.wanted, reached, told, str(fault)) from None
             continue
         done += step
         step *= 2
@@ -242,9 +245,7 @@ def check_wanted(m: Mechanism, wanted: Wanted) -> None:
     """
     if wanted.whole is not None:
         return
-    twists, units, free = _free(m)
-    rows = Course(m, wanted).rows(m.home, _still(m), twists) * units @ free
-    if np.linalg.matrix_rank(rows, tol=_DEPENDENT) == len(wanted.names):
+    if _told(Course(m, wanted), m.home) > _DEPENDENT:
         return
     if wanted.driven:
         raise InputError(
@@ -260,9 +261,7 @@ def check_wanted(m: Mechanism, wanted: Wanted) -> None:
 def free_coordinates(m: Mechanism) -> tuple[str, ...]:
     """As many coordinates as the platform has freedoms, on which its pose depends near home; shifts are preferred."""
     names = ["x", "y", "yaw"] if m.robot.family.plane else ["x", "y", "z", "roll", "pitch", "yaw"]
-    twists, units, free = _free(m)
-    course = Course(m, Wanted(tuple(names), np.zeros(len(names))))
-    rows = course.rows(m.home, _still(m), twists) * units @ free
+    rows = _rates(Course(m, Wanted(tuple(names), np.zeros(len(names)))), m.home)
     chosen: list[str] = []
     for _ in range(m.robot.mobility):
         sizes = np.linalg.norm(rows, axis=1)
@@ -275,15 +274,20 @@ def free_coordinates(m: Mechanism) -> tuple[str, ...]:
     return tuple(sorted(chosen, key=names.index))
 
 
-def _still(m: Mechanism) -> tuple[Floats, ...]:
-    return tuple(np.array(k) for k in m.home.links)
+def _told(course: Course, here: Configuration) -> float:
+    """How well the wanted values tell how the robot moves there: their least singular value on its ways to move."""
+    rates = _rates(course, here)
+    return float(np.linalg.svd(rates, compute_uv=False)[-1]) if rates.shape[1] >= len(rates) else 0.0
 
 
-def _free(m: Mechanism) -> tuple[list[Floats], Floats, Floats]:
-    """At home: the limbs' twists, the units of all amounts, and the ways to move (amounts in units, ways)."""
-    twists = [c.twists(k) for c, k in zip(m.home.chains, _still(m), strict=True)]
-    units = np.concatenate([np.where(c.turns, 1.0, m.size) for c in m.home.chains])
+def _rates(course: Course, here: Configuration) -> Floats:
+    """The derivatives of the wanted values by the ways to move in a configuration (in units of all amounts)."""
+    m = course.m
+    still = tuple(np.broadcast_to(np.eye(4), k.shape) for k in here.links)
+    twists = [c.twists(k) for c, k in zip(here.chains, still, strict=True)]
+    units = np.concatenate([np.where(c.turns, 1.0, m.size) for c in here.chains])
+    rows = course.rows(here, still, twists) * units
     if len(twists) == 1:
-        return twists, units, np.eye(len(units))
-    _, s, v = np.linalg.svd(_loops(twists, m.home, m) * units)
-    return twists, units, v[int((s > _DEPENDENT * max(s[0], 1.0)).sum()) :].T
+        return np.asarray(rows)
+    _, s, v = np.linalg.svd(_loops(twists, here, m) * units)
+    return np.asarray(rows @ v[int((s > _DEPENDENT * max(s[0], 1.0)).sum()) :].T)

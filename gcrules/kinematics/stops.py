@@ -7,28 +7,32 @@ from gcrules.kinematics.closeness import closeness, limb_closeness
 from gcrules.kinematics.coordinates import SHIFTS, coordinates
 from gcrules.kinematics.mechanism import Configuration, Mechanism
 from gcrules.kinematics.wanted import Wanted
+from gcrules.rules.listing import listed
 
 __all__ = ["stopped"]
 
 _LOST = 0.3  # of what it was at home
 
 
-def stopped(m: Mechanism, here: Configuration, wanted: Wanted, part: float, why: str) -> InputError:
-    """The error for a course that ends at a part of the way; `here` is the last configuration that was reached."""
+def stopped(m: Mechanism, here: Configuration, wanted: Wanted, part: float, told: float, why: str) -> InputError:
+    """The error for a course that ends at a part of the way; `here` is the last configuration that was reached, `told`
+    how well the wanted coordinates determine the pose there, compared with home.
+    """
     if wanted.whole is not None and m.robot.mobility < 6 and part <= 0:
         return InputError(
             f"{m.robot.id} cannot take the whole pose {wanted.text}: its platform has mobility {m.robot.mobility}",
             hint=f"give {m.robot.mobility} coordinates, such as z=0.2, roll=5deg; the others follow",
         )
+    reason = _reason(m, here, wanted, told, why)
     names = ("x", "y", "yaw") if m.robot.family.plane else ("x", "y", "z", "rx", "ry", "rz")
     numbers = zip(names, coordinates(names, here.platform, m.centre), strict=True)
     place = ", ".join(_amount(n, v, m.size) for n, v in numbers)
     if part <= 0:
-        message = f"{m.robot.id} cannot move from home towards {wanted.text}: {_reason(m, here, why)}"
+        message = f"{m.robot.id} cannot move from home towards {wanted.text}: {reason}"
     else:
         message = (
             f"{m.robot.id} does not assemble at {wanted.text} on home's assembly mode: it comes {100 * part:.3g}% of"
-            f" the way ({place}), where {_reason(m, here, why)}"
+            f" the way ({place}), where {reason}"
         )
     return InputError(message, hint="ask for less, for other coordinates, or give a home on the other side")
 
@@ -39,7 +43,7 @@ def _amount(name: str, value: float, size: float) -> str:
     return f"{name}={0.0 if abs(value) < 1e-9 else value:.3g} rad"
 
 
-def _reason(m: Mechanism, here: Configuration, why: str) -> str:
+def _reason(m: Mechanism, here: Configuration, wanted: Wanted, told: float, why: str) -> str:
     """What has become small, compared with home."""
     lost = {}
     pairs = zip(limb_closeness(m, here), limb_closeness(m, m.home), m.robot.limbs, strict=True)
@@ -48,4 +52,8 @@ def _reason(m: Mechanism, here: Configuration, why: str) -> str:
     then = closeness(m, m.home).sigma
     lost["the robot is near a singularity"] = closeness(m, here).sigma / then if then else 1.0
     words, part = min(lost.items(), key=lambda item: item[1])
-    return f"{words}: closeness {100 * part:.1g}% of that at home" if part <= _LOST else why
+    if part <= _LOST:
+        return f"{words}: closeness {100 * part:.1g}% of that at home"
+    if told <= _LOST:
+        return f"{listed(wanted.names)} hardly determine the pose any more"
+    return why

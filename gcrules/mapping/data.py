@@ -36,7 +36,7 @@ def dataset(m: SingularMap) -> Dataset:
     try:
         import xarray  # an extra of the installation
     except ImportError:
-        raise InputError("datasets need xarray", hint="pip install gcrules[maps]") from None
+        raise InputError("datasets need xarray", hint='pip install "gcrules[maps]"') from None
     coords, data = {}, {}
     for name, v in _coordinates(m).items():
         coords[name] = (v.dims, v.values, dict(v.attributes))
@@ -50,7 +50,7 @@ def netcdf(m: SingularMap, path: str) -> None:
     try:
         import h5netcdf  # an extra of the installation
     except ImportError:
-        raise InputError("NetCDF files need h5netcdf", hint="pip install gcrules[maps]") from None
+        raise InputError("NetCDF files need h5netcdf", hint='pip install "gcrules[maps]"') from None
     small = _coordinates(m) | _curves(m)
     large = _variables(m)
     with h5netcdf.File(path, "w") as file:

@@ -32,7 +32,7 @@ from gcrules.mapping.joining import joined
 from gcrules.mapping.limits import parse_limits
 from gcrules.mapping.marching import marched
 from gcrules.mapping.report import Curve, SingularMap
-from gcrules.mapping.slices import factors, middle, slice_polynomial
+from gcrules.mapping.slices import factors, middle, slice_polynomial, vanishes
 from gcrules.mapping.store import Folder, Memory, Store
 from gcrules.mapping.summary import Summary, summed, together
 from gcrules.mapping.tracing import polished, traced
@@ -114,7 +114,7 @@ def planned(
     g = grid(moving, axes, at)
     condition = compiled(analysis, about=centre)
     moved = g.turning is not None
-    everywhere = not moved and not slice_polynomial(g)
+    everywhere = vanishes(g) if moved else not slice_polynomial(g)
     task = Task(g, condition, measure, reached, None if moved else factors(g), everywhere)
     return analysis, task, limit
 

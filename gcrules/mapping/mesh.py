@@ -1,7 +1,8 @@
 r"""A surface as triangles, and the files that hold one: PLY (Stanford) and GLB (binary glTF 2.0).
 
-Places and normals are in the axes' coordinates. In a GLB the z axis of a map of lengths points up, and lengths are in
-metres, as glTF wants it; coordinates in mixed units are left as they are.
+Places and normals are in the axes' coordinates; in files x, y and z come first and in this order, however the axes were
+given, so that no surface is mirrored. In a GLB the z axis of a map of lengths points up, and lengths are in metres, as
+glTF wants it; coordinates in mixed units are left as they are.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 import json
 import struct
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -60,8 +61,23 @@ class Mesh:
         return f"<Mesh of {len(self.faces):,} triangles in {self.sheets} sheets>"
 
 
+def _in_order(m: Mesh) -> Mesh:
+    """With the coordinates in the order x, y, z, turns last."""
+    order = sorted(range(3), key=lambda k: (m.names[k] not in "xyz", m.names[k] if m.names[k] in "xyz" else ""))
+    odd = order in ([0, 2, 1], [1, 0, 2], [2, 1, 0])  # that turns triangles round
+    return replace(
+        m,
+        vertices=m.vertices[:, order],
+        normals=m.normals[:, order],
+        faces=np.ascontiguousarray(m.faces[:, ::-1]) if odd else m.faces,
+        names=tuple(m.names[k] for k in order),
+        units=tuple(m.units[k] for k in order),
+    )
+
+
 def ply(m: Mesh) -> bytes:
     """The mesh as binary PLY, with normals, colours, sheets and limits for each vertex."""
+    m = _in_order(m)
     axes = ", ".join(f"{p} = {n}{f' [{u}]' if u else ''}" for p, n, u in zip("xyz", m.names, m.units, strict=True))
     comments = [axes, *(f"{k}: {v}" for k, v in m.about.items())]
     header = [
@@ -90,6 +106,7 @@ def ply(m: Mesh) -> bytes:
 
 def glb(m: Mesh) -> bytes:
     """The mesh as binary glTF 2.0: one primitive for each sheet, with normals and colours."""
+    m = _in_order(m)
     lengths = set(m.units) <= set(_METRES) and len(set(m.units)) == 1 and set(m.names) <= set("xyz")
     scale = _METRES[m.units[0]] if lengths else 1.0
     middle = (m.vertices.min(axis=0) + m.vertices.max(axis=0)) / 2 if len(m.vertices) else np.zeros(3)

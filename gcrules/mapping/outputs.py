@@ -55,7 +55,7 @@ def _need(module: str, words: str) -> None:
     try:
         __import__(module)
     except ImportError:
-        raise InputError(words, hint="pip install gcrules[maps]") from None
+        raise InputError(words, hint='pip install "gcrules[maps]"') from None
 
 
 def save(m: SingularMap, paths: Sequence[str]) -> None:

@@ -17,7 +17,7 @@ from gcrules.errors import EngineFault, InputError, LimitReached
 from gcrules.mapping.grid import Grid
 from gcrules.mapping.limits import Limits
 from gcrules.mapping.mesh import Mesh
-from gcrules.mapping.slices import Factor
+from gcrules.mapping.slices import MEMBERS, Factor
 from gcrules.mapping.store import Store
 from gcrules.mapping.summary import Summary
 from gcrules.mapping.surface import Sheet, of_factor, sheet
@@ -134,7 +134,7 @@ class SingularMap:
             for f in task.factors:
                 sheets.append(sheet(*of_factor(f, g), g.shape, before=sum(len(s[2]) for s in sheets)))
         else:
-            sheets = [sheet(task.value, self._layers, g.shape)]
+            sheets = [] if self.everywhere else [sheet(task.value, self._layers, g.shape)]
         steps = np.array([float(a.step) for a in g.axes])
         places = np.concatenate([s[0] for s in sheets]) if sheets else np.zeros((0, 3))
         slopes = (np.concatenate([s[1] for s in sheets]) if sheets else np.zeros((0, 3))) / steps
@@ -142,10 +142,12 @@ class SingularMap:
         starts = np.cumsum([0, *(len(s[0]) for s in sheets)])
         faces = [s[2] + start for s, start in zip(sheets, starts[:-1], strict=True)]
         where = g.coordinates(places) if len(places) else np.zeros((0, 3))
+        normals = np.where(size > 0, slopes / np.where(size > 0, size, 1), [0.0, 0.0, 1.0])
+        listed = np.concatenate([np.zeros((0, 3)), *faces]).astype(np.int32)
         return Mesh(
             vertices=where,
-            normals=np.where(size > 0, slopes / np.where(size > 0, size, 1), [0.0, 0.0, 1.0]),
-            faces=np.concatenate([np.zeros((0, 3)), *faces]).astype(np.int32),
+            normals=normals,
+            faces=listed,
             sheet=np.repeat(np.arange(len(sheets)), np.diff(starts)).astype(np.uint8),
             allowed=self.allows(where),
             accurate=np.concatenate([np.zeros(0, dtype=bool), *(s[3] for s in sheets)]),
@@ -202,6 +204,8 @@ class SingularMap:
     def guarantee(self) -> str:
         """What is proved, in one sentence."""
         free, crossed, undecided = self.summary.cells
+        if self.everywhere and self.factors is None:
+            return f"every pose is singular: the superbracket is exactly 0 in {MEMBERS} random poses of the slice"
         if self.everywhere:
             return "the superbracket is the zero polynomial on this slice, exactly: every pose is singular"
         if self.factors is None and self.task.measure == "value":

@@ -6,6 +6,7 @@ or cubes with whole corners and the numbers stay small.
 
 from __future__ import annotations
 
+import random
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -20,12 +21,15 @@ from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.mapping.axes import TRANSLATION
 from gcrules.mapping.grid import Grid
-from gcrules.numeric.cubic import Cubic, translation_polynomial
+from gcrules.numeric.cubic import Cubic, superbracket_at, translation_polynomial
 from gcrules.numeric.pose import Pose
 
-__all__ = ["Factor", "Polynomial", "factors", "middle", "slice_polynomial"]
+__all__ = ["MEMBERS", "Factor", "Polynomial", "factors", "middle", "slice_polynomial", "vanishes"]
 
 Floats = NDArray[np.float64]
+MEMBERS = 8
+"""Random poses in which a superbracket is looked at that may be 0 throughout."""
+
 Polynomial = Mapping[tuple[int, ...], Fraction]
 """Exponents for each axis: coefficient other than 0."""
 
@@ -117,6 +121,25 @@ def _times(
             value = c * comb(power, n) * constant ** (power - n) * slope**n
             found[new] = found.get(new, Fraction(0)) + value
     return found
+
+
+def vanishes(g: Grid) -> bool:
+    """Whether the superbracket is exactly 0 in `MEMBERS` random poses of the slice, with any axes."""
+    r, rng = g.rig, random.Random(6)
+    legs = r.structure.legs
+    met = 0
+    for _ in range(4 * MEMBERS):
+        place = [a.start + (a.stop - a.start) * Fraction(rng.randrange(1, 1 << 20), 1 << 20) for a in g.axes]
+        try:
+            points = r.exact(g.pose(place))
+        except InputError:  # a leg has no length
+            continue
+        if superbracket_at(legs, points, (), (Fraction(0),) * 3):
+            return False
+        met += 1
+        if met == MEMBERS:
+            break
+    return met == MEMBERS
 
 
 def factors(g: Grid) -> tuple[Factor, ...]:

@@ -1,7 +1,8 @@
 r"""Where the chunks of a map are kept: in memory, or in a folder beside the output, so that a long run can be resumed.
 
 The folder holds `manifest.json`, which says of what the chunks are, and `chunk-N.npz` for each chunk that is done,
-written under another name first and then renamed. A chunk that cannot be read is computed again.
+written under another name first and then renamed. A chunk that cannot be read is computed again. `lock` is locked while
+a process works on the folder, and is free again when the process ends, however it does.
 """
 
 from __future__ import annotations
@@ -10,7 +11,6 @@ import errno
 import json
 import os
 import shutil
-import zipfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -24,6 +24,7 @@ from gcrules.mapping.values import Chunk
 __all__ = ["Folder", "Memory", "Store", "check_room", "written"]
 
 _PREFIX = ".new-"
+_LOCK = "lock"
 
 
 @dataclass(frozen=True)
@@ -48,43 +49,53 @@ class Folder:
 
     path: Path
     names: tuple[str, ...]
+    lock: _Lock | None = field(default=None, repr=False, compare=False)
 
     @staticmethod
     def open(path: str, names: tuple[str, ...], manifest: Mapping[str, Any], *, restart: bool = False) -> Folder:
         """A folder for the work that `manifest` (with its `fingerprint`) describes; what is there of it is kept.
 
-        Raises FileError where the folder holds something else, unless `restart` says to begin anew, or where it cannot
-        be written.
+        Raises FileError where the folder holds something else, unless `restart` says to begin anew, where another
+        process works on it, or where it cannot be written.
         """
         folder = Path(path)
         note = folder / "manifest.json"
         if folder.exists() and not folder.is_dir():
             raise FileError("a file is in the way, expected a folder of finished chunks", filename=path)
-        if folder.is_dir() and any(folder.iterdir()):
-            found = _manifest(note)
-            if found is None and not all(_ours(p) for p in folder.iterdir()):
-                raise FileError("this folder holds other files; it is not touched", filename=path)
-            if restart or found is None:
-                _clear(folder)
-            elif found.get("fingerprint") != manifest["fingerprint"]:
-                changed = [k for k in manifest if k != "fingerprint" and found.get(k) != manifest[k]]
-                raise FileError(
-                    f"the finished chunks are of another map: {', '.join(changed) or 'something'} differs",
-                    filename=path,
-                    hint="--restart begins anew; or give the map another name",
-                )
+        if folder.is_dir() and _manifest(note) is None and not all(_ours(p) for p in folder.iterdir()):
+            raise FileError("this folder holds other files; it is not touched", filename=path)
         try:
             folder.mkdir(exist_ok=True)
+            lock = _Lock(folder / _LOCK)
+        except OSError as fault:
+            raise written(fault, path) from None
+        if not lock.taken():
+            lock.close()
+            raise FileError(
+                "another run is at work on this map", filename=path, hint="wait for it, or give the map another name"
+            )
+        found = _manifest(note)
+        if restart or found is None:
+            _clear(folder)
+        elif found.get("fingerprint") != manifest["fingerprint"]:
+            lock.close()
+            changed = [k for k in manifest if k != "fingerprint" and found.get(k) != manifest[k]]
+            raise FileError(
+                f"the finished chunks are of another map: {', '.join(changed) or 'something'} differs",
+                filename=path,
+                hint="--restart begins anew; or give the map another name",
+            )
+        try:
             _replace(note, json.dumps(dict(manifest), indent=1).encode())
         except OSError as fault:
             raise written(fault, path) from None
-        return Folder(folder, names)
+        return Folder(folder, names, lock)
 
     def get(self, chunk: int) -> Chunk | None:
         try:
             with self._file(chunk).open("rb") as file, np.load(file, allow_pickle=False) as arrays:
                 return {name: arrays[name] for name in self.names}
-        except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile):
+        except Exception:  # a damaged file raises whatever the readers of archives and arrays stumble over
             return None
 
     def put(self, chunk: int, arrays: Chunk) -> None:
@@ -103,7 +114,10 @@ class Folder:
     def close(self) -> None:
         """Remove the folder; the map is done."""
         _clear(self.path)
+        (self.path / _LOCK).unlink(missing_ok=True)
         self.path.rmdir()
+        if self.lock is not None:
+            self.lock.close()
 
     def _file(self, chunk: int) -> Path:
         return self.path / f"chunk-{chunk:06d}.npz"
@@ -131,7 +145,7 @@ def check_room(path: str, needed: int, free: Callable[[str], Any] = shutil.disk_
 
 
 def _ours(path: Path) -> bool:
-    return path.name == "manifest.json" or path.name.startswith((_PREFIX, "chunk-"))
+    return path.name in ("manifest.json", _LOCK) or path.name.startswith((_PREFIX, "chunk-"))
 
 
 def _manifest(note: Path) -> dict[str, Any] | None:
@@ -144,8 +158,34 @@ def _manifest(note: Path) -> dict[str, Any] | None:
 
 def _clear(folder: Path) -> None:
     for path in folder.iterdir():
-        if _ours(path):
+        if _ours(path) and path.name != _LOCK:
             path.unlink()
+
+
+class _Lock:
+    """A file that is locked for this process, until this value is gone or closed."""
+
+    def __init__(self, path: Path) -> None:
+        self.file = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
+
+    def taken(self) -> bool:
+        """Whether no other process has it. Always true where the system or the disk knows no such locks."""
+        try:
+            import fcntl  # not on Windows
+
+            fcntl.lockf(self.file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        except (ImportError, OSError):
+            return True
+        return True
+
+    def close(self) -> None:
+        if self.file >= 0:
+            os.close(self.file)
+        self.file = -1
+
+    __del__ = close
 
 
 def _replace(target: Path, data: bytes) -> None:

@@ -108,7 +108,7 @@ def _marching_cubes() -> Any:
     try:
         from skimage.measure import marching_cubes  # an extra of the installation
     except ImportError:
-        raise InputError("surfaces need scikit-image", hint="pip install gcrules[maps]") from None
+        raise InputError("surfaces need scikit-image", hint='pip install "gcrules[maps]"') from None
     return marching_cubes
 
 

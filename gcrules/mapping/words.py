@@ -64,7 +64,7 @@ def _found(m: SingularMap) -> Iterator[tuple[str, str]]:
         reached = f", {inside} of them within the limits somewhere" if m.limits and m.curves else ""
         listed = f"{len(m.curves)} ({closed} closed){reached}" if m.curves else "none"
         yield "curves", listed
-        if m.factors is None:
+        if m.factors is None and not m.everywhere:
             yield "accuracy", _signs("curves are", "cell")
 
 

@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Jacobian", "jacobian"]
+__all__ = ["Jacobian", "jacobian", "on_one_line"]
 
 Floats = NDArray[np.float64]
 
@@ -85,6 +85,17 @@ class Jacobian:
         """Distances of the legs' platform ends from their centroid, shape (6,); the same in every pose."""
         found: Floats = np.linalg.norm(self.arms[0], axis=1)
         return found
+
+
+def on_one_line(ends: Floats) -> bool:
+    """Whether platform points (6, 3) lie on one line or in one place, up to what their coordinates are rounded by: far
+    away more.
+    """
+    blur = _ROUNDED * float(np.abs(ends).max())
+    return bool(np.linalg.matrix_rank(ends - ends.mean(axis=0), blur) < 2)
+
+
+_ROUNDED = 16 * float(np.finfo(np.float64).eps)
 
 
 def jacobian(base: Floats, ends: Floats) -> Jacobian:

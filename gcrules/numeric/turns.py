@@ -64,7 +64,8 @@ def about_axis(axis: int, angle: Fraction, *, degrees: bool) -> Quaternion:
         c, s = ((1, 0), (1, 1), (0, 1), (-1, 1))[int(quarters) % 4]  # of half the angle, up to a common factor
         cosine, sine = Fraction(c), Fraction(s)
     else:
-        half = math.radians(float(angle % 720)) / 2 if degrees else float(angle) / 2
+        least = angle - 720 * round(angle / 720)  # opposite angles stay so: their turns cancel exactly
+        half = math.radians(float(least)) / 2 if degrees else float(angle) / 2
         cosine, sine = Fraction(math.cos(half)), Fraction(math.sin(half))
     return (cosine, *(sine if i == axis else Fraction(0) for i in range(3)))  # type: ignore[return-value]
 

@@ -77,10 +77,10 @@ def measure(structure: Structure, points: Mapping[str, XYZ]) -> float:
         return line_measure(structure.legs, points)
     import numpy as np
 
-    from gcrules.numeric.jacobian import jacobian  # numpy, for numbers only
+    from gcrules.numeric.jacobian import jacobian, on_one_line  # numpy, for numbers only
 
     base, ends = (np.array([points[leg[i]] for leg in structure.oriented]) for i in (0, 1))
-    if not np.linalg.norm(ends - base, axis=1).all() or np.linalg.matrix_rank(ends - ends.mean(axis=0)) < 2:
+    if not np.linalg.norm(ends - base, axis=1).all() or on_one_line(ends):
         return 0.0
     return float(jacobian(base, ends[None]).sigma[0])
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.numeric.motion import Dependence
 from gcrules.paths.roots import Root, roots, sign_after, sign_before
 
 __all__ = ["Place", "Stretch", "places", "stretches"]
@@ -35,14 +36,22 @@ class Place:
 
 @dataclass(frozen=True)
 class Stretch:
-    """From parameter `start` to `end` every pose is singular; `causes` are those half way."""
+    """From parameter `start` to `end` every pose is singular; `causes` and `dependence` (what the legs have in common
+    and which motion is gained) are those half way.
+    """
 
     start: int
     end: int
     causes: tuple[str, ...] = ()
+    dependence: Dependence | None = None
 
     def to_json(self) -> dict[str, Any]:
-        return {"start": self.start, "end": self.end, "causes": list(self.causes)}
+        return {
+            "start": self.start,
+            "end": self.end,
+            "causes": list(self.causes),
+            "singularity": self.dependence.to_json() if self.dependence else None,
+        }
 
 
 def stretches(path: Sequence[Polynomial]) -> tuple[Stretch, ...]:

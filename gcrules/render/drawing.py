@@ -238,7 +238,7 @@ def _pdf_bytes(drawing: Drawing) -> bytes:
     try:
         import matplotlib  # noqa: F401  # an extra of the installation
     except ImportError:
-        raise InputError("PDF figures need matplotlib", hint="pip install gcrules[figures]") from None
+        raise InputError("PDF figures need matplotlib", hint='pip install "gcrules[figures]"') from None
     from gcrules.render.pdf import pdf
 
     return pdf(drawing)

@@ -37,9 +37,11 @@ def _lines(r: PathReport) -> Iterator[str]:
         yield ""
         yield "Singular places"
     for s in r.stretches:
-        yield from _wrapped(f"parameter {s.start} to {s.end}: every pose is singular; half way, because", "  ")
+        yield from _wrapped(f"parameter {s.start} to {s.end}: every pose is singular; half way:", "  ")
         for cause in s.causes:
-            yield from _wrapped(cause, "    ")
+            yield from _wrapped(cause, "     ", " " * 7)
+        if s.dependence:
+            yield from _gained(s.dependence, r.rig.unit)
     for n, z in enumerate(r.zeros[:_MOST], 1):
         yield from _zero(n, z, r.rig.unit)
     if len(r.zeros) > _MOST:

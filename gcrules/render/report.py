@@ -7,6 +7,7 @@ from html import escape
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.analysis import Analysis
+from gcrules.errors import InputError
 from gcrules.numeric.value import PoseValue
 from gcrules.render.derivation import reasons
 from gcrules.render.figures import graph_figure, robot_figure
@@ -26,7 +27,14 @@ def report(analysis: Analysis | RobotAnalysis, *, interactive: bool = True) -> s
     a robot with limbs these too.
 
     `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
+
+    Raises InputError for what is no analysis.
     """
+    if not hasattr(analysis, "structure"):
+        raise InputError(
+            f"a report is of an analysis, not of {analysis!r}",
+            hint="gc.report(gc.analyze(…)), or gc.report(gc.Robot.load(…).analyze())",
+        )
     if isinstance(analysis, RobotAnalysis):
         from gcrules.render.robot_report import robot_report  # numpy, for robots only
 

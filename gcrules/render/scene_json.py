@@ -180,13 +180,13 @@ class Scenery:
             return None
         import numpy as np
 
-        from gcrules.numeric.jacobian import jacobian
+        from gcrules.numeric.jacobian import jacobian, on_one_line
         from gcrules.numeric.motion import softest_twist
 
         base, ends = (np.array([points[leg[i]] for leg in self.structure.oriented]) for i in (0, 1))
         if np.linalg.norm(ends - base, axis=1).min() <= 1e-12 * self.size:
             return None
-        if np.linalg.matrix_rank(ends - ends.mean(axis=0)) < 2:
+        if on_one_line(ends):
             return None
         j = jacobian(base, ends[None])
         if float(j.sigma[0]) >= CLOSE:

@@ -51,8 +51,8 @@ def find_robot(name: str | PathLike[str], folders: Folders = ()) -> Found:
         return Found(path.parent.name if path.name == FILE else path.stem, word, "")
     known = {one.id: one for one in robots(folders)}
     if word not in known:
-        hint = near(word, known) or f"there are {', '.join(known)}"
-        raise InputError(f"there is no robot {word!r}", hint=f"{hint}; a file is named with its ending .yaml")
+        hint = near(word, known) or f"there are {', '.join(known)}."
+        raise InputError(f"there is no robot {word!r}", hint=f"{hint} A file is named with its ending .yaml")
     return known[word]
 
 

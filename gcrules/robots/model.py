@@ -9,6 +9,7 @@ from functools import cached_property
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
+from gcrules.numeric.pose import exact
 from gcrules.robots.discovery import find_robot
 from gcrules.robots.robot_analysis import RobotAnalysis, analyze_robot
 from gcrules.robots.robot_file import load_robot, parse_robot
@@ -71,7 +72,7 @@ class Robot(RobotText):
         """The numbers in the pose with these coordinates: `.at(z=0.2, roll=5, pitch=0, degrees=True)`; see `pose`."""
         lengths = ("x", "y", "z")
         scale = math.pi / 180 if degrees else 1
-        given = {n: v if n in lengths or not isinstance(v, int | float) else v * scale for n, v in coordinates.items()}
+        given = {n: v if n in lengths else float(exact(v, n)) * scale for n, v in coordinates.items()}
         return self.pose(given, threshold=threshold)
 
     def poses(self, ats: Iterable[Any], *, threshold: Any = "0.5 deg") -> tuple[RobotPose, ...]:

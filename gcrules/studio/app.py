@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager
 
 from starlette.applications import Starlette
@@ -22,8 +22,8 @@ MOST_PAGES = 32
 """Connections at a time; one more is turned away."""
 
 
-def make_app(port: int, token: str, opened: SourceJson | None = None) -> Starlette:
-    """The application that is served at http://127.0.0.1:port to whom the token is known."""
+def make_app(port: int, token: str, opened: SourceJson | None = None, tickets: Iterable[str] = ()) -> Starlette:
+    """The application that is served at http://127.0.0.1:port to whom the token, or one of the tickets, is known."""
     service = Service(opened)
     pages = Pages()
 
@@ -48,6 +48,6 @@ def make_app(port: int, token: str, opened: SourceJson | None = None) -> Starlet
 
     return Starlette(
         routes=[WebSocketRoute("/ws", talk), Route("/", pages.answer), Route("/{name:path}", pages.answer)],
-        middleware=[Middleware(Guard, port=port, token=token)],
+        middleware=[Middleware(Guard, port=port, token=token, tickets=tickets)],
         lifespan=lifespan,
     )

@@ -2,8 +2,9 @@
 
 The server listens on 127.0.0.1 only. A page of another site can still make a browser send requests here, also by a name
 of its own that it lets point to 127.0.0.1 (DNS rebinding), so the names in Host and Origin are checked; and other users
-of the same machine can connect, so a token is asked for. It is handed over once in the address that `gcrules studio`
-opens, then kept in a cookie that scripts cannot read and other sites cannot use.
+of the same machine can connect, so a token is asked for. It comes once, in the address that `gcrules studio` prints,
+and is then kept in a cookie that scripts cannot read and other sites cannot use. The browser that `gcrules studio`
+opens gets a ticket instead, which is good for one time: other users can see what a program was started with.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ __all__ = ["COOKIE", "Guard"]
 
 COOKIE = "gcrules-studio"
 _YEAR = 365 * 24 * 3600
+_UNSAID = 80  # browsers leave this port out of Host and Origin
 
 _NO_TOKEN = (
     "This address needs the token of the studio.\n"
@@ -28,12 +30,13 @@ _NO_TOKEN = (
 
 
 class Guard:
-    """Wraps the application; `port` is the one that is listened on."""
+    """Wraps the application; `port` is the one that is listened on, `tickets` stand for the token once each."""
 
-    def __init__(self, app: ASGIApp, port: int, token: str) -> None:
+    def __init__(self, app: ASGIApp, port: int, token: str, tickets: Iterable[str] = ()) -> None:
         self.app = app
         self.token = token
-        self.hosts = {f"{name}:{port}" for name in ("127.0.0.1", "localhost")}
+        self.tickets = set(tickets)
+        self.hosts = {name if port == _UNSAID else f"{name}:{port}" for name in ("127.0.0.1", "localhost")}
         self.headers = headers(port)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -70,14 +73,14 @@ class Guard:
         return None
 
     def _entrance(self, scope: Scope, asked: Headers) -> Response | None:
-        """A right token in the address becomes a cookie, and goes out of the address; without either there is no page.
+        """A right token or ticket in the address becomes a cookie, and goes out of the address; else there is no page.
 
         The stylesheet, the scripts and fonts of the page are the same for everyone, and hold nothing secret.
         """
         if scope["path"] != "/":
             return None
-        given = QueryParams(scope["query_string"]).get("token")
-        if given is not None and self._right(given):
+        given = QueryParams(scope["query_string"])
+        if self._right(given.get("token", "")) or self._spent(given.get("ticket", "")):
             answer = RedirectResponse("/", 303, headers={"cache-control": "no-store"})
             answer.set_cookie(COOKIE, self.token, max_age=_YEAR, httponly=True, samesite="strict", path="/")
             return answer
@@ -93,6 +96,12 @@ class Guard:
             if found is not None and self._right(found.value):
                 return True
         return False
+
+    def _spent(self, ticket: str) -> bool:
+        """Whether the ticket was good; it is not any more."""
+        good = ticket in self.tickets
+        self.tickets.discard(ticket)
+        return good
 
     def _right(self, token: str) -> bool:
         return hmac.compare_digest(token.encode(), self.token.encode())

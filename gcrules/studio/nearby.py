@@ -30,7 +30,9 @@ def nearest(subject: Subject, pose: PoseJson, threshold: str | None, tell: Calla
     moving, a = subject.moving, subject.analysis
     if moving is None or a is None:
         why = subject.why_not or "the nearest singular pose is sought for platforms on six legs"
-        raise InputError(why, hint="for robots with limbs: gcrules robot pose ID --search")
+        raise InputError(
+            why, hint='for robots with limbs, on a way from home: gcrules robot pose ID --actuators "q1=…" --search'
+        )
     tell("seeking the nearest singular poses")
     limit = threshold_of(threshold, subject.unit)
     found = report(a, moving, exact_pose(pose), threshold=limit, accuracy=ROUNDING * moving.size)

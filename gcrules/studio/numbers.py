@@ -28,7 +28,7 @@ from gcrules.numeric.many import numbers as numbers_of
 from gcrules.numeric.motion import scaled, softest_twist
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.readings import readings
-from gcrules.numeric.rig import Rig
+from gcrules.numeric.rig import FAR, Rig
 from gcrules.numeric.threshold import DEFAULT, Threshold, parse_threshold
 from gcrules.numeric.value import CLOSE, line_measure, measure
 from gcrules.numeric.verdict import verdict
@@ -159,6 +159,8 @@ def _by_lines(subject: Subject, pose: PoseJson) -> Numbers:
     a, scenery = subject.analysis, subject.scenery
     if a is None or scenery is None:
         raise InputError(subject.why_not or "this structure cannot be drawn in space")
+    if max(map(abs, pose["translation"])) > FAR * subject.size:
+        raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
     places = scenery.points(_plain(pose))
     size = measure(a.structure, places)
     always = a.condition.kind == "always-singular"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import secrets
 import socket
 import threading
 import webbrowser
@@ -64,9 +65,9 @@ def serve(
     secret = token()
     listening = free_socket(port)
     own = listening.getsockname()[1]
-    address = f"http://127.0.0.1:{own}/?token={secret}"
+    address, ticket = f"http://127.0.0.1:{own}/", secrets.token_urlsafe(32)
     config = uvicorn.Config(
-        make_app(own, secret, opened),
+        make_app(own, secret, opened, [ticket] if browser else ()),
         log_level="critical",  # what pages send wrong is told to them; the studio logs its own faults
         lifespan="on",
         ws="websockets-sansio",
@@ -77,12 +78,12 @@ def serve(
     )
 
     def ready() -> None:
-        say(f"The studio is open at {address}")
+        say(f"The studio is open at {address}?token={secret}")
         if port and own != port:
             say(f"(port {port} is taken)")
         say("Ctrl-C closes it.")
         if browser:
-            threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
+            threading.Thread(target=webbrowser.open, args=(f"{address}?ticket={ticket}",), daemon=True).start()
 
     try:
         _Server(config, ready).run(sockets=[listening])

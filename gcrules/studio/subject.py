@@ -231,7 +231,8 @@ def _of_limbs(source: SourceJson, robot: Robot) -> Subject:
     family = robot.family
     values = robot.values_at() if robot.home is not None else family.member(1, RATIONALS)
     home = {n: _vector(v) for n, v in values.items() if family.sorts.get(n) == "point"}
-    note = " ".join(filter(None, [robot.note, robot.source and f"Source: {robot.source}."]))
+    told = (robot.note, robot.source and f"Source: {robot.source}")
+    note = " ".join(f"{words.rstrip('.')}." for words in told if words)
     legs = found.structure.legs
     if robot.mobility == 6 and all(limb.chain in _LEGS for limb in robot.limbs) and _finite(legs, home):
         points = {n: home[n] for leg in legs for n in leg}

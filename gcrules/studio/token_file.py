@@ -52,7 +52,7 @@ def token(folder: Path | None = None) -> str:
 def _kept(path: Path) -> str | None:
     """The token of the file, if the file is the user's alone."""
     try:
-        handle = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0))
+        handle = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
     except (FileNotFoundError, PermissionError):
         return None
     except OSError:  # a symbolic link

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import sys
+import threading
 import traceback
+from time import sleep
 from typing import Any
 
 from gcrules.errors import GcrulesError
@@ -15,6 +18,7 @@ from gcrules.studio.wire import Job, Tell, framed, key_of, read
 __all__ = ["done", "serve"]
 
 _KEPT = 8
+_LOOK = 1.0  # seconds between two looks whether the server is there
 
 
 def done(job: Job, known: dict[str, Subject], tell: Tell) -> tuple[str, Any, Subject | None]:
@@ -50,8 +54,16 @@ def _subject(source: Any, given: Subject | None, known: dict[str, Subject], tell
     return found
 
 
+def _watch(server: int) -> None:
+    """End in the middle of work too when the server has gone without a word."""
+    while os.getppid() == server:
+        sleep(_LOOK)
+    os._exit(0)
+
+
 def serve() -> None:
     """Work until the server is gone."""
+    threading.Thread(target=_watch, args=(os.getppid(),), daemon=True).start()
     inward, outward = sys.stdin.buffer, sys.stdout.buffer
     sys.stdout = sys.stderr  # nothing but frames goes to the server
     known: dict[str, Subject] = {}

@@ -4,7 +4,7 @@ import { openClient } from "./net/client";
 import { StoreProvider } from "./parts/context";
 import { Shell } from "./shell/shell";
 import { EMPTY } from "./state/doc";
-import { readFragment } from "./state/fragment";
+import { arriving, readFragment } from "./state/fragment";
 import { createStore, type Store } from "./state/store";
 import "katex/dist/katex.min.css";
 import "./styles/index.css";
@@ -17,7 +17,7 @@ declare global {
 }
 
 async function start(root: HTMLElement): Promise<void> {
-  const doc = (await readFragment(location.hash)) ?? EMPTY;
+  const doc = (await readFragment(arriving())) ?? EMPTY;
   const store = createStore(openClient(`ws://${location.host}/ws`), doc);
   window.gcrules = store;
   root.replaceChildren();

@@ -5,6 +5,8 @@ import { normalised } from "./pose";
 import type { Mode, Pose, Vec3 } from "./types";
 import { add, sub } from "./vectors";
 
+const LOW = 480; // pixels
+
 export interface GizmoEvents {
   moved(pose: Pose): void;
   done(): void;
@@ -52,6 +54,11 @@ export class Gizmo {
     this.proxy.position.set(...add(about, pose.translation));
     this.proxy.quaternion.copy(new Quaternion(x, y, z, w));
     this.proxy.updateMatrixWorld();
+  }
+
+  /** The handles grow with the picture; in a low one they are kept large enough for a finger. */
+  resize(height: number): void {
+    this.controls.setSize(Math.min(Math.max(LOW / height, 1), 2));
   }
 
   setMode(mode: Mode): void {

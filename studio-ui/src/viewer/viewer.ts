@@ -240,6 +240,7 @@ class Stage implements Viewer, Reach {
     const [width, height] = [Math.max(root.clientWidth, 1), Math.max(root.clientHeight, 1)];
     this.rig.resize(width, height);
     this.easel.resize(width, height);
+    this.gizmo?.resize(height);
     this.request();
   }
 

@@ -1,6 +1,6 @@
 // The expression bench: the language of gcrules, answered as it is written; points, lines and planes stand in 3D.
 import { useEffect, useMemo, useState } from "preact/hooks";
-import type { BenchResult } from "../../protocol";
+import type { BenchResult, Fault } from "../../protocol";
 import { StoreProvider } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
 import { Icon } from "../parts/icon";
@@ -29,10 +29,10 @@ export function Bench({ store }: PanelProps) {
 
   const toggle = (label: string): void =>
     hide((now) => new Set(now.has(label) ? [...now].filter((other) => other !== label) : [...now, label]));
-  const rank = Number(/^\s*(?:#.*\s*)*rank\s+(\d+)/.exec(text)?.[1] ?? 4);
+  const rank = Number(/^[ \t]*rank[ \t]+(\d+)/m.exec(text)?.[1] ?? 4);
   const below = useMemo<Below[]>(
-    () =>
-      grouped(results).map((group) => ({
+    () => [
+      ...grouped(results).map((group) => ({
         end: group[0]?.end ?? 0,
         key: JSON.stringify([group, group.map((result) => hidden.has(labelOf(result)))]),
         content: (
@@ -41,7 +41,17 @@ export function Bench({ store }: PanelProps) {
           </StoreProvider>
         ),
       })),
-    [store, results, hidden, rank],
+      ...placed(fault).map((one) => ({
+        end: one.place?.start ?? 0,
+        key: JSON.stringify(one),
+        content: (
+          <div class="bench-fault">
+            <FaultBox fault={one} />
+          </div>
+        ),
+      })),
+    ],
+    [store, results, hidden, rank, fault],
   );
 
   function write(next: string): void {
@@ -92,8 +102,8 @@ export function Bench({ store }: PanelProps) {
           </button>
         </div>
       </header>
-      <Editor text={text} below={below} fault={fault} onText={write} onRun={evaluation.run} />
-      {fault && <FaultBox fault={fault} text={text} />}
+      <Editor text$={store.bench$} below={below} fault={fault} onText={write} onRun={evaluation.run} />
+      {fault && !fault.place && <FaultBox fault={fault} />}
       <p class="note" role="status" data-testid="bench-note">
         {noteOf(results, drawn, study !== null, fault !== null)}
       </p>
@@ -120,6 +130,13 @@ function noteOf(results: readonly BenchResult[], drawn: number, open: boolean, w
     .filter(Boolean)
     .join(" · ");
 }
+
+/** Faults that have a place stand there. */
+const placed = (fault: Fault | null): Fault[] => {
+  if (!fault) return [];
+  const { more = [], ...first } = fault;
+  return [first, ...more].filter(({ place }) => place);
+};
 
 /** Answers of one statement stand together. */
 function grouped(results: readonly BenchResult[]): BenchResult[][] {

@@ -1,6 +1,7 @@
 // Manual mode: the condition found by hand. What is proposed is confirmed or refused, with the reason.
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { EntityChip } from "../parts/entity-chip";
+import { FaultBox } from "../parts/fault-box";
 import { Icon } from "../parts/icon";
 import { PointName } from "../parts/point-name";
 import { Schematic } from "../parts/drawing";
@@ -45,6 +46,7 @@ export function ManualPanel({ store }: PanelProps) {
       {manual && <Board manual={manual} entities={entities} hand={hand} />}
       {manual && !manual.condition && <Answer study={study} manual={manual} />}
       {manual && !manual.condition && <Proposing study={study} manual={manual} hand={hand} />}
+      {!manual && hand.fault.value && <FaultBox fault={hand.fault.value.fault} />}
       {manual && (
         <dl class="bodies found" data-testid="manual-found">
           <dt>Found</dt>
@@ -64,8 +66,8 @@ export function ManualPanel({ store }: PanelProps) {
         </dl>
       )}
       {manual && !manual.condition && <ProposeCondition hand={hand} />}
-      <Moves hand={hand} />
-      {!manual?.condition && <CommandLine hand={hand} />}
+      {manual && <Moves hand={hand} />}
+      {manual && !manual.condition && <CommandLine hand={hand} />}
       {study.schematic && (
         <details class="hand-schematic">
           <summary>Schematic</summary>

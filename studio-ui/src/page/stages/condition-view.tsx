@@ -6,15 +6,15 @@ import { Formula } from "../parts/formula";
 import { Icon } from "../parts/icon";
 import { Prose } from "../parts/prose";
 
-export function ConditionView({ study, sentence }: { study: Study; sentence: boolean }) {
+export function ConditionView({ study, sentence }: { study: Study; sentence: string | undefined }) {
   const [shown, show] = useState(0);
   const all: readonly Condition[] = [study.condition, ...study.readings];
   const condition = all[Math.min(shown, all.length - 1)] ?? study.condition;
   return (
     <section class="condition" data-testid="condition">
-      {sentence && (
+      {sentence !== undefined && (
         <blockquote class="sentence" data-testid="statement">
-          <Prose text={condition.statement} />
+          <Prose text={sentence} />
         </blockquote>
       )}
       <Formula left={condition.left} right={condition.right} display />
@@ -36,7 +36,7 @@ export function ConditionView({ study, sentence }: { study: Study; sentence: boo
           <Prose text={condition.statement} />
         </p>
       )}
-      {all.length > 1 && !sentence && (
+      {all.length > 1 && sentence === undefined && (
         <label class="readings-choice">
           Reading
           <select value={shown} onChange={(event) => show(Number(event.currentTarget.value))}>

@@ -5,13 +5,15 @@ interface Props {
   best: string;
 }
 
+const FORMS = 2; // the superbracket has two expansions, of 16 and of 24 terms
+
 export function Orders({ tried, counts, best }: Props) {
   const most = Math.max(...counts.map(({ orders }) => orders), 1);
   const least = Math.min(...counts.map(({ terms }) => terms));
   return (
     <figure class="orders" data-testid="orders">
       <figcaption>
-        <strong>{tried.toLocaleString("en")}</strong> orders tried
+        <strong>{(tried / FORMS).toLocaleString("en")}</strong> orders tried, each in {FORMS} forms
       </figcaption>
       <div class="bars" role="table" aria-label="orders by the number of monomials they leave">
         {counts.map(({ terms, orders }) => (

@@ -17,13 +17,17 @@ function itemsOf({ id, items }: Stage, { condition }: Study): Item[] {
   return items.filter((item) => {
     if (id === "structure" && item.kind === "fact") return !["legs", "base", "platform"].includes(item.key);
     if (id === "condition" && item.kind === "formula") return texOf(item.right) !== texOf(condition.right);
-    return !(id === "statement" && item.kind === "text" && item.text === condition.statement);
+    return !(id === "statement" && item === sentenceOf(items));
   });
 }
+
+/** The sentence that is set large: of a robot with limbs that of the robot, not that of its lines. */
+const sentenceOf = (items: readonly Item[]) => items.find((item) => item.kind === "text");
 
 const texOf = (pieces: readonly Piece[]): string => pieces.map(({ tex }) => tex).join(" ");
 
 const WITH_CONDITION = ["condition", "statement"];
+const WITH_FIGURE = ["limbs", "equivalent"];
 
 export function StageView({ study, stage, number }: { study: Study; stage: Stage; number: number }) {
   const { go } = useStore();
@@ -43,7 +47,7 @@ export function StageView({ study, stage, number }: { study: Study; stage: Stage
         </p>
       </header>
       {at === 0 && study.note && <p class="note">{study.note}</p>}
-      {stage.id === "equivalent" && study.robot?.figure && (
+      {WITH_FIGURE.includes(stage.id) && study.robot?.figure && (
         <Zoom
           svg={study.robot.figure}
           label="The robot with the wrenches of its limbs, and the six lines that stand for them"
@@ -53,11 +57,11 @@ export function StageView({ study, stage, number }: { study: Study; stage: Stage
       {stage.id === "structure" && study.schematic && <Schematic svg={study.schematic} />}
       {stage.id === "structure" && <PointList study={study} />}
       {stage.id === "limbs" && study.robot && <Limbs robot={study.robot} />}
-      {WITH_CONDITION.includes(stage.id) && <ConditionView study={study} sentence={stage.id === "statement"} />}
+      {WITH_CONDITION.includes(stage.id) && <ConditionView study={study} sentence={stage.id === "statement" ? sentenceOf(stage.items)?.text : undefined} />}
       {itemsOf(stage, study).map((item, i) => (
         <ItemView key={`${stage.id}${i}`} item={item} found={found} />
       ))}
-      {stage.id === "left-over" && found.length > 0 && (
+      {stage.id === "left-over" && found.length > 0 && !stage.items.some(({ kind }) => kind === "entities") && (
         <div class="chips">
           {found.map((entity) => (
             <EntityChip key={entity.id} entity={entity} />

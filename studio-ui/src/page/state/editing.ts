@@ -1,7 +1,7 @@
 // The document as a signal, its changes, undo and redo, and its copy in the address bar.
 import { batch, computed, effect, signal, type ReadonlySignal } from "@preact/signals";
 import { HOME, sameSource, type Doc, type PanelId } from "./doc";
-import { plainFragment, readFragment, writeFragment } from "./fragment";
+import { leave, plainFragment, readFragment, writeFragment } from "./fragment";
 import { begin, closed, moved, record, redone, undone, type History } from "./history";
 import type { Source, StageId } from "../../protocol";
 
@@ -69,6 +69,7 @@ export function createEditing(start: Doc): Editing {
 function keepInAddress({ doc, edit }: Editing): void {
   let timer = 0;
   let written = location.hash;
+  let kept: Doc | null = null; // what stands in the address
 
   const replace = (fragment: string): void => {
     written = fragment;
@@ -80,10 +81,17 @@ function keepInAddress({ doc, edit }: Editing): void {
     timer = window.setTimeout(async () => {
       timer = 0;
       const fragment = await writeFragment(now);
-      if (now === doc.peek()) replace(fragment);
+      if (now !== doc.peek()) return;
+      replace(fragment);
+      kept = now;
     }, PAUSE);
   });
-  window.addEventListener("pagehide", () => timer && replace(plainFragment(doc.peek())));
+  window.addEventListener("pagehide", () => {
+    if (doc.peek() === kept) return;
+    const fragment = plainFragment(doc.peek());
+    replace(fragment);
+    leave(fragment); // a reload has read the address by now
+  });
   window.addEventListener("hashchange", async () => {
     if (location.hash === written) return;
     const found = await readFragment(location.hash);

@@ -32,6 +32,30 @@ export async function readFragment(fragment: string): Promise<Doc | null> {
   }
 }
 
+const LEFT = "gcrules-studio-left";
+
+/** Keeps a fragment for the reload of this tab. */
+export function leave(fragment: string): void {
+  try {
+    sessionStorage.setItem(LEFT, fragment || "#");
+  } catch {
+    // storage may be forbidden: the last third of a second before a reload is then lost
+  }
+}
+
+/** The fragment that this tab left behind when it was reloaded, else that of the address. */
+export function arriving(): string {
+  try {
+    const left = sessionStorage.getItem(LEFT);
+    sessionStorage.removeItem(LEFT);
+    const [visit] = performance.getEntriesByType("navigation");
+    if (left !== null && visit instanceof PerformanceNavigationTiming && visit.type === "reload") return left;
+  } catch {
+    // see leave
+  }
+  return location.hash;
+}
+
 function compact(doc: Doc): string {
   const changed = Object.entries(doc).filter(([key, value]) => {
     if (key === "pose") return !samePose(doc.pose, HOME);

@@ -4,6 +4,12 @@ import { EMPTY, HOME, type Doc, type PanelId } from "./doc";
 
 type Loose = Record<string, unknown>;
 
+// The server takes no more either.
+const FARTHEST = 1e12;
+const MOST_POINTS = 40;
+const MOST_LEGS = 24;
+const MOST_COMMANDS = 200;
+
 export const PANELS: readonly PanelId[] = ["start", "guided", "manual", "bench", "draw", "take-away"];
 export const STAGES: readonly StageId[] = [
   "structure", "superbracket", "shortest", "tetrahedra", "planes", "lines", "left-over",
@@ -14,7 +20,8 @@ const isObject = (x: unknown): x is Loose => typeof x === "object" && x !== null
 const isText = (x: unknown): x is string => typeof x === "string";
 const isNumber = (x: unknown): x is number => typeof x === "number" && Number.isFinite(x);
 const listOf = <T>(is: (x: unknown) => x is T) => (x: unknown): x is T[] => Array.isArray(x) && x.every(is);
-const isVec3 = (x: unknown): x is Vec3 => listOf(isNumber)(x) && x.length === 3;
+const isPlace = (x: unknown): x is number => isNumber(x) && Math.abs(x) <= FARTHEST;
+const isVec3 = (x: unknown): x is Vec3 => listOf(isPlace)(x) && x.length === 3;
 const isLeg = (x: unknown): x is [string, string] => listOf(isText)(x) && x.length === 2;
 const among = <T extends string>(allowed: readonly T[]) => (x: unknown): x is T => allowed.some((a) => a === x);
 
@@ -32,21 +39,29 @@ export function readPose(x: unknown): Pose {
   if (!isObject(x) || !isVec3(x.translation) || !listOf(isNumber)(x.quaternion) || x.quaternion.length !== 4) return HOME;
   const [w, a, b, c] = x.quaternion as [number, number, number, number];
   const size = Math.hypot(w, a, b, c);
-  if (size < 1e-9) return HOME;
+  if (!(size > 1e-9 && size < 1e9)) return HOME;
   const unit = Math.abs(size - 1) < 1e-9;
   const pose: Pose = {
     translation: x.translation,
     quaternion: unit ? [w, a, b, c] : [w / size, a / size, b / size, c / size],
   };
-  return listOf(isNumber)(x.coordinates) ? { ...pose, coordinates: x.coordinates } : pose;
+  return listOf(isPlace)(x.coordinates) && x.coordinates.length <= 24 ? { ...pose, coordinates: x.coordinates } : pose;
 }
 
 export function readSketch(x: unknown): Sketch | null {
   if (!isObject(x) || !isText(x.title) || !isObject(x.points)) return null;
   const { title, base, platform, legs } = x;
-  const points = Object.entries(x.points).filter((e): e is [string, Vec3] => isVec3(e[1]));
+  const all = Object.entries(x.points).filter((e): e is [string, Vec3] => isVec3(e[1]) && !(e[0] in Object.prototype));
   if (!listOf(isText)(base) || !listOf(isText)(platform) || !listOf(isLeg)(legs)) return null;
-  return { title, base, platform, legs, points: Object.fromEntries(points) };
+  const points = Object.fromEntries(all.slice(0, MOST_POINTS));
+  const placed = (name: string) => Object.hasOwn(points, name);
+  return {
+    title,
+    points,
+    base: base.filter(placed),
+    platform: platform.filter(placed),
+    legs: legs.filter((leg) => leg.every(placed)).slice(0, MOST_LEGS),
+  };
 }
 
 export function readDoc(x: unknown): Doc {
@@ -59,7 +74,7 @@ export function readDoc(x: unknown): Doc {
     panel: source || panel === "bench" || panel === "draw" ? panel : "start",
     stage: among(STAGES)(x.stage) ? x.stage : EMPTY.stage,
     threshold: isText(x.threshold) ? x.threshold : EMPTY.threshold,
-    commands: listOf(isText)(x.commands) ? x.commands : [],
+    commands: listOf(isText)(x.commands) ? x.commands.slice(0, MOST_COMMANDS) : [],
     bench: isText(x.bench) ? x.bench : "",
     sketch: readSketch(x.sketch),
   };

@@ -54,7 +54,7 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
       {pieces.length > 0 ? (
         <Formula left={name ? [nameOf(name)] : []} right={all ? pieces : pieces.slice(0, MOST)} />
       ) : (
-        (verdict !== "proved" || !said) && <pre class="said">{text}</pre>
+        (verdict !== "proved" || !said) && <pre class="said">{said ? reasonsOf(text) : text}</pre>
       )}
       {pieces.length > MOST && (
         <button type="button" class="quiet" onClick={() => showAll(!all)}>
@@ -80,6 +80,9 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
     </div>
   );
 }
+
+/** Without the first line, which repeats what was written. */
+const reasonsOf = (text: string): string => text.split("\n").slice(1).map((line) => line.replace(/^ {2}/, "")).join("\n") || text;
 
 function nameOf(name: string): Piece {
   const found = /^([A-Za-z]+)_?(\d+)?('*)$/.exec(name);

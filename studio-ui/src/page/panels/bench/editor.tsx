@@ -5,6 +5,7 @@ import { lintGutter, setDiagnostics } from "@codemirror/lint";
 import { EditorState, StateEffect, StateField, type Extension } from "@codemirror/state";
 import { Decoration, EditorView, highlightActiveLine, keymap, lineNumbers, placeholder, WidgetType, type DecorationSet } from "@codemirror/view";
 import { render, type ComponentChild } from "preact";
+import { effect, type ReadonlySignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Fault } from "../../../protocol";
 import { gca } from "./language";
@@ -17,7 +18,8 @@ export interface Below {
 }
 
 interface Props {
-  text: string;
+  /** Followed without delay: a late copy would undo what is being typed. */
+  text$: ReadonlySignal<string>;
   below: readonly Below[];
   fault: Fault | null;
   onText(text: string): void;
@@ -58,7 +60,7 @@ const belowField = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
-export function Editor({ text, below, fault, onText, onRun }: Props) {
+export function Editor({ text$, below, fault, onText, onRun }: Props) {
   const box = useRef<HTMLDivElement>(null);
   const view = useRef<EditorView | null>(null);
   const calls = useRef({ onText, onRun });
@@ -70,20 +72,20 @@ export function Editor({ text, below, fault, onText, onRun }: Props) {
       if (update.docChanged) calls.current.onText(update.state.doc.toString());
     });
     const runs = keymap.of([{ key: "Mod-Enter", run: () => (calls.current.onRun(), true) }]);
-    const state = EditorState.create({ doc: text, extensions: [runs, ...EXTENSIONS, listens] });
+    const state = EditorState.create({ doc: text$.peek(), extensions: [runs, ...EXTENSIONS, listens] });
     const made = new EditorView({ state, parent: box.current });
     view.current = made;
+    const follow = effect(() => {
+      const text = text$.value;
+      const { doc } = made.state;
+      if (doc.toString() !== text) made.dispatch({ changes: { from: 0, to: doc.length, insert: text } });
+    });
     return () => {
+      follow();
       view.current = null;
       made.destroy();
     };
-  }, []);
-
-  useEffect(() => {
-    const editor = view.current;
-    if (!editor || editor.state.doc.toString() === text) return;
-    editor.dispatch({ changes: { from: 0, to: editor.state.doc.length, insert: text } });
-  }, [text]);
+  }, [text$]);
 
   useEffect(() => view.current?.dispatch({ effects: setBelow.of(below) }), [below]);
 

@@ -52,9 +52,9 @@ export function Proposing({ study, manual, hand }: Props) {
       </div>
       <p class="words">{words}</p>
       <div class="letters" role="group" aria-label="Points">
-        {[study.platform, study.base].map((names, i) => (
-          <div key={i}>
-            <span class="where">{i ? "Base" : "Platform"}</span>
+        {rowsOf(study, manual).map(([title, names]) => (
+          <div key={title}>
+            <span class="where">{title}</span>
             {names.map((name) => (
               <button
                 type="button"
@@ -107,4 +107,15 @@ export function Proposing({ study, manual, hand }: Props) {
       </form>
     </section>
   );
+}
+
+/** The points of the monomials, by bodies; lines that stand for limbs have points of neither. */
+function rowsOf({ platform, base }: Study, { form }: Manual): [string, string[]][] {
+  const all = new Set(form.monomials.flatMap(({ brackets }) => brackets.flatMap(({ points }) => points)));
+  const rows: [string, string[]][] = [
+    ["Platform", platform.filter((name) => all.has(name))],
+    ["Base", base.filter((name) => all.has(name))],
+    ["Others", [...all].filter((name) => !platform.includes(name) && !base.includes(name)).sort()],
+  ];
+  return rows.filter(([, names]) => names.length > 0);
 }

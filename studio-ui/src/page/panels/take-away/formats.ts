@@ -1,0 +1,47 @@
+// What can be taken away, in words.
+import type { Format } from "../../../protocol";
+
+export type Thing = Exclude<Format, "png"> | "view-png" | "view-svg";
+
+export interface Offer {
+  thing: Thing;
+  title: string;
+  badge: string;
+  words: string;
+}
+
+export const SECTIONS: readonly { title: string; offers: readonly Offer[] }[] = [
+  {
+    title: "To read",
+    offers: [
+      {
+        thing: "html",
+        title: "Report",
+        badge: "HTML",
+        words: "One file with the derivation, the condition and the robot in 3D. It opens anywhere, without a network.",
+      },
+      {
+        thing: "latex",
+        title: "Derivation",
+        badge: "TEX",
+        words: "Every step with its rule, as a document that compiles by itself.",
+      },
+    ],
+  },
+  {
+    title: "Figures",
+    offers: [
+      { thing: "svg", title: "Figure", badge: "SVG", words: "Robot, entities and condition at this pose, as vectors." },
+      { thing: "pdf", title: "Figure", badge: "PDF", words: "The same for LaTeX." },
+      { thing: "view-png", title: "3D view", badge: "PNG", words: "The picture on the right as it stands." },
+      { thing: "view-svg", title: "3D view", badge: "SVG", words: "The same as vectors." },
+    ],
+  },
+  {
+    title: "Data",
+    offers: [
+      { thing: "yaml", title: "Robot file", badge: "YAML", words: "Legs and coordinates at this pose, to be opened here or with gcrules." },
+      { thing: "json", title: "Analysis", badge: "JSON", words: "Everything that was found, and the numbers at this pose." },
+    ],
+  },
+];

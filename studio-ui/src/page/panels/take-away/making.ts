@@ -1,0 +1,53 @@
+// Makes files, and keeps them as long as structure and pose stay the same.
+import type { Doc } from "../../state/doc";
+import type { Store } from "../../state/store";
+import type { Thing } from "./formats";
+
+export interface Made {
+  name: string;
+  blob: Blob;
+  /** null for what is no text. */
+  text: string | null;
+}
+
+/** What a file depends on. */
+export const keyOf = ({ source, pose, threshold }: Doc): string => JSON.stringify([source, pose, threshold]);
+
+export async function make(store: Store, thing: Thing, signal: AbortSignal, tell: (words: string) => void): Promise<Made> {
+  if (thing === "view-png" || thing === "view-svg") return viewed(store, thing === "view-png" ? "png" : "svg");
+  const { source, pose, threshold } = store.doc.peek();
+  if (!source) throw new Error("nothing is open");
+  const saved = await store.client.ask("save", { source, pose, what: thing, threshold }, { signal, progress: tell });
+  const data = saved.binary ? bytesOf(saved.data) : saved.data;
+  return { name: saved.name, blob: new Blob([data], { type: saved.mime }), text: saved.binary ? null : saved.data };
+}
+
+async function viewed(store: Store, kind: "png" | "svg"): Promise<Made> {
+  const viewer = store.space.viewer.peek();
+  if (!viewer) throw new Error("there is no picture in 3D");
+  const picture = await viewer.snapshot(kind);
+  const title = store.study.peek()?.title ?? "robot";
+  const name = `${title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "robot"}-view.${kind}`;
+  if (kind === "svg") return { name, blob: new Blob([picture], { type: "image/svg+xml" }), text: picture };
+  const blob = new Blob([bytesOf(picture.slice(picture.indexOf(",") + 1))], { type: "image/png" });
+  return { name, blob, text: null };
+}
+
+function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
+  const binary = atob(base64);
+  return Uint8Array.from(binary, (c) => c.charCodeAt(0));
+}
+
+export function download({ name, blob }: Made): void {
+  const address = URL.createObjectURL(blob);
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}
+
+export function sizeOf(bytes: number): string {
+  if (bytes < 1000) return `${bytes} B`;
+  return bytes < 1e6 ? `${(bytes / 1e3).toFixed(bytes < 1e4 ? 1 : 0)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
+}

@@ -1,0 +1,96 @@
+"""Robots described by their joints that are six legs: every command about platforms takes them."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+import gcrules as gc
+from gcrules.cli import cli
+from gcrules.errors import InputError
+from gcrules.robots.as_platform import as_platform
+from gcrules.robots.discovery import robots
+
+LEGS = ("gough-stewart", "gough-stewart-63", "octahedral")
+COMMANDS = {
+    "pose": ["--accuracy", "0.01", "--no-nearest", "--at", "0 0 1; euler zyx 20 0 10 deg"],
+    "path": ["--at", "0 0 0", "--at", "0 0 1; euler zyx 20 0 10 deg", "--samples", "4"],
+    "map": ["--over", "x -1:1:4", "--over", "rz -40:40:4 deg"],
+    "locus": ["--over", "translation"],
+}
+
+
+def run(*arguments: str, text: str | None = None) -> Any:
+    return CliRunner().invoke(cli, list(arguments), input=text)
+
+
+@pytest.mark.parametrize("name", LEGS)
+def test_legs_are_those_at_home(name: str) -> None:
+    robot = gc.Robot.load(name)
+    platform = as_platform(robot)
+    assert len(platform.legs) == 6
+    assert {end for _, end in platform.legs} == set(robot.platform)
+    assert all(platform.points[n] == robot.home[n] for leg in platform.legs for n in leg)  # type: ignore[index]
+
+
+@pytest.mark.parametrize("name", LEGS)
+def test_both_ways_to_a_pose_agree(name: str) -> None:
+    """The same wrenches: the platform's numbers, and those of the robot whose joints are solved."""
+    at = "0.3 0.2 0.5; euler zyx 20 0 10 deg"
+    robot = gc.Robot.load(name)
+    one, other = robot.pose(at), gc.pose(as_platform(robot), at, about="centroid", nearest=False)
+    assert one.closeness == pytest.approx(other.closeness, rel=1e-9)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("name", LEGS)
+def test_commands_take_an_id(command: str, name: str) -> None:
+    done = run(command, name, *COMMANDS[command], "--json")
+    assert done.exit_code == 0, done.stderr
+    answer = json.loads(done.stdout)
+    centre = [float(c) for c in answer["about"]]
+    assert centre[2] == pytest.approx(4 if name == "octahedral" else 5)  # the centroid, as for "gcrules robot pose"
+    origin = run(command, name, *COMMANDS[command], "--json", "--about", "origin")
+    assert [float(c) for c in json.loads(origin.stdout)["about"]] == [0, 0, 0]
+
+
+@pytest.mark.parametrize("name", [r.id for r in robots() if r.id not in LEGS])
+def test_others_are_refused_with_the_reason(name: str) -> None:
+    with pytest.raises(
+        InputError, match=f"{name} is described by its joints and cannot be read as a platform"
+    ) as fault:
+        as_platform(gc.Robot.load(name))
+    assert f"gcrules robot pose {name}" in fault.value.render()
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_commands_refuse_other_robots(command: str) -> None:
+    done = run(command, "3-rps", *COMMANDS[command])
+    assert done.exit_code == 2
+    assert "it has 3 limbs, not six" in done.stderr
+
+
+def test_a_robot_from_standard_input(root: Any) -> None:
+    text = (root / "plugins" / "octahedral" / "robot.yaml").read_text(encoding="utf-8")
+    said = run("locus", "-", *COMMANDS["locus"], text=text).stdout
+    assert said == run("locus", "octahedral", *COMMANDS["locus"]).stdout
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"P*(A1 B1)": "P*(A1 B2)"}, "no leg"),
+        ({"B1: free": "B1: on line A1 along x", "B1: [1, 2, 4]": "B1: [1, 0, 0]"}, "depends on the other body"),
+    ],
+    ids=["another direction", "tied"],
+)
+def test_what_is_no_leg(root: Any, changes: dict[str, str], says: str) -> None:
+    text = (root / "plugins" / "octahedral" / "robot.yaml").read_text(encoding="utf-8")
+    for old, new in changes.items():
+        assert old in text
+        text = text.replace(old, new)
+    with pytest.raises(InputError, match=says):
+        as_platform(gc.Robot.parse(text))

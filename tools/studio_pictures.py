@@ -1,0 +1,66 @@
+"""The pictures of docs/studio.md; `python tools/studio_pictures.py` writes them into docs/assets (needs Chromium)."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+from PIL import Image
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tests"))
+
+from browsing import chromium  # noqa: E402
+from studio_page import Desk, studio  # noqa: E402
+
+SIZE = {"width": 1280, "height": 800}
+
+PICTURES: dict[str, dict[str, Any]] = {
+    "studio-condition.png": {
+        "scheme": "light",
+        "open": ("class", "3-3.3"),
+        "stage": "condition",
+        "sliders": {"rz": 14},
+    },
+    "studio-singular.png": {
+        "scheme": "light",
+        "open": ("example", "octahedral"),
+        "stage": "statement",
+        "nearest": True,
+    },
+    "studio-robot.png": {"scheme": "dark", "open": ("robot", "gallardo-4dof"), "stage": "equivalent"},
+}
+"""Name: colours of the page, what is opened, the step, and how the platform is moved."""
+
+
+def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
+    """One view of the page as a PNG."""
+    desk.visit().open(*wanted["open"], wanted["stage"])
+    for name, value in wanted.get("sliders", {}).items():
+        desk.slide(name, value)
+    if wanted.get("nearest"):
+        desk.one("nearest-rotation").click()
+        desk.verdict("singular", timeout=30_000)
+        desk.one("view-fit").click()
+    desk.answered()
+    desk.page.mouse.move(2, 2)
+    desk.page.evaluate("document.activeElement?.blur()")
+    desk.page.wait_for_timeout(900)
+    return bytes(desk.page.screenshot())
+
+
+def main() -> None:
+    with tempfile.TemporaryDirectory() as state, studio(Path(state)) as server, chromium() as browser:
+        for name, wanted in PICTURES.items():
+            context = browser.new_context(viewport=SIZE, color_scheme=wanted["scheme"], reduced_motion="reduce")
+            picture = Image.open(BytesIO(take(Desk(context.new_page(), server), wanted))).convert("RGB")
+            small = picture.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+            small.save(ROOT / "docs" / "assets" / name, optimize=True)
+            context.close()
+
+
+if __name__ == "__main__":
+    main()
