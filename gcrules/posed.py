@@ -24,7 +24,7 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.analysis import Analysis, analyze
 from gcrules.condition import Condition
 from gcrules.errors import EngineFault, InputError
-from gcrules.nearest.poses import NearestPose, nearest_poses, nearest_translation
+from gcrules.nearest.poses import nearest_poses, nearest_translation
 from gcrules.numeric.arrays import from_poses, normalised_note, read_arrays
 from gcrules.numeric.asked import known_accuracy, one_pose, three
 from gcrules.numeric.causes import causes, near_causes, nearest_cause
@@ -33,6 +33,7 @@ from gcrules.numeric.cubic import superbracket_at
 from gcrules.numeric.jacobian import jacobian
 from gcrules.numeric.many import PoseNumbers, homogeneous, numbers
 from gcrules.numeric.motion import dependence, exact_dependence, scaled, softest_twist
+from gcrules.numeric.nearest_pose import NearestPose
 from gcrules.numeric.pose import Pose, exact, parse_pose
 from gcrules.numeric.readings import readings
 from gcrules.numeric.report import PoseReading, PoseReport

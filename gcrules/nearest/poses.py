@@ -3,9 +3,8 @@ r"""The nearest singular poses of a robot: in translation, in rotation, in both;
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,57 +17,17 @@ from gcrules.numeric.arrays import from_poses
 from gcrules.numeric.closeness import closeness
 from gcrules.numeric.cubic import superbracket_at, translation_polynomial
 from gcrules.numeric.jacobian import Jacobian, jacobian
+from gcrules.numeric.nearest_pose import NearestPose
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.rig import Rig
 from gcrules.numeric.turns import from_vector, product, rotation, short
 
-__all__ = ["NearestPose", "nearest_poses", "nearest_translation"]
+__all__ = ["nearest_poses", "nearest_translation"]
 
 Floats = NDArray[np.float64]
 
 _COVERED = 0.01  # the proof for rotations covers the angles below that of the pose found, but for this part
 _BESIDE = 1e-9  # relative distance at which a change of sign is looked for, exactly
-
-
-@dataclass(frozen=True)
-class NearestPose:
-    """The nearest singular pose of one `kind`: translation (orientation fixed), rotation (about the centroid of the
-    legs' platform ends, which stays) or combined.
-
-    `distance` is a length for translation and combined (`closeness.Closeness` has the metric), an angle in radians for
-    rotation; infinite with `pose` None where none was found. There is proved to be none nearer than `lower`, and, if
-    `upper` is not None, one within `upper`, for the determinant changes its sign up to there. `sigma` is the measure at
-    the pose that is returned, in floats; `exact` says that its superbracket is exactly 0,
-    `causes` what is incident there. `never` says that there is proved to be no singular pose of this kind at all.
-    """
-
-    kind: str
-    distance: float
-    lower: float
-    upper: float | None
-    pose: Pose | None
-    sigma: float | None = None
-    exact: bool = False
-    never: bool = False
-    causes: tuple[str, ...] = ()
-
-    @property
-    def certified(self) -> bool:
-        """Whether `distance` is proved to be the least, to a relative accuracy of 2e-6 (mostly it is 1e-9)."""
-        return self.never or (self.upper is not None and self.lower >= self.upper * (1 - 2e-6))
-
-    def to_json(self) -> dict[str, Any]:
-        return {
-            "distance": self.distance if math.isfinite(self.distance) else None,
-            "lower": self.lower if math.isfinite(self.lower) else None,
-            "upper": self.upper,
-            "certified": self.certified,
-            "never": self.never,
-            "pose": self.pose.to_json() if self.pose else None,
-            "sigma": self.sigma,
-            "exact": self.exact,
-            "causes": list(self.causes),
-        }
 
 
 def nearest_poses(rig: Rig, pose: Pose, j: Jacobian, *, singular: bool) -> tuple[NearestPose, ...]:

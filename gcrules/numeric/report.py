@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from gcrules.condition import Condition
-from gcrules.nearest.poses import NearestPose
 from gcrules.numeric.motion import Dependence, Twist
+from gcrules.numeric.nearest_pose import NearestPose
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.rig import Rig
 from gcrules.numeric.threshold import Threshold, degrees

@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-from gcrules.nearest.poses import NearestPose
 from gcrules.numeric.closeness import Closeness
 from gcrules.numeric.jacobian import Jacobian
+from gcrules.numeric.nearest_pose import NearestPose
 from gcrules.numeric.threshold import Threshold, degrees
 
 __all__ = ["verdict"]

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from gcrules.nearest.poses import NearestPose
 from gcrules.numeric.incidence import factors
+from gcrules.numeric.nearest_pose import NearestPose
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.report import PoseReport
 from gcrules.numeric.threshold import degrees

@@ -13,6 +13,7 @@ from gcrules.analysis import Analysis
 from gcrules.errors import InputError
 from gcrules.render.bsp import XYZ
 from gcrules.render.figures import graph_figure
+from gcrules.render.limb_views import limb_views
 from gcrules.render.report_page import footer, page, robot_figure_html
 from gcrules.render.robot_chain import unit_vector
 from gcrules.render.robot_drawing import draw_robot
@@ -27,7 +28,6 @@ from gcrules.robots.as_platform import as_platform
 from gcrules.robots.parts import KINDS, Part
 from gcrules.robots.report import sections
 from gcrules.robots.robot_analysis import RobotAnalysis
-from gcrules.studio.limbs import limb_views
 
 __all__ = ["on_six_legs", "robot_report", "robot_scene"]
 

@@ -12,8 +12,8 @@ from gcrules.kinematics.report import RobotPose
 from gcrules.numeric.extensors import coordinates
 from gcrules.numeric.motion import Twist
 from gcrules.numeric.threshold import DEFAULT
+from gcrules.render.limb_views import Values, all_places, directions, limb_views
 from gcrules.studio.answer_views import MotionView, Numbers
-from gcrules.studio.limbs import Values, all_places, directions, limb_views
 from gcrules.studio.subject import Subject
 from gcrules.studio.views import Axis, PoseJson
 

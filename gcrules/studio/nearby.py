@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable
 
 from gcrules.errors import InputError
-from gcrules.nearest.poses import NearestPose
 from gcrules.numeric.closeness import ROUNDING
+from gcrules.numeric.nearest_pose import NearestPose
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.threshold import degrees
 from gcrules.posed import report

@@ -17,7 +17,7 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.analysis import Analysis
 from gcrules.condition import Condition
 from gcrules.errors import InputError
-from gcrules.nearest.poses import NearestPose, nearest_translation
+from gcrules.nearest.poses import nearest_translation
 from gcrules.numeric.arrays import matrices
 from gcrules.numeric.causes import causes, near_causes, nearest_cause
 from gcrules.numeric.closeness import ROUNDING, closeness, noise
@@ -26,14 +26,15 @@ from gcrules.numeric.jacobian import Jacobian, jacobian
 from gcrules.numeric.many import homogeneous
 from gcrules.numeric.many import numbers as numbers_of
 from gcrules.numeric.motion import scaled, softest_twist
+from gcrules.numeric.nearest_pose import NearestPose
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.readings import readings
 from gcrules.numeric.rig import FAR, Rig
 from gcrules.numeric.threshold import DEFAULT, Threshold, parse_threshold
 from gcrules.numeric.value import CLOSE, line_measure, measure
 from gcrules.numeric.verdict import verdict
+from gcrules.render.limb_views import limb_views
 from gcrules.studio.answer_views import Along, MotionView, Numbers, ReadingView
-from gcrules.studio.limbs import limb_views
 from gcrules.studio.moving import robot_numbers
 from gcrules.studio.subject import Subject
 from gcrules.studio.views import PoseJson

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.studio.limbs import all_places, directions
+from gcrules.render.limb_views import all_places, directions
 from gcrules.studio.moving import values_at
 from gcrules.studio.numbers import numbers
 from gcrules.studio.subject import Subject

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import Literal, NotRequired, TypedDict
 
+from gcrules.render.limb_data import JointView, LimbView, LineView, Vec3
+
 __all__ = [
     "Axis",
     "BracketView",
@@ -43,8 +45,6 @@ __all__ = [
     "TextItem",
     "Vec3",
 ]
-
-Vec3 = list[float]
 
 
 class Place(TypedDict):
@@ -201,28 +201,6 @@ class ConditionView(TypedDict):
     cofactor: str
     statement: str
     certificate: CertificateView
-
-
-class JointView(TypedDict):
-    kind: str
-    actuated: bool
-    point: Vec3 | None
-    axes: list[Vec3]
-
-
-class LineView(TypedDict):
-    text: str
-    wrench: Literal["force", "couple"]
-    point: Vec3 | None
-    direction: Vec3
-
-
-class LimbView(TypedDict):
-    name: str
-    colour: int
-    wrenches: list[str]
-    joints: list[JointView]
-    lines: list[LineView]
 
 
 class PartView(TypedDict):

@@ -3,7 +3,7 @@ import { effect, signal, type ReadonlySignal } from "@preact/signals";
 import type { Along, Fault, Numbers, Pose, Source } from "../../protocol";
 import type { Client } from "../net/client";
 import { latest } from "../net/latest";
-import { sameSource } from "./doc";
+import { samePose, sameSource } from "./doc";
 import type { Editing } from "./editing";
 import { faultOf, type Studying } from "./studying";
 import { extended, LONGEST, passedOf, type Passed } from "./trail";
@@ -70,10 +70,20 @@ export function createPosing(client: Client, editing: Editing, studying: Studyin
     const before = passed;
     const { source, threshold } = editing.doc.peek();
     let sampled: readonly Passed[] = [];
+    let gone = false;
+    const goal = way.at(-1);
+    const put = () => void (sampled.length > 0 && show([...before, ...sampled].slice(-LONGEST)));
     const asked = source ? client.ask("along", { source, poses: way, threshold }, { channel: "along" }) : null;
-    const take = (found: Along) => void (sampled = passedOf(found, way));
+    const take = (found: Along): void => {
+      sampled = passedOf(found, way);
+      const last = passed.at(-1); // an answer that comes late counts as long as the platform has not left
+      if (gone && goal && last && samePose(last.pose, goal)) put();
+    };
     asked?.then(take, () => undefined); // without an answer the poses seen on the way stay
-    return () => sampled.length > 0 && show([...before, ...sampled].slice(-LONGEST));
+    return () => {
+      gone = true;
+      put();
+    };
   }
 
   effect(() => {
