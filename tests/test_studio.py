@@ -356,6 +356,32 @@ def test_nearest_and_the_way_there(page: Page) -> None:
     assert abs(way["value"][2]) < 1e-9 < abs(way["value"][0])
 
 
+@pytest.mark.parametrize("given", [{}, {"coordinates": [0.02, -0.03, 0.01]}], ids=["home", "away"])
+def test_singular_poses_around_a_robot_with_limbs(page: Page, given: dict[str, Any]) -> None:
+    source = {"kind": "robot", "id": "3-rpr"}
+    found = page.ask("nearest", source=source, pose=HOME | given)
+    assert "searching along +yaw" in page.progress
+    assert "no proof" in found["note"]
+    one = found["found"][0]
+    assert (one["kind"], one["unit"], one["certified"]) == ("along +yaw", "deg", False)
+    assert "meet in a point or are parallel" in one["causes"][0]
+    assert "no proof" in one["text"]
+    there = page.ask("pose", source=source, pose=one["pose"])
+    assert there["verdict"] != "regular"
+    assert there["closeness"] < 1e-4
+
+
+def test_search_around_says_that_nothing_was_found(page: Page) -> None:
+    found = page.ask("nearest", source={"kind": "robot", "id": "delta"}, pose=HOME)
+    assert found["found"] == []
+    assert found["note"].startswith("No singular pose was found by a search along +x, −x, +y")
+
+
+def test_search_around_needs_all_actuators(page: Page) -> None:
+    fault = page.fault("nearest", source={"kind": "robot", "id": "3-rpr"}, pose=HOME | {"coordinates": [1.0]})
+    assert "3 actuators" in fault["message"]
+
+
 # --- by hand -------------------------------------------------------------------------------------------------------
 
 

@@ -385,6 +385,7 @@ def test_server_restarts(sit_down: Callable[..., Desk], tmp_path: Path) -> None:
         assert desk.numbers["closeness"] == pytest.approx(there.closeness)
         desk.slide("z", -130)
         desk.answered()
+        desk.page.close()
         desk.faults[:] = [fault for fault in desk.faults if "ws://" not in fault]  # attempts while it was away
 
 

@@ -761,6 +761,7 @@ def test_the_widget_in_a_page(open_page: Open) -> None:
     shown = open_page("<!doctype html><meta charset=utf-8><title>cell</title>")
     code = (STATIC / "widget.js").read_text(encoding="utf-8")
     shown.page.evaluate(MODEL, [code, scene(OCTAHEDRAL)])
+    assert shown.page.locator(".gcx-unit").all_inner_texts() == [*["mm"] * 3, *["°"] * 3]
     slider = shown.page.get_by_role("slider", name="shift along z")
     slider.evaluate("e => { e.value = 40; e.dispatchEvent(new Event('input')); }")
     shown.page.wait_for_function("saved.length")

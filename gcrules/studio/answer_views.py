@@ -88,6 +88,7 @@ class FoundView(TypedDict):
 
 class Nearest(TypedDict):
     found: list[FoundView]
+    note: NotRequired[str]
 
 
 class Along(TypedDict):

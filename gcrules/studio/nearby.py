@@ -12,6 +12,7 @@ from gcrules.numeric.pose import Pose
 from gcrules.numeric.threshold import degrees
 from gcrules.posed import report
 from gcrules.studio.answer_views import FoundView, Nearest
+from gcrules.studio.limb_search import first_around
 from gcrules.studio.numbers import exact_pose, threshold_of
 from gcrules.studio.subject import Subject
 from gcrules.studio.views import PoseJson
@@ -26,13 +27,16 @@ _WORDS = {
 
 
 def nearest(subject: Subject, pose: PoseJson, threshold: str | None, tell: Callable[[str], None]) -> Nearest:
-    """Those in translation, in rotation, in both. Raises InputError where the platform does not move by poses."""
+    """Those in translation, in rotation, in both; for a robot with limbs, those that a search finds around the pose.
+
+    Raises InputError where the platform does not move.
+    """
+    if subject.limbed:
+        return first_around(subject, pose, tell)
     moving, a = subject.moving, subject.analysis
     if moving is None or a is None:
         why = subject.why_not or "the nearest singular pose is sought for platforms on six legs"
-        raise InputError(
-            why, hint='for robots with limbs, on a way from home: gcrules robot pose ID --actuators "q1=…" --search'
-        )
+        raise InputError(why)
     tell("seeking the nearest singular poses")
     limit = threshold_of(threshold, subject.unit)
     found = report(a, moving, exact_pose(pose), threshold=limit, accuracy=ROUNDING * moving.size)

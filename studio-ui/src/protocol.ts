@@ -238,6 +238,8 @@ export type Constructed =
 
 export interface Nearest {
   found: { kind: string; distance: number; unit: string; certified: boolean; text: string; pose: Pose; causes: string[] }[];
+  /** For a robot with limbs: what was searched, in words; the kinds are "along +z" …, the closest one stands first. */
+  note?: string;
 }
 
 export interface Along {

@@ -55,7 +55,7 @@ const DOCS: Record<string, Doc> = {
     threshold: "20 mm",
     commands: ["plane a b c"],
     bench: "let p = a ∨ b",
-    sketch: { title: "t", points: { a: [0, 0, 1] }, base: ["a"], platform: [], legs: [["a", "b"]] },
+    sketch: { title: "t", points: { a: [0, 0, 1], b: [0, 0, 2] }, base: ["a"], platform: ["b"], legs: [["a", "b"]] },
   },
 };
 for (const [name, doc] of Object.entries(DOCS)) {

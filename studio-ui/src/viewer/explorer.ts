@@ -103,7 +103,10 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
     root.classList.toggle("gcx-still", still());
     pose = next.pose ?? IDENTITY;
     viewer.show(next);
-    sliders.forEach((s, i) => s.reach(i < 3 ? 1.2 * next.size : 180));
+    sliders.forEach((s, i) => {
+      s.reach(i < 3 ? 1.2 * next.size : 180);
+      s.measure(i < 3 ? next.unit : "°");
+    });
     showLegend();
     settle();
   }
@@ -169,9 +172,14 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
     range.addEventListener("input", () => read(range.value, false));
     range.addEventListener("change", () => read(range.value, true));
     box.addEventListener("change", () => read(box.value, true));
-    const row = make("label", { class: "gcx-row" }, make("span", {}, i < 3 ? named(name) : name), range, box);
+    const unit = make("span", { class: "gcx-unit" });
+    const row = make("label", { class: "gcx-row" }, make("span", {}, i < 3 ? named(name) : name), range, box, unit);
     return {
       row,
+      measure: (word: string) => {
+        unit.textContent = word;
+        if (i < 3) box.setAttribute("aria-label", [`shift along ${name}`, word].filter(Boolean).join(", "));
+      },
       reach: (far: number) => [range.min, range.max] = [String(-far), String(far)],
       set: (value: number) => {
         const shown = Number(value.toPrecision(5));

@@ -24,9 +24,10 @@ export const STYLE = `
 .gcx-numbers dt { color: var(--gx-soft); } .gcx-numbers dd { margin: 0; font-variant-numeric: tabular-nums; }
 .gcx-motion[hidden] { display: none; } .gcx-numbers sup { line-height: 0; }
 .gcx-still :is(.gcx-verdict, .gcx-numbers, .gcx-motion, .gcx-sliders, .gcx-side > button, .gcx-modes) { display: none; }
-.gcx-row { display: grid; grid-template-columns: 3.6rem minmax(0, 1fr) 5.2rem; gap: .5rem; align-items: center; margin: .15rem 0; }
+.gcx-row { display: grid; grid-template-columns: 3.6rem minmax(0, 1fr) 5.2rem 1.9rem; gap: .5rem; align-items: center; margin: .15rem 0; }
 .gcx-row input { min-width: 0; font: inherit; accent-color: var(--gx-accent); }
 .gcx-row input[type=number] { color: inherit; background: none; border: 1px solid var(--gx-line); border-radius: .3rem; padding: .1rem .3rem; text-align: right; font-variant-numeric: tabular-nums; }
+.gcx-unit { color: var(--gx-soft); margin-left: -.2rem; }
 .gcx-legend { list-style: none; margin: 0; padding: 0; display: flex; flex-wrap: wrap; gap: .25rem .9rem; }
 .gcx-legend li { border-left: .9rem solid var(--own); padding-left: .45rem; line-height: 1.2; cursor: default; }
 .gcx-name { font-family: "STIX Two Text", Cambria, "Liberation Serif", Georgia, serif; font-size: 1.08em; } .gcx-name sub { line-height: 0; }

@@ -1,6 +1,6 @@
 // The nearest singular poses: asked for once, then a button each that moves the platform there.
 import { useComputed } from "@preact/signals";
-import type { Pose } from "../../protocol";
+import type { Nearest, Pose } from "../../protocol";
 import { useStore } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
 import { short } from "../lib/format";
@@ -11,9 +11,24 @@ const KINDS = ["translation", "rotation", "combined"] as const;
 const LABELS: Record<string, string> = { translation: "translation", rotation: "rotation", combined: "both" };
 
 /** Whether what was found still holds: at the pose it was sought from, at what was found, and on the way between. */
-function isKnown(seeking: Seeking, pose: Pose, moves: boolean): boolean {
+export function isKnown(seeking: Seeking, pose: Pose, moves: boolean): boolean {
   if (seeking.state !== "found") return false;
   return moves || [seeking.from, ...seeking.nearest.found.map((one) => one.pose)].some((known) => samePose(known, pose));
+}
+
+export const lengthOf = ({ distance, unit }: Nearest["found"][number]): string =>
+  `${short(distance, 3)}${unit === "deg" ? "°" : unit && ` ${unit}`}`;
+
+/** How far the search is, with a way to stop. */
+export function Seeks({ words, stop }: { words: string; stop(): void }) {
+  return (
+    <p class="busy" role="status">
+      <span class="spinner" aria-hidden="true" /> {words} …
+      <button type="button" class="quiet" onClick={stop} data-testid="nearest-stop">
+        Stop
+      </button>
+    </p>
+  );
 }
 
 export function NearestView() {
@@ -47,19 +62,12 @@ export function NearestView() {
               onClick={() => void toward(kind)}
             >
               <span>{LABELS[kind]}</span>
-              <strong>{one ? `${short(one.distance, 3)}${one.unit === "deg" ? "°" : ` ${one.unit}`}` : never ? "none" : "find"}</strong>
+              <strong>{one ? lengthOf(one) : never ? "none" : "find"}</strong>
             </button>
           );
         })}
       </div>
-      {busy && (
-        <p class="busy" role="status">
-          <span class="spinner" aria-hidden="true" /> {seeking.words} …
-          <button type="button" class="quiet" onClick={seeker.stop} data-testid="nearest-stop">
-            Stop
-          </button>
-        </p>
-      )}
+      {busy && <Seeks words={seeking.words} stop={seeker.stop} />}
       {seeking.state === "failed" && <FaultBox fault={seeking.fault} />}
     </section>
   );

@@ -4,6 +4,7 @@ import { useStore } from "../parts/context";
 import { Tabs } from "../parts/tabs";
 import { NearestView } from "./nearest-view";
 import { ReadingsTable } from "./readings-table";
+import { SearchView } from "./search-view";
 import { Sliders } from "./sliders";
 import { VerdictView } from "./verdict-view";
 import { WayPlot } from "./way-plot";
@@ -13,18 +14,6 @@ const TABS = [
   { id: "readings", label: "Readings", testid: "tab-readings" },
 ] as const;
 type Tab = (typeof TABS)[number]["id"];
-
-/** For limbs there is no nearest pose, but the first one on a way. */
-function SoughtElsewhere() {
-  const source = useStore().source$.value;
-  const robot = source?.kind === "robot" ? source.id : source?.kind === "file" ? source.name : "ROBOT";
-  return (
-    <p class="tip" data-testid="sought-elsewhere">
-      The nearest singular pose is sought for platforms on six legs only. For a robot with limbs, the command{" "}
-      <code>gcrules robot pose {robot} --actuators "q1=…" --search</code> finds the first one on a way from home.
-    </p>
-  );
-}
 
 export function PosePanel() {
   const { study } = useStore();
@@ -36,7 +25,7 @@ export function PosePanel() {
       <VerdictView />
       {shown.axes.length > 0 && <Sliders study={shown} />}
       {shown.kind === "platform" && shown.axes.length > 0 && <NearestView />}
-      {shown.kind === "robot" && shown.axes.length > 0 && <SoughtElsewhere />}
+      {shown.kind === "robot" && shown.axes.length > 0 && <SearchView />}
       <section class="tabbed">
         <Tabs<Tab> name="Numbers" tabs={TABS} current={tab} onChoose={choose} />
         {tab === "way" ? <WayPlot /> : <ReadingsTable />}

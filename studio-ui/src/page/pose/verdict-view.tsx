@@ -14,8 +14,15 @@ const WORDS: Record<Verdict, [string, IconName]> = {
   singular: ["Singular", "stop"],
 };
 
+const SCALES = {
+  platform:
+    "The superbracket over ρ³ times the six leg lengths, with its sign: zero at a singular pose. ρ is the root-mean-square distance of the legs' platform ends from their centroid",
+  robot:
+    "The superbracket of the equivalent lines over Hadamard's bound, the product of the lengths of their six coordinate vectors, with its sign: zero at a singular pose. Points count from their centroid, at unit scale. Without equivalent lines, σ",
+};
+
 export function VerdictView() {
-  const { posing, client } = useStore();
+  const { posing, client, study } = useStore();
   const stale = client.line.value === "lost" ? " stale" : "";
   const texts = useMemo(
     () => ({
@@ -34,7 +41,7 @@ export function VerdictView() {
           <Icon name={icon} size={20} /> {word}
         </p>
         <dl>
-          <dt title="The superbracket over its scale, with its sign: zero at a singular pose">value</dt>
+          <dt title={SCALES[study.value?.kind ?? "platform"]}>value</dt>
           <dd data-testid="value">{texts.value}</dd>
           <dt title="Closeness: 0 at a singular pose, at most 1; knows neither frame nor unit">σ</dt>
           <dd data-testid="closeness">{texts.closeness}</dd>

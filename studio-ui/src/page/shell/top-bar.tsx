@@ -1,5 +1,6 @@
 // Name of the study, undo and redo, link, theme.
 import { useEffect, useState } from "preact/hooks";
+import type { Sketch } from "../../protocol";
 import { writeFragment } from "../state/fragment";
 import { useStore } from "../parts/context";
 import { Icon } from "../parts/icon";
@@ -9,19 +10,21 @@ export function TopBar() {
   const study = store.study.value;
   const theme = store.taste.theme.value;
   const dark = theme === "dark";
+  const drawn = store.panel$.value === "draw";
+  const title = drawn ? titleOf(store.sketch$.value) : study?.title;
   useEffect(() => {
-    document.title = study ? `${study.title} · gcrules studio` : "gcrules studio";
-  }, [study]);
+    document.title = title ? `${title} · gcrules studio` : "gcrules studio";
+  }, [title]);
   return (
     <header class="top-bar">
       <button type="button" class="brand" onClick={() => store.go({ panel: "start" })} aria-label="gcrules studio, start">
         <Mark /> gcrules <span>studio</span>
       </button>
       <p class="study" data-testid="title">
-        {study && (
+        {title && (
           <>
-            <strong>{study.title}</strong>
-            {study.invented && (
+            <strong>{title}</strong>
+            {!drawn && study?.invented && (
               <span class="tag" title="No coordinates were given: the picture and the numbers are of a sample shape">
                 sample shape
               </span>
@@ -43,6 +46,10 @@ export function TopBar() {
     </header>
   );
 }
+
+/** On the sheet it is the drawing that counts, not what was studied before. */
+const titleOf = (sketch: Sketch | null): string =>
+  sketch && Object.keys(sketch.points).length > 0 ? sketch.title || "Drawing without a title" : "Empty sheet";
 
 interface ToolProps {
   icon: "undo" | "redo" | "sun" | "moon" | "link" | "ok";

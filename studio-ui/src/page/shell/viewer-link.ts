@@ -130,9 +130,10 @@ function constructedNow(store: Store, numbers: Numbers | null) {
   return [...own, ...(extra?.constructed ?? [])];
 }
 
-function hovered({ study }: Store, what: { point?: string; entity?: string } | null): Target | null {
+function hovered({ study, space }: Store, what: { point?: string; entity?: string } | null): Target | null {
   if (!what) return null;
-  const entity = study.peek()?.entities.find(({ id }) => id === what.entity);
+  const all = [...(space.overlay.peek()?.entities ?? []), ...(study.peek()?.entities ?? [])];
+  const entity = all.find(({ id }) => id === what.entity);
   if (entity) return entityTarget(entity);
   return what.point === undefined ? null : pointTarget(what.point);
 }

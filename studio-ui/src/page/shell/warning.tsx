@@ -19,10 +19,10 @@ export function Warning() {
   const [first, ...others] = [...causes, ...motion];
   if (first === undefined) return null;
   return (
-    <div class={`warning ${numbers.verdict}`} data-testid="warning">
+    <div class={`warning ${numbers.verdict} ${open ? "open" : ""}`} data-testid="warning">
       {movable && <Play />}
-      <ul data-testid="causes" class={open ? "open" : ""}>
-        <li>
+      <ul data-testid="causes">
+        <li title={open ? undefined : first}>
           <Prose text={first} />
         </li>
         {others.map((text) => (
@@ -31,19 +31,17 @@ export function Warning() {
           </li>
         ))}
       </ul>
-      {others.length > 0 && (
-        <button
-          type="button"
-          class="quiet unfold"
-          aria-expanded={open}
-          aria-label={open ? "Less" : "More about it"}
-          title={open ? "Less" : "More about it"}
-          data-testid="warning-more"
-          onClick={() => unfold(!open)}
-        >
-          <Icon name="more" size={16} />
-        </button>
-      )}
+      <button
+        type="button"
+        class="quiet unfold"
+        aria-expanded={open}
+        aria-label={open ? "Less" : "More about it"}
+        title={open ? "Less" : "More about it"}
+        data-testid="warning-more"
+        onClick={() => unfold(!open)}
+      >
+        <Icon name="more" size={16} />
+      </button>
     </div>
   );
 }

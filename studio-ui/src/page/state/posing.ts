@@ -76,8 +76,8 @@ export function createPosing(client: Client, editing: Editing, studying: Studyin
     const asked = source ? client.ask("along", { source, poses: way, threshold }, { channel: "along" }) : null;
     const take = (found: Along): void => {
       sampled = passedOf(found, way);
-      const last = passed.at(-1); // an answer that comes late counts as long as the platform has not left
-      if (gone && goal && last && samePose(last.pose, goal)) put();
+      // an answer that comes late counts as long as the platform has not left
+      if (gone && goal && samePose(editing.doc.peek().pose, goal)) put();
     };
     asked?.then(take, () => undefined); // without an answer the poses seen on the way stay
     return () => {
