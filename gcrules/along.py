@@ -21,22 +21,22 @@ from typing import Any
 
 import numpy as np
 
-from gcrules.analysis import Analysis, analyze
+from gcrules.analysis import Analysis
 from gcrules.errors import GcrulesError, InputError, LimitReached
+from gcrules.moving import Given, moving_robot
 from gcrules.numeric.arrays import from_poses, matrices
-from gcrules.numeric.asked import one_pose, three
+from gcrules.numeric.asked import one_pose
 from gcrules.numeric.closeness import ROUNDING
 from gcrules.numeric.many import PoseNumbers, numbers
-from gcrules.numeric.pose import Pose, exact
-from gcrules.numeric.rig import Rig, rig
-from gcrules.numeric.threshold import DEFAULT, Threshold, degrees, parse_threshold
+from gcrules.numeric.pose import Pose
+from gcrules.numeric.rig import Rig
+from gcrules.numeric.threshold import DEFAULT, Threshold, angle_threshold, degrees
 from gcrules.paths.least import Least, least
 from gcrules.paths.report import PathReport, Zero
 from gcrules.paths.segment import Segment, segments
 from gcrules.paths.table import load_poses
 from gcrules.paths.zeros import Place, Stretch, places, stretches
 from gcrules.posed import report
-from gcrules.robots.geometry import Platform, load_platform
 
 __all__ = ["MAX_SAMPLES", "SAMPLES", "path"]
 
@@ -47,7 +47,7 @@ Told = Callable[[str], None]
 
 
 def path(
-    robot: Platform | Analysis | str | PathLike[str],
+    robot: Given,
     poses: str | PathLike[str] | Sequence[Any],
     *,
     samples: int = SAMPLES,
@@ -56,14 +56,9 @@ def path(
     tell: Told = lambda _: None,
 ) -> PathReport:
     """The function of `gcrules.api`, which says what the arguments are. `tell` hears what is being done."""
-    analysis = robot if isinstance(robot, Analysis) else analyze(_platform(robot))
-    platform = analysis.platform
-    if platform is None:
-        raise InputError("the analysis is of legs without coordinates", hint="analyze a platform (load_platform)")
-    limit = _threshold(threshold, platform.units)
-    centre = about if isinstance(about, str) else tuple(exact(c, "the centre") for c in three(about, "the centre"))
-    moving = rig(analysis.structure, platform, centre)
-    found, notes = _poses(poses, platform.units)
+    analysis, moving = moving_robot(robot, about)
+    limit = angle_threshold(threshold, moving.unit, "along a path")
+    found, notes = _poses(poses, moving.unit)
     per_segment = _per_segment(samples, len(found) - 1)
     moving.ends(*from_poses(found))  # refuses poses that are too far away, and legs of no length
     way = segments(moving, found)
@@ -90,19 +85,6 @@ def path(
         notes=notes,
         **_samples(analysis, moving, way, per_segment, zeros, still, lowest, limit),
     )
-
-
-def _platform(robot: Any) -> Platform:
-    return robot if isinstance(robot, Platform) else load_platform(robot)
-
-
-def _threshold(given: str | Threshold, unit: str) -> Threshold:
-    if not isinstance(given, (str, Threshold)):
-        raise InputError(f"the threshold {given!r} has no unit", hint='write threshold="2 deg"')
-    found = parse_threshold(given, unit) if isinstance(given, str) else given
-    if found.angle is None:
-        raise InputError("along a path the threshold is an angle", hint="how far a leg may turn, as in 2deg")
-    return found
 
 
 def _poses(given: str | PathLike[str] | Sequence[Any], unit: str) -> tuple[tuple[Pose, ...], tuple[str, ...]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.evaluate import evaluate as _evaluate
@@ -40,6 +40,14 @@ from gcrules.shortening.limits import MAX_MONOMIALS
 from gcrules.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
 from gcrules.shortening.result import Shortening
 from gcrules.turning import Transversals, transversals
+
+if TYPE_CHECKING:  # they load numpy
+    from gcrules.compiling.compiled import CompiledCondition
+    from gcrules.loci.report import Locus
+    from gcrules.mapping.report import SingularMap
+    from gcrules.numeric.many import PoseNumbers
+    from gcrules.numeric.report import PoseReport
+    from gcrules.paths.report import PathReport
 
 __all__ = [
     "Analysis",
@@ -263,7 +271,7 @@ def pose(
     threshold: str = "0.5 deg",
     accuracy: str | float | None = None,
     nearest: bool = True,
-) -> Any:
+) -> PoseReport | PoseNumbers:
     """How close a robot is to a singularity at one pose (a `PoseReport`), or at N poses (`PoseNumbers`, arrays).
 
     `robot` is a platform with coordinates, its analysis, or the name of its geometry file. `at` is text as for
@@ -297,7 +305,7 @@ def path(
     samples: int = 200,
     about: str | Sequence[Any] = "origin",
     threshold: str = "0.5 deg",
-) -> Any:
+) -> PathReport:
     """Every singular pose on a path through given poses, proved complete, and numbers along it (a `PathReport`).
 
     `robot` and `about` are those of `pose`. `poses` is the name of a table as for `gcrules path --poses`, or two poses
@@ -320,7 +328,7 @@ def locus(
     rotation: str = "quaternion",
     about: str | Sequence[Any] = "origin",
     limit: int = 300,
-) -> Any:
+) -> Locus:
     """The polynomial whose zeros are the robot's singular poses, exact, with degrees and factors (a `Locus`).
 
     `robot` and `about` are those of `pose`. The variables are x, y, z, the translation, and those of the `rotation`:
@@ -342,7 +350,7 @@ def compiled(
     *,
     about: str | Sequence[Any] = "origin",
     engine: str | None = None,
-) -> Any:
+) -> CompiledCondition:
     """A condition compiled for many poses (a `CompiledCondition`): call it with arrays, it gives an array of values.
 
     `robot` is a platform with coordinates, its analysis, or the name of its geometry file; for the analysis of legs
@@ -367,7 +375,7 @@ def singular_map(
     measure: str = "closeness",
     work: str | PathLike[str] | None = None,
     restart: bool = False,
-) -> Any:
+) -> SingularMap:
     """The singular poses over two or three coordinates (a `SingularMap`): arrays, curves or a surface, and what is
     proved free of them.
 

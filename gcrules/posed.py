@@ -17,16 +17,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from os import PathLike
 from typing import Any
 
 from gcrules.algebra.evaluate import evaluate
-from gcrules.analysis import Analysis, analyze
+from gcrules.analysis import Analysis
 from gcrules.condition import Condition
 from gcrules.errors import EngineFault, InputError
+from gcrules.moving import Given, moving_robot
 from gcrules.nearest.poses import nearest_poses, nearest_translation
 from gcrules.numeric.arrays import from_poses, normalised_note, read_arrays
-from gcrules.numeric.asked import known_accuracy, one_pose, three
+from gcrules.numeric.asked import known_accuracy, one_pose
 from gcrules.numeric.causes import causes, near_causes, nearest_cause
 from gcrules.numeric.closeness import ROUNDING, closeness, noise
 from gcrules.numeric.cubic import superbracket_at
@@ -34,19 +34,18 @@ from gcrules.numeric.jacobian import jacobian
 from gcrules.numeric.many import PoseNumbers, homogeneous, numbers
 from gcrules.numeric.motion import dependence, exact_dependence, scaled, softest_twist
 from gcrules.numeric.nearest_pose import NearestPose
-from gcrules.numeric.pose import Pose, exact, parse_pose
+from gcrules.numeric.pose import Pose, parse_pose
 from gcrules.numeric.readings import readings
 from gcrules.numeric.report import PoseReading, PoseReport
-from gcrules.numeric.rig import Rig, rig
-from gcrules.numeric.threshold import DEFAULT, Threshold, parse_threshold
+from gcrules.numeric.rig import Rig
+from gcrules.numeric.threshold import DEFAULT, Threshold, threshold_of
 from gcrules.numeric.verdict import verdict as verdict_of
-from gcrules.robots.geometry import Platform, load_platform
 
 __all__ = ["pose", "report"]
 
 
 def pose(
-    robot: Platform | Analysis | str | PathLike[str],
+    robot: Given,
     at: Any = None,
     *,
     quaternion: Any = None,
@@ -59,15 +58,8 @@ def pose(
     nearest: bool = True,
 ) -> PoseReport | PoseNumbers:
     """The function of `gcrules.api`, which says what the arguments are. Poses may be `Pose`s too."""
-    analysis = _analysis(robot)
-    platform = analysis.platform
-    if platform is None:
-        raise InputError("the analysis is of legs without coordinates", hint="analyze a platform (load_platform)")
-    if not isinstance(threshold, (str, Threshold)):
-        raise InputError(f"the threshold {threshold!r} has no unit", hint='write threshold="2 deg" or "5 mm"')
-    centre = about if isinstance(about, str) else tuple(exact(c, "the centre") for c in three(about, "the centre"))
-    moving = rig(analysis.structure, platform, centre)
-    limit = parse_threshold(threshold, platform.units) if isinstance(threshold, str) else threshold
+    analysis, moving = moving_robot(robot, about)
+    limit = threshold_of(threshold, moving.unit)
     known = known_accuracy(accuracy, moving)
     if limit.length is not None and accuracy is not None and known:
         raise InputError(
@@ -79,22 +71,16 @@ def pose(
     if isinstance(at, (list, tuple)) and at and isinstance(at[0], (Pose, str)):
         if any(t is not None for t in turns.values()):
             raise InputError("poses that hold their turns, and a turn beside them")
-        poses = [p if isinstance(p, Pose) else parse_pose(p, platform.units) for p in at]
+        poses = [p if isinstance(p, Pose) else parse_pose(p, moving.unit) for p in at]
         arrays, notes = from_poses(poses), tuple(dict.fromkeys(n for p in poses for n in p.notes))
     else:
-        one = one_pose(at, turns, degrees, platform.units)
+        one = one_pose(at, turns, degrees, moving.unit)
         if one is not None:
             return report(analysis, moving, one, threshold=limit, accuracy=known, nearest=nearest)
         arrays = read_arrays(at, quaternions=quaternion, rotation_vectors=rotation_vector, euler=euler, degrees=degrees)
         notes = () if quaternion is None else normalised_note(quaternion)
     found = numbers(moving, (analysis.condition, *analysis.readings), arrays, limit, known)
     return replace(found, notes=notes)
-
-
-def _analysis(robot: Platform | Analysis | str | PathLike[str]) -> Analysis:
-    if isinstance(robot, Analysis):
-        return robot
-    return analyze(robot if isinstance(robot, Platform) else load_platform(robot))
 
 
 def report(

@@ -178,10 +178,10 @@ def _robot(words: tuple[str, ...], folders: tuple[str, ...]) -> Robot | None:
         return None
     from gcrules.robots.discovery import robots
     from gcrules.robots.model import Robot
+    from gcrules.robots.robot_file import describes_joints
 
     if path:
-        keys = {key.text for key, _ in Document.load(word).root.entries()}
-        return Robot.load(word, plugins=folders) if keys & {"limbs", "lines"} and "legs" not in keys else None
+        return Robot.load(word, plugins=folders) if describes_joints(Document.load(word)) else None
     known = {one.id for one in robots(folders)}
     return Robot.load(word, plugins=folders) if word in known or near(word, known) else None
 

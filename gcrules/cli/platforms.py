@@ -11,11 +11,10 @@ from gcrules.errors import FileError
 from gcrules.robots.as_platform import as_platform
 from gcrules.robots.geometry import Platform, load_platform, parse_platform
 from gcrules.robots.model import Robot
+from gcrules.robots.robot_file import describes_joints
 from gcrules.yamlfile import Document
 
 __all__ = ["centre", "read_either", "read_platform"]
-
-_OF_ROBOTS = ("limbs", "mobility", "lines")  # keys of robot files that geometry files do not have
 
 
 def read_platform(file: str, about: str | None) -> tuple[Platform, str]:
@@ -40,14 +39,14 @@ def read_either(file: str) -> Platform | Robot:
     """
     if file == "-":
         text = read_stdin()
-        if _is_robot(Document.parse(text, "<stdin>")):
+        if describes_joints(Document.parse(text, "<stdin>")):
             return Robot.parse(text, "<stdin>")
         return _warned(parse_platform(text, "<stdin>"))
     path = Path(file)
     if not path.suffix and len(path.parts) == 1 and not path.exists():
         return Robot.load(file)
     try:
-        robot = _is_robot(Document.load(file))
+        robot = describes_joints(Document.load(file))
     except FileError:  # said again, and better, by the reader of platforms
         robot = False
     return Robot.load(file) if robot else _warned(load_platform(file))
@@ -57,8 +56,3 @@ def _warned(platform: Platform) -> Platform:
     for warning in platform.warnings:
         click.echo(f"warning: {warning}", err=True)
     return platform
-
-
-def _is_robot(document: Document) -> bool:
-    root = document.root
-    return root.kind == "mapping" and any(key.text in _OF_ROBOTS for key, _ in root.entries())

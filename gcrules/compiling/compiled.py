@@ -17,7 +17,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -26,7 +25,7 @@ from numpy.typing import NDArray
 from gcrules.algebra.expr import Expr, points_of, rank_of
 from gcrules.algebra.syntax import Context, parse
 from gcrules.algebra.text import text as as_text
-from gcrules.analysis import Analysis, analyze
+from gcrules.analysis import Analysis
 from gcrules.compiling.batches import Batch, given_joints, given_poses, output
 from gcrules.compiling.engines import engine_named, runner
 from gcrules.compiling.tape import Program
@@ -35,10 +34,7 @@ from gcrules.compiling.vectors import of_expression, of_legs, of_polynomial
 from gcrules.condition import ONE
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
-from gcrules.numeric.asked import three
-from gcrules.numeric.pose import exact
-from gcrules.numeric.rig import rig
-from gcrules.robots.geometry import Platform, load_platform
+from gcrules.moving import Given, analysed, moving_robot
 
 __all__ = ["CompiledCondition", "compiled"]
 
@@ -110,7 +106,7 @@ class CompiledCondition:
 
 
 def compiled(
-    robot: Platform | Analysis | str | PathLike[str],
+    robot: Given,
     expression: str | Expr | None = None,
     *,
     about: str | Sequence[Any] = "origin",
@@ -118,10 +114,7 @@ def compiled(
 ) -> CompiledCondition:
     """The function of `gcrules.api`, which says what the arguments are."""
     chosen = engine_named(engine)
-    if isinstance(robot, Analysis):
-        analysis = robot
-    else:
-        analysis = analyze(robot if isinstance(robot, Platform) else load_platform(robot))
+    analysis = analysed(robot)
     structure = analysis.structure
     if structure.special or structure.stand_ins or structure.rank != 4:
         raise InputError("only legs between finite joints in space are compiled", hint="analyze a platform")
@@ -168,9 +161,7 @@ def _mechanism(analysis: Analysis, about: str | Sequence[Any]) -> tuple[Mechanis
     """The joints with their coordinates, and the unit; without a platform all joints move."""
     if analysis.platform is None:
         return Mechanism({}, analysis.structure.names, {}), ""
-    x, y, z = three(about, "the centre") if not isinstance(about, str) else (0, 0, 0)
-    centre = about if isinstance(about, str) else tuple(exact(c, "the centre") for c in (x, y, z))
-    moving = rig(analysis.structure, analysis.platform, centre)
+    _, moving = moving_robot(analysis, about)
     body = analysis.structure.platform
     arms = {n: _less(moving.points[n], moving.centre) for n in body}
     fixed = {n: p for n, p in moving.points.items() if n not in arms}

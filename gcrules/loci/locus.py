@@ -19,12 +19,10 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from os import PathLike
 from typing import Any
 
 from gcrules.algebra.evaluate import evaluate
-from gcrules.analysis import Analysis, analyze
-from gcrules.errors import EngineFault, InputError
+from gcrules.errors import EngineFault
 from gcrules.frozen import FrozenMap
 from gcrules.loci.expansion import Terms, expansion
 from gcrules.loci.factors import MAX_TERMS, primitive
@@ -32,13 +30,12 @@ from gcrules.loci.form import Form
 from gcrules.loci.known import rational_ring
 from gcrules.loci.report import Locus
 from gcrules.loci.variables import images, question
-from gcrules.numeric.asked import three
+from gcrules.moving import Given, moving_robot
 from gcrules.numeric.cubic import superbracket_at, translation_polynomial
-from gcrules.numeric.pose import Pose, exact
-from gcrules.numeric.rig import Rig, rig
+from gcrules.numeric.pose import Pose
+from gcrules.numeric.rig import Rig
 from gcrules.numeric.turns import Quaternion, Vector
 from gcrules.numeric.turns import rotation as matrix
-from gcrules.robots.geometry import Platform, load_platform
 
 __all__ = ["locus"]
 
@@ -47,7 +44,7 @@ CHECKS = 3  # poses of each kind
 
 
 def locus(
-    robot: Platform | Analysis | str | PathLike[str],
+    robot: Given,
     over: str | Sequence[str] | None = None,
     *,
     fix: str | Mapping[str, Any] | None = None,
@@ -57,11 +54,7 @@ def locus(
     limit: int = MAX_TERMS,
 ) -> Locus:
     """The function of `gcrules.api`, which says what the arguments are."""
-    analysis = robot if isinstance(robot, Analysis) else analyze(_platform(robot))
-    if analysis.platform is None:
-        raise InputError("the analysis is of legs without coordinates", hint="analyze a platform (load_platform)")
-    centre = about if isinstance(about, str) else tuple(exact(c, "the centre") for c in three(about, "the centre"))
-    moving = rig(analysis.structure, analysis.platform, centre)
+    analysis, moving = moving_robot(robot, about)
     asked = question(over, fix, at, rotation, moving.unit)
     ring = rational_ring(asked.free)
     shift, turn, norms = images(asked, ring)
@@ -88,10 +81,6 @@ def locus(
     )
     _check(found, shift, turn)
     return found
-
-
-def _platform(robot: Any) -> Platform:
-    return robot if isinstance(robot, Platform) else load_platform(robot)
 
 
 def _fraction(c: Any) -> Fraction:

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from gcrules import __version__
-from gcrules.analysis import Analysis, analyze
+from gcrules.analysis import Analysis
 from gcrules.compiling.compiled import compiled
 from gcrules.errors import InputError, LimitReached
 from gcrules.mapping.axes import Axis, read_axes
@@ -37,11 +37,8 @@ from gcrules.mapping.store import Folder, Memory, Store
 from gcrules.mapping.summary import Summary, summed, together
 from gcrules.mapping.tracing import polished, traced
 from gcrules.mapping.values import KINDS, Task
-from gcrules.numeric.asked import three
-from gcrules.numeric.pose import exact
-from gcrules.numeric.rig import rig
-from gcrules.numeric.threshold import DEFAULT, Threshold, parse_threshold
-from gcrules.robots.geometry import Platform, load_platform
+from gcrules.moving import Given, moving_robot
+from gcrules.numeric.threshold import DEFAULT, Threshold, angle_threshold
 
 __all__ = ["MEASURES", "bytes_of", "done", "planned", "singular_map"]
 
@@ -53,7 +50,7 @@ Told = Callable[[int, int], None]
 
 
 def singular_map(
-    robot: Platform | Analysis | str | PathLike[str],
+    robot: Given,
     over: Sequence[str | Axis],
     at: Any = None,
     *,
@@ -100,19 +97,14 @@ def planned(
     robot: Any, over: Any, at: Any, about: Any, limits: str | None, threshold: Any, measure: str
 ) -> tuple[Analysis, Task, Threshold]:
     """What is to be computed, all faults of the input told."""
-    analysis = robot if isinstance(robot, Analysis) else analyze(_platform(robot))
-    platform = analysis.platform
-    if platform is None:
-        raise InputError("the analysis is of legs without coordinates", hint="analyze a platform (load_platform)")
-    axes = read_axes(over, platform.units)
-    limit = _threshold(threshold, platform.units)
+    analysis, moving = moving_robot(robot, about)
+    axes = read_axes(over, moving.unit)
+    limit = angle_threshold(threshold, moving.unit, "in a map")
     if measure not in MEASURES:
         raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
-    centre = about if isinstance(about, str) else tuple(exact(c, "the centre") for c in three(about, "the centre"))
-    moving = rig(analysis.structure, platform, centre)
-    reached = parse_limits(limits, moving.names, platform.units) if limits is not None else None
+    reached = parse_limits(limits, moving.names, moving.unit) if limits is not None else None
     g = grid(moving, axes, at)
-    condition = compiled(analysis, about=centre)
+    condition = compiled(analysis, about=about)
     moved = g.turning is not None
     everywhere = vanishes(g) if moved else not slice_polynomial(g)
     task = Task(g, condition, measure, reached, None if moved else factors(g), everywhere)
@@ -123,19 +115,6 @@ def bytes_of(task: Task) -> int:
     """How many bytes the arrays of a map take on disk."""
     each: int = sum(np.dtype(KINDS[n]).itemsize * (6 if n == "leg_length" else 1) for n in task.names)
     return each * task.grid.size
-
-
-def _platform(robot: Any) -> Platform:
-    return robot if isinstance(robot, Platform) else load_platform(robot)
-
-
-def _threshold(given: str | Threshold, unit: str) -> Threshold:
-    if not isinstance(given, (str, Threshold)):
-        raise InputError(f"the threshold {given!r} has no unit", hint='write threshold="2 deg"')
-    found = parse_threshold(given, unit) if isinstance(given, str) else given
-    if found.angle is None:
-        raise InputError("in a map the threshold is an angle", hint="how far a leg may turn, as in 2deg")
-    return found
 
 
 def _manifest(task: Task) -> dict[str, Any]:

@@ -3,6 +3,7 @@ r"""What a user asks for in Python: one pose or many, the accuracy, a centre; to
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from gcrules.numeric.rig import Rig
 from gcrules.numeric.threshold import parse_length
 from gcrules.numeric.turns import IDENTITY, from_euler, from_vector
 
-__all__ = ["known_accuracy", "one_pose", "three"]
+__all__ = ["centre_of", "known_accuracy", "one_pose"]
 
 
 def known_accuracy(given: str | float | None, moving: Rig) -> float:
@@ -29,7 +30,12 @@ def known_accuracy(given: str | float | None, moving: Rig) -> float:
     return max(length, ROUNDING * moving.size)
 
 
-def three(numbers: Any, what: str) -> Sequence[Any]:
+def centre_of(about: str | Sequence[Any]) -> str | tuple[Fraction, ...]:
+    """A centre by its name, or its three exact coordinates."""
+    return about if isinstance(about, str) else tuple(exact(c, "the centre") for c in _three(about, "the centre"))
+
+
+def _three(numbers: Any, what: str) -> Sequence[Any]:
     """Three entries. Raises InputError for another number of them."""
     found = list(numbers) if hasattr(numbers, "__iter__") else [numbers]
     if len(found) != 3:
@@ -53,7 +59,7 @@ def one_pose(at: Any, turns: dict[str, Any], in_degrees: bool, unit: str) -> Pos
     if len(given) > 1:
         raise InputError("several kinds of turns", hint="give a quaternion, a rotation vector or Euler angles")
     shift = (0, 0, 0) if at is None else at
-    x, y, z = (exact(c, "the translation") for c in three(shift, "the translation"))
+    x, y, z = (exact(c, "the translation") for c in _three(shift, "the translation"))
     turn, notes = _turn(given, in_degrees)
     return Pose((x, y, z), turn, notes)
 
@@ -77,8 +83,8 @@ def _turn(given: dict[str, Any], in_degrees: bool) -> tuple[Any, tuple[str, ...]
         note = unit_note(q)
         return q, (note,) if note else ()
     if kind == "rotation_vector":
-        vector = [exact(c, "the rotation vector") for c in three(value, "the rotation vector")]
+        vector = [exact(c, "the rotation vector") for c in _three(value, "the rotation vector")]
         return from_vector(vector, degrees=in_degrees), ()
     sequence, angles = value
-    listed = [exact(c, "an angle") for c in three(angles, "a set of Euler angles")]
+    listed = [exact(c, "an angle") for c in _three(angles, "a set of Euler angles")]
     return from_euler(sequence, listed, degrees=in_degrees), ()

@@ -9,7 +9,7 @@ from fractions import Fraction
 from gcrules.errors import InputError
 from gcrules.numeric.pose import check_unit, read_number
 
-__all__ = ["DEFAULT", "Threshold", "degrees", "parse_length", "parse_threshold"]
+__all__ = ["DEFAULT", "Threshold", "angle_threshold", "degrees", "parse_length", "parse_threshold", "threshold_of"]
 
 _ANGLES = {"deg": math.pi / 180, "°": math.pi / 180, "rad": 1.0}
 
@@ -27,6 +27,23 @@ class Threshold:
 
 DEFAULT = Threshold(angle=math.radians(0.5), text="0.5 deg")
 """No leg turns by half a degree (an example; choose your own for a real robot)."""
+
+
+def threshold_of(given: str | Threshold, unit: str = "") -> Threshold:
+    """What a user gives as a threshold. Raises InputError for anything without a unit."""
+    if isinstance(given, Threshold):
+        return given
+    if not isinstance(given, str):
+        raise InputError(f"the threshold {given!r} has no unit", hint='write threshold="2 deg" or "5 mm"')
+    return parse_threshold(given, unit)
+
+
+def angle_threshold(given: str | Threshold, unit: str, where: str) -> Threshold:
+    """The same `where` only angles have a meaning ("in a map")."""
+    found = threshold_of(given, unit)
+    if found.angle is None:
+        raise InputError(f"{where} the threshold is an angle", hint="how far a leg may turn, as in 2deg")
+    return found
 
 
 def parse_threshold(text: str, unit: str = "") -> Threshold:

@@ -38,16 +38,24 @@ from gcrules.robots.robot_text import RobotText
 from gcrules.screws import JOINTS
 from gcrules.yamlfile import Document, Node, near
 
-__all__ = ["load_robot", "parse_robot"]
+__all__ = ["describes_joints", "load_robot", "parse_robot"]
 
 _REQUIRED = ("title", "points", "mobility")
 _OPTIONAL = (
     "source", "note", "copies", "space", "directions", "limbs", "lines", "platform", "facts", "home", "condition",
 )  # fmt: skip
+_OF_JOINTS = {"limbs", "lines", "mobility", "copies"}  # keys that geometry files do not have
 MAX_COPIES = 12
 MAX_NAMES = 120
 MAX_LIMBS = 12
 MAX_FREEDOMS = 12
+
+
+def describes_joints(document: Document) -> bool:
+    """Whether a robot file is meant and not a geometry file: no legs, and a key that only robot files have."""
+    root = document.root
+    keys = {key.text for key, _ in root.entries()} if root.kind == "mapping" else set()
+    return "legs" not in keys and not _OF_JOINTS.isdisjoint(keys)
 
 
 def load_robot(path: str | PathLike[str], owner: str = "") -> RobotText:

@@ -22,9 +22,11 @@ from gcrules.robots.discovery import robots
 from gcrules.robots.geometry import Platform, parse_platform
 from gcrules.robots.model import Robot
 from gcrules.robots.robot_analysis import RobotAnalysis
+from gcrules.robots.robot_file import describes_joints
+from gcrules.robots.robot_text import RobotText
 from gcrules.screws import RATIONALS
 from gcrules.studio.views import SourceJson
-from gcrules.yamlfile import near
+from gcrules.yamlfile import Document, near
 
 __all__ = ["Subject", "examples", "known_as", "read_subject"]
 
@@ -82,9 +84,7 @@ class Subject:
     def home(self) -> dict[str, list[float]]:
         """Coordinates of all points and directions of a robot at home."""
         assert self.robot is not None
-        robot = self.robot.robot
-        values = robot.values_at() if robot.home is not None else robot.family.member(1, RATIONALS)
-        return {n: [float(c) for c in v] for n, v in values.items()}
+        return {n: [float(c) for c in v] for n, v in _values(self.robot.robot).items()}
 
     @cached_property
     def mechanism(self) -> Mechanism:
@@ -185,17 +185,11 @@ def known_as(word: str) -> SourceJson | None:
 def _of_text(source: SourceJson, text: str, name: str) -> Subject:
     """A platform file or a robot file, told apart by what it begins to describe."""
     try:
-        if _is_robot(text):
+        if describes_joints(Document.parse(text, name)):
             return _of_limbs(source, Robot.parse(text, name))
         return _of_platform(source, parse_platform(text, name))
     except GcrulesError as fault:
         raise fault.located(text, name, Span(0, 1)) if fault.source is None else fault from None
-
-
-def _is_robot(text: str) -> bool:
-    """Whether a robot file is meant: limbs or lines, and no legs, among the keys of the first level."""
-    keys = {line.split(":")[0].strip() for line in text.splitlines() if line[:1].isalpha() and ":" in line}
-    return "legs" not in keys and bool(keys & {"limbs", "lines", "mobility", "copies"})
 
 
 def _of_platform(source: SourceJson, given: Platform, robot: RobotAnalysis | None = None) -> Subject:
@@ -228,9 +222,7 @@ def _with_rig(subject: Subject, structure: Structure, given: Platform) -> Subjec
 def _of_limbs(source: SourceJson, robot: Robot) -> Subject:
     """A robot; one whose limbs are six legs between joints that stay and joints of the platform moves as a platform."""
     found = robot.analyze(search=SEARCH)
-    family = robot.family
-    values = robot.values_at() if robot.home is not None else family.member(1, RATIONALS)
-    home = {n: _vector(v) for n, v in values.items() if family.sorts.get(n) == "point"}
+    home = {n: _vector(v) for n, v in _values(robot).items() if robot.family.sorts.get(n) == "point"}
     told = (robot.note, robot.source and f"Source: {robot.source}")
     note = " ".join(f"{words.rstrip('.')}." for words in told if words)
     legs = found.structure.legs
@@ -238,6 +230,11 @@ def _of_limbs(source: SourceJson, robot: Robot) -> Subject:
         points = {n: home[n] for leg in legs for n in leg}
         return _of_platform(source, Platform(legs, points, robot.title, note, filename=robot.filename), found)
     return Subject(source, robot.title, found.lines, FrozenMap(home), note, robot=found)
+
+
+def _values(robot: RobotText) -> Mapping[str, tuple[Fraction, ...]]:
+    """Coordinates at home; of some member of the family where the file gives no home."""
+    return robot.values_at() if robot.home is not None else robot.family.member(1, RATIONALS)
 
 
 _LEGS = {"UP*S", "SP*U", "SP*S"}
