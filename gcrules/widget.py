@@ -27,6 +27,12 @@ HOME = {"translation": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0]}
 _ZERO = 1e-9  # a closeness that is 0 within rounding
 
 
+def _module() -> str:
+    """The bundle of the viewer, a classic script, as the ES module that a notebook loads."""
+    code = files("gcrules.studio").joinpath("static", "viewer.js").read_text(encoding="utf-8")
+    return f"{code}\nexport default GcrulesViewer.widget;\n"
+
+
 class RobotWidget(anywidget.AnyWidget):
     """A robot in 3D. `pose` (shift and unit quaternion, scalar first) goes both ways; it may be set as text too.
 
@@ -34,7 +40,7 @@ class RobotWidget(anywidget.AnyWidget):
     `observe`; None for a robot with other limbs than six legs, which is shown at home.
     """
 
-    _esm = files("gcrules.studio").joinpath("static", "widget.js")
+    _esm = _module()
 
     scene = traitlets.Dict().tag(sync=True)
     pose = traitlets.Any().tag(sync=True)

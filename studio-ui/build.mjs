@@ -1,4 +1,4 @@
-// Bundles the page, the viewer and the notebook widget into gcrules/studio/static, which is committed.
+// Bundles the page and the viewer into gcrules/studio/static, which is committed.
 //   node build.mjs           writes the bundle
 //   node build.mjs --check   compares it with the committed one; exit 1 and the names of stale files
 //   node build.mjs --watch   writes it again at every change, with source maps
@@ -34,10 +34,9 @@ const common = {
 const bundles = (out) => [
   // the page of `gcrules studio`
   { ...common, entryPoints: { studio: "src/page/main.tsx" }, outdir: out, format: "esm" },
-  // the viewer by itself: a classic script that defines `GcrulesViewer` (module scripts do not load from file://)
+  // the viewer by itself: a classic script that defines `GcrulesViewer` (module scripts do not load from file://);
+  // gcrules/widget.py makes the module of the notebook widget of it
   { ...common, entryPoints: { viewer: "src/viewer/index.ts" }, outdir: out, format: "iife", globalName: "GcrulesViewer" },
-  // the notebook widget, an ES module with a default export
-  { ...common, entryPoints: { widget: "src/widget/index.ts" }, outdir: out, format: "esm" },
 ];
 
 function listed(folder, below = folder) {

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 import sympy
 from click.testing import CliRunner
+from commands import assert_refused
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -474,10 +475,7 @@ def test_the_command(tmp_path: Path) -> None:
     ],
 )
 def test_faults_of_the_command(arguments: tuple[str, ...], says: str) -> None:
-    done = run(str(EXAMPLES / "octahedral.yaml"), *arguments)
-    assert done.exit_code == 2
-    assert says in done.stderr
-    assert not done.stdout
+    assert_refused(run(str(EXAMPLES / "octahedral.yaml"), *arguments), 2, says)
 
 
 def test_undecided_factors_are_said() -> None:

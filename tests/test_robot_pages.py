@@ -20,6 +20,7 @@ import gcrules as gc
 from gcrules.cli import cli
 from gcrules.render import (
     bsp,
+    frame,
     labels,
     legend,
     robot_chain,
@@ -41,7 +42,7 @@ from gcrules.render.robot_drawing import draw_robot, draw_singular, robot_thumbn
 from gcrules.render.robot_pages import FIGURES, HEAD, robot_pages
 from gcrules.render.robot_poses import SingularPose, home_parameters, live_parts, singular_pose
 from gcrules.render.robot_roots import polynomial, rational_roots
-from gcrules.render.robot_symbols import Frame, sign
+from gcrules.render.robot_symbols import sign
 from gcrules.robots.checks import home_values
 from gcrules.robots.discovery import robots
 from gcrules.robots.parts import ranks
@@ -169,9 +170,9 @@ def test_the_small_drawing_has_no_words(analyses: dict[str, RobotAnalysis]) -> N
 def test_signs_of_joints(kind: str, eye: tuple[int, int]) -> None:
     """There is a sign for each kind of joint, from every side, that stays near its place."""
     axes = ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
-    frame = Frame(view.View.at(*eye), 100.0, (50.0, 50.0))
+    page = frame.Frame(view.View.at(*eye), 100.0, (50.0, 50.0))
     for driven in (False, True):
-        shapes = sign(Place(kind, (0.0, 0.0, 0.0), axes, driven), frame, "entity1")
+        shapes = sign(Place(kind, (0.0, 0.0, 0.0), axes, driven), page, "entity1")
         assert shapes
         svg = Drawing(100, 100, tuple(shapes)).svg()
         assert ("drive" in svg) == driven
@@ -186,7 +187,19 @@ def test_pages_do_not_depend_on_the_last_bit(pages: Pages, monkeypatch: pytest.M
     def shaken(function: Callable[..., float]) -> Callable[..., float]:
         return lambda *given: function(*given) * (1 + rng.choice((-2.3e-16, 0, 2.3e-16)))
 
-    modules = (bsp, labels, legend, solids, view, robot_chain, robot_drawing, robot_forces, robot_lines, robot_picture)
+    modules = (
+        bsp,
+        frame,
+        labels,
+        legend,
+        solids,
+        view,
+        robot_chain,
+        robot_drawing,
+        robot_forces,
+        robot_lines,
+        robot_picture,
+    )
     for module in (*modules, robot_scene, robot_sky, robot_symbols):
         for name in {"cos", "sin", "atan2", "hypot", "dist", "dot"} & vars(module).keys():
             monkeypatch.setattr(module, name, shaken(getattr(module, name)))

@@ -551,6 +551,17 @@ def test_saved_file_is_in_the_pose(page: Page) -> None:
     assert same["data"] == text
 
 
+def test_saved_file_of_a_robot_is_in_the_pose_too(root: Path, page: Page) -> None:
+    source = {"kind": "robot", "id": "octahedral"}
+    at_home = page.ask("save", source=source, pose=HOME, what="yaml")["data"]
+    assert at_home == (root / "plugins" / "octahedral" / "robot.yaml").read_text(encoding="utf-8")
+    pose = {"translation": [0.25, -0.5, 0.125], "quaternion": [0.9, 0.1, 0, 0.2]}
+    points = page.ask("pose", source=source, pose=pose)["points"]
+    moved = parse_platform(page.ask("save", source=source, pose=pose, what="yaml")["data"])
+    for name, place in moved.points.items():
+        assert [float(c) for c in place] == pytest.approx(points[name], abs=1e-8)
+
+
 LINES = """title: A platform as lines
 points: {A: free, B: free, C: free, a: free, b: free, c: free}
 lines: Aa Ab Bb Bc Cc Ca
@@ -1070,7 +1081,7 @@ BROKEN_FRAMES = {
 
 
 def hello(address: str) -> Any:
-    """One connection to a studio that runs, and its first answer."""
+    """One connection to a studio that runs, of a page that knows its token."""
     host, _, token = address.removeprefix("http://").partition("/?token=")
     return connect(f"ws://{host}/ws", origin=f"http://{host}", additional_headers={"Cookie": f"{COOKIE}={token}"})
 
@@ -1115,7 +1126,7 @@ def test_studio_runs_until_it_is_interrupted(tmp_path: Path) -> None:
     ("arguments", "words"),
     [
         (["ab cd"], "expected six"),
-        (["nowhere.yaml"], "cannot be read"),
+        (["nowhere.yaml"], "there is no such file"),
         (["ab af cb cd ed ef", "--port", "99999"], "99999"),
         (["-"], "mapping"),
     ],
@@ -1124,6 +1135,13 @@ def test_studio_refuses(arguments: list[str], words: str) -> None:
     done = CliRunner().invoke(cli, ["studio", "--no-browser", *arguments], input="nothing")
     assert done.exit_code == 2
     assert words in done.stderr
+
+
+def test_studio_refuses_what_a_page_could_not_send() -> None:
+    text = "legs: [ab]\n#" + "x" * 400_000
+    done = CliRunner().invoke(cli, ["studio", "--no-browser", "-"], input=text)
+    assert done.exit_code == 2
+    assert "more than 400,000 characters" in done.stderr
 
 
 def test_without_the_extra_it_is_said_how_to_get_it() -> None:

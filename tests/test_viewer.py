@@ -408,6 +408,21 @@ def test_points_are_where_they_are_seen_from(view: Open, renderer: str) -> None:
 
 
 @pytest.mark.browser
+def test_a_fit_leaves_free_what_the_host_covers(bare: Shown) -> None:
+    data = scene(OCTAHEDRAL)
+    tall = {**data, "points": {name: [x, y, 6 * z] for name, (x, y, z) in data["points"].items()}}
+    top = {}
+    for covered in (0, 120):
+        bare.run(
+            "viewer?.dispose(), viewer = GcrulesViewer.createViewer(document.getElementById('v'),"
+            f"{{ covered: () => {covered} }}), viewer.show({in_script(tall)}), viewer.setView('front'), 0"
+        )
+        bare.settled()
+        top[covered] = min(bare.place(name)[1] for name in "abcdef")
+    assert top[0] < 120 < top[120]
+
+
+@pytest.mark.browser
 @RENDERERS
 def test_the_drawing_is_seen(view: Open, renderer: str) -> None:
     """At a joint of the base the picture has its colour."""
@@ -528,7 +543,7 @@ def test_pictures(view: Open, renderer: str) -> None:
     shown.run("viewer.setMode('translate'); viewer.setTheme('dark')")
     png = base64.b64decode(shown.run("viewer.snapshot('png')").removeprefix("data:image/png;base64,"))
     assert png[:8] == b"\x89PNG\r\n\x1a\n"
-    assert int.from_bytes(png[16:20]), int.from_bytes(png[20:24]) == (1800, 1280)
+    assert (int.from_bytes(png[16:20]), int.from_bytes(png[20:24])) == (1800, 1280)
     assert len(png) > 20_000
     svg = shown.run("viewer.snapshot('svg')")
     assert svg.startswith("<svg")
@@ -759,7 +774,7 @@ MODEL = """async ([code, scene]) => {
 @pytest.mark.browser
 def test_the_widget_in_a_page(open_page: Open) -> None:
     shown = open_page("<!doctype html><meta charset=utf-8><title>cell</title>")
-    code = (STATIC / "widget.js").read_text(encoding="utf-8")
+    code = str(pytest.importorskip("gcrules.widget").RobotWidget._esm)
     shown.page.evaluate(MODEL, [code, scene(OCTAHEDRAL)])
     assert shown.page.locator(".gcx-unit").all_inner_texts() == [*["mm"] * 3, *["°"] * 3]
     slider = shown.page.get_by_role("slider", name="shift along z")

@@ -11,7 +11,7 @@ from gcrules.errors import FileError, InputError
 
 __all__ = ["studio"]
 
-_LARGEST = 400_000  # characters of a file
+_LARGEST = 400_000  # characters of a file, as many as a page may send
 _PORT = "The port, 8747 if not given; if it is taken, the next free one. 0 is any."
 
 
@@ -47,26 +47,16 @@ def studio(source: str | None, port: int | None, no_browser: bool) -> None:
 def _source(word: str) -> dict[str, str]:
     """What the word means: a file, an id, or legs. Faults show here, before a page is opened."""
     from gcrules.studio.subject import known_as, read_subject
+    from gcrules.yamlfile import read_text
 
     if word == "-":
         found = {"kind": "file", "text": read_stdin(), "name": "<stdin>"}
     elif os.path.isfile(word) or word.endswith((".yaml", ".yml")):
-        found = {"kind": "file", "text": _text(word), "name": os.path.basename(word)}
+        found = {"kind": "file", "text": read_text(word), "name": os.path.basename(word)}
     else:
         found = known_as(word) or {"kind": "legs", "legs": word}
+    if len(found.get("text", "")) > _LARGEST:
+        raise FileError(f"the file has more than {_LARGEST:,} characters", filename=found["name"])
     if found["kind"] != "class":
         read_subject(found)
     return found
-
-
-def _text(path: str) -> str:
-    try:
-        with open(path, encoding="utf-8-sig") as file:
-            text = file.read(_LARGEST + 1)
-    except UnicodeDecodeError:
-        raise FileError("this is not text in UTF-8", filename=path) from None
-    except OSError as fault:
-        raise FileError(f"cannot be read: {fault.strerror}", filename=path) from None
-    if len(text) > _LARGEST:
-        raise FileError(f"the file has more than {_LARGEST:,} characters", filename=path)
-    return text

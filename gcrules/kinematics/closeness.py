@@ -25,7 +25,7 @@ import numpy as np
 
 from gcrules.kinematics.chains import Chain
 from gcrules.kinematics.mechanism import Configuration, Mechanism
-from gcrules.kinematics.rigid import Floats
+from gcrules.kinematics.rigid import Floats, cross_matrix
 
 __all__ = ["Closeness", "closeness", "limb_closeness"]
 
@@ -83,8 +83,7 @@ def closeness(m: Mechanism, here: Configuration) -> Closeness:
         f, moment = wrenches[:, :3], wrenches[:, 3:]
         rows.append(np.concatenate([f, moment + np.cross(arm, f)], axis=1))
         owners += [place] * len(wrenches)
-        x, y, z = arm
-        velocity = np.concatenate([np.eye(3), np.array([[0, z, -y], [-z, 0, x], [y, -x, 0]])], axis=1)
+        velocity = np.concatenate([np.eye(3), -cross_matrix(arm)], axis=1)
         metric += velocity.T @ velocity
         if not m.firm[place]:
             metric[3:, 3:] += np.eye(3)

@@ -8,12 +8,12 @@ import numpy as np
 
 from gcrules.kinematics.rigid import Floats, exponential, rotation_vector
 
-__all__ = ["ANGLES", "COORDINATES", "LENGTHS", "SHIFTS", "TURNS", "VECTOR", "coordinates", "slopes", "wrapped"]
+__all__ = ["ANGLES", "COORDINATES", "SHIFTS", "TURNS", "VECTOR", "coordinates", "slopes", "wrapped"]
 
 SHIFTS = ("x", "y", "z")
 TURNS = ("roll", "pitch", "yaw")
 VECTOR = ("rx", "ry", "rz")
-LENGTHS, ANGLES = frozenset(SHIFTS), frozenset((*TURNS, *VECTOR))
+ANGLES = frozenset((*TURNS, *VECTOR))
 COORDINATES = (*SHIFTS, *TURNS, *VECTOR)
 """`x`, `y`, `z` shift the point of the platform that is at the centre at home; `roll`, `pitch`, `yaw` turn it about the
 fixed axes x, then y, then z; `rx`, `ry`, `rz` are the rotation vector. Angles are in radians, all from home."""

@@ -12,14 +12,11 @@ from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.text import text
 from gcrules.kinematics.rigid import Floats
 from gcrules.numeric.extensors import coordinates
-from gcrules.robots.parts import Part
+from gcrules.robots.parts import ASIDE, Part
 from gcrules.robots.relations import Term
 from gcrules.robots.robot_analysis import RobotAnalysis
 
-__all__ = ["LIVE", "Factor", "factors"]
-
-LIVE = frozenset(("actuation", "constraint", "mixed", "not met"))
-"""Kinds of factors whose zeros are singularities of the robot."""
+__all__ = ["Factor", "factors"]
 
 
 @dataclass(frozen=True)
@@ -37,7 +34,7 @@ class Factor:
     @property
     def live(self) -> bool:
         """Whether its zeros are singularities of the robot."""
-        return self.kind in LIVE
+        return self.kind not in ASIDE
 
     def to_json(self) -> dict[str, Any]:
         return {

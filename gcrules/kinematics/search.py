@@ -107,13 +107,16 @@ def _least(
 
     a, b = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
     one, two = at(a), at(b)
+    at_a, at_b = value(one), value(two)
     for _ in range(_MOST):
-        if value(one) < value(two):
-            high, b, two = b, a, one
+        if at_a < at_b:
+            high, b, two, at_b = b, a, one, at_a
             a = high - _GOLDEN * (high - low)
             one = at(a)
+            at_a = value(one)
         else:
-            low, a, one = a, b, two
+            low, a, one, at_a = a, b, two, at_b
             b = low + _GOLDEN * (high - low)
             two = at(b)
-    return (a, one) if value(one) < value(two) else (b, two)
+            at_b = value(two)
+    return (a, one) if at_a < at_b else (b, two)

@@ -15,7 +15,7 @@ import numpy as np
 
 from gcrules.errors import InputError
 from gcrules.kinematics.chains import chain_of
-from gcrules.kinematics.coordinates import coordinates, slopes, wrapped
+from gcrules.kinematics.coordinates import SHIFTS, coordinates, slopes, wrapped
 from gcrules.kinematics.fixed import unfixed
 from gcrules.kinematics.mechanism import Configuration, Mechanism
 from gcrules.kinematics.riders import disagreement, moved, off_relations
@@ -24,11 +24,9 @@ from gcrules.kinematics.stops import stopped
 from gcrules.kinematics.wanted import Wanted
 from gcrules.rules.listing import listed
 
-__all__ = ["ACCURACY", "Course", "Solution", "check_wanted", "free_coordinates", "goal", "solve"]
+__all__ = ["Course", "Solution", "check_wanted", "free_coordinates", "goal", "solve"]
 
-ACCURACY = 1e-9
-"""How far loops may be open and names off their relations, in parts of the robot's size."""
-
+_ACCURACY = 1e-9  # how far loops may be open, in parts of the robot's size
 _ENOUGH = 1e-13
 _ITERATIONS = 14
 _FARTHEST = 0.5  # of a joint in one step: rad, or parts of the robot's size
@@ -81,7 +79,7 @@ class Course:
         w = self.wanted
         if w.driven:
             return np.array([1.0 if a.angle else self.m.size for a in self.m.actuators])
-        return np.array([self.m.size if n in ("x", "y", "z") else 1.0 for n in w.names])
+        return np.array([self.m.size if n in SHIFTS else 1.0 for n in w.names])
 
     @property
     def length(self) -> float:
@@ -162,7 +160,7 @@ def _closed(course: Course, here: Configuration, part: float) -> tuple[Configura
         open_, wanted_off = _gaps(links, here, m), course.error(part, here, links, amounts)
         r = np.concatenate([open_, wanted_off])
         size = float(np.linalg.norm(r))
-        if size <= _ENOUGH or (size <= ACCURACY / 100 and size >= best / 4):
+        if size <= _ENOUGH or (size <= _ACCURACY / 100 and size >= best / 4):
             return _configuration(m, here, links, amounts, float(np.abs(open_).max(initial=0.0))), iteration
         if size > 4 * best or not np.isfinite(size):
             break

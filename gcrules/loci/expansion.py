@@ -26,6 +26,7 @@ from gcrules.algebra.expr import permutation_sign
 from gcrules.frozen import FrozenMap
 from gcrules.numeric.cubic import EXPONENTS, interpolated
 from gcrules.numeric.rig import Rig
+from gcrules.numeric.turns import unscaled
 
 __all__ = ["Terms", "expansion"]
 
@@ -85,11 +86,7 @@ def _turns(arms: Sequence[Whole]) -> tuple[Any, dict[tuple[int, ...], Any]]:
     from sympy.polys.rings import ring
 
     _, w, x, y, z = ring("e0,e1,e2,e3", ZZ)
-    rows = (
-        (w**2 + x**2 - y**2 - z**2, 2 * (x * y - w * z), 2 * (x * z + w * y)),
-        (2 * (x * y + w * z), w**2 - x**2 + y**2 - z**2, 2 * (y * z - w * x)),
-        (2 * (x * z - w * y), 2 * (y * z + w * x), w**2 - x**2 - y**2 + z**2),
-    )
+    rows = unscaled((w, x, y, z))
     vectors: dict[tuple[int, ...], Whole] = {(i,): b for i, b in enumerate(arms)}
     vectors |= {(i, j): _cross(arms[i], arms[j]) for i in range(6) for j in range(6) if i != j}
     return w**2 + x**2 + y**2 + z**2, {key: tuple(_dot(row, v) for row in rows) for key, v in vectors.items()}

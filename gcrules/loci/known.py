@@ -10,6 +10,7 @@ from gcrules.loci.factors import Candidate, divided, primitive
 from gcrules.loci.form import Form
 from gcrules.loci.variables import Question, images
 from gcrules.numeric.rig import Rig
+from gcrules.numeric.turns import unscaled
 
 __all__ = ["candidates", "rational_ring", "whole_ring"]
 
@@ -55,11 +56,7 @@ def _places(rig: Rig, question: Question, ring: Any) -> Iterator[tuple[str, tupl
     """Each joint's coordinates times its weight, and that weight: |e|² for those of the platform, else 1."""
     shift, (w, x, y, z), _ = images(question, ring)
     norm = w * w + x * x + y * y + z * z
-    rows = (
-        (w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
-        (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
-        (2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z),
-    )
+    rows = unscaled((w, x, y, z))
     for n, p in rig.points.items():
         at = [ring.domain(c.numerator, c.denominator) for c in p]
         if rig.structure.sides[n] != "platform":

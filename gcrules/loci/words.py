@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from gcrules.errors import LimitReached
 from gcrules.loci.variables import TRANSLATION
+from gcrules.render.tables import WIDTH, table
 
 if TYPE_CHECKING:
     from gcrules.loci.report import Factor, Locus
@@ -16,8 +17,6 @@ __all__ = ["as_text"]
 SHOWN = 40
 """Polynomials of more terms are not printed with the summary."""
 
-WIDTH = 100
-
 
 def as_text(found: Locus, *, unicode: bool = False) -> str:
     """The summary, and the polynomial P where it is short."""
@@ -26,7 +25,7 @@ def as_text(found: Locus, *, unicode: bool = False) -> str:
         what = "each of these poses is singular"
         if found.question.whole:
             what = "every pose is singular, so the robot is architecturally singular"
-        return "\n".join([f"The polynomial of the singular poses is 0: {what}.", "", *_table([*rows, _checked(found)])])
+        return "\n".join([f"The polynomial of the singular poses is 0: {what}.", "", *table([*rows, _checked(found)])])
     times = "·" if unicode else "*"
     coefficient = f"({found.coefficient}) {times} P" if found.coefficient != 1 else "P"
     norm = f" {times} ".join(f"({n})^3" for n in found.norms)
@@ -42,12 +41,7 @@ def as_text(found: Locus, *, unicode: bool = False) -> str:
         end = "P is long: --export sympy (or maple, singular), --json or --latex prints it."
     else:
         end = fill(f"P = {found.form}", WIDTH, subsequent_indent="    ", break_long_words=False)
-    return "\n".join([head, "", *_table(rows), "", end])
-
-
-def _table(rows: list[tuple[str, str]]) -> list[str]:
-    indent = " " * 11
-    return [fill(f"{name:<11}{words}", WIDTH, subsequent_indent=indent, break_long_words=False) for name, words in rows]
+    return "\n".join([head, "", *table(rows), "", end])
 
 
 def _count(n: int, what: str) -> str:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from gcrules.mapping.bernstein import coefficients, corners, halves, tolerance
 from gcrules.mapping.slices import Factor
 
-__all__ = ["CROSSED", "FREE", "MEANINGS", "UNDECIDED", "certified", "open_cells"]
+__all__ = ["CROSSED", "FREE", "MEANINGS", "UNDECIDED", "block_error", "certified", "open_cells"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -37,7 +37,7 @@ def certified(
     for f in factors:
         cells, b = open_cells(f, first, shape, reach)
         place = tuple((cells - np.array(first)).T)
-        found[place] = _worst(found[place], _one(f, cells, b, _error(f, reach)))
+        found[place] = _worst(found[place], _one(f, cells, b, block_error(f, reach)))
     return found
 
 
@@ -52,7 +52,7 @@ def open_cells(
     kept = [(np.zeros((0, axes), dtype=np.int64), np.zeros((0, *[4] * axes)))]
     for start in range(0, len(cells), _BLOCK):
         blocks = cells[start : start + _BLOCK]
-        kept.append(_opened(blocks, coefficients(f.tensor, blocks, width), width, first, shape, _error(f, reach)))
+        kept.append(_opened(blocks, coefficients(f.tensor, blocks, width), width, first, shape, block_error(f, reach)))
     return np.concatenate([c for c, _ in kept]), np.concatenate([b for _, b in kept])
 
 
@@ -78,8 +78,8 @@ def _opened(
     return cells, b
 
 
-def _error(f: Factor, reach: tuple[int, ...]) -> float:
-    """That of blocks too, which may stand out of the box."""
+def block_error(f: Factor, reach: tuple[int, ...]) -> float:
+    """What a coefficient may be off by; that of blocks too, which may stand out of the box."""
     return tolerance(f.tensor, tuple(r + 16 for r in reach))
 
 

@@ -40,6 +40,11 @@ class Limits:
         """Which poses keep to the limits, lengths (…, 6)."""
         return np.asarray(((lengths >= self.low) & (lengths <= self.high)).all(axis=-1))
 
+    def margin(self, lengths: NDArray[Any]) -> NDArray[np.float64]:
+        """By how much poses keep to the limits, lengths (…, 6); below 0: not. Finite where there are no limits too."""
+        high = np.where(np.isfinite(self.high), self.high, 1e300)
+        return np.asarray(np.minimum(lengths - np.array(self.low), high - lengths).min(axis=-1))
+
     @property
     def text(self) -> str:
         parts = []

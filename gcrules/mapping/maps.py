@@ -142,14 +142,16 @@ def _manifest(task: Task) -> dict[str, Any]:
 def _computed(task: Task, store: Store, limit: Threshold, tell: Told) -> Summary:
     assert limit.angle is not None
     sigma = float(2 * np.sin(min(limit.angle, np.pi) / 2))
-    parts = []
+    parts: list[Summary] = []
+    poses = 0
     for n in range(task.number):
         chunk = store.get(n)
         if chunk is None:
             chunk = task.compute(n)
             store.put(n, chunk)
         parts.append(summed(chunk, task, n, sigma))
-        tell(sum(p.poses for p in parts), task.grid.size)
+        poses += parts[-1].poses
+        tell(poses, task.grid.size)
     return together(parts)
 
 

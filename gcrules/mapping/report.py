@@ -106,10 +106,13 @@ class SingularMap:
     def chunks(self) -> Iterator[tuple[int, Chunk]]:
         """The first layer of each chunk, and its arrays."""
         for n in range(self.task.number):
-            chunk = self.store.get(n)
-            if chunk is None:
-                raise EngineFault(f"chunk {n} of the map is gone")
-            yield self.task.span(n)[0], chunk
+            yield self.task.span(n)[0], self._chunk(n)
+
+    def _chunk(self, n: int) -> Chunk:
+        chunk = self.store.get(n)
+        if chunk is None:
+            raise EngineFault(f"chunk {n} of the map is gone")
+        return chunk
 
     def values(self, name: str) -> NDArray[Any]:
         """One array over the whole grid. Raises LimitReached where it is too large to be in memory."""
@@ -161,10 +164,7 @@ class SingularMap:
         found = []
         for n in range(first // self.task.layers, -(-last // self.task.layers)):
             start, stop = self.task.span(n)
-            chunk = self.store.get(n)
-            if chunk is None:
-                raise EngineFault(f"chunk {n} of the map is gone")
-            found.append(chunk["superbracket"][max(first - start, 0) : min(last, stop) - start])
+            found.append(self._chunk(n)["superbracket"][max(first - start, 0) : min(last, stop) - start])
         return np.concatenate(found)
 
     def allows(self, coordinates: Floats) -> NDArray[np.bool_]:

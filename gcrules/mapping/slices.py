@@ -7,7 +7,7 @@ or cubes with whole corners and the numbers stay small.
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -21,7 +21,7 @@ from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.mapping.axes import TRANSLATION
 from gcrules.mapping.grid import Grid
-from gcrules.numeric.cubic import Cubic, superbracket_at, translation_polynomial
+from gcrules.numeric.cubic import superbracket_at, translation_polynomial
 from gcrules.numeric.pose import Pose
 
 __all__ = ["MEMBERS", "Factor", "Polynomial", "factors", "middle", "slice_polynomial", "vanishes"]
@@ -32,6 +32,9 @@ MEMBERS = 8
 
 Polynomial = Mapping[tuple[int, ...], Fraction]
 """Exponents for each axis: coefficient other than 0."""
+
+Line = tuple[int | None, Fraction, Fraction]
+"""What a variable is replaced by: the number k of a new one (or none), the constant, and the multiple of k."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +86,8 @@ def slice_polynomial(g: Grid) -> Polynomial:
     """The superbracket in the axes' coordinates (in their unit); exact. All axes are translations."""
     r = g.rig
     size = max(abs(c) for p in r.points.values() for c in p)
-    for n in range(4):  # a pose in which every leg has a length; which one does not matter
+    # A pose in which every leg has a length, whichever: each of the six has none in one translation at most.
+    for n in range(7):
         start = [c + size * Fraction(n, d) for c, d in zip(g.at.translation, (7, 11, 13), strict=True)]
         try:
             points = r.exact(Pose((start[0], start[1], start[2]), g.at.quaternion))
@@ -91,20 +95,22 @@ def slice_polynomial(g: Grid) -> Polynomial:
         except InputError:
             continue
     f = translation_polynomial(r.structure.legs, points, r.structure.platform, size)
-    lines = []
+    lines: list[Line] = []
     for name, here, there in zip(TRANSLATION, g.at.translation, start, strict=True):
         k = next((i for i, a in enumerate(g.axes) if a.name == name), None)
-        lines.append((k, -there if k is not None else here - there))
-    return _substituted(f, lines, len(g.axes))
+        lines.append((k, -there if k is not None else here - there, Fraction(1)))
+    return _substituted(f.coefficients, lines, len(g.axes))
 
 
-def _substituted(f: Cubic, lines: list[tuple[int | None, Fraction]], number: int) -> Polynomial:
-    """f with each variable replaced by a constant, or by one of `number` new variables plus a constant."""
+def _substituted(
+    p: Polynomial | Mapping[tuple[int, int, int], Fraction], lines: Sequence[Line], number: int
+) -> Polynomial:
+    """p with each variable replaced by a constant, or by a multiple of one of `number` new ones plus a constant."""
     found: dict[tuple[int, ...], Fraction] = {}
-    for exponents, c in f.coefficients.items():
+    for exponents, c in p.items():
         terms = {(0,) * number: c}
-        for (k, constant), e in zip(lines, exponents, strict=True):
-            terms = _times(terms, k, constant, Fraction(1), e)
+        for (k, constant, slope), e in zip(lines, exponents, strict=True):
+            terms = _times(terms, k, constant, slope, e)
         for key, value in terms.items():
             found[key] = found.get(key, Fraction(0)) + value
     return {e: c for e, c in found.items() if c}
@@ -162,12 +168,5 @@ def factors(g: Grid) -> tuple[Factor, ...]:
 
 
 def _in_nodes(p: Polynomial, g: Grid) -> Polynomial:
-    found: dict[tuple[int, ...], Fraction] = {}
-    lines = [(a.start + m * a.step, a.step) for a, m in zip(g.axes, middle(g), strict=True)]
-    for exponents, c in p.items():
-        terms = {(0,) * len(lines): c}
-        for k, ((constant, slope), e) in enumerate(zip(lines, exponents, strict=True)):
-            terms = _times(terms, k, constant, slope, e)
-        for key, value in terms.items():
-            found[key] = found.get(key, Fraction(0)) + value
-    return {e: c for e, c in found.items() if c}
+    lines = [(k, a.start + m * a.step, a.step) for k, (a, m) in enumerate(zip(g.axes, middle(g), strict=True))]
+    return _substituted(p, lines, len(g.axes))

@@ -14,7 +14,7 @@ import shutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -86,7 +86,7 @@ class Folder:
                 hint="--restart begins anew; or give the map another name",
             )
         try:
-            _replace(note, json.dumps(dict(manifest), indent=1).encode())
+            _replace(note, lambda file: file.write(json.dumps(dict(manifest), indent=1).encode()))
         except OSError as fault:
             raise written(fault, path) from None
         return Folder(folder, names, lock)
@@ -99,15 +99,8 @@ class Folder:
             return None
 
     def put(self, chunk: int, arrays: Chunk) -> None:
-        target = self._file(chunk)
-        temporary = target.with_name(f"{_PREFIX}{os.getpid()}-{target.name}")
         try:
-            try:
-                with temporary.open("wb") as file:
-                    np.savez(file, **dict[str, Any](arrays))
-                os.replace(temporary, target)
-            finally:
-                temporary.unlink(missing_ok=True)
+            _replace(self._file(chunk), lambda file: np.savez(file, **dict[str, Any](arrays)))
         except OSError as fault:
             raise written(fault, str(self.path)) from None
 
@@ -188,10 +181,12 @@ class _Lock:
     __del__ = close
 
 
-def _replace(target: Path, data: bytes) -> None:
+def _replace(target: Path, write: Callable[[BinaryIO], object]) -> None:
+    """A file that appears complete or not at all."""
     temporary = target.with_name(f"{_PREFIX}{os.getpid()}-{target.name}")
     try:
-        temporary.write_bytes(data)
+        with temporary.open("wb") as file:
+            write(file)
         os.replace(temporary, target)
     finally:
         temporary.unlink(missing_ok=True)

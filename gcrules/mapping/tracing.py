@@ -14,8 +14,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.mapping.bernstein import corners, halves, tolerance
-from gcrules.mapping.cells import open_cells
+from gcrules.mapping.bernstein import corners, halves
+from gcrules.mapping.cells import block_error, open_cells
 from gcrules.mapping.joining import Arcs
 from gcrules.mapping.slices import Factor
 
@@ -38,7 +38,7 @@ def traced(f: Factor, shape: tuple[int, ...], middle: tuple[int, ...]) -> Arcs:
     """The arcs of f = 0 over a grid of nodes of this shape; places are counted in nodes, 0 the first one."""
     found = []
     reach = tuple(max(m, n - 1 - m) for m, n in zip(middle, shape, strict=True))
-    error = tolerance(f.tensor, tuple(r + 16 for r in reach))  # as in `open_cells`
+    error = block_error(f, reach)
     cells, b = open_cells(f, (-middle[0], -middle[1]), (shape[0] - 1, shape[1] - 1), reach)
     for start in range(0, len(cells), _BLOCK):
         part = slice(start, start + _BLOCK)

@@ -2,22 +2,20 @@ r"""A map as plain text: what was computed, what is singular, what is proved."""
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Iterator
 
 from gcrules.mapping.report import SingularMap
+from gcrules.render.tables import ASCII, table
 
 __all__ = ["as_text"]
 
-WIDTH = 100
 _MOST = 12
-_ASCII = str.maketrans({"σ": "sigma", "°": " deg", "∧": "/\\", "∨": "\\/", "≤": "<=", "×": "x", "−": "-"})
 
 
 def as_text(m: SingularMap, *, unicode: bool = False) -> str:
     """The whole text; without `unicode` in ASCII."""
     found = "\n".join(_lines(m))
-    return found if unicode else found.translate(_ASCII)
+    return found if unicode else found.translate(ASCII)
 
 
 def _lines(m: SingularMap) -> Iterator[str]:
@@ -37,19 +35,8 @@ def _lines(m: SingularMap) -> Iterator[str]:
     rows += list(_found(m))
     rows.append(("proof", m.guarantee + "."))
     rows += [("note", note) for note in m.notes]
-    width = max(len(name) for name, _ in rows)
-    before = ""
-    for name, value in rows:
-        head = "" if name == before else name
-        before = name
-        yield from textwrap.wrap(
-            value,
-            WIDTH,
-            initial_indent=f"{head:<{width}}  ",
-            subsequent_indent=" " * (width + 2),
-            break_long_words=False,
-            break_on_hyphens=False,
-        )
+    before = ["", *(name for name, _ in rows)]
+    yield from table([("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)])
 
 
 def _found(m: SingularMap) -> Iterator[tuple[str, str]]:
@@ -65,14 +52,11 @@ def _found(m: SingularMap) -> Iterator[tuple[str, str]]:
         listed = f"{len(m.curves)} ({closed} closed){reached}" if m.curves else "none"
         yield "curves", listed
         if m.factors is None and not m.everywhere:
-            yield "accuracy", _signs("curves are", "cell")
-
-
-def _signs(what: str, size: str) -> str:
-    return (
-        f"{what} traced from the signs at the nodes, zeros on edges found by halving; pieces smaller than a {size} "
-        "may be missed, but in undecided cells only"
-    )
+            yield (
+                "accuracy",
+                "curves are traced from the signs at the nodes, zeros on edges found by halving; pieces smaller than a "
+                "cell may be missed, but in undecided cells only",
+            )
 
 
 def _share(part: int, whole: int) -> str:

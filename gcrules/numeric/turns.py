@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
+from typing import Any
 
 from gcrules.errors import InputError
 
@@ -23,6 +24,7 @@ __all__ = [
     "product",
     "rotation",
     "short",
+    "unscaled",
 ]
 
 Quaternion = tuple[Fraction, Fraction, Fraction, Fraction]
@@ -48,12 +50,18 @@ def product(p: Quaternion, q: Quaternion) -> Quaternion:
 
 def rotation(q: Quaternion) -> Matrix:
     """The matrix of a quaternion (w, x, y, z) of any length other than 0, exactly orthogonal."""
+    n = sum(c * c for c in q)
+    first, second, third = ((a / n, b / n, c / n) for a, b, c in unscaled(q))
+    return first, second, third
+
+
+def unscaled(q: Sequence[Any]) -> tuple[tuple[Any, Any, Any], ...]:
+    """|q|² times the matrix of a quaternion, whose components may be of any ring."""
     w, x, y, z = q
-    n = w * w + x * x + y * y + z * z
     return (
-        ((w * w + x * x - y * y - z * z) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n),
-        (2 * (x * y + w * z) / n, (w * w - x * x + y * y - z * z) / n, 2 * (y * z - w * x) / n),
-        (2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n),
+        (w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
+        (2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z),
     )
 
 

@@ -30,7 +30,7 @@ from gcrules.errors import EngineFault, InputError
 from gcrules.numeric.cubic import whole_determinant
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.rig import Rig
-from gcrules.numeric.turns import Quaternion, Vector
+from gcrules.numeric.turns import Quaternion, Vector, unscaled
 from gcrules.paths.roots import integers
 
 __all__ = ["Segment", "segments"]
@@ -135,11 +135,7 @@ class Segment:
         joints, (c0, c1), (q0, q1) = whole
         w, x, y, z = (a + s * (b - a) for a, b in zip(q0, q1, strict=True))
         n = w * w + x * x + y * y + z * z
-        turn = (  # n R
-            (w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
-            (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
-            (2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z),
-        )
+        turn = unscaled((w, x, y, z))  # n R
         centre = [n * (a + s * (b - a)) for a, b in zip(c0, c1, strict=True)]
         sides = self.rig.structure.sides
         places = {}  # all n times the point

@@ -211,8 +211,7 @@ def _limits(m: SingularMap, axes: Any, handles: list[Any]) -> None:
     x, y = (np.linspace(float(a.start), float(a.stop), min(300, 2 * a.number)) for a in m.grid.axes)
     places = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
     lengths = np.linalg.norm(m.grid.ends(places) - m.grid.rig.base, axis=2)
-    high = np.where(np.isfinite(m.limits.high), m.limits.high, 1e300)
-    margin = np.minimum(lengths - np.array(m.limits.low), high - lengths).min(axis=1).reshape(len(x), len(y)).T
+    margin = m.limits.margin(lengths).reshape(len(x), len(y)).T
     if margin.min() >= 0:
         return
     low = [float(margin.min()) - 1, 0.0]

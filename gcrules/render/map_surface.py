@@ -87,8 +87,7 @@ def _margin(m: SingularMap, mesh: Mesh) -> Floats:
     if m.limits is None:
         return np.ones(len(mesh.vertices))
     lengths = np.linalg.norm(m.grid.ends(mesh.vertices) - m.grid.rig.base, axis=2)
-    high = np.where(np.isfinite(m.limits.high), m.limits.high, 1e300)
-    return np.asarray(np.minimum(lengths - np.array(m.limits.low), high - lengths).min(axis=1))
+    return m.limits.margin(lengths)
 
 
 def _rendered(mesh: Mesh, places: Floats, normals: Floats, margin: Floats, half: float) -> Bytes:

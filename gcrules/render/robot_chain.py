@@ -10,38 +10,21 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from math import atan2, cos, dist, sin
+from typing import SupportsFloat
 
 from gcrules.render.bsp import XYZ, cross, dot, minus
+from gcrules.render.frame import Unit
 from gcrules.render.solids import center
 from gcrules.robots.family import Family
 from gcrules.robots.limbs import JointText, LimbText
 from gcrules.robots.relations import Term, Values
 
-__all__ = ["Chain", "Place", "Stroke", "Unit", "chains", "number", "plus", "unit_vector"]
+__all__ = ["Chain", "Place", "Stroke", "chains", "plus", "unit_vector"]
 
 _SPHERE = 1.0
 _RAIL = 0.3
 _BAR = 0.075  # half the distance of the bars of a parallelogram
 _SLEEVE = 0.42  # where on a link its sleeve is
-
-
-@dataclass(frozen=True, slots=True)
-class Unit:
-    """A ball around the robot: the origin is its middle, its radius is 1."""
-
-    middle: XYZ
-    radius: float
-
-    @classmethod
-    def of(cls, points: Sequence[XYZ]) -> Unit:
-        """The ball around the mean of points."""
-        middle = center(points)
-        return cls(middle, max((dist(p, middle) for p in points), default=0.0) or 1.0)
-
-    def place(self, p: Sequence[object]) -> XYZ:
-        """A point in this unit."""
-        x, y, z = ((number(c) - m) / self.radius for c, m in zip(p, self.middle, strict=True))
-        return x, y, z
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,11 +57,6 @@ class Chain:
     head: XYZ = (0.0, 0.0, 0.0)
 
 
-def number(value: object) -> float:
-    """A Fraction or number as a float."""
-    return float(value)  # type: ignore[arg-type]
-
-
 def plus(p: XYZ, u: XYZ, s: float = 1.0) -> XYZ:
     """p + s·u."""
     return p[0] + s * u[0], p[1] + s * u[1], p[2] + s * u[2]
@@ -106,13 +84,13 @@ def chains(family: Family, limbs: Sequence[LimbText], values: Values) -> tuple[U
     return unit, [_Builder(unit, family, values, limb, center(ground) if ground else None).chain() for limb in limbs]
 
 
-def _xyz(v: Sequence[object]) -> XYZ:
-    x, y, z = map(number, v)
+def _xyz(v: Sequence[SupportsFloat]) -> XYZ:
+    x, y, z = map(float, v)
     return x, y, z
 
 
-def _sum(term: Term, values: Values) -> tuple[float, float, float]:
-    x, y, z = (sum(float(c) * number(values[n][i]) for c, n in term) for i in range(3))
+def _sum(term: Term, values: Values) -> XYZ:
+    x, y, z = (sum(float(c) * float(values[n][i]) for c, n in term) for i in range(3))
     return x, y, z
 
 

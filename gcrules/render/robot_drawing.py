@@ -20,7 +20,7 @@ from gcrules.render.drawing import (
 )
 from gcrules.render.figures import free_name
 from gcrules.render.robot_chain import plus, unit_vector
-from gcrules.render.robot_entities import Entity, entities, far_directions, meeting
+from gcrules.render.robot_entities import Entity, common_normal, entities, far_directions, meeting
 from gcrules.render.robot_legend import SAMPLE, SIZE, Entry, entry_rows, entry_width, robot_legend
 from gcrules.render.robot_lines import (
     Motion,
@@ -144,22 +144,12 @@ def _sky(s: Scene, pose: SingularPose | None) -> list[Shape]:
         if met and met[1]:
             marks.append(unit_vector(met[0]))
         elif seen.lines and not named and len(seen.lines) > 2:
-            common = _common([cross(u, v) for u, v, _ in seen.lines])
+            common = common_normal([cross(u, v) for u, v, _ in seen.lines])
             marks += [common] if common else []
         seen = replace(seen, points={**seen.points, **named}, circles=circles, marks=marks)
     if not (seen.points or seen.lines or seen.marks):
         return []
     return sky_shapes(seen, s.frame.view, 2 * WIDTH, (HEIGHT - SKY) / 2)
-
-
-def _common(normals: Sequence[XYZ]) -> XYZ | None:
-    """The direction perpendicular to all these vectors, if there is one."""
-    pairs = [cross(u, v) for i, u in enumerate(normals) for v in normals[:i]]
-    largest = max(pairs, key=lambda n: round(dot(n, n), 9))
-    if dot(largest, largest) < 1e-9:
-        return None
-    u = unit_vector(largest)
-    return u if all(abs(dot(u, unit_vector(n))) < 1e-9 for n in normals) else None
 
 
 # --- the page ------------------------------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ from gcrules.robots.parts import Part
 from gcrules.robots.relations import AXES
 from gcrules.robots.robot_analysis import RobotAnalysis
 
-__all__ = ["Entity", "entities", "exact_meeting", "far_directions", "meeting"]
+__all__ = ["Entity", "common_normal", "entities", "exact_meeting", "far_directions", "meeting"]
 
 
 @dataclass(frozen=True)
@@ -128,10 +128,18 @@ def far_directions(a: RobotAnalysis, part: Part, values: Values) -> tuple[dict[t
     if len(named) < 3:
         return {}, []
     directions = list(named.values())
-    normals = [cross(u, v) for i, u in enumerate(directions) for v in directions[:i]]
+    normal = common_normal(directions)
+    return named, [normal] if normal else []
+
+
+def common_normal(vectors: Sequence[XYZ]) -> XYZ | None:
+    """The direction perpendicular to all these vectors, two or more, if there is one."""
+    normals = [cross(u, v) for i, u in enumerate(vectors) for v in vectors[:i]]
     largest = max(normals, key=lambda n: round(dot(n, n), 9))
-    flat = dot(largest, largest) > 1e-9 and all(abs(dot(unit_vector(largest), u)) < 1e-9 for u in directions)
-    return named, [largest] if flat else []
+    if dot(largest, largest) <= 1e-9:
+        return None
+    normal = unit_vector(largest)
+    return normal if all(abs(dot(normal, unit_vector(v))) < 1e-9 for v in vectors) else None
 
 
 def _points_in(e: Expr) -> tuple[str, ...]:

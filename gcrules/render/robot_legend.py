@@ -6,13 +6,14 @@ from collections.abc import Iterable, Sequence
 
 from gcrules.render.bsp import XYZ
 from gcrules.render.drawing import Circle, Line, Polygon, Run, Shape, Text, mapped, name_runs, text_width
+from gcrules.render.frame import Frame
 from gcrules.render.robot_chain import Place
 from gcrules.render.robot_entities import Entity, meeting
 from gcrules.render.robot_lines import Motion, entity_role_of
 from gcrules.render.robot_picture import CONSTRAINT_DASH
 from gcrules.render.robot_poses import SingularPose
 from gcrules.render.robot_scene import Scene
-from gcrules.render.robot_symbols import Frame, arrow, couple, sign
+from gcrules.render.robot_symbols import arrow, couple, sign
 from gcrules.render.view import View
 from gcrules.screws import JOINTS
 

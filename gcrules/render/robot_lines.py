@@ -12,14 +12,16 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.numeric.value import line_points
 from gcrules.render.bsp import XYZ, Piece, cross, dot, minus
 from gcrules.render.drawing import Circle, Line, Shape, name_runs
+from gcrules.render.frame import Frame
 from gcrules.render.labels import Label, place_labels
 from gcrules.render.robot_chain import plus, unit_vector
 from gcrules.render.robot_entities import Entity
 from gcrules.render.robot_picture import Look, body_pieces, dot_at, piece_shapes
 from gcrules.render.robot_scene import HEIGHT, TOP, WIDTH, Scene
 from gcrules.render.robot_sky import Far
-from gcrules.render.robot_symbols import Frame, arrow, turning
+from gcrules.render.robot_symbols import arrow, turning
 from gcrules.render.solids import center, outline, patch, stretched, tetrahedron, through_ball
+from gcrules.robots.wrenches import Line as Wrench
 
 __all__ = [
     "Motion",
@@ -116,8 +118,7 @@ def _lines(s: Scene) -> tuple[list[tuple[_Segment, str]], list[tuple[_Segment, s
     solid, rays = [], []
     middle = center([*s.points.values()])
     for line in s.a.structure.lines or ():
-        limbs = [limb.limb.name for limb in s.a.structure.limbs if any(w.ends == line.ends for w in limb.lines or ())]
-        role = s.role(limbs or ["", ""])
+        role = _line_role(s, line)
         near = [n for n in line.ends if n in s.points]
         if len(near) == 2:
             solid.append(((s.points[line.ends[0]], s.points[line.ends[1]]), role))
@@ -131,14 +132,19 @@ def _lines(s: Scene) -> tuple[list[tuple[_Segment, str]], list[tuple[_Segment, s
     return solid, rays
 
 
+def _line_role(s: Scene, line: Wrench) -> str:
+    """That of the limb that applies it, if it is one."""
+    limbs = s.a.structure.limbs
+    return s.role([limb.limb.name for limb in limbs if any(w.ends == line.ends for w in limb.lines or ())])
+
+
 def far(s: Scene) -> Far:
     """The lines at infinity among them, with their points."""
     lines = [line for line in s.a.structure.lines or () if all(n in s.ideal for n in line.ends)]
     named = dict.fromkeys(n for line in lines for n in line.ends)
     drawn = []
     for line in lines:
-        limbs = [limb.limb.name for limb in s.a.structure.limbs if any(w.ends == line.ends for w in limb.lines or ())]
-        drawn.append((s.ideal[line.ends[0]], s.ideal[line.ends[1]], s.role(limbs or ["", ""])))
+        drawn.append((s.ideal[line.ends[0]], s.ideal[line.ends[1]], _line_role(s, line)))
     return Far({(n,): s.ideal[n] for n in named}, drawn)
 
 

@@ -26,7 +26,7 @@ from gcrules.robots.checks import home_values
 from gcrules.robots.discovery import FILE
 from gcrules.robots.model import Robot
 from gcrules.robots.parts import Part
-from gcrules.robots.report import sections
+from gcrules.robots.report import CONDITION, FACTORS, LIMBS, LINES, sections
 from gcrules.robots.robot_analysis import RobotAnalysis
 from gcrules.robots.robot_text import RobotText
 from gcrules.robots.wrenches import LimbWrenches, Line
@@ -40,10 +40,6 @@ FIGURES = ("robot", "small", *(f"singular-{n}" for n in range(1, _MOST_POSES + 1
 the gallery, and singular configurations, one for each factor.
 """
 
-_LIMBS = "Limbs: wrenches with the actuators locked"
-_LINES = "Equivalent structure"
-_CONDITION = "Condition of the lines"
-_FACTORS = "Its factors for this robot"
 _WIDTH = 72
 _ALONE = "The robot at home, with those wrenches of its limbs that are lines of its points."
 _CAPTION = (
@@ -86,23 +82,23 @@ def _page(a: RobotAnalysis, name: str, poses: Sequence[tuple[Part, SingularPose 
     yield from _facts(a)
     for heading, lines in sections(a, True):
         yield from (f"## {_HEADINGS.get(heading, heading)}", "")
-        if heading == _LIMBS:
+        if heading == LIMBS:
             yield from _limbs(a.structure.limbs)
-        elif heading == _LINES:
+        elif heading == LINES:
             yield from (*(_sentence(line[0].upper() + line[1:]) for line in lines), "", *_superbracket(a))
-        elif heading == _CONDITION and a.condition is not None and a.lines is not None:
+        elif heading == CONDITION and a.condition is not None and a.lines is not None:
             left = ex.mul(a.condition.cofactor, a.lines.structure.superbracket)
             yield from _formula(left, a.condition.right_side)
         else:
             yield from (*(f"* {_sentence(line)}" for line in lines), "")
-        if heading == _FACTORS and poses:
+        if heading == FACTORS and poses:
             yield from singular_section(a, name, poses)
     yield from _file(robot)
     yield "[All robots](index.md) · [How a robot is described](../robots.md)"
     yield ""
 
 
-_HEADINGS: Mapping[str, str] = {_LIMBS: "Limbs", _FACTORS: "Factors for this robot"}
+_HEADINGS: Mapping[str, str] = {LIMBS: "Limbs", FACTORS: "Factors for this robot"}
 
 
 def _sentence(line: str) -> str:

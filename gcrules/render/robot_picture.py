@@ -8,11 +8,12 @@ from math import dist
 
 from gcrules.render.bsp import XYZ, Piece, cross, dot, minus, painted
 from gcrules.render.drawing import XY, Circle, Line, Polygon, Shape, name_runs
+from gcrules.render.frame import Frame
 from gcrules.render.labels import Label, place_labels
 from gcrules.render.robot_chain import plus, unit_vector
 from gcrules.render.robot_forces import REACH, force
 from gcrules.render.robot_scene import HEIGHT, TOP, WIDTH, Scene, joint_names
-from gcrules.render.robot_symbols import SIGN, Frame, arrow, couple, sign
+from gcrules.render.robot_symbols import SIGN, arrow, couple, sign
 from gcrules.render.solids import center, outline
 from gcrules.robots.equivalent import FRAME
 from gcrules.robots.robot_analysis import RobotAnalysis

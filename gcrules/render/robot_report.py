@@ -26,15 +26,12 @@ from gcrules.render.stages import Formula
 from gcrules.render.terms import formula_html
 from gcrules.robots.as_platform import as_platform
 from gcrules.robots.parts import KINDS, Part
-from gcrules.robots.report import sections
+from gcrules.robots.report import CONDITION, FACTORS, sections
 from gcrules.robots.robot_analysis import RobotAnalysis
 
 __all__ = ["on_six_legs", "robot_report", "robot_scene"]
 
 Values = Mapping[str, Sequence[float]]
-
-_CONDITION = "Condition of the lines"
-_FACTORS = "Its factors for this robot"
 
 
 def robot_report(a: RobotAnalysis, *, interactive: bool = True) -> str:
@@ -170,10 +167,10 @@ def _figures(a: RobotAnalysis, *, home: bool, live: bool) -> str:
 
 def _stages(a: RobotAnalysis) -> Iterator[tuple[str, str]]:
     for title, lines in sections(a, True):
-        if title == _CONDITION and a.condition is not None and a.lines is not None:
+        if title == CONDITION and a.condition is not None and a.lines is not None:
             left = ex.mul(a.condition.cofactor, a.lines.structure.superbracket)
             yield title, formula_html(Formula(left, a.condition.right_side))
-        elif title == _FACTORS and a.parts:
+        elif title == FACTORS and a.parts:
             told = "".join(formula_html(Formula(None, p.expression)) + f"<p>{escape(_told(p))}</p>" for p in a.parts)
             yield title, told + "".join(f"<p>{escape(line)}</p>" for line in lines[len(a.parts) :])
         else:

@@ -8,10 +8,10 @@ from itertools import combinations
 from math import dist
 
 from gcrules.render.bsp import XYZ, minus
+from gcrules.render.frame import Frame, Unit, framed
 from gcrules.render.palette import entity_role
-from gcrules.render.robot_chain import Chain, Unit, chains, plus, unit_vector
+from gcrules.render.robot_chain import Chain, chains, plus, unit_vector
 from gcrules.render.robot_forces import REACH, forces
-from gcrules.render.robot_symbols import Frame
 from gcrules.render.robot_values import Values, lines_at
 from gcrules.render.solids import center, flat_normal
 from gcrules.render.view import View, choose_view
@@ -45,7 +45,7 @@ class Scene:
 
     def holding(self, further: Sequence[XYZ]) -> Scene:
         """The same, smaller if need be, so that these places are inside the picture too."""
-        frame = _framed(self.frame.view, [*self.extent, *further])
+        frame = framed(self.frame.view, [*self.extent, *further], WIDTH, HEIGHT, _MARGIN, TOP)
         return replace(self, frame=replace(frame, size=_sign_size(frame, self.chains)))
 
     def role(self, limbs: Sequence[str]) -> str:
@@ -81,7 +81,8 @@ def scene(a: RobotAnalysis, values: Values, normals: Sequence[XYZ] = ()) -> Scen
     tips = [plus(t, u, REACH) for c in made for t, u in forces(a, c, points, ideal, plate)]
     everything = (*shown.values(), *ends.values(), *tips)
     roles = {limb.limb.name: entity_role(i) for i, limb in enumerate(a.structure.limbs)}
-    return Scene(a, tuple(made), points, ideal, roles, plate, base, _framed(view, everything), unit, everything)
+    frame = framed(view, everything, WIDTH, HEIGHT, _MARGIN, TOP)
+    return Scene(a, tuple(made), points, ideal, roles, plate, base, frame, unit, everything)
 
 
 def _corners(places: Iterable[XYZ]) -> tuple[XYZ, ...]:
@@ -125,16 +126,6 @@ def _view(
     named = {n: known.get(tuple(round(c, 6) for c in p)) for n, p in ends.items()}
     legs = [(a, b) for p, q in strokes if (a := named[p]) and (b := named[q]) and a != b]
     return choose_view(places, legs, normals, directions, elevations=_ELEVATIONS, apart=0.13)[0]
-
-
-def _framed(view: View, corners: Sequence[XYZ]) -> Frame:
-    flat = [view.flat(c) for c in corners]
-    left, right = min(x for x, _ in flat), max(x for x, _ in flat)
-    top, bottom = min(y for _, y in flat), max(y for _, y in flat)
-    room = (WIDTH - 2 * _MARGIN, HEIGHT - TOP - 2 * _MARGIN)
-    scale = min(room[0] / ((right - left) or 1e-9), room[1] / ((bottom - top) or 1e-9))
-    middle = (WIDTH / 2, TOP + (HEIGHT - TOP) / 2)
-    return Frame(view, scale, (middle[0] - scale * (left + right) / 2, middle[1] - scale * (top + bottom) / 2))
 
 
 def _sign_size(frame: Frame, made: Sequence[Chain]) -> float:

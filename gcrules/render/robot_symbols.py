@@ -8,47 +8,22 @@ planar one a plate on its normal. What is driven has the colour of drives.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from math import cos, hypot, pi, sin
 
 from gcrules.render.bsp import XYZ, cross, dot
 from gcrules.render.drawing import XY, Circle, Line, Polygon, Shape
+from gcrules.render.frame import Frame
 from gcrules.render.legend import convex_hull
 from gcrules.render.robot_chain import Place, plus, unit_vector
-from gcrules.render.view import View
 
-__all__ = ["SIGN", "Frame", "arrow", "basis", "couple", "sign", "turning"]
+__all__ = ["SIGN", "arrow", "basis", "couple", "sign", "turning"]
 
 SIGN = 13.0
 """Points around the place of a joint that its sign covers."""
 
 _BALL = 6.2
 _RIM = 24  # corners of a circle
-
-
-@dataclass(frozen=True, slots=True)
-class Frame:
-    """From space to the page: `scale` points for each unit; signs of joints are drawn at `size`."""
-
-    view: View
-    scale: float
-    shift: XY
-    size: float = 1.0
-
-    @property
-    def point(self) -> float:
-        """The length in space of a point of the page, for signs."""
-        return self.size / self.scale
-
-    def place(self, p: XYZ) -> XY:
-        """The place of a point on the page."""
-        x, y = self.view.flat(p)
-        return self.scale * x + self.shift[0], self.scale * y + self.shift[1]
-
-    def sight(self, p: XYZ) -> float:
-        """How near to the viewer a point is."""
-        return round(dot(p, self.view.eye), 6)
 
 
 def basis(axis: XYZ) -> tuple[XYZ, XYZ]:

@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from math import dist, isfinite
 
 from gcrules.errors import InputError
 from gcrules.legs import leg_text, legs_text
-from gcrules.render.bsp import XYZ, Piece, cross, crossing, dot, minus, painted
-from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs
+from gcrules.render.bsp import XYZ, Piece, cross, dot, minus, painted
+from gcrules.render.drawing import Circle, Drawing, Run, Shape, Text, name_runs
+from gcrules.render.frame import Frame, Unit, framed
 from gcrules.render.labels import Label, place_labels
 from gcrules.render.legend import ROW, EntityLike, LegendEntry, entity_entries, legend, legend_width
 from gcrules.render.palette import entity_role
-from gcrules.render.sample import sample_coordinates
-from gcrules.render.solids import center, direction, flat_normal, outline, patch, stretched, tetrahedron, through_ball
-from gcrules.render.view import View, choose_view
+from gcrules.render.sample import Legs, sample_coordinates
+from gcrules.render.scene_pieces import SAME, Look, crossings, piece_shapes
+from gcrules.render.solids import direction, flat_normal, outline, patch, stretched, tetrahedron, through_ball
+from gcrules.render.view import choose_view
 
 __all__ = ["draw_platform", "sample_coordinates"]
 
-Legs = Sequence[tuple[str, str]]
 Coordinates = Mapping[str, Sequence[float | Fraction]]
 NamedLine = tuple[Sequence[float | Fraction], Sequence[float | Fraction], str]
 
@@ -30,37 +30,9 @@ NamedPoint = tuple[Sequence[float | Fraction], str]
 _WIDTH, _HEIGHT = 470.0, 400.0
 _MARGIN = 34.0
 _JOINT = 5.0
-_CASING = 9.0
 _KEY_WIDTH = 118.0
 _REACH = 2.2  # how far from the middle of the joints a constructed point is drawn, in radii
 _BALL = 1.15
-_SAME = 1e-6  # radii: what is nearer counts as one
-
-
-@dataclass(frozen=True, slots=True)
-class _Look:
-    """How a piece is drawn: a fill with outline for areas, a width for strokes."""
-
-    role: str
-    fill: float = 0.0
-    edge: float = 0.0
-    width: float = 1.0
-    dash: tuple[float, float] | None = None
-    leg: int | None = None
-    line: int | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class _Frame:
-    """From space to the page."""
-
-    view: View
-    scale: float
-    shift: XY
-
-    def place(self, p: XYZ) -> XY:
-        x, y = self.view.flat(p)
-        return self.scale * x + self.shift[0], self.scale * y + self.shift[1]
 
 
 def draw_platform(
@@ -87,15 +59,15 @@ def draw_platform(
     if not legs:
         raise InputError("there are no legs to draw")
     given = _checked(legs, coordinates, entities)
-    unit = _Unit.of([given[name] for leg in legs for name in leg])
-    points = {name: unit.of_radius_one(p) for name, p in given.items()}
+    unit = Unit.of([given[name] for leg in legs for name in leg])
+    points = {name: unit.place(p) for name, p in given.items()}
     joints = {name: points[name] for leg in legs for name in leg}
     near = {
         _last_word(label): xyz
         for p, label in marks
-        if dist(xyz := unit.of_radius_one(_xyz(p, f"point {label}")), _ORIGIN) <= _REACH
+        if dist(xyz := unit.place(_xyz(p, f"point {label}")), _ORIGIN) <= _REACH
     }
-    ends = [(unit.of_radius_one(_xyz(p, f"line {n}")), unit.of_radius_one(_xyz(q, f"line {n}"))) for p, q, n in lines]
+    ends = [(unit.place(_xyz(p, f"line {n}")), unit.place(_xyz(q, f"line {n}"))) for p, q, n in lines]
     roles = [_line_role(n, len(entities) + i) for i, (_, _, n) in enumerate(lines)]
     flat = {i for i, e in enumerate(entities) if e.kind == "tetrahedron" and _is_flat([points[n] for n in e.points])}
     pieces = [
@@ -106,16 +78,16 @@ def draw_platform(
     drawn = {frozenset(e.points): i for i, e in enumerate(entities) if e.kind == "line"}
     for i, (a, b) in enumerate(legs):
         role = entity_role(drawn[frozenset((a, b))]) if frozenset((a, b)) in drawn else "leg"
-        pieces.append(Piece((points[a], points[b]), _Look(role, width=3.2, leg=i)))
+        pieces.append(Piece((points[a], points[b]), Look(role, width=3.2, leg=i)))
     normals = [n for p in pieces if len(p.corners) > 2 and (n := flat_normal(p.corners))]
     along = [u for p in pieces if p.tag.line is not None and (u := direction(*p.corners))]
     view, _ = choose_view(joints, legs, normals, along)
     entries = [*entity_entries(entities, flat), *_constructed_entries(lines, roles, marks, pieces, near)]
-    frame = _framed(view, [*(c for p in pieces for c in p.corners), *near.values()])
+    frame = framed(view, [*(c for p in pieces for c in p.corners), *near.values()], _WIDTH, _HEIGHT, _MARGIN)
     shapes: list[Shape] = []
-    over = _crossings(legs, points, view.eye)
-    for piece in painted(pieces, view.eye, _SAME):
-        shapes += _shapes(piece, frame, over)
+    over = crossings(legs, points, view.eye)
+    for piece in painted(pieces, view.eye, SAME):
+        shapes += piece_shapes(piece, frame, over)
     shapes += _rings(points, entities, frame)
     shapes += [
         Circle(frame.place(p), _JOINT, "paper" if name in platform else "ink", "ink", 1.6)
@@ -159,23 +131,6 @@ def _checked(legs: Legs, coordinates: Coordinates, entities: Sequence[EntityLike
 _ORIGIN = (0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True)
-class _Unit:
-    """A ball around the joints: in its coordinates distances need no unit, and nothing is far from the origin."""
-
-    middle: XYZ
-    radius: float
-
-    @classmethod
-    def of(cls, joints: Sequence[XYZ]) -> _Unit:
-        middle = center(joints)
-        return cls(middle, max((dist(p, middle) for p in joints), default=0.0) or 1.0)
-
-    def of_radius_one(self, p: XYZ) -> XYZ:
-        x, y, z = ((c - m) / self.radius for c, m in zip(p, self.middle, strict=True))
-        return x, y, z
-
-
 def _is_flat(corners: Sequence[XYZ]) -> bool:
     """Whether four points lie in one plane (in the unit of the ball's radius)."""
     if len(corners) != 4:
@@ -194,47 +149,47 @@ def _xyz(values: Sequence[float | Fraction], what: str) -> XYZ:
 # --- what there is to draw -----------------------------------------------------------------------------------------
 
 
-def _bodies(joints: Mapping[str, XYZ], base: Sequence[str], platform: Sequence[str]) -> list[Piece[_Look]]:
+def _bodies(joints: Mapping[str, XYZ], base: Sequence[str], platform: Sequence[str]) -> list[Piece[Look]]:
     pieces = []
     for role, names in (("base", base), ("platform", platform)):
         corners = [joints[name] for name in dict.fromkeys(names) if name in joints]
-        look = _Look(role, fill=0.16, edge=0.9, width=1.3)
+        look = Look(role, fill=0.16, edge=0.9, width=1.3)
         pieces += [Piece(polygon, look, edges) for polygon, edges in outline(corners)]
         if len(corners) == 2:
-            pieces.append(Piece((corners[0], corners[1]), _Look(role, width=1.3)))
+            pieces.append(Piece((corners[0], corners[1]), Look(role, width=1.3)))
     return pieces
 
 
 def _entities(
     points: Mapping[str, XYZ], entities: Sequence[EntityLike], marks: Sequence[XYZ], flat: Collection[int]
-) -> list[Piece[_Look]]:
+) -> list[Piece[Look]]:
     """A plane or line reaches to the constructed points that lie in it, so that entities are seen to meet there."""
-    pieces: list[Piece[_Look]] = []
+    pieces: list[Piece[Look]] = []
     for i, e in enumerate(entities):
         corners = [points[name] for name in e.points]
         role = entity_role(i)
         if i in flat:
             pieces += [
-                Piece(hull, _Look(role, fill=0.3, edge=0.9, width=1.6), edges) for hull, edges in outline(corners)
+                Piece(hull, Look(role, fill=0.3, edge=0.9, width=1.6), edges) for hull, edges in outline(corners)
             ]
-            pieces += [Piece(pair, _Look(role, width=1.2)) for pair in combinations(corners, 2)]
+            pieces += [Piece(pair, Look(role, width=1.2)) for pair in combinations(corners, 2)]
         elif e.kind == "tetrahedron" and len(corners) == 4:
-            pieces += [Piece(face, _Look(role, fill=0.14, edge=0.75, width=1.2)) for face in tetrahedron(corners)]
+            pieces += [Piece(face, Look(role, fill=0.14, edge=0.75, width=1.2)) for face in tetrahedron(corners)]
         elif e.kind == "plane" and len(corners) == 3:
             polygon = patch(corners, 0.14, also=marks)
-            pieces += [Piece(polygon, _Look(role, fill=0.2, edge=0.85, width=1.4))] if polygon else []
+            pieces += [Piece(polygon, Look(role, fill=0.2, edge=0.85, width=1.4))] if polygon else []
         elif e.kind == "line" and len(corners) == 2:
-            pieces.append(Piece(stretched(corners, 0.35, also=marks), _Look(role, width=2.2, dash=(6, 4))))
+            pieces.append(Piece(stretched(corners, 0.35, also=marks), Look(role, width=2.2, dash=(6, 4))))
     return pieces
 
 
-def _constructed(lines: Sequence[tuple[XYZ, XYZ]], roles: Sequence[str]) -> list[Piece[_Look]]:
+def _constructed(lines: Sequence[tuple[XYZ, XYZ]], roles: Sequence[str]) -> list[Piece[Look]]:
     """The parts of constructed lines inside a ball around the robot; a line that misses it is left out."""
     pieces = []
     for i, (start, end) in enumerate(lines):
         ends = through_ball(start, end, _ORIGIN, _BALL)
         if ends:
-            pieces.append(Piece(ends, _Look(roles[i], width=2.8, dash=(10, 3), line=i)))
+            pieces.append(Piece(ends, Look(roles[i], width=2.8, dash=(10, 3), line=i)))
     return pieces
 
 
@@ -247,7 +202,7 @@ def _constructed_entries(
     lines: Sequence[NamedLine],
     roles: Sequence[str],
     marks: Sequence[NamedPoint],
-    pieces: Sequence[Piece[_Look]],
+    pieces: Sequence[Piece[Look]],
     near: Collection[str],
 ) -> list[LegendEntry]:
     """Legend entries, which say so where something lies outside the picture."""
@@ -270,66 +225,7 @@ def _last_word(label: str) -> str:
 # --- onto the page -------------------------------------------------------------------------------------------------
 
 
-def _framed(view: View, corners: Sequence[XYZ]) -> _Frame:
-    flat = [view.flat(c) for c in corners]
-    left, right = min(x for x, _ in flat), max(x for x, _ in flat)
-    top, bottom = min(y for _, y in flat), max(y for _, y in flat)
-    room = (_WIDTH - 2 * _MARGIN, _HEIGHT - 2 * _MARGIN)
-    scale = min(room[0] / ((right - left) or 1e-9), room[1] / ((bottom - top) or 1e-9))
-    return _Frame(view, scale, (_WIDTH / 2 - scale * (left + right) / 2, _HEIGHT / 2 - scale * (top + bottom) / 2))
-
-
-def _crossings(legs: Legs, points: Mapping[str, XYZ], eye: XYZ) -> dict[int, list[XYZ]]:
-    """For each leg the places where it passes in front of another one."""
-    found: dict[int, list[XYZ]] = {}
-    ends = [(points[a], points[b]) for a, b in legs]
-    for i, first in enumerate(ends):
-        for j, second in enumerate(ends):
-            cross_at = crossing(first, second, eye)
-            if cross_at and cross_at[2] < -_SAME and i != j:
-                step = minus(first[1], first[0])
-                s = cross_at[0]
-                found.setdefault(i, []).append(
-                    (first[0][0] + s * step[0], first[0][1] + s * step[1], first[0][2] + s * step[2])
-                )
-    return found
-
-
-def _shapes(
-    piece: Piece[_Look],
-    frame: _Frame,
-    over: Mapping[int, Sequence[XYZ]],
-) -> list[Shape]:
-    look = piece.tag
-    at = [frame.place(c) for c in piece.corners]
-    if len(at) > 2:
-        edges = zip(at, [*at[1:], at[0]], piece.edges, strict=True)
-        return [
-            Polygon(tuple(at), look.role, fill_opacity=look.fill),
-            *(Line(a, b, look.role, look.width, look.edge) for a, b, original in edges if original),
-        ]
-    stroke = Line(at[0], at[1], look.role, look.width, dash=look.dash, round_ends=False)
-    if look.leg is None:
-        return [stroke]
-    gaps = (_gap(frame.place(p), at[0], at[1]) for p in over.get(look.leg, ()))
-    return [*(gap for gap in gaps if gap is not None), stroke]
-
-
-def _gap(place: XY, start: XY, end: XY) -> Line | None:
-    """A short clear stretch under a leg where it passes in front of another."""
-    length = dist(start, end)
-    if length < 1e-9:
-        return None
-    u = ((end[0] - start[0]) / length, (end[1] - start[1]) / length)
-    along = (place[0] - start[0]) * u[0] + (place[1] - start[1]) * u[1]
-    low, high = max(along - _CASING, 0.0), min(along + _CASING, length)
-    if high - low < 1.0:
-        return None
-    a, b = ((start[0] + t * u[0], start[1] + t * u[1]) for t in (low, high))
-    return Line(a, b, "paper", 7.0, round_ends=False)
-
-
-def _rings(points: Mapping[str, XYZ], entities: Sequence[EntityLike], frame: _Frame) -> list[Shape]:
+def _rings(points: Mapping[str, XYZ], entities: Sequence[EntityLike], frame: Frame) -> list[Shape]:
     return [
         Circle(frame.place(points[name]), _JOINT + 5, "paper", entity_role(i), 2.0)
         for i, e in enumerate(entities)
@@ -338,7 +234,7 @@ def _rings(points: Mapping[str, XYZ], entities: Sequence[EntityLike], frame: _Fr
     ]
 
 
-def _joint_labels(joints: Mapping[str, XYZ], platform: Sequence[str], frame: _Frame) -> list[Label]:
+def _joint_labels(joints: Mapping[str, XYZ], platform: Sequence[str], frame: Frame) -> list[Label]:
     """Names of joints, rather outwards; those of the platform rather above, the others below."""
     at = {name: frame.place(p) for name, p in joints.items()}
     x0, y0 = sum(x for x, _ in at.values()) / len(at), sum(y for _, y in at.values()) / len(at)
@@ -349,7 +245,7 @@ def _joint_labels(joints: Mapping[str, XYZ], platform: Sequence[str], frame: _Fr
 
 
 def _line_labels(
-    pieces: Sequence[Piece[_Look]], lines: Sequence[NamedLine], roles: Sequence[str], frame: _Frame
+    pieces: Sequence[Piece[Look]], lines: Sequence[NamedLine], roles: Sequence[str], frame: Frame
 ) -> list[Label]:
     """Names of constructed lines, at their upper ends."""
     drawn = {p.tag.line: p.corners for p in pieces if p.tag.line is not None}

@@ -162,7 +162,7 @@ class Scenery:
         at = {n: (*((c - o) / self.size for c, o in zip(p, m, strict=True)), 1.0) for n, p in points.items()}
         rows = np.array([row for part in one.parts for row in incidence_rows(evaluate(part, at), part.step)], float)
         lengths = np.linalg.norm(rows, axis=1)
-        if not lengths.all() and not lengths.any():
+        if not lengths.any():
             return None, 1.0
         rows = rows[lengths > 0] / lengths[lengths > 0, None]
         _, sizes, right = np.linalg.svd(rows)

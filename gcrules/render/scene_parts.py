@@ -12,7 +12,7 @@ from gcrules.condition import Entity
 from gcrules.numeric.incidence import factors
 from gcrules.render.figures import free_name, named_lines
 
-__all__ = ["Incidence", "entity_data", "incidences", "nested"]
+__all__ = ["Incidence", "entity_data", "entity_label", "incidences", "nested"]
 
 
 @dataclass(frozen=True)
@@ -24,14 +24,19 @@ class Incidence:
     entities: tuple[str, ...]
 
 
+def entity_label(e: Entity) -> str:
+    """The points side by side, words set apart."""
+    gap = "" if all(len(n.rstrip("*'")) <= 2 for n in e.starred) else " "
+    return gap.join(e.starred)
+
+
 def entity_data(e: Entity, colour: int) -> dict[str, Any]:
     """An entity for the viewer: its number is that of its colour."""
-    gap = "" if all(len(n.rstrip("*'")) <= 2 for n in e.starred) else " "
     return {
         "id": f"e{colour}",
         "kind": e.kind,
         "points": list(e.points),
-        "label": gap.join(e.starred),
+        "label": entity_label(e),
         "colour": colour,
     }
 

@@ -14,7 +14,13 @@ from gcrules.robots.serial import LimbSingularity
 from gcrules.robots.subsets import CommonFactor, Subset
 from gcrules.robots.wrenches import LimbWrenches, Line
 
-__all__ = ["as_latex", "as_text", "sections"]
+__all__ = ["CONDITION", "FACTORS", "LIMBS", "LINES", "as_latex", "as_text", "sections"]
+
+LIMBS = "Limbs: wrenches with the actuators locked"
+LINES = "Equivalent structure"
+CONDITION = "Condition of the lines"
+FACTORS = "Its factors for this robot"
+"""Titles of sections."""
 
 _WIDTH = 100
 
@@ -32,21 +38,21 @@ def as_text(a: RobotAnalysis, *, unicode: bool = False) -> str:
 def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]:
     """The stages of an analysis: titles, and lines of text."""
     if a.structure.limbs:
-        yield "Limbs: wrenches with the actuators locked", [_limb(limb) for limb in a.structure.limbs]
+        yield LIMBS, [_limb(limb) for limb in a.structure.limbs]
     if a.structure.limbs and any(limb.lines is None for limb in a.structure.limbs):
         none = ["not known: the file has no home configuration"]
         yield "Wrenches that are no such lines, at home", [str(one) for one in a.wrenches] or none
     if a.structure.lines is not None:
-        yield "Equivalent structure", [_structure(a)]
+        yield LINES, [_structure(a)]
     if a.condition is not None and a.lines is not None:
         names = a.lines.structure.names
         sides = ex.mul(a.condition.cofactor, a.lines.structure.superbracket), a.condition.right_side
-        yield "Condition of the lines", [" = ".join(text(e, unicode=unicode, names=names) for e in sides)]
+        yield CONDITION, [" = ".join(text(e, unicode=unicode, names=names) for e in sides)]
         factors = [_part(part, names, unicode) for part in a.parts]
         if a.cofactors:
             left = ", ".join(text(e, unicode=unicode, names=names) for e in a.cofactors)
             factors.append(f"{left}: cofactor; where it vanishes so does the expression, singular or not")
-        yield "Its factors for this robot", factors
+        yield FACTORS, factors
     if a.structure.over and a.lines is not None and a.structure.limbs:
         title = f"All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines"
         too_high = ["not compared: their superbrackets have a degree above 63 in the parameters of the family"]

@@ -17,7 +17,7 @@ from gcrules.studio.answer_views import MotionView, Numbers
 from gcrules.studio.subject import Subject
 from gcrules.studio.views import Axis, PoseJson
 
-__all__ = ["actuator_axes", "configuration", "robot_numbers", "values_at"]
+__all__ = ["actuator_axes", "configuration", "motion_view", "robot_numbers", "values_at"]
 
 _TURN, _SHIFT = 30.0, 0.35
 """How far the sliders of actuators reach: degrees, and parts of the robot's size."""
@@ -100,7 +100,7 @@ def robot_numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> Nu
             for f in found.factors
         ],
         "constructed": [],
-        "motion": _motion(found.softest, found.centre, subject.unit) if near else None,
+        "motion": motion_view(found.softest, found.centre, subject.unit) if near else None,
         "stress": [limb.share for limb in found.limbs] if near else [],
         "limbs": limb_views(robot, values),
         "notes": [*found.notes, f"Assembly mode: {found.mode}."],
@@ -130,7 +130,8 @@ def _value(subject: Subject, values: Values, closeness: float) -> float:
     return found
 
 
-def _motion(twist: Twist, centre: tuple[float, ...], unit: str) -> MotionView:
+def motion_view(twist: Twist, centre: tuple[float, ...], unit: str) -> MotionView:
+    """What the platform can do, to first order, although its actuators are locked; a shift is drawn at the centre."""
     through = twist.point or centre
     words = f"the platform can {twist.text(unit)}"
     return {"axis": list(twist.axis), "through": list(through), "pitch": twist.pitch, "text": words}

@@ -34,8 +34,8 @@ from gcrules.numeric.threshold import DEFAULT, Threshold, parse_threshold
 from gcrules.numeric.value import CLOSE, line_measure, measure
 from gcrules.numeric.verdict import verdict
 from gcrules.render.limb_views import limb_views
-from gcrules.studio.answer_views import Along, MotionView, Numbers, ReadingView
-from gcrules.studio.moving import robot_numbers
+from gcrules.studio.answer_views import Along, Numbers, ReadingView
+from gcrules.studio.moving import motion_view, robot_numbers
 from gcrules.studio.subject import Subject
 from gcrules.studio.views import PoseJson
 
@@ -107,7 +107,7 @@ def _of_rig(subject: Subject, moving: Rig, pose: PoseJson, limit: Threshold) -> 
         "causes": list(_causes(conditions, moving, pose, points, exact == 0, said)) if near else [],
         "readings": _readings(conditions, points, moving.unit),
         "constructed": subject.scenery.constructed(places),  # type: ignore[typeddict-item]
-        "motion": _motion(j, moving.unit) if near else None,
+        "motion": motion_view(softest_twist(j), tuple(j.centroid[0].tolist()), moving.unit) if near else None,
         "stress": list(scaled(j.stress[0].tolist())) if near else [],
         "limbs": limb_views(subject.robot, {**subject.home, **places}) if subject.robot else [],
         "notes": [],
@@ -141,18 +141,6 @@ def _readings(conditions: Sequence[Condition], points: Any, unit: str) -> list[R
         }
         for r in readings(conditions, points)
     ]
-
-
-def _motion(j: Jacobian, unit: str) -> MotionView:
-    """What the platform can do, to first order, although its actuators are locked."""
-    twist = softest_twist(j)
-    through = twist.point or tuple(map(float, j.centroid[0]))
-    return {
-        "axis": list(twist.axis),
-        "through": list(through),
-        "pitch": twist.pitch,
-        "text": f"the platform can {twist.text(unit)}",
-    }
 
 
 def _by_lines(subject: Subject, pose: PoseJson) -> Numbers:

@@ -31,11 +31,11 @@ def _any(value: Any, where: str) -> Any:
     return value
 
 
+_ID = number(0, 2**53, whole=True)
 _ARGS = {name: method.args for name, method in METHODS.items()} | {
     "hello": record({}),
-    "cancel": record({"target": number(0, 2**53, whole=True)}),
+    "cancel": record({"target": _ID}),
 }
-_ID = number(0, 2**53, whole=True)
 _REQUEST = record({"id": _ID, "do": choice(*_ARGS), "args": _any}, {"channel": text(40)})
 
 

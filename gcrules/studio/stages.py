@@ -11,6 +11,7 @@ from gcrules.algebra.shortest import counts
 from gcrules.analysis import Analysis
 from gcrules.condition import Entity
 from gcrules.render.figures import distinct_entities
+from gcrules.render.scene_parts import entity_label
 from gcrules.render.stages import Fact, Formula, stages
 from gcrules.robots.robot_analysis import RobotAnalysis
 from gcrules.studio.formulas import pieces
@@ -143,13 +144,8 @@ def _shown(a: Analysis, entities: Sequence[Entity], none: str) -> list[Item]:
     known = [ids[k] for e in entities if (k := (e.kind, frozenset(e.points))) in ids]
     named = [e for e in entities if (e.kind, frozenset(e.points)) not in ids]
     items: list[Item] = [{"kind": "entities", "entities": list(dict.fromkeys(known))}] if known else []
-    items += [said(f"The line {_label(e)}.") if e.kind == "line" else said(f"The {e.kind} {_label(e)}.") for e in named]
+    items += [said(f"The {e.kind} {entity_label(e)}.") for e in named]
     return items or ([said(none)] if none else [])
-
-
-def _label(e: Entity) -> str:
-    gap = "" if all(len(n.rstrip("*'")) <= 2 for n in e.starred) else " "
-    return gap.join(e.starred)
 
 
 # --- the condition and its proof -----------------------------------------------------------------------------------

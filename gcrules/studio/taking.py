@@ -23,6 +23,7 @@ from gcrules.studio.moving import values_at
 from gcrules.studio.numbers import exact_pose, numbers
 from gcrules.studio.subject import Subject, Vector, examples
 from gcrules.studio.views import PoseJson
+from gcrules.yamlfile import read_text
 
 __all__ = ["saved"]
 
@@ -127,12 +128,11 @@ def _json(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
 
 
 def _yaml(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
-    """The file that was opened, as it is; else a platform file in the pose."""
+    """The file that was opened, as it is; else, and where the platform was moved, a platform file in the pose."""
     source = subject.source
-    if subject.robot is not None and source["kind"] == "robot":
-        with open(subject.robot.robot.filename, encoding="utf-8") as file:
-            return file.read()
     if _at_home(pose) or subject.limbed:
+        if subject.robot is not None and source["kind"] == "robot":
+            return read_text(subject.robot.robot.filename)
         if source["kind"] == "file":
             return source["text"]
         if source["kind"] == "example":

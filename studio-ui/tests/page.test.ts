@@ -5,7 +5,7 @@ import { digitsOf } from "../src/page/pose/axis-slider";
 import { fitting, readNumber } from "../src/page/parts/number-field";
 import { litPoints, pointTarget, bracketTarget } from "../src/page/state/lit";
 import { wordsOf } from "../src/page/lib/prose";
-import { ANGLES, between, fromAngles, sameTurn, toAngles, toVector } from "../src/page/lib/rotation";
+import { ANGLES, between, fromAngles, sameTurn, toAngles } from "../src/page/lib/rotation";
 import { along, degreesOf, sigmaOf } from "../src/page/lib/scale";
 import { splitBrackets, splitOperator } from "../src/page/lib/tex";
 import { tintOf } from "../src/page/lib/tint";
@@ -15,6 +15,7 @@ import { plainFragment, readFragment, writeFragment } from "../src/page/state/fr
 import { begin, closed, moved, record, redone, undone } from "../src/page/state/history";
 import { readDoc } from "../src/page/state/read";
 import { latest } from "../src/page/net/latest";
+import { rotationVector } from "../src/viewer/pose";
 import type { Entity, GalleryItem, Pose, Vec3 } from "../src/protocol";
 
 const GRID = [-180, -135, -90, -37, 0, 12.5, 90, 179, 180];
@@ -40,7 +41,7 @@ test("the way between two poses begins and ends at them, and turns steadily", ()
   assert.ok(samePose(between(HOME, TURNED, 1), TURNED));
   const half = between({ ...HOME, coordinates: [0] }, TURNED, 0.5);
   assert.deepEqual(half.translation, [0.5, -1, 1.75]);
-  const [whole, part] = [TURNED, half].map(({ quaternion }) => Math.hypot(...toVector(quaternion))) as [number, number];
+  const [whole, part] = [TURNED, half].map(({ quaternion }) => Math.hypot(...rotationVector(quaternion))) as [number, number];
   assert.ok(Math.abs(part - whole / 2) < 1e-9);
 });
 

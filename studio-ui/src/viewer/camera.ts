@@ -18,10 +18,10 @@ export interface Stand {
   target: Vec3;
 }
 
-/** Where to stand so that the whole robot is seen from a direction. */
-export function fitted(camera: PerspectiveCamera, model: Model, direction: Vec3): Stand {
+/** Where to stand so that the whole robot is seen from a direction, within a share of the height around its middle. */
+export function fitted(camera: PerspectiveCamera, model: Model, direction: Vec3, share: number): Stand {
   const half = (camera.fov * Math.PI) / 360;
-  const narrow = Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
+  const narrow = Math.atan(Math.tan(half) * Math.min(share, camera.aspect));
   const far = (1.03 * model.reach) / Math.sin(narrow);
   return { eye: mix(model.middle, sum(model.middle, unit(direction)), far), target: model.middle };
 }

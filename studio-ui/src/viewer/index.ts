@@ -4,3 +4,4 @@ export { numbersAt } from "./numbers";
 export { createViewer } from "./viewer";
 export { eulerAngles, fromEuler, IDENTITY, rotationVector } from "./pose";
 export type * from "./types";
+export { widget } from "./widget";

@@ -148,7 +148,7 @@ function joints(d: Drawing): void {
 }
 
 /** 1, 2 or 5 times a power of ten, not above a length. */
-export function niceStep(length: number): number {
+function niceStep(length: number): number {
   const power = 10 ** Math.floor(Math.log10(length));
   return power * ([5, 2, 1].find((k) => k * power <= length * (1 + 1e-9)) ?? 1);
 }

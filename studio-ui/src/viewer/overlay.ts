@@ -14,7 +14,7 @@ export interface Placed {
 
 const SIZES = { joint: 19, construction: 19, entity: 15 } as const;
 const RANKS = { joint: 3, construction: 4, entity: 1 } as const;
-export const ITALIC = '"KaTeX_Math", "STIX Two Text", "Latin Modern Roman", Cambria, "Liberation Serif", Georgia, serif';
+const ITALIC = '"KaTeX_Math", "STIX Two Text", "Latin Modern Roman", Cambria, "Liberation Serif", Georgia, serif';
 export const UPRIGHT = 'system-ui, "Segoe UI", "Liberation Sans", sans-serif';
 
 /** The labels of what is in front of the eye and on the screen. */

@@ -34,7 +34,7 @@ export function turned(v: Vec3, [w, x, y, z]: Quaternion): Vec3 {
   return add(add(v, scale(t, w)), cross([x, y, z], t));
 }
 
-export const moved = (p: Vec3, pose: Pose, about: Vec3): Vec3 =>
+const moved = (p: Vec3, pose: Pose, about: Vec3): Vec3 =>
   add(add(turned(sub(p, about), pose.quaternion), about), pose.translation);
 
 /** Where a point seen at one pose is at another one. */

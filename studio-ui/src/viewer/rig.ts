@@ -20,7 +20,11 @@ export class Rig {
   private flight: { from: Stand; to: Stand; start: number } | null = null;
   private size = 1;
 
-  constructor(surface: HTMLElement, private readonly changed: () => void) {
+  constructor(
+    surface: HTMLElement,
+    private readonly changed: () => void,
+    private readonly covered: () => number,
+  ) {
     this.orbit = new OrbitControls(this.camera, surface);
     this.orbit.enableDamping = !calm();
     this.orbit.dampingFactor = 0.14;
@@ -42,6 +46,11 @@ export class Rig {
     return { eye: this.camera.position.toArray() as Vec3, target: this.orbit.target.toArray() as Vec3 };
   }
 
+  /** The share of the height, around its middle, that nothing covers; most of it, where more is covered. */
+  private get free(): number {
+    return Math.max(1 - (2 * this.covered()) / this.height, 0.6);
+  }
+
   resize(width: number, height: number): void {
     [this.width, this.height] = [width, height];
     this.camera.aspect = width / height;
@@ -52,12 +61,12 @@ export class Rig {
   fit(model: Model): void {
     this.flight = null;
     this.size = model.radius;
-    this.go(fitted(this.camera, model, directionOf("iso", model)));
+    this.go(fitted(this.camera, model, directionOf("iso", model), this.free));
   }
 
   view(name: View, model: Model): void {
     const { eye, target } = this.stand;
-    const to = fitted(this.camera, model, name === "fit" ? sub(eye, target) : directionOf(name, model));
+    const to = fitted(this.camera, model, name === "fit" ? sub(eye, target) : directionOf(name, model), this.free);
     if (calm()) this.go(to);
     else this.flight = { from: this.stand, to, start: performance.now() };
     this.changed();

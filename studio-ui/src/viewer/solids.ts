@@ -27,7 +27,7 @@ export function convexHull(points: readonly XY[]): XY[] {
 const turn = (a: XY, b: XY, c: XY): number => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 
 /** The outline of all places within a radius of the hull of points that are not all in one line. */
-export function rounded(points: readonly XY[], radius: number, step: number): XY[] {
+function rounded(points: readonly XY[], radius: number, step: number): XY[] {
   const hull = convexHull(points);
   return hull.flatMap(([x, y], i) => {
     const before = hull[(i + hull.length - 1) % hull.length]!;

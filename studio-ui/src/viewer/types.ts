@@ -96,6 +96,8 @@ export interface Options {
   onHover?(what: { point?: string; entity?: string } | null): void;
   renderer?: "auto" | "svg";
   theme?: Theme;
+  /** How many CSS pixels of the upper edge the host covers now; standard views and fits leave them free. */
+  covered?(): number;
   /** Whether the wheel zooms at any time, or only once the view was clicked, so that the page around it scrolls. */
   wheel?: "always" | "focused";
   /** Handles and keys that move the platform; on unless false. */

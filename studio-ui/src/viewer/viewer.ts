@@ -53,7 +53,7 @@ class Stage implements Viewer, Reach {
     this.surface = new Surface(host, options.gizmo !== false);
     const { root } = this.surface;
     this.easel = newEasel(root, options.renderer ?? "auto", () => this.changed());
-    this.rig = new Rig(root, () => this.request());
+    this.rig = new Rig(root, () => this.request(), options.covered ?? (() => 0));
     if (options.gizmo !== false) {
       this.gizmo = new Gizmo(this.rig.camera, root, {
         moved: (pose) => this.moved(pose),

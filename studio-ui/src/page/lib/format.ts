@@ -21,4 +21,4 @@ function power(value: number, digits: number): string {
 
 const SUPERSCRIPT: Record<string, string> = Object.fromEntries([..."0123456789-"].map((c, i) => [c, "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"[i] ?? c]));
 
-export const minus = (text: string): string => text.replace("-", "−");
+const minus = (text: string): string => text.replace("-", "−");

@@ -1,33 +1,11 @@
 // Turns: unit quaternions (scalar first), rotation vectors and Euler angles, all angles in degrees.
 import type { Pose, Quaternion, Vec3 } from "../../protocol";
+import { conjugate, multiply, rotationVector as toVector, turnAbout } from "../../viewer/pose";
+import { length, scale } from "../../viewer/vectors";
 
 const DEGREE = Math.PI / 180;
 
-export function product(p: Quaternion, q: Quaternion): Quaternion {
-  const [a, b, c, d] = p;
-  const [w, x, y, z] = q;
-  return [
-    a * w - b * x - c * y - d * z,
-    a * x + b * w + c * z - d * y,
-    a * y - b * z + c * w + d * x,
-    a * z + b * y - c * x + d * w,
-  ];
-}
-
-export function turn(axis: Vec3, degrees: number): Quaternion {
-  const size = Math.hypot(...axis) || 1;
-  const s = Math.sin((degrees * DEGREE) / 2) / size;
-  return [Math.cos((degrees * DEGREE) / 2), axis[0] * s, axis[1] * s, axis[2] * s];
-}
-
-export const fromVector = (v: Vec3): Quaternion => turn(v, Math.hypot(...v));
-
-export function toVector(q: Quaternion): Vec3 {
-  const [w, x, y, z] = q[0] < 0 ? (q.map((c) => -c) as Quaternion) : q;
-  const s = Math.hypot(x, y, z);
-  const k = s < 1e-12 ? 2 / DEGREE : (2 * Math.atan2(s, w)) / (s * DEGREE);
-  return [x * k, y * k, z * k];
-}
+const fromVector = (v: Vec3): Quaternion => turnAbout(scale(v, 1 / (length(v) || 1)), length(v) * DEGREE);
 
 /** How the three angles of the sliders make a turn: a rotation vector, or turns about axes one after another. */
 export type Angles = "vector" | "XYZ" | "ZYX" | "ZXZ" | "ZYZ";
@@ -39,7 +17,7 @@ const axis = (name: string): Vec3 => AXES[name] ?? [0, 0, 1];
 /** Euler sequences turn about the axes that turn along. */
 export function fromAngles(kind: Angles, a: Vec3): Quaternion {
   if (kind === "vector") return fromVector(a);
-  return [...kind].map((name, i) => turn(axis(name), a[i] ?? 0)).reduce(product);
+  return [...kind].map((name, i) => turnAbout(axis(name), (a[i] ?? 0) * DEGREE)).reduce(multiply);
 }
 
 export function toAngles(kind: Angles, q: Quaternion): Vec3 {
@@ -67,7 +45,7 @@ export function toAngles(kind: Angles, q: Quaternion): Vec3 {
   ];
 }
 
-export function matrix([w, x, y, z]: Quaternion): [Vec3, Vec3, Vec3] {
+function matrix([w, x, y, z]: Quaternion): [Vec3, Vec3, Vec3] {
   return [
     [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
@@ -83,10 +61,9 @@ export function sameTurn(p: Quaternion, q: Quaternion): boolean {
 export function between(from: Pose, to: Pose, t: number): Pose {
   const mix = (a: number, b: number) => a + (b - a) * t;
   const translation = from.translation.map((a, i) => mix(a, to.translation[i] ?? a)) as Vec3;
-  const [w, x, y, z] = from.quaternion;
-  const rest = toVector(product([w, -x, -y, -z], to.quaternion));
+  const rest = toVector(multiply(conjugate(from.quaternion), to.quaternion));
   const part = rest.map((c) => c * t) as Vec3;
-  const quaternion = t === 1 ? to.quaternion : product(from.quaternion, fromVector(part));
+  const quaternion = t === 1 ? to.quaternion : multiply(from.quaternion, fromVector(part));
   const goal = to.coordinates;
   if (!goal) return { translation, quaternion };
   return { translation, quaternion, coordinates: goal.map((b, i) => mix(from.coordinates?.[i] ?? 0, b)) };

@@ -1,4 +1,4 @@
-// Which letters of a monomial belong to which entity: each entity colours one bracket that holds all of its points.
+// The colours of entities, and which letters of a monomial belong to which entity: each entity colours one bracket that holds all of its points.
 import type { Entity, Monomial } from "../../protocol";
 
 /** For each bracket, point → colour number. */
@@ -14,3 +14,7 @@ export function tintOf(monomial: Monomial, entities: readonly Entity[]): Tint {
   }
   return tint;
 }
+
+/** The colour of an entity, as a custom property that styles refer to. */
+export const tone = (entity: Pick<Entity, "colour"> | undefined): { "--tone": string } | undefined =>
+  entity && { "--tone": `var(--entity${(entity.colour % 6) + 1})` };

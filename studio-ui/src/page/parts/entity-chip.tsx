@@ -1,7 +1,7 @@
 // An entity by name, in its colour: pointing at it lights it up everywhere.
 import type { Entity } from "../../protocol";
+import { tone } from "../lib/tint";
 import { useStore } from "./context";
-import { tone } from "./formula";
 import { PointName } from "./point-name";
 
 export function EntityChip({ entity, named = true }: { entity: Entity; named?: boolean }) {

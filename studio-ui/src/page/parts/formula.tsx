@@ -1,8 +1,9 @@
 // A formula in pieces: each stays on one line, lights up with its points and takes the colour of its entity.
 import { Fragment } from "preact";
 import { useState } from "preact/hooks";
-import type { Entity, Piece } from "../../protocol";
+import type { Piece } from "../../protocol";
 import { splitBrackets, splitOperator, texToHtml, texToText } from "../lib/tex";
+import { tone } from "../lib/tint";
 import { litPoints } from "../state/lit";
 import { useStore } from "./context";
 import { samePoints } from "./pointing";
@@ -89,10 +90,6 @@ function Part({ tex, together, whole }: { tex: string; together: readonly string
   );
 }
 
-/** The colour of an entity, as a custom property that styles refer to. */
-export const tone = (entity: Pick<Entity, "colour"> | undefined): { "--tone": string } | undefined =>
-  entity && { "--tone": `var(--entity${(entity.colour % 6) + 1})` };
-
-export function Tex({ tex }: { tex: string }) {
+function Tex({ tex }: { tex: string }) {
   return <span aria-hidden="true" dangerouslySetInnerHTML={{ __html: texToHtml(tex) }} />;
 }

@@ -24,7 +24,7 @@ export function moveInGrid(event: KeyboardEvent & { currentTarget: HTMLElement }
 }
 
 /** Focus goes to one of these, which alone stays in the order of the tab key. */
-export function focusOnly(all: readonly HTMLElement[], next: HTMLElement): void {
+function focusOnly(all: readonly HTMLElement[], next: HTMLElement): void {
   all.forEach((other) => (other.tabIndex = other === next ? 0 : -1));
   next.focus();
 }

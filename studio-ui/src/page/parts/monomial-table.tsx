@@ -1,7 +1,7 @@
 // The monomials of a bracket polynomial as a table of brackets. Long tables scroll and show only the rows in view.
 import { useRef, useState } from "preact/hooks";
 import type { Entity, Monomial } from "../../protocol";
-import { tintOf, type Tint } from "../lib/tint";
+import { tintOf, tone, type Tint } from "../lib/tint";
 import { litPoints, type Target } from "../state/lit";
 import { useStore } from "./context";
 import { moveInGrid } from "./grid-keys";
@@ -116,7 +116,7 @@ function BracketButton({ points, colours, target, first }: BracketProps) {
         return (
           <span
             class={`letter${lit.includes(name) ? " lit" : ""}${colour === undefined ? "" : " toned"}`}
-            style={colour === undefined ? undefined : { "--tone": `var(--entity${(colour % 6) + 1})` }}
+            style={tone(colour === undefined ? undefined : { colour })}
           >
             <PointName name={name} />
           </span>

@@ -8,7 +8,7 @@ const MARKED = "[data-point],[data-leg],[data-bracket],[data-entity]";
 
 type Marks = Partial<Record<"point" | "leg" | "bracket" | "entity", string>>;
 
-export function targetOf(marks: Marks, study: Study | null, entities: readonly Entity[]): Target | null {
+function targetOf(marks: Marks, study: Study | null, entities: readonly Entity[]): Target | null {
   const { point, leg, bracket, entity } = marks;
   if (entity !== undefined) {
     const found = entities.find(({ id }) => id === entity);

@@ -1,8 +1,8 @@
 // A sentence whose entities take their colours and can be pointed at.
 import { wordsOf } from "../lib/prose";
+import { tone } from "../lib/tint";
 import { useStore } from "./context";
 import { letters } from "./entity-chip";
-import { tone } from "./formula";
 import { PointName } from "./point-name";
 
 export function Prose({ text }: { text: string }) {

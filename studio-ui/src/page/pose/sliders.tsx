@@ -128,4 +128,4 @@ function Coordinates({ study, pose }: { study: Study; pose: Pose }) {
 }
 
 /** A step of a few thousandths of the reach, a power of ten. */
-export const stepFor = (reach: number): number => 10 ** Math.floor(Math.log10(reach / 200));
+const stepFor = (reach: number): number => 10 ** Math.floor(Math.log10(reach / 200));

@@ -19,6 +19,7 @@ export function connect(element: HTMLElement, store: Store): () => void {
       store.edit({ pose }, "hand");
       if (done) store.settle();
     },
+    covered: () => coveredBy(element.parentElement?.querySelector(".warning"), element),
     onPick: (name) => void (space.pick(name) || lit.pin(pointTarget(name))),
     onHover: (what) => lit.hover(hovered(store, what)),
   });
@@ -47,6 +48,10 @@ export function connect(element: HTMLElement, store: Store): () => void {
     space.viewer.value = null;
     viewer.dispose();
   };
+}
+
+function coveredBy(strip: Element | null | undefined, element: HTMLElement): number {
+  return strip ? Math.max(0, strip.getBoundingClientRect().bottom - element.getBoundingClientRect().top) : 0;
 }
 
 const REST = 500; // milliseconds without a move

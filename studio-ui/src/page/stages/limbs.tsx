@@ -1,11 +1,12 @@
 // A robot of limbs: joints in sequence and the wrenches that each limb applies with its actuators locked.
 import type { RobotView } from "../../protocol";
+import { tone } from "../lib/tint";
 
 export function Limbs({ robot }: { robot: RobotView }) {
   return (
     <div class="limbs" data-testid="limbs">
         {robot.limbs.map(({ name, colour, joints, wrenches }) => (
-          <section key={name} style={{ "--tone": `var(--entity${(colour % 6) + 1})` }}>
+          <section key={name} style={tone({ colour })}>
             <h3>{name}</h3>
             <p class="joints">
               {joints.map(({ kind, actuated }, i) => (

@@ -38,7 +38,7 @@ export const entityTarget = ({ id, kind, points, label, colour }: Entity): Targe
   colour,
 });
 
-export function sameTarget(a: Target | null, b: Target | null): boolean {
+function sameTarget(a: Target | null, b: Target | null): boolean {
   return a?.kind === b?.kind && a?.entity === b?.entity && a?.points.join(" ") === b?.points.join(" ");
 }
 

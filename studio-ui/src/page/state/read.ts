@@ -10,8 +10,8 @@ const MOST_POINTS = 40;
 const MOST_LEGS = 24;
 const MOST_COMMANDS = 200;
 
-export const PANELS: readonly PanelId[] = ["start", "guided", "manual", "bench", "draw", "take-away"];
-export const STAGES: readonly StageId[] = [
+const PANELS: readonly PanelId[] = ["start", "guided", "manual", "bench", "draw", "take-away"];
+const STAGES: readonly StageId[] = [
   "structure", "superbracket", "shortest", "tetrahedra", "planes", "lines", "left-over",
   "condition", "statement", "check", "limbs", "equivalent",
 ];
@@ -25,7 +25,7 @@ const isVec3 = (x: unknown): x is Vec3 => listOf(isPlace)(x) && x.length === 3;
 const isLeg = (x: unknown): x is [string, string] => listOf(isText)(x) && x.length === 2;
 const among = <T extends string>(allowed: readonly T[]) => (x: unknown): x is T => allowed.some((a) => a === x);
 
-export function readSource(x: unknown): Source | null {
+function readSource(x: unknown): Source | null {
   if (!isObject(x)) return null;
   const { kind, id, name, legs, text } = x;
   if ((kind === "class" || kind === "robot") && isText(id)) return { kind, id };
@@ -35,7 +35,7 @@ export function readSource(x: unknown): Source | null {
   return null;
 }
 
-export function readPose(x: unknown): Pose {
+function readPose(x: unknown): Pose {
   if (!isObject(x) || !isVec3(x.translation) || !listOf(isNumber)(x.quaternion) || x.quaternion.length !== 4) return HOME;
   const [w, a, b, c] = x.quaternion as [number, number, number, number];
   const size = Math.hypot(w, a, b, c);
@@ -48,7 +48,7 @@ export function readPose(x: unknown): Pose {
   return listOf(isPlace)(x.coordinates) && x.coordinates.length <= 24 ? { ...pose, coordinates: x.coordinates } : pose;
 }
 
-export function readSketch(x: unknown): Sketch | null {
+function readSketch(x: unknown): Sketch | null {
   if (!isObject(x) || !isText(x.title) || !isObject(x.points)) return null;
   const { title, base, platform, legs } = x;
   const all = Object.entries(x.points).filter((e): e is [string, Vec3] => isVec3(e[1]) && !(e[0] in Object.prototype));

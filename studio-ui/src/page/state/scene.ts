@@ -1,5 +1,5 @@
 // What the viewer shows, from what is known of the structure, the numbers at the pose and the panels' own additions.
-import type { Numbers, Stage, StageId, Study, Vec3 } from "../../protocol";
+import type { Numbers, Stage, StageId, Study } from "../../protocol";
 import type { Scene } from "../../viewer";
 
 /** What a panel adds to the picture while it is open: a counterexample, extensors of the bench … */
@@ -37,6 +37,3 @@ export function withOverlay(scene: Scene, found: readonly string[] | null, extra
   const own = found ? scene.entities.filter(({ id }) => found.includes(id)) : scene.entities;
   return [...own, ...(extra?.entities ?? [])];
 }
-
-export const middle = (points: readonly Vec3[]): Vec3 =>
-  [0, 1, 2].map((i) => points.reduce((sum, p) => sum + (p[i] ?? 0), 0) / Math.max(points.length, 1)) as Vec3;

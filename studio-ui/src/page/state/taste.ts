@@ -33,7 +33,7 @@ export function createTaste(): Taste {
   return { chosen, theme, angles, across, down };
 }
 
-export const share = (x: unknown, otherwise: number): number =>
+const share = (x: unknown, otherwise: number): number =>
   typeof x === "number" && x >= 0.2 && x <= 0.8 ? x : otherwise;
 
 function read(): Record<string, unknown> {

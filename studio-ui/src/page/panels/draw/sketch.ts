@@ -6,7 +6,7 @@ export type Body = "base" | "platform";
 
 export const EMPTY: Sketch = { title: "Drawn robot", points: {}, base: [], platform: [], legs: [] };
 
-export const NAME = /^[A-Za-z](_?\d+)?'*$/;
+const NAME = /^[A-Za-z](_?\d+)?'*$/;
 
 export const bodyOf = (sketch: Sketch, name: string): Body | null =>
   sketch.base.includes(name) ? "base" : sketch.platform.includes(name) ? "platform" : null;
@@ -14,7 +14,7 @@ export const bodyOf = (sketch: Sketch, name: string): Body | null =>
 export const placeOf = (sketch: Sketch, name: string): Vec3 => sketch.points[name] ?? [0, 0, 0];
 
 /** The base takes capitals, the platform small letters. */
-export function freeName(sketch: Sketch, body: Body): string {
+function freeName(sketch: Sketch, body: Body): string {
   const letters = [..."ABCDEFGHIJKLMNOPQRSTUVWXYZ"].map((c) => (body === "base" ? c : c.toLowerCase()));
   const numbered = letters.map((c) => `${c}1`);
   return [...letters, ...numbered].find((name) => !(name in sketch.points)) ?? `${letters[0] ?? "A"}99`;
@@ -66,7 +66,7 @@ export function legFault(sketch: Sketch, a: string, b: string): string | null {
   return hasLeg(sketch, a, b) ? `There is a leg between ${a} and ${b} already.` : null;
 }
 
-export const hasLeg = (sketch: Sketch, a: string, b: string): boolean =>
+const hasLeg = (sketch: Sketch, a: string, b: string): boolean =>
   sketch.legs.some((leg) => leg.includes(a) && leg.includes(b));
 
 /** Legs are written from the base to the platform. */

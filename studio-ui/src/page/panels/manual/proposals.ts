@@ -57,7 +57,7 @@ export const proposalOf = (kind: Kind): Proposal => PROPOSALS.find((p) => p.kind
 const SHORT = /^[A-Za-z](_?\d+)?'*$/;
 
 /** Points written together where the engine reads them so. */
-export const together = (points: readonly string[]): string => points.join(points.every((p) => SHORT.test(p)) ? "" : " ");
+const together = (points: readonly string[]): string => points.join(points.every((p) => SHORT.test(p)) ? "" : " ");
 
 export function commandOf(kind: Kind, points: readonly string[]): string {
   const words = kind === "lines" ? [points.slice(0, 2), points.slice(2)].map(together).join(" ") : together(points);
@@ -71,7 +71,7 @@ export function picked(picks: readonly string[], name: string, size: number): re
 }
 
 /** The points that a command names; [] where they cannot be told. */
-export function pointsOf(command: string, names: readonly string[]): string[] {
+function pointsOf(command: string, names: readonly string[]): string[] {
   const rest = command.split(/\s+/).slice(1);
   if (rest.every((word) => names.includes(word))) return rest;
   const letters = rest.join("").match(/[A-Za-z]_?\d*'*/g) ?? [];

@@ -1,6 +1,6 @@
 // The viewer in a notebook cell. The pose goes both ways; what the kernel computes for it is shown beside.
-import { explore } from "../viewer/explorer";
-import type { Pose, Scene } from "../viewer/types";
+import { explore } from "./explorer";
+import type { Pose, Scene } from "./types";
 
 interface Traits {
   scene: Scene;
@@ -46,4 +46,4 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
   };
 }
 
-export default { render };
+export const widget = { render };
