@@ -39,7 +39,7 @@ def seed(*claim: object) -> int:
 
 @contextmanager
 def repeated(chosen: int | None) -> Iterator[None]:
-    """Take the points of checks from a seed that the user chose, so that a run can be repeated; None changes nothing."""
+    """Take the points of checks from a seed of the user's, so that a run can be repeated; None changes nothing."""
     token = _chosen.set(_chosen.get() if chosen is None else chosen)
     try:
         yield
