@@ -108,8 +108,8 @@ def factors(structure: Structure) -> Iterator[tuple[str, ...]]:
     at exact random points) it vanishes too.
     """
     for four in combinations(structure.names, 4):
-        points = random_points(structure.names, seed=5)
-        weights = random_points(four[:3], seed=6)
+        points = random_points(structure.names, seed=("factors", structure.text()))
+        weights = random_points(four[:3], seed=("weights", structure.text()))
         points[four[3]] = tuple(
             sum(weights[n][0] * points[n][i] for n in four[:3]) % PRIME for i in range(len(points[four[0]]))
         )

@@ -60,8 +60,9 @@ def always_zero(structure: Structure, typed: SuperbracketForm) -> Certificate | 
         if construction.is_zero(structure.superbracket):
             return Certificate("normal-form", f"proved: the normal form of the superbracket is 0{where}")
     except LimitReached as limited:
-        if construction.vanishes(structure.superbracket, samples=_SAMPLES, seed=40):
-            detail = f"zero at {_SAMPLES} exact random points, error below 1e-30; no proof: {limited.message}"
+        if construction.vanishes(structure.superbracket, samples=_SAMPLES):
+            sure = construction.error_below(structure.superbracket, _SAMPLES)
+            detail = f"zero at {_SAMPLES} exact random points, {sure}; no proof: {limited.message}"
             return Certificate("random-points", detail)
     return None
 

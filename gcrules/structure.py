@@ -140,7 +140,7 @@ class Structure:
         """The brackets of joints that vanish under the assumptions, proved."""
         if not self.given:
             return ()
-        at = Evaluator(self.construction.random_points(6), self.rank, PRIME)
+        at = Evaluator(self.construction.random_points(("dead", self.text())), self.rank, PRIME)
         rows = {r: ex.bracket(*map(Point, r), rank=self.rank) for r in combinations(self.names, self.rank)}
         return tuple(r for r, e in rows.items() if not at.value(e)[0] and self.vanishes(e))
 

@@ -17,12 +17,14 @@ from itertools import combinations, product
 from math import gcd, lcm
 from typing import Any
 
+from gcrules.algebra import claims
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Monomial, Terms, tableau_order
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expand import MAX_TERMS, Expander, Multivector
 from gcrules.algebra.expr import Expr, Join, Point, points_of
 from gcrules.algebra.straighten import terms_are_zero
+from gcrules.core.seeds import DRAWN, drawn
 from gcrules.errors import LimitReached
 
 __all__ = ["Construction", "Step", "Within", "coordinates", "step_on"]
@@ -130,12 +132,14 @@ class Construction:
         """The points of the user: free ones, then constructed ones."""
         return tuple(n for n in (*self.free, *(s.name for s in self.steps)) if ":" not in n)
 
-    def random_points(self, seed: int = 0) -> dict[str, tuple[int, ...]]:
-        """Random residues modulo `PRIME` that satisfy the assumptions; ideal points have last coordinate 0."""
+    def random_points(self, seed: object = 0) -> dict[str, tuple[int, ...]]:
+        """Random residues modulo `PRIME` that satisfy the assumptions; ideal points have last coordinate 0. They may
+        decide, as nobody can foresee them (see `seeds`).
+        """
         points = random_points(self._needed, rank=self.rank, ideal=self.ideal, seed=seed)
-        rng = random.Random(f"parameters {seed}")
+        rng = drawn("parameters", seed)
         for step in self.steps:
-            value = coordinates(step, points, self.rank, lambda: rng.randrange(1, PRIME), PRIME)
+            value = coordinates(step, points, self.rank, lambda: rng.randrange(DRAWN), PRIME)
             points[step.name] = tuple(value)
         return points
 
@@ -169,10 +173,27 @@ class Construction:
         fresh = [n for s in self.steps for n in s.fresh]
         return (*tableau_order(self.free, self.free, self.ideal), *fresh)
 
-    def vanishes(self, e: Expr, *, samples: int = 2, seed: int = 0) -> bool:
-        """Whether an expression is zero at random points modulo `PRIME`; False is certain, True almost."""
-        drawn = (self.random_points(seed + n) for n in range(samples))
-        return all(not any(Evaluator(points, self.rank, PRIME).value(e)) for points in drawn)
+    def vanishes(self, e: Expr, *, samples: int = 2, seed: object = 0) -> bool:
+        """Whether an expression is zero at random points modulo `PRIME`, which depend on the expression; False is
+        certain, True wrong with the probability `error_below`.
+        """
+        claim = claims.digest(e)
+        at = (self.random_points((claim, seed, n)) for n in range(samples))
+        return all(not any(Evaluator(points, self.rank, PRIME).value(e)) for points in at)
+
+    def error_below(self, e: Expr, samples: int) -> str:
+        """In words, the chance at most that `vanishes` is wrong where it says so."""
+        return claims.error_below(e, samples, self._sizes)
+
+    @cached_property
+    def _sizes(self) -> dict[str, claims.Size]:
+        """Of the constructed points, as polynomials in what is drawn."""
+        found: dict[str, claims.Size] = {}
+        for step in self.steps:
+            parts = [(claims.size(part, found), step.scaled(part)) for part in step.parts]
+            degree = max(size.degree + scaled for size, scaled in parts)
+            found[step.name] = claims.Size(degree, max(size.bits for size, _ in parts) + len(parts).bit_length())
+        return found
 
     def is_zero(self, e: Expr, *, limit: int = MAX_TERMS) -> bool:
         """Whether an expression is zero wherever the construction leads, decided by its normal form.

@@ -21,6 +21,7 @@ from functools import cache, reduce
 from itertools import chain, combinations
 from typing import Any
 
+from gcrules.algebra import claims
 from gcrules.algebra.expr import (
     Bracket,
     Dotted,
@@ -37,6 +38,7 @@ from gcrules.algebra.expr import (
     points_of,
     rank_of,
 )
+from gcrules.core.seeds import DRAWN, PRIME, drawn
 from gcrules.errors import InputError, LimitReached
 
 __all__ = [
@@ -51,9 +53,6 @@ __all__ = [
     "random_rational_points",
     "vanishes",
 ]
-
-PRIME = 2**61 - 1
-"""Modulus of the oracle's random points."""
 
 _Values = list[Any]  # Plücker coordinates: numbers of any ring, or arrays of them (one entry for each sample)
 _Reduce = Callable[[Any], Any]
@@ -249,13 +248,17 @@ def _index(rank: int, step: int) -> dict[tuple[int, ...], int]:
 
 
 def random_points(
-    names: Iterable[str], *, rank: int = 4, ideal: Iterable[str] = (), seed: int = 0
+    names: Iterable[str], *, rank: int = 4, ideal: Iterable[str] = (), seed: object = 0
 ) -> dict[str, tuple[int, ...]]:
-    """Random residues modulo `PRIME` as homogeneous coordinates; points in `ideal` have last coordinate 0."""
-    rng = random.Random(seed)
+    """Random homogeneous coordinates to be taken modulo `PRIME`; points in `ideal` have last coordinate 0.
+
+    The same in one run for the same `seed` (a number, or texts and numbers that say what is claimed), and such that
+    nobody can foresee them: what holds there may decide (see `seeds`).
+    """
+    rng = drawn("points", seed)
     at_infinity = set(ideal)
     return {
-        name: (*(rng.randrange(PRIME) for _ in range(rank - 1)), 0 if name in at_infinity else rng.randrange(PRIME))
+        name: (*(rng.randrange(DRAWN) for _ in range(rank - 1)), 0 if name in at_infinity else rng.randrange(DRAWN))
         for name in names
     }
 
@@ -263,7 +266,10 @@ def random_points(
 def random_rational_points(
     names: Iterable[str], *, rank: int = 4, ideal: Iterable[str] = (), seed: int = 0, size: int = 9
 ) -> dict[str, tuple[int, ...]]:
-    """Small random whole coordinates, finite points with last coordinate 1 and ideal points with 0."""
+    """Small random whole coordinates, finite points with last coordinate 1 and ideal points with 0.
+
+    The same in every run for the same seed, thus to search and to show; what holds there proves nothing.
+    """
     rng = random.Random(seed)
     at_infinity = set(ideal)
     return {
@@ -271,14 +277,14 @@ def random_rational_points(
     }
 
 
-def vanishes(e: Expr, *, rank: int = 4, ideal: Iterable[str] = (), samples: int = 2, seed: int = 0) -> bool:
-    """Whether an expression is zero at random points modulo `PRIME`.
+def vanishes(e: Expr, *, rank: int = 4, ideal: Iterable[str] = (), samples: int = 2, seed: object = 0) -> bool:
+    """Whether an expression is zero at random points modulo `PRIME`, which depend on the expression and on `seed`.
 
-    False is certain. True is wrong with probability at most (D / PRIME)^samples, D the degree in the coordinates.
+    False is certain. True is wrong with the probability `claims.error_below`, whoever wrote the expression.
     """
-    names, at_infinity = points_of(e), tuple(ideal)
+    names, at_infinity, claim = points_of(e), tuple(ideal), claims.digest(e)
     for n in range(samples):
-        points = random_points(names, rank=rank, ideal=at_infinity, seed=seed + n)
+        points = random_points(names, rank=rank, ideal=at_infinity, seed=(claim, seed, n))
         if any(Evaluator(points, rank, PRIME).value(e)):
             return False
     return True

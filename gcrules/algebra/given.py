@@ -29,6 +29,7 @@ from gcrules.algebra.incidences import Condition, Facts, equations, fault
 from gcrules.algebra.nonzero import assumed, fewest
 from gcrules.algebra.roads import ROADS, understood
 from gcrules.algebra.space import Assumption, Space
+from gcrules.core.seeds import DRAWN, drawn, seed
 from gcrules.errors import InputError
 
 __all__ = ["equations", "holds", "resolve"]
@@ -121,7 +122,8 @@ class _Builder:
     def _always(self, c: Condition) -> bool:
         """At exact points, since coefficients may be multiples of any prime."""
         names = [*self.points, *self.helpers]
-        points = random_rational_points(names, rank=self.rank, ideal=self.ideal, seed=3, size=PRIME)
+        at = seed("always", str(c.equation))
+        points = random_rational_points(names, rank=self.rank, ideal=self.ideal, seed=at, size=DRAWN)
         return not any(Evaluator(points, self.rank).value(c.equation))
 
     def construction(self) -> Construction:
@@ -157,7 +159,7 @@ class _Builder:
     def _attempt(self, turns: list[Turn]) -> Construction:
         constructed = {n for n, _ in turns}
         free = tuple(n for n in (*self.points, *self.helpers) if n not in constructed)
-        values = random_points(free, rank=self.rank, ideal=self.ideal, seed=1)
+        values = random_points(free, rank=self.rank, ideal=self.ideal, seed="construction")
         state = _State(self, values)
         for depth, (name, conditions) in enumerate(turns):
             state.place(depth, name, conditions)
@@ -172,7 +174,7 @@ class _State:
     values: dict[str, tuple[int, ...]]
     steps: list[Step] = field(default_factory=list)
     causes: list[tuple[Condition, ...]] = field(default_factory=list)
-    rng: random.Random = field(default_factory=lambda: random.Random(2))
+    rng: random.Random = field(default_factory=lambda: drawn("construction"))
 
     def zero(self, e: Expr) -> bool:
         return not any(Evaluator(self.values, self.builder.rank, PRIME).value(e))
@@ -228,8 +230,8 @@ class _State:
 
     def put(self, step: Step) -> None:
         b = self.builder
-        points = {**self.values, **random_points(step.fresh, rank=b.rank, seed=len(self.steps) + 10)}
-        value = coordinates(step, points, b.rank, lambda: self.rng.randrange(1, PRIME), PRIME)
+        points = {**self.values, **random_points(step.fresh, rank=b.rank, seed=("fresh", len(self.steps)))}
+        value = coordinates(step, points, b.rank, lambda: self.rng.randrange(DRAWN), PRIME)
         self.values[step.name] = tuple(value)
 
     def check(self, depth: int, step: Step, used: list[Condition]) -> None:

@@ -20,6 +20,7 @@ from itertools import combinations
 from typing import Any
 
 from gcrules.algebra.bracket import tableau_order
+from gcrules.algebra.claims import error_below
 from gcrules.algebra.construction import Construction
 from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import MAX_TERMS
@@ -37,7 +38,7 @@ __all__ = ["Proof", "prove"]
 _SAMPLES = 3
 _TRIES = 400  # small positions that are tried
 _BETTER = 60  # among these a counterexample is sought whose points all differ
-_EQUAL = f"; equal at {_SAMPLES} exact random points modulo a prime near 2**61 (error below 1e-30)"
+_EQUAL = f"; equal at {_SAMPLES} exact random points"
 _SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
 
 
@@ -139,7 +140,7 @@ def prove(
     try:
         if not vanishes(difference, rank=rank, ideal=at_infinity, samples=_SAMPLES):
             return _refuted(left, right, rank, at_infinity)
-        known = _EQUAL
+        known = f"{_EQUAL} ({error_below(difference, _SAMPLES)})"
         if not is_zero(difference, points=points, ideal=at_infinity, rank=rank, limit=limit):
             # The coefficients of the difference are multiples of that prime.
             return _refuted(left, right, rank, at_infinity)
@@ -156,7 +157,7 @@ def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, 
     try:
         if not construction.vanishes(difference, samples=_SAMPLES):
             return _refuted_under(left, right, construction)
-        known = _EQUAL.replace("points", "points that satisfy the assumptions")
+        known = f"{_EQUAL} that satisfy the assumptions ({construction.error_below(difference, _SAMPLES)})"
         if not construction.is_zero(difference, limit=limit):
             return _refuted_under(left, right, construction)
     except LimitReached as limited:

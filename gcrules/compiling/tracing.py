@@ -7,16 +7,17 @@ origin and, for a platform that moves as a body, with every joint of it as the o
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from gcrules.algebra.claims import digest
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
 from gcrules.compiling.scalars import Graph, Ring, Scalar
 from gcrules.compiling.tape import Program, lower
 from gcrules.compiling.vectors import Places, Vector, add, dot, sub
+from gcrules.core.seeds import drawn
 from gcrules.errors import EngineFault
 from gcrules.numeric.turns import rotation
 
@@ -88,6 +89,9 @@ def _turned(turn: Turn, v: Vector) -> Vector:
     return dot(turn[0], v), dot(turn[1], v), dot(turn[2], v)
 
 
+_LARGE = 1 << 30  # numbers of the exact check are smaller
+
+
 def trace(mechanism: Mechanism, kind: str, roads: Sequence[Road], expression: Expr) -> tuple[str, Program]:
     """The shortest program for `expression` that any of the roads leads to, and the name of that road.
 
@@ -114,12 +118,12 @@ def trace(mechanism: Mechanism, kind: str, roads: Sequence[Road], expression: Ex
 def _check(mechanism: Mechanism, kind: str, program: Program, expression: Expr) -> None:
     """Two roads: the program in exact arithmetic, and the expression at the points of the pose."""
     at: dict[str, Vector]
-    rng = random.Random(7)
-    inputs = [Fraction(rng.randint(-9, 9)) for _ in range(mechanism.inputs(kind))]
+    rng = drawn("compiled", kind, digest(expression))
+    inputs = [Fraction(rng.randrange(-_LARGE, _LARGE)) for _ in range(mechanism.inputs(kind))]
     if kind == "joints":
         at = {n: (inputs[3 * k], inputs[3 * k + 1], inputs[3 * k + 2]) for k, n in enumerate(mechanism.moving)}
     else:
-        w, x, y, z = (Fraction(rng.randint(1, 9)) for _ in range(4))
+        w, x, y, z = (Fraction(rng.randrange(1, _LARGE)) for _ in range(4))
         turn = rotation((w, x, y, z))
         inputs[3:] = (w, x, y, z) if kind == "quaternions" else (c for row in turn for c in row)
         shift = add(mechanism.centre, (inputs[0], inputs[1], inputs[2]))

@@ -9,9 +9,10 @@ from functools import cached_property
 from math import factorial, prod
 
 from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.claims import digest, error_below
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expand import expand
-from gcrules.algebra.expr import Expr, Number
+from gcrules.algebra.expr import Expr, Number, mul, sub
 from gcrules.algebra.straighten import straighten
 from gcrules.condition import Certificate
 from gcrules.errors import LimitReached
@@ -70,11 +71,11 @@ def search(
 
 
 class _Oracle:
-    """Whether an expression is a multiple of the polynomial at two exact random positions modulo a prime near 2⁶¹."""
+    """Whether an expression is a multiple of the polynomial at two exact random positions modulo a prime."""
 
     def __init__(self, poly: BracketPolynomial) -> None:
         ideal = poly.points[: poly.ideal]
-        points = (random_points(poly.points, rank=poly.rank, ideal=ideal, seed=n) for n in (1, 2))
+        points = (random_points(poly.points, rank=poly.rank, ideal=ideal, seed=("factor", n)) for n in range(2))
         self.poly = poly
         self.at = [Evaluator(p, poly.rank, PRIME) for p in points]
 
@@ -134,8 +135,10 @@ def certified(
             if coefficient is None:
                 raise LimitReached("an expression that holds at random positions has another normal form")
             return coefficient, Certificate("normal-form", "both sides have the same normal form of standard tableaux")
-    return _small_ratio(poly, e), Certificate(
-        "random-points", f"equal at {_FURTHER} exact random positions, error below 1e-12; no proof: {reason}"
+    ratio = _small_ratio(poly, e)
+    sure = error_below(sub(poly.to_expr(), mul(Number(ratio), e), rank=poly.rank), _FURTHER - 1)  # one tells the ratio
+    return ratio, Certificate(
+        "random-points", f"equal at {_FURTHER} exact random positions, {sure}; no proof: {reason}"
     )
 
 
@@ -144,7 +147,7 @@ def _small_ratio(poly: BracketPolynomial, e: Expr) -> int:
     found = set()
     for n in range(_FURTHER):
         ideal = poly.points[: poly.ideal]
-        at = Evaluator(random_points(poly.points, rank=poly.rank, ideal=ideal, seed=20 + n), poly.rank, PRIME)
+        at = Evaluator(random_points(poly.points, rank=poly.rank, ideal=ideal, seed=(digest(e), n)), poly.rank, PRIME)
         found.add(int(at.value(poly.to_expr())[0] * pow(at.value(e)[0], -1, PRIME) % PRIME))
     (ratio,) = found if len(found) == 1 else (0,)
     ratio = ratio - PRIME if ratio > PRIME // 2 else ratio

@@ -16,12 +16,12 @@ z^3 + 12*z^2 + 48*z + 64 -2640
 
 from __future__ import annotations
 
-import random
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 from gcrules.algebra.evaluate import evaluate
+from gcrules.core.seeds import DRAWN, PRIME, drawn
 from gcrules.errors import EngineFault
 from gcrules.frozen import FrozenMap
 from gcrules.loci.expansion import Terms, expansion
@@ -39,7 +39,6 @@ from gcrules.numeric.turns import rotation as matrix
 
 __all__ = ["locus"]
 
-PRIME = 2**61 - 1
 CHECKS = 3  # poses of each kind
 
 
@@ -114,11 +113,11 @@ def _substituted(terms: Terms, shift: Sequence[Any], turn: Sequence[Any], ring: 
 
 def _check(found: Locus, shift: Sequence[Any], turn: Sequence[Any]) -> None:
     """Two roads: superbrackets at poses, computed from the joints alone. Raises EngineFault where one differs."""
-    rng = random.Random(11)
+    rng = drawn("locus", str(found.coefficient), len(found.variables))
     for k in range(2 * CHECKS):
         modular = k >= CHECKS
         values = [
-            Fraction(rng.randint(1, 10**9 if modular else 99), 1 if modular else rng.randint(1, 9))
+            Fraction(rng.randrange(DRAWN)) if modular else Fraction(rng.randint(1, 10**9), rng.randint(1, 9))
             for _ in found.variables
         ]
         at = list(zip(shift[0].ring.gens, values, strict=True))

@@ -98,4 +98,4 @@ def _factor(f: Factor) -> str:
 
 def _checked(found: Locus) -> tuple[str, str]:
     c = found.checked
-    return "checked", f"at {c['rational']} exact random poses and {c['modular']} modulo 2^61 - 1, from the joints alone"
+    return "checked", f"at {c['rational']} exact random poses and {c['modular']} modulo a prime, from the joints alone"

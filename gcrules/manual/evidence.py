@@ -9,6 +9,7 @@ from functools import lru_cache
 from itertools import combinations, pairwise
 
 from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.claims import digest
 from gcrules.algebra.evaluate import PRIME, Evaluator, evaluate, random_points, random_rational_points
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number, Point, bracket, mul
@@ -64,11 +65,11 @@ def bracket_divides(structure: Structure, names: tuple[str, ...]) -> bool:
 
 
 def _zero_where_flat(structure: Structure, names: tuple[str, ...]) -> bool:
-    for seed in (5, 6):
-        points = random_points(structure.names, ideal=structure.ideal, seed=seed)
-        for n in names:
-            x, y, _, w = points[n]
-            points[n] = (x, y, (3 * x + 5 * y + 7 * w) % PRIME, w)
+    for n in range(2):
+        points = random_points(structure.names, ideal=structure.ideal, seed=("flat", structure.text(), n))
+        for name in names:
+            x, y, _, w = points[name]
+            points[name] = (x, y, (3 * x + 5 * y + 7 * w) % PRIME, w)
         if Evaluator(points, 4, PRIME).value(structure.superbracket)[0]:
             return False
     return True
@@ -190,11 +191,13 @@ def _short(c: int | Fraction) -> int | Fraction:
 def relation(structure: Structure, e: Expr, cofactor: Expr, degree: int) -> str:
     """How the expression divides cofactor · superbracket: "factor" of it, "multiple" of it, "shares" a factor with it,
     or "none". All points move along random lines, on which both are polynomials in one variable (of the expression's
-    `degree` and 12 more than the cofactor's at most); what divides there divides everywhere but for chance of 10⁻¹⁷.
+    `degree` and 12 more than the cofactor's at most); what divides there divides everywhere (error
+    below 10⁻¹⁵).
     """
     left = mul(cofactor, structure.superbracket)
     size = max(degree, 12 + _degree(cofactor)) + 1
-    start, step = (random_points(structure.names, ideal=structure.ideal, seed=s) for s in (7, 8))
+    claim = (digest(left), digest(e))
+    start, step = (random_points(structure.names, ideal=structure.ideal, seed=(*claim, n)) for n in range(2))
     samples: tuple[list[int], list[int]] = ([], [])
     for t in range(size):
         points = {n: tuple((p + t * d) % PRIME for p, d in zip(start[n], step[n], strict=True)) for n in start}

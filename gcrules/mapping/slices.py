@@ -6,7 +6,6 @@ or cubes with whole corners and the numbers stay small.
 
 from __future__ import annotations
 
-import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -17,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.seeds import DRAWN, drawn
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.mapping.axes import TRANSLATION
@@ -131,11 +131,11 @@ def _times(
 
 def vanishes(g: Grid) -> bool:
     """Whether the superbracket is exactly 0 in `MEMBERS` random poses of the slice, with any axes."""
-    r, rng = g.rig, random.Random(6)
+    r, rng = g.rig, drawn("slice", "; ".join(a.text for a in g.axes))
     legs = r.structure.legs
     met = 0
     for _ in range(4 * MEMBERS):
-        place = [a.start + (a.stop - a.start) * Fraction(rng.randrange(1, 1 << 20), 1 << 20) for a in g.axes]
+        place = [a.start + (a.stop - a.start) * Fraction(rng.randrange(1, DRAWN), DRAWN) for a in g.axes]
         try:
             points = r.exact(g.pose(place))
         except InputError:  # a leg has no length

@@ -5,12 +5,12 @@ A common factor of polynomials in all parameters is found on such a line as that
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache, cached_property
 
 from gcrules.algebra.expr import Expr
+from gcrules.core.seeds import drawn
 from gcrules.errors import LimitReached
 from gcrules.robots.equivalent import Equivalent
 from gcrules.robots.family import Family
@@ -41,7 +41,7 @@ class Along:
         self.mixed_roles = any(line.role == "both" for line in every)
         self.group = [line for line in self.lines if self.held(line)]
         self.size = self.full if self.mixed_roles else self.full - structure.mobility
-        rng = random.Random("coordinates")
+        rng = drawn("coordinates")
         self.coordinates = [[rng.randrange(PRIME) for _ in range(6)] for _ in range(self.size)]
         self.row = cache(self._row)
 
@@ -61,7 +61,7 @@ class Along:
 
     def mixed(self, t: int, seed: int) -> int:
         """A random combination of all minors: the minor of random combinations of the lines."""
-        rng = random.Random(seed)
+        rng = drawn("mixed", seed)
         rows = [self.row(line, t) for line in self.group]
         numbers = [[rng.randrange(PRIME) for _ in rows] for _ in range(self.size)]
         return int(RESIDUES.determinant([RESIDUES.combination(some, rows) for some in numbers]))
@@ -77,7 +77,7 @@ class Along:
 
     def dependent(self, lines: Sequence[Line]) -> Poly:
         """What vanishes where these lines depend on each other: the common factor of their minors."""
-        rng = random.Random("dependent")
+        rng = drawn("dependent")
         found: Poly = []
         for _ in range(2):
             coordinates = [[rng.randrange(PRIME) for _ in range(6)] for _ in lines]

@@ -19,6 +19,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from gcrules.core.seeds import DRAWN, drawn
 from gcrules.robots.relations import AXES, Relation, Values, Vector
 from gcrules.screws import RATIONALS, RESIDUES, Field
 
@@ -62,12 +63,14 @@ class Family:
         return tuple(d.name for d in self.definitions if d.parameters)
 
     def parameters(self, seed: object, field: Field) -> dict[str, tuple[Any, ...]]:
-        """Random parameters of every name: residues, or small whole numbers."""
-        rng = random.Random(f"robot {seed}")
+        """Random parameters of every name: residues, which nobody can foresee (see `seeds`), or small whole numbers,
+        the same in every run.
+        """
         exact = field is not RATIONALS
+        rng = drawn("robot", seed) if exact else random.Random(f"robot {seed}")
         found = {}
         for d in self.definitions:
-            numbers = [rng.randrange(1, 1 << 60) if exact else _small(rng) for _ in range(d.parameters)]
+            numbers = [rng.randrange(1, DRAWN) if exact else _small(rng) for _ in range(d.parameters)]
             if self.plane and len(numbers) == 3 and d.relation.kind == "free":
                 numbers[2] = 0
             found[d.name] = tuple(field.number(n) for n in numbers)
@@ -94,7 +97,7 @@ class Family:
 
         A common factor of polynomials in the parameters is found there as that of polynomials in one variable, and a
         factor of one of them divides another there only if it does so everywhere (but for lines of a chance of about
-        degree² / 2^61).
+        degree² / 2^60).
         """
         start, step = self.parameters((seed, "from"), RESIDUES), self.parameters((seed, "to"), RESIDUES)
 

@@ -254,7 +254,7 @@ def _certificate(robot: RobotText, condition: Condition, members: int, met: int)
         return lines
     return (
         f"{lines}; that the lines stand for the joints holds at {members} exact random members of the family, and"
-        f" {met} exact singular members were found, all by the ranks of the joint screws (modulo 2^61 - 1)"
+        f" {met} exact singular members were found, all by the ranks of the joint screws (modulo a prime)"
     )
 
 

@@ -8,13 +8,13 @@ codimension two or more is not met.
 
 from __future__ import annotations
 
-import random
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 
+from gcrules.core.seeds import drawn
 from gcrules.errors import GcrulesError
 from gcrules.robots.family import Family
 from gcrules.robots.limbs import LimbText
@@ -103,7 +103,7 @@ def _of(family: Family, limb: LimbText) -> LimbSingularity:
         return tuple(limb.at(values, RESIDUES).twists(RESIDUES))
 
     usual = RESIDUES.rank(twists(family.member("limb")))
-    rng = random.Random("combinations")
+    rng = drawn("combinations")
     left = [[rng.randrange(PRIME) for _ in range(limb.freedoms)] for _ in range(usual)]
     right = [[rng.randrange(PRIME) for _ in range(6)] for _ in range(usual)]
 

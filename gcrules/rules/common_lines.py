@@ -64,8 +64,10 @@ class FourLegs:
     @cached_property
     def positions(self) -> tuple[Evaluator, ...]:
         """Exact random positions of the joints and of the points FREE, all finite."""
-        seeds = range(11, 11 + _SAMPLES)
-        return tuple(Evaluator(random_points([*self.joints, *FREE], seed=n), 4, PRIME) for n in seeds)
+        names = [*self.joints, *FREE]
+        return tuple(
+            Evaluator(random_points(names, seed=("four legs", self.legs, n)), 4, PRIME) for n in range(_SAMPLES)
+        )
 
     @cached_property
     def lines(self) -> tuple[CommonLine, ...]:

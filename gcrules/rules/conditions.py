@@ -139,8 +139,9 @@ def certify(condition: Condition, structure: Structure) -> Condition:
         if structure.given and structure.construction.is_zero(identity):
             return replace(condition, certificate=PROVED_HERE)
     except LimitReached as limited:
-        if structure.construction.vanishes(identity, samples=_SAMPLES, seed=40):
-            detail = f"holds at {_SAMPLES} exact random points, error below 1e-33; no proof: {limited.message}"
+        if structure.construction.vanishes(identity, samples=_SAMPLES):
+            sure = structure.construction.error_below(identity, _SAMPLES)
+            detail = f"holds at {_SAMPLES} exact random points, {sure}; no proof: {limited.message}"
             return replace(condition, certificate=Certificate("random-points", detail))
     raise EngineFault(f"{condition.cofactor} * superbracket != {condition.coefficient} * ({condition.expression})")
 

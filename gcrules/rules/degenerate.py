@@ -102,7 +102,7 @@ def _common_line(s: Structure) -> Degeneracy | None:
 
 
 def _evaluator(s: Structure) -> Evaluator:
-    return Evaluator(s.construction.random_points(4), s.rank, PRIME)
+    return Evaluator(s.construction.random_points(("degenerate", s.text())), s.rank, PRIME)
 
 
 def _candidates(s: Structure) -> Iterator[tuple[Expr, str, str]]:

@@ -1,4 +1,4 @@
-r"""Fixed exact random points of one structure, on which rules test what they claim before it is proved."""
+r"""Exact random points of one structure, on which rules test what they claim before it is proved."""
 
 from __future__ import annotations
 
@@ -8,23 +8,24 @@ from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Number
 from gcrules.legs import Structure
 
-__all__ = ["Oracle"]
+__all__ = ["SAMPLES", "Oracle"]
 
+SAMPLES = 2
 _MOST = 1 << 30
 _TRIES = 100  # small positions that are drawn until one satisfies what is assumed
 _ONE = Number(1)
 
 
 class Oracle:
-    """Values of expressions and of the superbracket at two exact random points modulo a prime near 2⁶¹, and at one with
-    small whole coordinates, where a multiple of the prime shows (left out where assumptions leave none that is found).
-    All satisfy what is assumed.
+    """Values of expressions and of the superbracket at two exact random points modulo a prime (see `seeds`), and at
+    one with small whole coordinates, where a multiple of the prime shows (left out where assumptions leave none that is
+    found). All satisfy what is assumed.
     """
 
     def __init__(self, structure: Structure) -> None:
         construction, rank = structure.construction, structure.rank
         self._rank = rank
-        self._at = [Evaluator(construction.random_points(n), rank, PRIME) for n in (1, 2)]
+        self._at = [Evaluator(construction.random_points((structure.text(), n)), rank, PRIME) for n in range(SAMPLES)]
         small = next(filter(None, map(construction.rational_points, range(1, _TRIES))), None)
         self._small = Evaluator(small, rank) if small else None
         self._exact = self._small.value(structure.superbracket)[0] if self._small else 0

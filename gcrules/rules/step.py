@@ -6,11 +6,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
+from gcrules.algebra.claims import digest
 from gcrules.algebra.evaluate import Evaluator, random_rational_points, vanishes
 from gcrules.algebra.expr import Expr, points_of, sub
 from gcrules.algebra.given import resolve
 from gcrules.algebra.space import Space
 from gcrules.algebra.text import text
+from gcrules.core.seeds import DRAWN, seed
 
 __all__ = ["Step", "joined"]
 
@@ -33,8 +35,8 @@ class Step:
     steps: tuple[Step, ...] = ()
 
     def check(self, space: Space | None = None, *, ideal: tuple[str, ...] = (), samples: int = 2) -> bool:
-        """Whether both sides agree at exact random points (wrong with probability below 10⁻²⁰ when True), and the
-        single steps, if there are any, lead from the one to the other and hold.
+        """Whether both sides agree at exact random points (when True, wrong with the probability
+        `claims.error_below`), and the single steps, if there are any, lead from the one to the other and hold.
         """
         space = space or Space(ideal=ideal)
         difference = sub(self.before, self.after, rank=space.rank)
@@ -73,10 +75,11 @@ def _zero(e: Expr, space: Space, samples: int) -> bool:
 
 
 def _exactly_zero(e: Expr, space: Space) -> bool:
-    """The same at one position with small whole coordinates, where a multiple of the prime shows; positions under
+    """The same at one position with whole coordinates, where a multiple of the prime shows; positions under
     assumptions are left to the prime.
     """
     if space.given:
         return True
-    points = random_rational_points(points_of(e), rank=space.rank, ideal=space.ideal, seed=5)
+    at = seed("step", digest(e))
+    points = random_rational_points(points_of(e), rank=space.rank, ideal=space.ideal, seed=at, size=DRAWN)
     return not any(Evaluator(points, space.rank).value(e))

@@ -195,4 +195,4 @@ class Residues(Exact):
 
 RATIONALS = Rationals()
 RESIDUES = Residues()
-"""Residues modulo the prime of the oracle, 2⁶¹ − 1."""
+"""Residues modulo the prime of the oracle, see `seeds`."""
