@@ -30,7 +30,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from hashlib import blake2b
-from math import inf, log10
+from math import floor, log10
 
 __all__ = ["DRAWN", "PRIME", "bound", "drawn", "error_below", "remark", "repeated", "seed"]
 
@@ -38,6 +38,7 @@ DRAWN = 1 << 60
 """Coordinates of deciding draws are the whole numbers below it, all alike likely."""
 
 _PRIMES = 10**16  # fewer than there are of the form 4n + 3 between 2⁶⁰ and 2⁶¹ (1.3 · 10¹⁶)
+_LEAST = 1e-300  # what is shown of smaller chances
 _WITNESSES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)  # of compositeness of every number below 3.3 · 10²⁴
 
 _secret = [secrets.token_bytes(32)]
@@ -138,6 +139,5 @@ def error_below(degree: int, bits: int, samples: int) -> str:
     >>> error_below(12, 20, 2), error_below(12, 70, 2)
     ('error below 1e-33', 'error below 1e-15')
     """
-    chance = bound(degree, bits, samples)
-    power = -inf if chance == 0 else log10(chance)
-    return f"error below {f'1e{int(power // 1) + 1}' if power < -1 else '1'}{remark()}"
+    power = floor(log10(max(bound(degree, bits, samples), _LEAST))) + 1
+    return f"error below {f'1e{power}' if power < 0 else '1'}{remark()}"
