@@ -62,11 +62,11 @@ class Family:
         """Names that have parameters of their own."""
         return tuple(d.name for d in self.definitions if d.parameters)
 
-    def parameters(self, seed: object, field: Field) -> dict[str, tuple[Any, ...]]:
+    def parameters(self, seed: object, field: Field, *, decides: bool = False) -> dict[str, tuple[Any, ...]]:
         """Random parameters of every name: residues, which nobody can foresee (see `seeds`), or small whole numbers,
-        the same in every run.
+        the same in every run. With `decides` rational numbers are large and unforeseeable too.
         """
-        exact = field is not RATIONALS
+        exact = decides or field is not RATIONALS
         rng = drawn("robot", seed) if exact else random.Random(f"robot {seed}")
         found = {}
         for d in self.definitions:
@@ -83,9 +83,9 @@ class Family:
             values[d.name] = d.relation.value(d.sort, field, values, parameters[d.name])
         return values
 
-    def member(self, seed: object, field: Field = RESIDUES) -> dict[str, Vector]:
-        """A random exact member."""
-        return self.at(self.parameters(seed, field), field)
+    def member(self, seed: object, field: Field = RESIDUES, *, decides: bool = False) -> dict[str, Vector]:
+        """A random exact member; see `parameters`."""
+        return self.at(self.parameters(seed, field, decides=decides), field)
 
     def path(self, seed: object, name: str) -> Path:
         """Members that differ in the parameters of one name, along a line."""

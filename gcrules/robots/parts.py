@@ -26,6 +26,7 @@ from gcrules.screws.field import Row
 
 __all__ = [
     "ASIDE",
+    "ENOUGH",
     "KINDS",
     "Part",
     "Ranks",
@@ -53,8 +54,8 @@ KINDS: Mapping[str, str] = {
 ASIDE = ("never", "choice", "limb")
 """Kinds of factors that are no singularities of the robot."""
 
-_ENOUGH = 3  # singular members for each factor
-_MOST_PATHS = 16
+ENOUGH = 3  # singular members of each kind; more are not counted, as how many there are on a path is chance
+_MOST_PATHS = 48
 _NEVER_SEEDS = (21, 22, 23)
 
 
@@ -70,9 +71,10 @@ class Ranks:
 @dataclass(frozen=True)
 class Part:
     """A factor of the condition: `kind` is a key of `KINDS`, `members` the number of exact singular members on which
-    that was seen, `reason` says why a factor never vanishes, `statement` when it does. `same` is another factor of this
-    robot that vanishes wherever this one does; `chosen` the number of those members at which a factor that counts
-    vanishes although the wrenches keep their rank, since the chosen lines depend on each other.
+    that was seen (not counted beyond `ENOUGH`), `reason` says why a factor never vanishes, `statement` when it does.
+    `same` is another factor of this robot that vanishes wherever this one does; `chosen` the number of those members at
+    which a factor that counts vanishes although the wrenches keep their rank, since the chosen lines depend on each
+    other.
     """
 
     expression: Expr
@@ -194,12 +196,15 @@ def tell_apart(
     for e in open_factors:
         votes = told.best(e)
         kind = _kind(votes)
-        parts[e] = Part(e, kind, sum(votes.values()), chosen=0 if kind in ASIDE else votes["choice"])
+        chosen = 0 if kind in ASIDE else min(ENOUGH, votes["choice"])
+        others = sum(votes.values()) - (votes["choice"] if chosen else 0)
+        parts[e] = Part(e, kind, min(ENOUGH, others) + chosen, chosen=chosen)
+    told.met = min(told.met, sum(p.members for p in parts.values()))
     return tuple(parts[e] for e in dict.fromkeys(factors)), told
 
 
 def _enough(votes: Counter[str]) -> bool:
-    return votes["actuation"] + votes["constraint"] >= _ENOUGH
+    return votes["actuation"] + votes["constraint"] >= ENOUGH
 
 
 def not_told(

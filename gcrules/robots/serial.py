@@ -9,7 +9,6 @@ codimension two or more is not met.
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
@@ -18,7 +17,7 @@ from gcrules.core.seeds import drawn
 from gcrules.errors import GcrulesError
 from gcrules.robots.family import Family
 from gcrules.robots.limbs import LimbText
-from gcrules.robots.parts import paths, upstream
+from gcrules.robots.parts import ENOUGH, paths, upstream
 from gcrules.robots.relations import Term, Values, Vector, combined
 from gcrules.robots.singular import PRIME, interpolated, roots
 from gcrules.rules.listing import listed
@@ -27,14 +26,14 @@ from gcrules.screws.field import Row
 
 __all__ = ["LimbSingularity", "limb_singularities"]
 
-_PATHS = 5
+_PATHS = 24
 
 
 @dataclass(frozen=True)
 class LimbSingularity:
     """Conditions under which a limb's twists drop rank: (expression, sentence), the expression "" where it is no
-    bracket of points. `members` are those on which they were seen, `unexplained` those where none of the conditions
-    tried holds.
+    bracket of points. `members` is the number of those on which they were seen, `unexplained` of those where none
+    of the conditions tried holds; both end at `ENOUGH`, as how many are met is chance.
     """
 
     limb: str
@@ -96,7 +95,7 @@ def _told(sentence: str, new: dict[str, str]) -> str:
 
 
 def _of(family: Family, limb: LimbText) -> LimbSingularity:
-    found: Counter[tuple[str, str]] = Counter()
+    found: set[tuple[str, str]] = set()
     met = unexplained = 0
 
     def twists(values: Values) -> tuple[Row, ...]:
@@ -127,8 +126,9 @@ def _of(family: Family, limb: LimbText) -> LimbSingularity:
             if first is None:
                 unexplained += 1
             else:
-                found[first] += 1
-    return LimbSingularity(limb.name, tuple(found), met, unexplained)
+                found.add(first)
+    conditions = tuple(said for said, _ in _tried(family, limb, family.member("limb")) if said in found)
+    return LimbSingularity(limb.name, conditions, min(ENOUGH, met), min(ENOUGH, unexplained))
 
 
 def _terms(limb: LimbText) -> dict[str, Term]:

@@ -151,7 +151,7 @@ def _real_kind(family: Family, limb: LimbText) -> str:
     """The kind of the system at rational members: residues have square roots that rational numbers have not. Where
     members differ, only its dimension is said.
     """
-    found = [limb.at(family.member(seed, RATIONALS), RATIONALS) for seed in _REAL_SEEDS]
+    found = [limb.at(family.member(seed, RATIONALS, decides=True), RATIONALS) for seed in _REAL_SEEDS]
     kinds = {_kind(one.locked_system(RATIONALS), family) for one in found}
     kind = kinds.pop() if len(kinds) == 1 else f"{found[0].locked_system(RATIONALS).dimension}-system of screws"
     held = found[0].constraint_system(RATIONALS)
