@@ -24,6 +24,7 @@ from gcrules.algebra.text import SHORT_NAME, Names, split_names, text
 from gcrules.catalog import Match
 from gcrules.catalog_file import load
 from gcrules.condition import Condition, Entity, starred
+from gcrules.core.seeds import remark
 from gcrules.errors import EngineFault, InputError
 from gcrules.legs import Structure, read_legs, read_order
 from gcrules.numeric.value import PoseValue, pose_value
@@ -193,13 +194,16 @@ def analyze(
             kind="always-singular",
             expression=ex.ZERO,
             statement=catalog.statements["always-singular"].format(reason=why.reason),
+            statement_source=catalog.statement_sources.get("always-singular", ""),
             certificate=zero,
             entities=starred([("line", tuple(map(str, why.line.children)))]) if isinstance(why.line, ex.Join) else (),
             lines=(("", why.line),) if isinstance(why.line, Meet) else (),
         )
         shortest = forms.shortest(structure, strategy)[0]
         derivation = derived_zero(structure, typed, shortest)
-        return Analysis(structure, typed, shortest, match, condition, (), derivation, strategy, degeneracy=why)
+        return Analysis(
+            structure, typed, shortest, match, condition, (), derivation, strategy, degeneracy=why, notes=_seed_note()
+        )
     found = read(structure, matches, catalog, strategy, chosen=chosen, recheck=recheck, search=search)
     conditions = (*found.conditions, linear_complex(structure, catalog))
     derivation = _derivation(found, structure, conditions[0], chosen)
@@ -220,8 +224,13 @@ def analyze(
         derivation,
         strategy,
         claim,
-        notes=found.notes,
+        notes=(*found.notes, *_seed_note()),
     )
+
+
+def _seed_note() -> tuple[str, ...]:
+    """What an analysis has to say of points that could be foreseen; nothing as a rule."""
+    return (f"checks at random points:{remark()}",) if remark() else ()
 
 
 def _chosen(

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import islice
 from typing import Any
@@ -17,12 +17,13 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Point, substitute
 from gcrules.algebra.syntax import parse
 from gcrules.algebra.text import SHORT_NAME
+from gcrules.catalog_proofs import Standing, is_shipped, standing
 from gcrules.condition import Certificate, Condition
-from gcrules.errors import FileError
+from gcrules.errors import EngineFault, FileError
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg, Structure
 from gcrules.rules.conditions import certify
-from gcrules.rules.oracle import Oracle
+from gcrules.rules.oracle import SAMPLES, Oracle
 
 __all__ = ["FROM_CATALOG", "LABELS", "SHIPPED", "Catalog", "Entry", "Match", "Reading"]
 
@@ -39,6 +40,7 @@ class Reading:
     coefficient: int
     statement: str | None
     line_texts: tuple[tuple[str, str], ...] = ()
+    place: str = field(default="", compare=False)
 
     @cached_property
     def lines(self) -> tuple[tuple[str, Expr], ...]:
@@ -126,10 +128,13 @@ class Match:
 
 @dataclass(frozen=True)
 class Catalog:
-    """Entries of one or several files, and the templates of statements by kind of condition."""
+    """Entries of one or several files, and the templates of statements by kind of condition; `statement_sources` names
+    the files of those that are not gcrules' own.
+    """
 
     entries: tuple[Entry, ...]
     statements: Mapping[str, str]
+    statement_sources: Mapping[str, str] = FrozenMap()
 
     def __getitem__(self, class_id: str) -> Entry:
         """Raises KeyError for an id that is not there."""
@@ -159,45 +164,74 @@ class Catalog:
         return [e for e in dict.fromkeys(cofactors) if oracle.zero(e)]
 
     def readings(self, structure: Structure, match: Match, oracle: Oracle, *, recheck: bool = False) -> list[Condition]:
-        """The identities of the matched class in the structure's labels, each checked afresh at exact random points
-        (proved from scratch with `recheck`). The condition itself comes first unless a rule of the engine finds it.
-        Left out are those whose cofactor is zero wherever the points of a special position may be.
+        """The identities of the matched class in the structure's labels, each proved and checked afresh at exact random
+        points (proved from scratch with `recheck`). The condition itself comes first unless a rule of the engine finds
+        it. Left out are those whose cofactor is zero wherever the points of a special position may be.
+
+        Raises FileError where an identity of a catalog is false.
         """
         entry, sign = match.entry, match.sign(structure)
         own = entry.condition
         found = []
         use_own = own.kind in FROM_CATALOG or (entry.owner != SHIPPED and own.kind != "always-singular")
         for reading in ([own] if use_own else []) + list(entry.readings):
+            known = standing(entry, reading)
             names = {a: Point(b) for a, b in match.mapping.items()}
             expression, cofactor = (substitute(e, dict(names)) for e in (reading.expression, reading.cofactor))
-            data = {"class": entry.id, "mapping": match.mapping, "points": 2}
-            detail = (
-                f"instance of an identity of class {entry.id}, proved by gcrules catalog check; "
-                "holds at 2 exact random points, error below 1e-33"
-            )
             condition = Condition(
                 kind=reading.kind,
                 expression=expression,
                 cofactor=cofactor,
                 coefficient=sign * reading.coefficient,
                 statement=_relabelled(reading.statement or "", match.mapping),
-                certificate=Certificate("catalog-instance", detail, data),
+                statement_source="" if is_shipped(entry, reading) else f"{entry.owner}, class {entry.id}",
+                certificate=_UNPROVED,
                 lines=tuple((name, substitute(e, dict(names))) for name, e in reading.lines),
             )
             if structure.special and oracle.zero(cofactor):
                 continue
             if oracle.zero(cofactor) or not oracle.zero(condition.identity(structure.superbracket)):
-                raise FileError(
-                    f"the reading {reading.expression} of class {entry.id} is not an identity",
-                    filename=entry.place,
-                    hint="run `gcrules catalog check`",
-                )
-            found.append(certify(condition, structure) if recheck else condition)
+                raise _false(condition, known, reading, entry)
+            if recheck:
+                found.append(certify(condition, structure, claimed_by=condition.statement_source))
+            else:
+                found.append(replace(condition, certificate=_certificate(condition, known, reading, match, structure)))
         return found
+
+
+def _certificate(
+    condition: Condition, known: Standing, reading: Reading, match: Match, structure: Structure
+) -> Certificate:
+    """How sure an instance of an identity is, which holds at the points of the oracle."""
+    entry, construction = match.entry, structure.construction
+    data = {"class": entry.id, "mapping": match.mapping, "digest": known.digest}
+    whose = entry.id if known.verdict == "shipped" else f"{entry.id} of {entry.owner}"
+    identity = condition.identity(structure.superbracket)
+    if known.verdict != "unproved":
+        sure = f"holds at {SAMPLES} exact random points, {construction.error_below(identity, SAMPLES)}"
+        detail = f"instance of an identity of class {whose}, {known.detail}; {sure}"
+        return Certificate("catalog-instance", detail, data | {"points": SAMPLES})
+    if not construction.vanishes(identity, samples=_FURTHER):
+        raise _false(condition, known, reading, entry)
+    sure = f"holds at {_FURTHER} exact random points, {construction.error_below(identity, _FURTHER)}"
+    detail = f"claimed by {entry.owner}, class {entry.id}; unproved; {sure}; no proof: {known.detail}"
+    return Certificate("random-points", detail, data | {"points": _FURTHER})
+
+
+def _false(condition: Condition, known: Standing, reading: Reading, entry: Entry) -> Exception:
+    """The fault of an identity that does not hold at exact random points: of the catalog, unless it was proved."""
+    if known.verdict != "unproved":
+        return EngineFault(f"the identity of class {entry.id} does not hold for its instance {condition}")
+    why = (
+        f"the reading {reading.expression_text} of class {entry.id} is not an identity: it fails at exact random points"
+    )
+    return FileError(why, filename=reading.place or entry.place)
 
 
 FROM_CATALOG = ("transversals", "one-incidence")  # kinds of which the catalog has identities of its own
 _MOST_ISOMORPHISMS = 100
+_FURTHER = 3  # points for what has no proof
+_UNPROVED = Certificate("none", "claimed by a catalog")
 
 
 def _missing(class_id: str) -> Entry:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from importlib.resources import files
 from itertools import combinations
+from pathlib import Path
 from typing import Any
 
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
@@ -15,13 +16,24 @@ from gcrules.algebra.prove import prove
 from gcrules.algebra.shortest import counts
 from gcrules.analysis import analyze
 from gcrules.catalog import SHIPPED, Catalog, Entry, Reading
+from gcrules.catalog_proofs import DIGESTS, counterexample, digests
 from gcrules.condition import Certificate, Condition
+from gcrules.files import write_file
 from gcrules.legs import Leg, Structure
 from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.state import extensor
 from gcrules.shortening.shorten import shorten
 
-__all__ = ["CheckResult", "check_catalog", "check_entry", "enumerate_classes", "factors", "source_keys"]
+__all__ = [
+    "CheckResult",
+    "check_catalog",
+    "check_digests",
+    "check_entry",
+    "enumerate_classes",
+    "factors",
+    "source_keys",
+    "write_digests",
+]
 
 LEGS = 6
 MOST_AT_A_JOINT = 3
@@ -72,6 +84,32 @@ def check_entry(entry: Entry) -> CheckResult:
     if entry.condition.kind in FOUND and entry.condition.kind != found.condition.kind:
         faults.append(f"a condition of kind {entry.condition.kind}, but the rules find {found.condition.kind}")
     return CheckResult(entry.id, entry.place, proved, tuple(faults))
+
+
+def check_digests(shipped: Catalog) -> tuple[CheckResult, ...]:
+    """What is wrong with the digests of the shipped catalog; nothing where they are those of what it says."""
+    try:
+        known = _digest_file().read_text(encoding="utf-8")
+    except OSError as fault:
+        known = str(fault)
+    if known == digests(shipped):
+        return ()
+    lines = sorted(set(digests(shipped).splitlines()) ^ set(known.splitlines()))
+    what = ", ".join(dict.fromkeys(line.partition("  ")[2] for line in lines[:_SHOWN])) or "in another sequence"
+    why = f"the digests are not those of {SHIPPED} ({what}); once all is proved, `gcrules catalog check --write`"
+    return (CheckResult("digests", f"gcrules/{DIGESTS}", 0, (why,)),)
+
+
+def write_digests(shipped: Catalog) -> None:
+    """Write the digests of the shipped catalog, of which everything was proved."""
+    write_file(str(_digest_file()), digests(shipped))
+
+
+def _digest_file() -> Path:
+    return Path(str(files("gcrules").joinpath(DIGESTS)))
+
+
+_SHOWN = 6
 
 
 def _facts(entry: Entry, structure: Structure, *, regular: bool) -> Iterator[str]:
@@ -125,8 +163,7 @@ def _proved(reading: Reading, structure: Structure) -> list[str]:
     answer = prove(condition.identity(structure.superbracket), ZERO)
     if answer.proved:
         return []
-    points = answer.counterexample or {}
-    at = ", ".join(f"{n} = {c[:-1]}" for n, c in points.items())
+    at = counterexample(answer)
     return [
         f"{answer.verdict}: {reading.cofactor_text} * superbracket = {reading.coefficient} * {reading.expression_text}"
         + (f" fails at {at}" if at else f" ({answer.reason})")

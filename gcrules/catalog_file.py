@@ -14,6 +14,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.syntax import parse
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.catalog import FROM_CATALOG, LABELS, SHIPPED, Catalog, Entry, Reading
+from gcrules.catalog_proofs import is_shipped_sentence
 from gcrules.errors import FileError, GcrulesError, join_faults
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg, Structure, read_legs
@@ -30,6 +31,7 @@ def load(own: Iterable[str | PathLike[str]] = (), kinds: Iterable[str] = ()) -> 
     """
     shipped = _shipped()
     entries, statements = list(shipped.entries), dict(shipped.statements)
+    sources = {k: SHIPPED for k, sentence in statements.items() if not is_shipped_sentence(k, sentence)}
     for path in own:
         more = load_file(path, kinds)
         clashes = [(e, other) for e in more.entries for other in entries if e.id == other.id]
@@ -39,7 +41,8 @@ def load(own: Iterable[str | PathLike[str]] = (), kinds: Iterable[str] = ()) -> 
             )
         entries = [*entries, *more.entries]
         statements |= more.statements
-    return Catalog(tuple(entries), FrozenMap(statements))
+        sources |= dict.fromkeys(more.statements, fspath(path))
+    return Catalog(tuple(entries), FrozenMap(statements), FrozenMap(sources))
 
 
 @cache
@@ -202,7 +205,7 @@ class _Reader:
             if names and not names.issuperset(SHORT_NAME.findall(word)):
                 top["statement"].fault(f"{{{word}}} is not made of points of the class")
         texts_of_lines = tuple((name, line.text) for name, line in lines)
-        return Reading(kind, expression, cofactor, coefficient, statement, texts_of_lines)
+        return Reading(kind, expression, cofactor, coefficient, statement, texts_of_lines, top["expression"].place)
 
     def _expression(self, node: Node, step: int, what: str, names: set[str]) -> None:
         """Record a fault unless the text is an expression of this step over points of the class."""

@@ -66,7 +66,9 @@ class Condition:
     """cofactor · superbracket = coefficient · expression, for the legs exactly as typed.
 
     `lines` are the lines that the statement names (p and q, about which the platform could turn); `group` is the
-    group of entities in the published procedure, a … g, where the condition comes from one.
+    group of entities in the published procedure, a … g, where the condition comes from one. Whether the `statement`
+    says in words what the expression does cannot be told by a machine: `statement_source` names the catalog or rule
+    that it comes from, "" for the sentences of gcrules itself.
     """
 
     kind: str
@@ -78,6 +80,14 @@ class Condition:
     entities: tuple[Entity, ...] = ()
     lines: tuple[tuple[str, Expr], ...] = ()
     group: str | None = None
+    statement_source: str = ""
+
+    @property
+    def sentence(self) -> str:
+        """The statement as it is shown: with whose words it is where it comes from outside."""
+        if not self.statement_source or not self.statement:
+            return self.statement
+        return f"In the words of {self.statement_source}: {self.statement}"
 
     @property
     def right_side(self) -> Expr:
@@ -89,21 +99,27 @@ class Condition:
         return sub(mul(self.cofactor, superbracket), mul(Number(self.coefficient), self.expression))
 
     def to_json(self, names: tuple[str, ...] = ()) -> dict[str, Any]:
-        """The interface's object: kind, expression, cofactor, coefficient, statement, certificate."""
+        """The interface's object: kind, expression, cofactor, coefficient, statement (and whose words it is, null where
+        they are those of gcrules), certificate.
+        """
         return {
             "kind": self.kind,
             "expression": text(self.expression, names=names),
             "cofactor": text(self.cofactor, names=names),
             "coefficient": self.coefficient,
-            "statement": self.statement,
+            **self.wording(),
             "certificate": self.certificate.to_json(),
         }
+
+    def wording(self) -> dict[str, str | None]:
+        """The statement and its source for JSON objects."""
+        return {"statement": self.statement, "statement_source": self.statement_source or None}
 
     def text(self, *, unicode: bool = False, names: tuple[str, ...] = ()) -> str:
         """The kind and the identity in the first line, the sentence in the second."""
         sides = (mul(self.cofactor, _SUPERBRACKET), self.right_side)
         left, right = (text(e, unicode=unicode, names=names) for e in sides)
-        return f"{self.kind}: {left} = {right}\n{self.statement}"
+        return f"{self.kind}: {left} = {right}\n{self.sentence}"
 
     def latex(self) -> str:
         """The LaTeX of the identity, without dollar signs."""

@@ -118,7 +118,7 @@ def packs(folders: Iterable[str | PathLike[str]] = ()) -> tuple[Plugin, ...]:
 @cache
 def _shipped() -> tuple[Plugin, ...]:
     folder = shipped_folder()
-    return tuple(plugins_in(folder)) if folder else ()
+    return tuple(plugins_in(folder, shipped=True)) if folder else ()
 
 
 @cache
@@ -135,8 +135,8 @@ def shipped_folder() -> Path | None:
     return None
 
 
-def plugins_in(folder: Path) -> Iterator[Plugin]:
-    """The plugins of a folder, by name. Raises FileError where it cannot be read."""
+def plugins_in(folder: Path, *, shipped: bool = False) -> Iterator[Plugin]:
+    """The plugins of a folder, by name; those that come with gcrules are `shipped`. Raises FileError if unreadable."""
     try:
         inside = sorted(p for p in folder.iterdir() if p.is_dir() and not p.name.startswith((".", "_")))
     except OSError as fault:
@@ -146,7 +146,7 @@ def plugins_in(folder: Path) -> Iterator[Plugin]:
         rules = _rules_of(code) if code.is_file() else ()
         files = tuple(sorted(str(f) for f in path.glob("*.gca")))
         if rules or files:
-            yield _owned(Plugin(rules, files), f"plugin {path.name}", str(code))
+            yield _owned(Plugin(rules, files), f"plugin {path.name}", str(code), outside=not shipped)
 
 
 def installed() -> Iterator[Plugin]:
@@ -161,14 +161,14 @@ def installed() -> Iterator[Plugin]:
             raise plugin_fault(fault, place, _UNLOADED) from fault
         if not isinstance(plugin, Plugin):
             raise FileError(f"{entry.value} is no gcrules.Plugin but {type(plugin).__name__}", filename=owner)
-        yield _owned(plugin, owner, owner)
+        yield _owned(plugin, owner, owner, outside=True)
 
 
-def _owned(plugin: Plugin, owner: str, place: str) -> Plugin:
+def _owned(plugin: Plugin, owner: str, place: str, *, outside: bool) -> Plugin:
     for rule in plugin.rules:
         if not isinstance(rule, Rule):
             raise FileError(f"RULES holds {rule!r}, which is no rule", filename=place)
-    return Plugin(tuple(replace(r, owner=owner) for r in plugin.rules), plugin.files, owner)
+    return Plugin(tuple(replace(r, owner=owner, outside=outside) for r in plugin.rules), plugin.files, owner)
 
 
 def _rules_of(path: Path) -> tuple[Rule, ...]:

@@ -21,6 +21,7 @@ from gcrules.rules.factorization import factored
 from gcrules.rules.incidence import Claim
 from gcrules.rules.listing import listed
 from gcrules.rules.oracle import Oracle
+from gcrules.rules.rule import StructureRule
 from gcrules.rules.stand_ins import alive, said_of_lines, written_back
 from gcrules.rules.strategy import CATALOG, FACTORIZATION, MAX_TERMS, SHORTEST, Strategy, of_plugins, recognise
 from gcrules.rules.words import sentence
@@ -138,7 +139,9 @@ def _recognised(
     told = [*claims[: 1 + _MOST_READINGS]]
     for more in brought:
         told += best_first(more, structure, oracle)[:_MOST_READINGS]
-    conditions = [certify(describe(c, structure, oracle, catalog.statements), structure) for c in told]
+    sentences = catalog.statements, catalog.statement_sources
+    described = ((describe(c, structure, oracle, *sentences), c.source) for c in told)
+    conditions = [certify(c, structure, claimed_by=source) for c, source in described]
     known = list(matches) if CATALOG in strategy.ids else []
 
     def look_up(m: Match) -> None:
@@ -150,7 +153,7 @@ def _recognised(
             look_up(m)
     for rule in strategy.structural:
         if not (rule.last_resort and any(c.cofactor == ONE for c in conditions)):
-            of_legs = (_found_by(rule.id, certify(c, structure)) for c in rule.find(structure, oracle)[:_OF_LEGS])
+            of_legs = (_of_rule(rule, c, structure) for c in rule.find(structure, oracle)[:_OF_LEGS])
             conditions += [r for r in of_legs if not any(_alike(r, c, oracle) for c in conditions)]
     for m in known:
         if m.entry.owner == SHIPPED:
@@ -166,10 +169,13 @@ def _recognised(
     return Readings(tuple(shown), claim.state.form if claim else some[0], some, oracle, claim, tuple(notes))
 
 
-def _found_by(rule: str, condition: Condition) -> Condition:
-    """The condition with the rule that found it in its certificate."""
-    c = condition.certificate
-    return replace(condition, certificate=Certificate(c.method, c.detail, {**c.data, "rule": rule}))
+def _of_rule(rule: StructureRule, condition: Condition, structure: Structure) -> Condition:
+    """The condition that a rule found, proved, with the rule in its certificate."""
+    source = rule.named_outside
+    proved = certify(condition, structure, claimed_by=source)
+    c = proved.certificate
+    certificate = Certificate(c.method, c.detail, {**c.data, "rule": rule.id})
+    return replace(proved, certificate=certificate, statement_source=source or condition.statement_source)
 
 
 def _of_any_lines(
@@ -215,6 +221,7 @@ def _written_back(condition: Condition, structure: Structure, oracle: Oracle) ->
         expression=expression,
         cofactor=cofactor,
         statement=statement or sentence(expression, structure, oracle, cofactor),
+        statement_source=condition.statement_source if statement else "",
         certificate=Certificate(c.method, f"{c.detail}, for any lines in the place of those built from points", c.data),
         entities=(),
         lines=tuple(
@@ -258,13 +265,14 @@ def _alike(a: Condition, b: Condition, oracle: Oracle) -> bool:
 
 def linear_complex(structure: Structure, catalog: Catalog) -> Condition:
     """The reading that always holds: the superbracket itself."""
-    statement = catalog.statements["linear-complex"]
+    statement, source = catalog.statements["linear-complex"], catalog.statement_sources.get("linear-complex", "")
     if structure.rank != 4:
         number = {3: "three"}.get(len(structure.legs), str(len(structure.legs)))
-        statement = f"The robot is singular exactly when its {number} lines are linearly dependent."
+        statement, source = f"The robot is singular exactly when its {number} lines are linearly dependent.", ""
     return Condition(
         kind="linear-complex",
         expression=structure.superbracket,
         statement=statement,
+        statement_source=source,
         certificate=Certificate("normal-form", "holds by definition of the superbracket"),
     )

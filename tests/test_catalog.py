@@ -211,7 +211,7 @@ def test_a_reading_that_is_no_identity(own: Any) -> None:
         assert any(not r.ok for r in check_catalog(load_file(path)))
     vanishing = r"{kind: one-incidence, expression: '0', cofactor: 'abc /\ abc /\ ad', statement: 'Never.'}"
     path = own(OWN + f"      - {vanishing}\n")
-    with pytest.raises(FileError, match="is not an identity"):
+    with pytest.raises(FileError, match="says nothing: its cofactor is zero"):
         analyze("qp rp sp rq sq sr", catalogs=[path])
 
 

@@ -16,6 +16,7 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
+from gcrules.core.seeds import repeated
 from gcrules.errors import GcrulesError, InputError
 from gcrules.files import write_file
 
@@ -65,7 +66,7 @@ class LazyGroup(click.Group):
             return None
         module, attribute = self.table[cmd_name][0].split(":")
         command: click.Command = getattr(import_module(module), attribute)
-        return command
+        return seeded(command) if cmd_name in SEEDED else command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):
@@ -136,6 +137,27 @@ class ExpressionCommand(click.Command):
 
 
 _LONG_OPTION = re.compile(r"--[a-z][a-z-]+(=.*)?", re.DOTALL)
+
+
+SEEDED = (
+    *("analyze", "check", "factor", "locus", "map", "path", "pose", "prove", "repl", "report", "rewrite", "run"),
+    *("shorten", "transversals"),
+)
+"""Names of the commands in which checks at random points decide."""
+
+
+def seeded(command: click.Command) -> click.Command:
+    """The command with --seed N, which repeats the points of its checks."""
+
+    def chosen(ctx: click.Context, _: click.Parameter, value: int | None) -> None:
+        ctx.with_resource(repeated(value))
+
+    if not any(p.name == "seed" for p in command.params):
+        words = "Repeat the points of exact random checks; by default nobody can foresee them."
+        command.params.append(
+            click.Option(["--seed"], type=int, metavar="N", expose_value=False, callback=chosen, help=words)
+        )
+    return command
 
 
 # --- options -------------------------------------------------------------------------------------------------------

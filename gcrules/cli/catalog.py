@@ -10,6 +10,7 @@ import click
 from gcrules.analysis import analyze
 from gcrules.catalog import Catalog, Entry, Match, Reading
 from gcrules.catalog_file import load
+from gcrules.catalog_proofs import is_shipped
 from gcrules.cli.base import LazyGroup, Output, catalog_option, output_options
 from gcrules.cli.files import working
 from gcrules.cli.rules import plugins_option
@@ -75,16 +76,19 @@ def show(class_id: str, catalogs: tuple[str, ...], folders: tuple[str, ...], out
 @click.command()
 @catalog_option
 @plugins_option
+@click.option("--write", is_flag=True, help="Write the digests of what is shipped, once all of it is proved.")
 @output_options(latex=False)
 @click.pass_context
-def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
+def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...], write: bool, out: Output) -> None:
     """Prove every identity from scratch and compute every number again. Exit code 1 if anything is wrong.
+
+    Of the shipped catalog the digests are compared too, by which an analysis knows what was proved here.
 
     \b
     gcrules catalog check
     gcrules catalog check --catalog mine.yaml
     """
-    from gcrules.catalog_check import check_entry  # slower to load than the other commands need
+    from gcrules.catalog_check import check_digests, check_entry, write_digests  # slower to load than others need
 
     loaded = _loaded(catalogs, folders)
     checked = []
@@ -92,6 +96,9 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...
         for i, entry in enumerate(loaded.entries, 1):
             status.tell(f"{entry.id}, {i} of {len(loaded.entries)}")
             checked.append(check_entry(entry))
+    if write and all(c.ok for c in checked):
+        write_digests(load())
+    checked += check_digests(load())
     answer = _Checked(tuple(checked))
     out.show(answer)
     ctx.exit(1 if answer.faults else 0)
@@ -147,7 +154,15 @@ class _Class:
     def conditions(self) -> tuple[Condition, ...]:
         """The condition and the other readings with their sentences."""
         return tuple(
-            Condition(r.kind, r.expression, _sentence(self.entry, r), _STATED, r.cofactor, r.coefficient)
+            Condition(
+                r.kind,
+                r.expression,
+                _sentence(self.entry, r),
+                _STATED,
+                r.cofactor,
+                r.coefficient,
+                statement_source="" if is_shipped(self.entry, r) else f"{self.entry.owner}, class {self.entry.id}",
+            )
             for r in (self.entry.condition, *self.entry.readings)
         )
 
@@ -155,7 +170,7 @@ class _Class:
         """The entry; its legs are pairs and every statement is spelt out."""
         found = self.entry.to_json()
         for reading, c in zip((found["condition"], *found["readings"]), self.conditions(), strict=True):
-            reading["statement"] = c.statement
+            reading |= c.wording()
         return found
 
     def text(self, *, unicode: bool = False) -> str:
@@ -222,7 +237,8 @@ class _Checked:
         lines = []
         for c in self.classes:
             verdict = click.style("ok", fg="green") if c.ok else click.style("wrong", fg="red", bold=True)
-            lines.append(f"{c.id:<6}  {verdict}  {c.proved} {'identity' if c.proved == 1 else 'identities'} proved")
+            done = f"{c.proved} {'identity' if c.proved == 1 else 'identities'} proved" if c.ok or c.proved else ""
+            lines.append(f"{c.id:<6}  {verdict}  {done}".rstrip())
             lines += [f"        {c.place}: {fault}" for fault in c.faults]
         proved = sum(c.proved for c in self.classes)
         total = f"{len(self.classes)} classes, {proved} identities proved, {self.faults} with faults"

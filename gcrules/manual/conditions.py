@@ -57,7 +57,7 @@ def _from_entities(board: Board) -> tuple[Board, Outcome]:
         first = [c for c in found.claims if c.kind == found.claims[0].kind]  # as a strategy takes the first rule
         claim = best_first(first, structure, oracle)[0]
         condition = certify(describe(claim, structure, oracle, load(()).statements), structure)
-        said: tuple[str, ...] = (f"{condition.kind}: {claim.sentence}", condition.statement)
+        said: tuple[str, ...] = (f"{condition.kind}: {claim.sentence}", condition.sentence)
         said = (*said, f"{condition.certificate.detail}.")
         return replace(board, condition=condition), confirmed("incidence", *said, formulas=_identity(condition, board))
     if found.wrong:
@@ -126,7 +126,7 @@ def _proved(board: Board, e: Expr, cofactor: Expr, c: Fraction) -> tuple[Board, 
     (inside, bare), (outside, factor) = _number(e), _number(cofactor)
     whole = c * inside / outside
     condition = named_condition(board, bare, mul(Number(whole.denominator), factor), whole.numerator)
-    said = [f"{condition.kind}: {_equation(cofactor, c)}", condition.statement, f"{condition.certificate.detail}."]
+    said = [f"{condition.kind}: {_equation(cofactor, c)}", condition.sentence, f"{condition.certificate.detail}."]
     if factor != ONE and condition.kind != "expression":
         said.insert(2, "Where the cofactor is zero the expression says nothing.")
     new = replace(board, condition=condition)

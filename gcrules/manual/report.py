@@ -58,7 +58,7 @@ def _lines(session: Session, unicode: bool) -> Iterator[str]:
     else:
         factor = "" if condition.cofactor == ex.Number(1) else f"({shown(condition.cofactor)}) times "
         yield f"condition  {condition.kind}: {factor}superbracket = {shown(condition.right_side)}"
-        yield f"           {condition.statement}"
+        yield f"           {condition.sentence}"
 
 
 def _entity(entity: Entity) -> str:

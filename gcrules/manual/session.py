@@ -131,7 +131,7 @@ class Session:
         """The condition in words. Raises InputError before it is confirmed."""
         if self.confirmed is None:
             raise InputError("no condition is confirmed yet", hint="propose one: condition")
-        return self.confirmed.statement
+        return self.confirmed.sentence
 
     def hint(self) -> Hint:
         """The next step of the automatic procedure from here."""
@@ -244,7 +244,7 @@ class Session:
             return
         span = Span(0, len(command))
         if self.confirmed.kind == "always-singular":
-            hint = self.confirmed.statement
+            hint = self.confirmed.sentence
             raise InputError("nothing can be proposed", source=command, span=span, hint=hint)
         raise InputError("the condition is confirmed already", source=command, span=span, hint="undo takes it back")
 

@@ -29,7 +29,7 @@ def causes(conditions: Sequence[Condition], points: Points, names: Sequence[str]
     found: dict[str, None] = {}
     for condition in conditions:
         if condition.kind == "always-singular":
-            found.setdefault(condition.statement)
+            found.setdefault(condition.sentence)
         elif evaluate(condition.cofactor, points) != 0:
             for part in vanishing(condition.expression, points):
                 words = _words(part, condition, tuple(names))

@@ -109,7 +109,7 @@ class PoseReport:
             "verdict": self.verdict,
             "reason": self.reason,
             "causes": list(self.causes),
-            "statement": self.condition.statement,
+            **self.condition.wording(),
             "threshold": {"angle": self.threshold.angle, "length": self.threshold.length},
             "accuracy": self.accuracy,
             "noise": self.noise,

@@ -113,7 +113,7 @@ class PathReport:
             "poses": [p.to_json() for p in self.poses],
             "verdict": self.verdict,
             "reason": self.reason,
-            "statement": self.condition.statement,
+            **self.condition.wording(),
             "zeros": [z.to_json() for z in self.zeros],
             "stretches": [s.to_json() for s in self.stretches],
             "least": {

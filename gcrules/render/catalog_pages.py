@@ -155,7 +155,7 @@ def _page(
         HEAD,
         f"# {title}",
         "",
-        f"**{inline(a.condition.statement)}**",
+        f"**{inline(a.condition.sentence)}**",
         "",
         f"![The legs of {alt} as a graph]({name}-graph.svg)",
         "",
@@ -294,7 +294,7 @@ def _other_readings(a: Analysis) -> list[str]:
         return []
     lines = ["## Other readings", ""]
     for r in readings:
-        lines += [*([inline(r.statement), ""] if r.statement else []), *_condition(a, r)]
+        lines += [*([inline(r.sentence), ""] if r.statement else []), *_condition(a, r)]
     return lines
 
 

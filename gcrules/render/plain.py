@@ -19,7 +19,7 @@ _LONG = 120
 
 def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
     """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows, `full` adds the derivation step by step."""
-    lines = [*_wrapped(a.condition.statement.split(), ""), ""]
+    lines = [*_wrapped(a.condition.sentence.split(), ""), ""]
     for n, stage in enumerate(stages(a), 1):
         lines += [f"{n}. {stage.title}", *_why(stage.why)]
         for item in stage.items:

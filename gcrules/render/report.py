@@ -44,7 +44,7 @@ def report(analysis: Analysis | RobotAnalysis, *, interactive: bool = True) -> s
     title = (platform.title if platform else "") or f"Legs {analysis.structure.text()}"
     sections = [
         _header(title, analysis, platform),
-        f'<section class="answer"><p>{escape(analysis.condition.statement)}</p>{_sure(analysis)}</section>',
+        f'<section class="answer"><p>{escape(analysis.condition.sentence)}</p>{_sure(analysis)}</section>',
         _figures(analysis, live=live),
         *([_numbers(analysis.pose)] if analysis.pose else []),
         "<h2>Step by step</h2>",
@@ -61,7 +61,7 @@ def fragment(analysis: Analysis) -> str:
     """The condition, statement and graph as an HTML fragment, for notebooks."""
     graph = graph_figure(analysis).svg() if analysis.structure.joined else ""
     formula = formula_html(Formula(*_identity(analysis)))
-    return f'<div class="gcrules"><p>{escape(analysis.condition.statement)}</p>{formula}{graph}</div>'
+    return f'<div class="gcrules"><p>{escape(analysis.condition.sentence)}</p>{formula}{graph}</div>'
 
 
 def _identity(a: Analysis) -> tuple[Expr, Expr]:

@@ -9,6 +9,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
+from gcrules.catalog import SHIPPED
 from gcrules.condition import ONE, Condition, Entity
 from gcrules.legs import Structure, leg_text
 from gcrules.numeric.value import CLOSE, PoseValue
@@ -87,14 +88,14 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
         yield "Entities", why, ["none"]
     incidence = _INCIDENCE if a.condition.cofactor == ONE else _WITH_COFACTOR
     yield "Condition", _WHY.get(a.condition.kind, incidence), _condition(a.condition, a)
-    yield "Statement", "", [a.condition.statement]
+    yield "Statement", "", [a.condition.sentence]
     yield "Certificate", "", [a.condition.certificate.detail + ".", *_replay(a), *a.notes]
     if a.pose:
         yield "In this pose", "Numbers at the coordinates of the file.", _pose(a.pose)
     if a.readings:
         items: list[Item] = []
         for reading in a.readings:
-            items += [f"{reading.kind}:", *_condition(reading, a), reading.statement, f"({reading.certificate.detail})"]
+            items += [f"{reading.kind}:", *_condition(reading, a), reading.sentence, f"({reading.certificate.detail})"]
         yield "Other readings", "Further identities for the same superbracket.", items
 
 
@@ -132,6 +133,7 @@ def _structure(a: Analysis) -> list[Item]:
         return [*items, Fact("class", "none of the catalog")]
     entry = a.match.entry
     name = f", {entry.name}" if entry.name else ""
+    name += "" if entry.owner == SHIPPED else f" (of {entry.owner})"
     mapping = ", ".join(f"{x}→{y}" for x, y in a.match.mapping.items())
     return [*items, Fact("class", f"{entry.id}{name}"), Fact("mapping", mapping)]
 

@@ -27,7 +27,7 @@ def condition_of_lines(robot: RobotText, structure: Equivalent, search: float) -
     options: dict[str, Any] = {"ideal": structure.ideal, "rank": 3 if robot.family.plane else 4, "search": search}
     found = analyze(structure.legs, **options)
     if found.condition.kind == "always-singular":
-        raise InputError(f"the equivalent lines are dependent in every configuration: {found.condition.statement}")
+        raise InputError(f"the equivalent lines are dependent in every configuration: {found.condition.sentence}")
     condition = _usable(robot, structure, found)
     if (condition is None or _weak(condition)) and structure.given:
         try:

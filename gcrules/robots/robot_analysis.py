@@ -13,6 +13,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
 from gcrules.condition import Condition
+from gcrules.core.seeds import remark
 from gcrules.errors import EngineFault
 from gcrules.robots.conditions import condition_of_lines, factors_at
 from gcrules.robots.equivalent import FRAME, Equivalent, equivalent
@@ -231,7 +232,7 @@ def _statement(
         return f"{outside} robot is singular exactly when {', or '.join(said)}.{also}"
     if not live:
         return "No singular member of the family was found outside the singularities of its limbs."
-    first = condition.statement.replace("Without the legs", "Without the wrenches along").replace(
+    first = condition.sentence.replace("Without the legs", "Without the wrenches along").replace(
         "the legs", "the lines"
     )
     first += also
@@ -254,7 +255,7 @@ def _certificate(robot: RobotText, condition: Condition, members: int, met: int)
         return lines
     return (
         f"{lines}; that the lines stand for the joints holds at {members} exact random members of the family, and"
-        f" {met} exact singular members were found, all by the ranks of the joint screws (modulo a prime)"
+        f" {met} exact singular members were found, all by the ranks of the joint screws (modulo a prime){remark()}"
     )
 
 
@@ -277,6 +278,6 @@ def _without_lines(robot: RobotText, structure: Equivalent) -> RobotAnalysis:
         (),
         limb_singularities(robot.family, robot.limbs),
         f"No condition in points is given for this robot: {why}. Its Jacobian can be computed in any configuration.",
-        "the ranks hold at exact random members",
+        f"the ranks hold at exact random members{remark()}",
         wrenches=home_wrenches(robot, structure),
     )

@@ -10,6 +10,7 @@ from gcrules.algebra.expr import Expr, Join, Meet, Point
 from gcrules.algebra.straighten import is_zero
 from gcrules.condition import Certificate, Condition, Entity, starred
 from gcrules.errors import EngineFault, LimitReached
+from gcrules.frozen import FrozenMap
 from gcrules.legs import Structure
 from gcrules.rules.incidence import Claim
 from gcrules.rules.listing import listed
@@ -71,11 +72,19 @@ def entities_of(claim: Claim) -> tuple[Entity, ...]:
     return starred(found)
 
 
-def describe(claim: Claim, structure: Structure, oracle: Oracle, statements: Mapping[str, str]) -> Condition:
-    """The condition of a claim, not yet proved, with its statement from the template of its kind."""
+def describe(
+    claim: Claim,
+    structure: Structure,
+    oracle: Oracle,
+    statements: Mapping[str, str],
+    sources: Mapping[str, str] = FrozenMap(),
+) -> Condition:
+    """The condition of a claim, not yet proved, with its statement from the template of its kind; `sources` names where
+    templates come from that are not gcrules' own.
+    """
     turning = turns(claim, structure, oracle)
     kind = claim.kind
-    template = statements.get(f"{kind}/no-turn" if claim.pencils and not turning else kind, claim.statement)
+    key = f"{kind}/no-turn" if claim.pencils and not turning else kind
     entities = entities_of(claim)
     tetrahedra = [e for e in entities if e.kind == "tetrahedron"]
     planes = [e for e in entities if e.kind == "plane"]
@@ -86,7 +95,7 @@ def describe(claim: Claim, structure: Structure, oracle: Oracle, statements: Map
         "expression": str(claim.expression),
     }
     if kind == "three-tetrahedra" and len(set(map(_tetrahedron, tetrahedra))) == 1:
-        template = statements["three-tetrahedra/one"]
+        key = "three-tetrahedra/one"
     if kind == "tetrahedron-planes-line":
         parts["line"] = str(extensor(entities[-1].points))
     if claim.pencils and claim.single:
@@ -98,7 +107,8 @@ def describe(claim: Claim, structure: Structure, oracle: Oracle, statements: Map
         cofactor=claim.cofactor,
         coefficient=claim.coefficient,
         group=claim.group,
-        statement=template.format(**parts),
+        statement=statements.get(key, claim.statement).format(**parts),
+        statement_source=sources.get(key, "") if key in statements else claim.source,
         certificate=_TESTED,
         entities=entities,
         lines=tuple(zip("pq", claim.pencils, strict=True)) if claim.pencils else (),
@@ -126,9 +136,10 @@ def line_in_words(line: Expr, structure: Structure) -> str:
     return f"the line {line}"
 
 
-def certify(condition: Condition, structure: Structure) -> Condition:
+def certify(condition: Condition, structure: Structure, *, claimed_by: str = "") -> Condition:
     """The condition with the certificate of a proof by normal forms: for all points, else for those that satisfy what
-    is assumed. Where a proof takes more terms than the limit, it stays tested at random points.
+    is assumed. Where a proof takes more terms than the limit, it stays tested at random points, and `claimed_by` who
+    brought it from outside.
 
     Raises EngineFault where it is no identity.
     """
@@ -141,7 +152,8 @@ def certify(condition: Condition, structure: Structure) -> Condition:
     except LimitReached as limited:
         if structure.construction.vanishes(identity, samples=_SAMPLES):
             sure = structure.construction.error_below(identity, _SAMPLES)
-            detail = f"holds at {_SAMPLES} exact random points, {sure}; no proof: {limited.message}"
+            whose = f"claimed by {claimed_by}, unproved; " if claimed_by else ""
+            detail = f"{whose}holds at {_SAMPLES} exact random points, {sure}; no proof: {limited.message}"
             return replace(condition, certificate=Certificate("random-points", detail))
     raise EngineFault(f"{condition.cofactor} * superbracket != {condition.coefficient} * ({condition.expression})")
 
@@ -151,7 +163,8 @@ def in_special_position(condition: Condition, structure: Structure, oracle: Orac
     if not structure.ideal:
         return condition
     if condition.kind in _SAID_BY_WORDS:
-        return replace(condition, statement=sentence(condition.expression, structure, oracle, condition.cofactor))
+        words = sentence(condition.expression, structure, oracle, condition.cofactor)
+        return replace(condition, statement=words, statement_source="")
     far = [name for name, line in condition.lines if name and oracle.at_infinity(line)]
     if not far:
         return condition

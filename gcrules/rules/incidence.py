@@ -28,7 +28,7 @@ __all__ = ["INCIDENCES", "Claim", "claims"]
 class Claim:
     """cofactor · superbracket = coefficient · expression, with the state that shows the entities and how they were
     found. `kind`, `sentence`, `statement` and `group` are the rule's; `pencils` are the lines p and q of a transversal
-    reading.
+    reading. `source` names a rule that comes from outside.
     """
 
     kind: str
@@ -40,6 +40,7 @@ class Claim:
     pencils: tuple[Expr, Expr] | None = None
     statement: str = ""
     group: str | None = None
+    source: str = ""
 
     @property
     def single(self) -> tuple[Leg, Leg] | None:
@@ -87,6 +88,7 @@ def _claims(incidence: Incidence, states: Sequence[State], oracle: Oracle) -> It
                     pencils=incidence.pencils(reached) if incidence.pencils else None,
                     statement=incidence.sentence_for(reached),
                     group=incidence.group,
+                    source=incidence.named_outside,
                 )
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Join, Point, Product, Superbracket, substitute
 from gcrules.algebra.space import Space
+from gcrules.catalog_proofs import standing
 from gcrules.errors import InputError
 from gcrules.legs import Structure
 
@@ -56,7 +57,8 @@ def of_the_catalog(e: Expr, space: Space) -> Expr | None:
             continue
         names: dict[str, Expr] = {a: Point(b) for a, b in match.mapping.items()}
         for reading in (match.entry.condition, *match.entry.readings):
-            if ex.mul(substitute(reading.cofactor, names), structure.superbracket) == e:
+            same = ex.mul(substitute(reading.cofactor, names), structure.superbracket) == e
+            if same and standing(match.entry, reading).verdict != "unproved":
                 coefficient = match.sign(structure) * reading.coefficient
                 return ex.signed(coefficient, substitute(reading.expression, names))
     return None

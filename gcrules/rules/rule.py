@@ -35,7 +35,8 @@ class Rule:
     `fires` and `silent` are cases (legs for rules of recognition, followed by `ideal` and the points at infinity where
     there are any; expressions for rewriting rules) on which the rule
     fires and on which it stays silent; they are its tests and stand in its documentation. `owner` is who brought the
-    rule: gcrules, a package, or a file with line. Raises InputError for an id that is none.
+    rule: gcrules, a package, or a file with line; `outside` is one that did not come with gcrules. Raises InputError
+    for an id that is none.
     """
 
     id: str
@@ -44,8 +45,14 @@ class Rule:
     fires: tuple[str, ...] = ()
     silent: tuple[str, ...] = ()
     owner: str = SHIPPED
+    outside: bool = False
 
     family: ClassVar[str] = ""
+
+    @property
+    def named_outside(self) -> str:
+        """The rule and who brought it, "" where it came with gcrules."""
+        return f"{self.owner}, rule {self.id}" if self.outside else ""
 
     def __post_init__(self) -> None:
         if not _ID.fullmatch(self.id):

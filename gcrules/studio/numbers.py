@@ -164,7 +164,7 @@ def _by_lines(subject: Subject, pose: PoseJson) -> Numbers:
         "closeness": 0.0 if always else size,
         "verdict": said,
         "reason": f"Told by the six lines alone{why}.",
-        "causes": [a.condition.statement] if always else [],
+        "causes": [a.condition.sentence] if always else [],
         "readings": _readings((a.condition, *a.readings), points, subject.unit),
         "constructed": scenery.constructed(places),  # type: ignore[typeddict-item]
         "motion": scenery.motion(places),  # type: ignore[typeddict-item]

@@ -57,11 +57,11 @@ def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, lis
     left = ex.mul(c.cofactor, a.structure.superbracket)
     parts = part_items(robot) if robot is not None else ()
     yield "condition", [formula(left, c.right_side), *_condition_words(a), *parts]
-    others = [r.statement for r in a.readings if r.statement not in ("", c.statement)]
+    others = [r.sentence for r in a.readings if r.statement not in ("", c.statement)]
     if robot is None:
-        yield "statement", [said(c.statement), *(said(f"Also: {words}") for words in others)]
+        yield "statement", [said(c.sentence), *(said(f"Also: {words}") for words in others)]
     else:
-        yield "statement", [said(robot.statement), said(f"Of its lines: {c.statement}")]
+        yield "statement", [said(robot.statement), said(f"Of its lines: {c.sentence}")]
     certified = [fact(c.certificate.method, c.certificate.detail)]
     if robot is not None:
         certified.append(fact("the robot", robot.certificate))

@@ -83,7 +83,7 @@ def condition_view(s: Structure, c: Condition) -> ConditionView:
         "right": pieces(c.right_side),
         "text": text(c.right_side, unicode=True, names=names),
         "cofactor": text(c.cofactor, unicode=True, names=names),
-        "statement": c.statement,
+        "statement": c.sentence,
         "certificate": {"method": c.certificate.method, "detail": c.certificate.detail},
     }
 
