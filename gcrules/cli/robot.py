@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from gcrules.cli.base import ExpressionCommand, Output, output_options, search_option
+from gcrules.cli.base import SEEDED, ExpressionCommand, Output, output_options, search_option, seeded
 from gcrules.cli.files import working
 from gcrules.cli.robot_docs import docs
 from gcrules.errors import FileError, GcrulesError, LimitReached
@@ -207,3 +207,6 @@ def new_command(robot_id: str, path: str | None) -> None:
 
 
 robot.add_command(docs)
+for _decides in SEEDED:
+    if _decides in robot.commands:
+        seeded(robot.commands[_decides])

@@ -8,12 +8,14 @@ from graphlib import CycleError, TopologicalSorter
 from os import PathLike, fspath
 from typing import Any
 
+from gcrules.algebra import claims
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import points_of
 from gcrules.algebra.prove import Proof, prove
 from gcrules.algebra.rule_text import Case, Instance, Order, RuleText
 from gcrules.algebra.space import Space
 from gcrules.algebra.statements import Script, parse_script
+from gcrules.core.memory import digest_of, remember, remembered
 from gcrules.errors import FileError, GcrulesError, InputError, LimitReached, join_faults
 from gcrules.rules.identity import Identity, instance_fault, rewrite_all
 from gcrules.yamlfile import read_text
@@ -68,7 +70,8 @@ def _listed(ranks: tuple[int, ...]) -> str:
 def load_rule_file(path: str | PathLike[str], *, proved: bool = True) -> tuple[Identity, ...]:
     """The rules of a `.gca` file. Raises InputError, with the place of each rule that is wrong, all at once.
 
-    With `proved=False` the rules are read only: for files that are checked elsewhere.
+    A rule that was proved before, by the same engine, is not proved again (see `memory`). With `proved=False` the rules
+    are read only: for files that are checked elsewhere.
     """
     name = fspath(path)
     script = parse_script(read_text(path), name)
@@ -76,7 +79,7 @@ def load_rule_file(path: str | PathLike[str], *, proved: bool = True) -> tuple[I
         raise FileError("the file holds no rules", filename=name, hint='rules are written  rule ID "sentence": A => B')
     if not proved:
         return identities(script)
-    found = list(check_script(script))
+    found = list(check_script(script, recheck=False))
     faults = [f.fault for f in found if f.fault is not None]
     if faults:
         raise join_faults(faults)
@@ -101,14 +104,16 @@ def _identity(rule: RuleText, filename: str) -> Identity:
     )
 
 
-def check_script(script: Script, *, limit: int = MAX_TERMS) -> Iterator[RuleCheck]:
+def check_script(script: Script, *, limit: int = MAX_TERMS, recheck: bool = True) -> Iterator[RuleCheck]:
     """Each rule of a script, one after the other."""
     for rule in script.rules:
-        yield check_rule(rule, script, limit=limit)
+        yield check_rule(rule, script, limit=limit, recheck=recheck)
 
 
-def check_rule(rule: RuleText, script: Script, *, limit: int = MAX_TERMS) -> RuleCheck:
-    """Prove a rule in each of its ranks, let it run on its own left side and its cases."""
+def check_rule(rule: RuleText, script: Script, *, limit: int = MAX_TERMS, recheck: bool = True) -> RuleCheck:
+    """Prove a rule in each of its ranks, let it run on its own left side and its cases. Without `recheck` proofs that
+    are remembered count, which do not tell what was `assumed`.
+    """
     identity = _identity(rule, script.filename)
     place = f"{script.filename}:{rule.line}"
     proved: list[int] = []
@@ -122,17 +127,27 @@ def check_rule(rule: RuleText, script: Script, *, limit: int = MAX_TERMS) -> Rul
         shape = instance_fault(instance)
         if shape:
             return wrong(InputError(f"the rule {rule.id} {shape}"), "refused")
+        digest = _digest(instance)
+        if not recheck and remembered(digest):
+            proved.append(instance.rank)
+            continue
         proof = _proof(instance, limit)
         if proof.verdict == "refuted":
             return wrong(InputError(f"the rule {rule.id} is no identity{_where(proof, instance, rule)}"), proof=proof)
         if proof.verdict != "proved":
             return wrong(LimitReached(f"the rule {rule.id} is not decided: {proof.reason}"), "undecided", proof)
+        remember(digest)
         proved.append(instance.rank)
         assumed.update(dict.fromkeys(proof.assumed))
     fault = _runs(identity, rule)
     if fault:
         return wrong(fault, "refused")
     return RuleCheck(identity, place, "proved", tuple(proved), assumed=tuple(assumed))
+
+
+def _digest(instance: Instance) -> str:
+    given = [" ".join([a.kind, *map(claims.digest, a.args)]) for a in instance.given]
+    return digest_of("rule", str(instance.rank), claims.digest(instance.left), claims.digest(instance.right), *given)
 
 
 def _proof(instance: Instance, limit: int) -> Proof:
