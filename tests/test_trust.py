@@ -36,6 +36,7 @@ from gcrules.robots.robot_analysis import analyze_robot
 from gcrules.robots.robot_file import parse_robot
 from gcrules.rules import rule_file
 from gcrules.rules.oracle import Oracle
+from gcrules.rules.rule import Incidence
 from gcrules.rules.step import Step
 from tests.attacks import LEGS, MERSENNE, attacks, guessed
 
@@ -506,11 +507,7 @@ def test_others_take_none(command: str) -> None:
 
 def test_a_rule_file_is_proved_once(own: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("GCRULES_CACHE", str(tmp_path / "cache"))
-    path = own(
-        'rule mine "A Grassmann–Plücker relation.": [R... a b][R... c d] => [R... a c][R... b d] - '
-        "[R... a d][R... b c] if a < c\n",
-        "mine.gca",
-    )
+    path = own("rule mine: [R... a b][R... c d] - [R... a c][R... b d] => -[R... a d][R... b c]\n", "mine.gca")
     calls: list[Any] = []
     real = rule_file._proof
     monkeypatch.setattr(rule_file, "_proof", lambda *args: calls.append(args) or real(*args))
@@ -521,6 +518,19 @@ def test_a_rule_file_is_proved_once(own: Any, tmp_path: Path, monkeypatch: pytes
     assert len(calls) == proved
     assert run("rules", "check", str(path)).exit_code == 0  # from scratch
     assert len(calls) == 2 * proved
-    path.write_text(path.read_text(encoding="utf-8").replace("- [R", "+ [R"), encoding="utf-8")
+    path.write_text(path.read_text(encoding="utf-8").replace("=> -", "=> "), encoding="utf-8")
     with pytest.raises(InputError, match="no identity"):
         load_rules([path])
+
+
+def test_the_words_of_a_rule_made_in_python_are_marked() -> None:
+    rule = Incidence(
+        id="mine",
+        sentence="Mine.",
+        expression=lambda s: gc.parse(str(s.structure.superbracket)),
+        statement="My own words.",
+    )
+    library = load_rules().plus([rule])
+    assert library.plus([library["mine"]])["mine"] is library["mine"]
+    a = analyze(LEGS, strategy=library.strategy(["mine"]))
+    assert a.condition.sentence == "In the words of your own rule mine: My own words."

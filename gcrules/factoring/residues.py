@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import join_table
+from gcrules.core import seeds
 
 __all__ = ["Floats", "Ints", "Residues", "random_positions", "residues", "values"]
 
@@ -72,8 +73,11 @@ def residues(rank: int) -> Residues:
 
 
 def random_positions(number: int, points: int, rank: int, p: int, *, ideal: int = 0, seed: int = 0) -> Ints:
-    """Random positions, shape (number, points, rank): residues 0 … p − 1, the first `ideal` points at infinity."""
-    at = np.random.default_rng(seed).integers(0, p, (number, points, rank))
+    """Random positions, shape (number, points, rank): residues 0 … p − 1, the first `ideal` points at infinity.
+
+    The same in one run for the same seed, and such that nobody can foresee them (see `seeds`).
+    """
+    at = np.random.default_rng(seeds.seed("positions", seed)).integers(0, p, (number, points, rank))
     at[:, :ideal, -1] = 0
     return at
 

@@ -25,7 +25,8 @@ import numpy as np
 from gcrules import __version__
 from gcrules.analysis import Analysis
 from gcrules.compiling.compiled import compiled
-from gcrules.errors import InputError, LimitReached
+from gcrules.core.seeds import drawn
+from gcrules.errors import FileError, InputError, LimitReached
 from gcrules.mapping.axes import Axis, read_axes
 from gcrules.mapping.grid import grid
 from gcrules.mapping.joining import joined
@@ -143,16 +144,44 @@ def _computed(task: Task, store: Store, limit: Threshold, tell: Told) -> Summary
     assert limit.angle is not None
     sigma = float(2 * np.sin(min(limit.angle, np.pi) / 2))
     parts: list[Summary] = []
+    kept: list[int] = []
     poses = 0
     for n in range(task.number):
         chunk = store.get(n)
         if chunk is None:
             chunk = task.compute(n)
             store.put(n, chunk)
+        else:
+            kept.append(n)
         parts.append(summed(chunk, task, n, sigma))
         poses += parts[-1].poses
         tell(poses, task.grid.size)
+    if kept and isinstance(store, Folder):
+        _check_kept(task, store, drawn("map", str(store.path), len(kept)).choice(kept))
     return together(parts)
+
+
+def _check_kept(task: Task, store: Folder, n: int) -> None:
+    """Compute a chunk again that was found in a folder. Raises FileError where the folder holds something else."""
+    there, here = store.get(n), task.compute(n)
+    if there is None or not all(_alike(there[name], here[name]) for name in task.names):
+        raise FileError(
+            f"chunk {n} is not what is computed now; its files were changed",
+            filename=str(store.path),
+            hint="begin anew with --restart (in Python restart=True), or take another folder",
+        )
+
+
+def _alike(a: Any, b: Any) -> bool:
+    """Whether arrays agree but for rounding, which may decide differently on another machine, though seldom."""
+    if a.shape != b.shape:
+        return False
+    if a.dtype.kind == "f":
+        return bool(np.isclose(a, b, rtol=1e-4, atol=1e-6, equal_nan=True).mean() > _MOSTLY)
+    return bool((a == b).mean() > _MOSTLY)
+
+
+_MOSTLY = 0.999
 
 
 def _curves(m: SingularMap) -> tuple[Curve, ...]:

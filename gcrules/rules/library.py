@@ -3,14 +3,14 @@ r"""The rules that are known: those of the engine, of plugins and of files; clas
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gcrules.errors import InputError
 from gcrules.rules.couples import FORCES_AND_COUPLES
 from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.entities import ENTITY_RULES, TETRAHEDRA
 from gcrules.rules.incidence import INCIDENCES
-from gcrules.rules.rule import Incidence, Rule
+from gcrules.rules.rule import SHIPPED, Incidence, Rule
 from gcrules.rules.strategy import CATALOG, FACTORIZATION, FORMS, SHORTEST, Strategy
 from gcrules.rules.transversals import TRANSVERSALS
 from gcrules.yamlfile import near
@@ -46,8 +46,12 @@ class Library:
         raise InputError(f"there is no rule {rule_id}", hint=hint or "gcrules rules list shows them")
 
     def plus(self, rules: Iterable[Rule]) -> Library:
-        """The library with more rules behind its own. Raises InputError where ids clash."""
-        return Library((*self.rules, *rules))
+        """The library with more rules behind its own; those that nobody brought are the user's. Raises InputError where
+        ids clash.
+        """
+        known = {id(r) for r in self.rules}
+        own = (replace(r, outside=True) if r.owner == SHIPPED and id(r) not in known else r for r in rules)
+        return Library((*self.rules, *own))
 
     def strategy(self, ids: Iterable[str] | None = None, without: Iterable[str] = ()) -> Strategy:
         """The rules named, in that order, each incidence rule bringing the entity rules that it uses.

@@ -52,7 +52,9 @@ class Rule:
     @property
     def named_outside(self) -> str:
         """The rule and who brought it, "" where it came with gcrules."""
-        return f"{self.owner}, rule {self.id}" if self.outside else ""
+        if not self.outside:
+            return ""
+        return f"your own rule {self.id}" if self.owner == SHIPPED else f"{self.owner}, rule {self.id}"
 
     def __post_init__(self) -> None:
         if not _ID.fullmatch(self.id):
