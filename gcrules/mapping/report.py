@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from gcrules import __version__
 from gcrules.condition import Condition
 from gcrules.errors import EngineFault, InputError, LimitReached
+from gcrules.frozen import HoldsArrays
 from gcrules.mapping.grid import Grid
 from gcrules.mapping.limits import Limits
 from gcrules.mapping.mesh import Mesh
@@ -36,7 +37,7 @@ MAX_IN_MEMORY = 40_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class Curve(HoldsArrays):
     """Singular poses along a curve: `points` (K, 2) in the axes' coordinates, the first again at the end if it is
     closed. `factor` is the number of the factor that is 0 there (None where the slice is no polynomial); `allowed`
     (K,) says where the limits of leg lengths are kept.
@@ -60,7 +61,7 @@ class Curve:
 
 
 @dataclass(frozen=True, eq=False)
-class SingularMap:
+class SingularMap(HoldsArrays):
     """A robot over two or three coordinates of its poses.
 
     `values(name)` are arrays over the grid, in the order of the axes (`arrays` are their names); `curves` are the

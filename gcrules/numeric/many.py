@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from gcrules.condition import Condition
 from gcrules.errors import InputError
+from gcrules.frozen import HoldsArrays
 from gcrules.numeric.closeness import ROUNDING, closeness, noise
 from gcrules.numeric.jacobian import jacobian
 from gcrules.numeric.readings import Reading, readings
@@ -26,7 +27,7 @@ CHUNK = 20_000
 
 
 @dataclass(frozen=True, eq=False)
-class PoseNumbers:
+class PoseNumbers(HoldsArrays):
     """Arrays over N poses, shape (N,); the names and units are those of `PoseReport`. `readings` hold arrays too;
     `notes` say what was changed on reading.
 
