@@ -211,7 +211,12 @@ def test_what_the_public_functions_return_is_in_the_tables() -> None:
     functions = [f for f in map(vars(api).__getitem__, api.__all__) if inspect.isfunction(f)]
     assert len(functions) > 15
     returned = {name for f in functions for name in str(inspect.signature(f).return_annotation).split(" | ")}
-    assert returned - listed == {"Expr", "Any", "str", "RobotWidget"}  # a sum of one class of expressions, and no values
+    assert returned - listed == {
+        "Expr",
+        "Any",
+        "str",
+        "RobotWidget",
+    }  # a sum of one class of expressions, and no values
 
 
 def test_arrays_in_results_cannot_be_written_to() -> None:

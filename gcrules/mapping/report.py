@@ -2,7 +2,6 @@ r"""The answer for a map: arrays over the grid, singular curves or surfaces, whi
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,7 +22,7 @@ from gcrules.mapping.store import Store
 from gcrules.mapping.summary import Summary
 from gcrules.mapping.surface import Sheet, of_factor, sheet
 from gcrules.mapping.values import Chunk, Task
-from gcrules.numeric.threshold import Threshold
+from gcrules.numeric.threshold import Threshold, closeness_of
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -102,7 +101,7 @@ class SingularMap(HoldsArrays):
     def sigma(self) -> float:
         """The closeness that the threshold stands for."""
         assert self.threshold.angle is not None
-        return 2 * math.sin(min(self.threshold.angle, math.pi) / 2)
+        return closeness_of(self.threshold.angle)
 
     def chunks(self) -> Iterator[tuple[int, Chunk]]:
         """The first layer of each chunk, and its arrays."""

@@ -16,7 +16,8 @@ from gcrules.numeric.closeness import ROUNDING, closeness, noise
 from gcrules.numeric.jacobian import jacobian
 from gcrules.numeric.readings import Reading, readings
 from gcrules.numeric.rig import Rig
-from gcrules.numeric.threshold import Threshold
+from gcrules.numeric.threshold import Threshold, closeness_of
+from gcrules.numeric.verdict import VERDICTS, rank
 
 __all__ = ["PoseNumbers", "homogeneous", "numbers"]
 
@@ -140,7 +141,6 @@ def _numbers(
     turned = sum(leg != typed for leg, typed in zip(rig.legs, rig.structure.legs, strict=True))
     with np.errstate(over="ignore"):
         value = -np.linalg.det(j.rows) * j.radius**3 * j.lengths.prod(axis=1) * (-1) ** turned
-    safe = 2 * np.arcsin(np.maximum(j.sigma - spread, 0) / 2) >= angle
     return PoseNumbers(
         value=value,
         closeness=j.sigma,
@@ -151,7 +151,7 @@ def _numbers(
         noise=spread,
         smallest_singular_value=j.singular_values[:, 5],
         condition_number=j.condition_number,
-        verdict=np.where(j.sigma <= floor, "singular", np.where(safe & (j.sigma > spread), "regular", "close")),
+        verdict=np.array(VERDICTS)[rank(j.sigma, floor, spread, closeness_of(angle))],
         readings=readings(conditions, homogeneous(rig, *poses)),
         radius=j.radius,
         unit=rig.unit,

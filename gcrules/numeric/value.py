@@ -11,12 +11,9 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.condition import Condition
 from gcrules.errors import InputError
 from gcrules.legs import Leg, Structure
+from gcrules.numeric.verdict import CLOSE, FLOOR, decide
 
-__all__ = ["CLOSE", "PoseValue", "line_measure", "line_points", "measure", "pose_value"]
-
-CLOSE = 0.0087
-"""Below this measure a pose is called close to singular: a leg's turn by half a degree may lead to a singular pose (an
-example; choose your own for a real robot, `gcrules pose --threshold`)."""
+__all__ = ["PoseValue", "judged", "line_measure", "line_points", "measure", "pose_value"]
 
 XYZ = tuple[float, float, float]
 
@@ -64,8 +61,7 @@ def pose_value(
         Fraction(evaluate(e, points)) for e in (structure.superbracket, condition.right_side, condition.cofactor)
     )
     at = {n: (float(c[0]), float(c[1]), float(c[2])) for n, c in points.items()}
-    size = measure(structure, at) if value else 0.0
-    verdict = "singular" if value == 0 else "close" if size < close else "regular"
+    size, verdict = judged(structure, at, close) if value else (0.0, "singular")
     return PoseValue(value, right, cofactor, size, verdict, unit)
 
 
@@ -73,16 +69,31 @@ def measure(structure: Structure, points: Mapping[str, XYZ]) -> float:
     """The measure σ of `gcrules.numeric.jacobian` in [0, 1], which knows neither frame nor unit; 0 for a leg of no
     length. Where the legs do not tell base from platform, `line_measure`.
     """
+    return _measured(structure, points)[0]
+
+
+def judged(structure: Structure, points: Mapping[str, XYZ], close: float = CLOSE) -> tuple[float, str]:
+    """The measure, and singular | close | regular (below, from `close` on)."""
+    size, floor = _measured(structure, points)
+    return size, decide(size, floor, close=close)
+
+
+def _measured(structure: Structure, points: Mapping[str, XYZ]) -> tuple[float, float]:
+    """The measure, and what rounding may do to it."""
     if not all(n in structure.sides for leg in structure.legs for n in leg):
-        return line_measure(structure.legs, points)
+        return line_measure(structure.legs, points), FLOOR
     import numpy as np
 
+    from gcrules.numeric.closeness import ROUNDING, noise
     from gcrules.numeric.jacobian import jacobian, on_one_line  # numpy, for numbers only
 
     base, ends = (np.array([points[leg[i]] for leg in structure.oriented]) for i in (0, 1))
     if not np.linalg.norm(ends - base, axis=1).all() or on_one_line(ends):
-        return 0.0
-    return float(jacobian(base, ends[None]).sigma[0])
+        return 0.0, FLOOR
+    j = jacobian(base, ends[None])
+    places = np.array([points[n] for n in structure.names])
+    size = float(np.sqrt(((places - places.mean(axis=0)) ** 2).sum(axis=1).mean()))
+    return float(j.sigma[0]), float(noise(j, ROUNDING * size)[0])
 
 
 def line_measure(legs: Sequence[Leg], points: Mapping[str, XYZ]) -> float:

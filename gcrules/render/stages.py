@@ -11,7 +11,8 @@ from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
 from gcrules.condition import ONE, Condition, Entity
 from gcrules.legs import Structure, leg_text
-from gcrules.numeric.value import CLOSE, PoseValue
+from gcrules.numeric.value import PoseValue
+from gcrules.numeric.verdict import CLOSE
 from gcrules.rules.listing import listed
 
 __all__ = ["VERDICTS", "Fact", "Formula", "Item", "Stage", "stages"]
@@ -202,7 +203,7 @@ def _starred(entity: Entity) -> str:
 
 VERDICTS = {
     "singular": "Singular: the superbracket is exactly zero here.",
-    "close": f"Warning: close to singular (closeness below {CLOSE:g}).",
+    "close": f"Warning: close to singular (closeness below {CLOSE:.2g}).",
     "regular": "Regular: the six legs control the platform here.",
 }
 
