@@ -23,6 +23,8 @@ __all__ = ["PoseNumbers", "homogeneous", "numbers"]
 
 Floats = NDArray[np.float64]
 
+_BEYOND = "the superbracket is too large or too small for floats in some poses: inf or 0 there; choose another unit"
+
 CHUNK = 20_000
 """Poses that are computed at once; the memory that is used grows with it."""
 
@@ -122,7 +124,8 @@ def _joined(parts: Sequence[PoseNumbers]) -> PoseNumbers:
         )
         for same in zip(*(p.readings for p in parts), strict=True)
     )
-    return replace(first, readings=joined, **arrays)
+    notes = tuple(dict.fromkeys(note for p in parts for note in p.notes))
+    return replace(first, readings=joined, notes=notes, **arrays)
 
 
 def _numbers(
@@ -139,7 +142,7 @@ def _numbers(
     bounds = closeness(j)
     spread, floor = noise(j, accuracy), noise(j, ROUNDING * rig.size)
     turned = sum(leg != typed for leg, typed in zip(rig.legs, rig.structure.legs, strict=True))
-    with np.errstate(over="ignore"):
+    with np.errstate(over="ignore", under="ignore"):
         value = -np.linalg.det(j.rows) * j.radius**3 * j.lengths.prod(axis=1) * (-1) ** turned
     return PoseNumbers(
         value=value,
@@ -155,4 +158,5 @@ def _numbers(
         readings=readings(conditions, homogeneous(rig, *poses)),
         radius=j.radius,
         unit=rig.unit,
+        notes=(_BEYOND,) if (np.isinf(value) | ((value == 0) & (j.sigma > floor))).any() else (),
     )

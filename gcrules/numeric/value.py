@@ -54,15 +54,28 @@ def pose_value(
     close: float = CLOSE,
     unit: str = "",
 ) -> PoseValue:
-    """Evaluate at exact homogeneous coordinates (x, y, z, 1) of every joint; all must be finite (else InputError)."""
+    """Evaluate at exact homogeneous coordinates (x, y, z, 1) of every joint.
+
+    Raises InputError for joints at infinity, and for joints so close to each other that floats cannot tell them apart.
+    """
     if any(c[3] == 0 for c in points.values()):
         raise InputError("a pose needs finite joints (last coordinate not 0)")
     value, right, cofactor = (
         Fraction(evaluate(e, points)) for e in (structure.superbracket, condition.right_side, condition.cofactor)
     )
-    at = {n: (float(c[0]), float(c[1]), float(c[2])) for n, c in points.items()}
-    size, verdict = judged(structure, at, close) if value else (0.0, "singular")
+    size, verdict = judged(structure, _centred(structure, points), close) if value else (0.0, "singular")
+    if value and not size:
+        raise InputError("floats cannot tell the robot's joints apart", hint="check the units of the coordinates")
     return PoseValue(value, right, cofactor, size, verdict, unit)
+
+
+def _centred(structure: Structure, points: Mapping[str, Sequence[Fraction]]) -> dict[str, XYZ]:
+    """The places in floats, in a frame at the platform and a unit of the size of the whole: σ knows neither."""
+    names = structure.names
+    o = [points[(structure.platform or names)[0]][i] for i in range(3)]
+    unit = max(abs(points[n][i] - o[i]) for n in names for i in range(3)) or Fraction(1)
+    x, y, z = ({n: float((points[n][i] - o[i]) / unit) for n in names} for i in range(3))
+    return {n: (x[n], y[n], z[n]) for n in names}
 
 
 def measure(structure: Structure, points: Mapping[str, XYZ]) -> float:
