@@ -30,7 +30,8 @@ from gcrules.numeric.closeness import ROUNDING
 from gcrules.numeric.many import PoseNumbers, numbers
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.rig import Rig
-from gcrules.numeric.threshold import DEFAULT, Threshold, angle_threshold, degrees
+from gcrules.numeric.threshold import DEFAULT, Threshold, angle_threshold, closeness_of, degrees
+from gcrules.numeric.verdict import decide
 from gcrules.paths.least import Least, least
 from gcrules.paths.report import PathReport, Zero
 from gcrules.paths.segment import Segment, segments
@@ -168,13 +169,14 @@ def _verdict(zeros: Sequence[Zero], still: Sequence[Stretch], lowest: Least, lim
         found = [f"at {len(zeros)} place{'s' * (len(zeros) > 1)}"] if zeros else []
         found += [f"along {len(still)} whole stretch{'es' * (len(still) > 1)}"] if still else []
         return "singular", f"The path is singular {' and '.join(found)}, and nowhere else."
-    if lowest.closeness <= lowest.rounding:
-        return "singular", f"σ = {lowest.closeness:.2g} is 0 within rounding (to 1e-12 of the robot's size)."
     assert limit.angle is not None
+    if decide(lowest.closeness, lowest.rounding) == "singular":
+        return "singular", f"σ = {lowest.closeness:.2g} is 0 within rounding (to 1e-12 of the robot's size)."
     turn = 2 * float(np.arcsin(lowest.bound / 2))
     words = f"some leg has to turn by {degrees(turn)} relative to the platform before one is (threshold {limit.text})."
-    if turn >= limit.angle:
-        return "regular", f"No pose of the path is singular, and from each of them {words}"
+    word = decide(lowest.bound, close=closeness_of(limit.angle))
+    if word == "regular":
+        return word, f"No pose of the path is singular, and from each of them {words}"
     return "close", f"No pose of the path is singular, but it is only certain that {words}"
 
 

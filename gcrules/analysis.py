@@ -281,5 +281,9 @@ def _in_pose(
         fault.filename = platform.filename
         raise
     found = analyze(structure, order=order, catalogs=catalogs, recheck=recheck, strategy=strategy, search=search)
-    pose = pose_value(found.structure, found.condition, platform.homogeneous(), unit=platform.units)
+    try:
+        pose = pose_value(found.structure, found.condition, platform.homogeneous(), unit=platform.units)
+    except InputError as fault:  # the condition holds all the same
+        said = f"{platform.filename}: there are no numbers for the pose of the file: {fault.message}"
+        return replace(found, platform=replace(platform, warnings=(*platform.warnings, said)))
     return replace(found, platform=platform, pose=pose)

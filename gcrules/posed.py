@@ -80,7 +80,7 @@ def pose(
         arrays = read_arrays(at, quaternions=quaternion, rotation_vectors=rotation_vector, euler=euler, degrees=degrees)
         notes = () if quaternion is None else normalised_note(quaternion)
     found = numbers(moving, (analysis.condition, *analysis.readings), arrays, limit, known)
-    return replace(found, notes=notes)
+    return replace(found, notes=(*notes, *found.notes))
 
 
 def report(

@@ -14,7 +14,7 @@ from gcrules.analysis import Analysis
 from gcrules.errors import InputError
 from gcrules.numeric.pose import Pose, parse_pose
 from gcrules.numeric.report import PoseReport
-from gcrules.numeric.value import CLOSE, measure
+from gcrules.numeric.value import judged
 from gcrules.posed import pose as report_at
 from gcrules.render.robot_report import on_six_legs, robot_scene
 from gcrules.render.scene_json import Scenery
@@ -23,8 +23,6 @@ from gcrules.robots.robot_analysis import RobotAnalysis
 __all__ = ["RobotWidget"]
 
 HOME = {"translation": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0]}
-
-_ZERO = 1e-9  # a closeness that is 0 within rounding
 
 
 def _module() -> str:
@@ -63,9 +61,7 @@ class RobotWidget(anywidget.AnyWidget):
     def _moved(self, change: Mapping[str, Any]) -> None:
         if self._scenery is None:
             return
-        sigma = measure(self._scenery.structure, self._scenery.points(change["new"]))
-        self.closeness = sigma
-        self.verdict = "singular" if sigma < _ZERO else "close" if sigma < CLOSE else "regular"
+        self.closeness, self.verdict = judged(self._scenery.structure, self._scenery.points(change["new"]))
 
     def numbers(self, **options: Any) -> PoseReport:
         """The report of `gcrules.pose` for the pose that is shown, with its options.

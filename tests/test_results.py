@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 import copy
+import importlib
+import inspect
 import json
+import os
 import pickle
-from collections.abc import Callable
+import pkgutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
 from dataclasses import FrozenInstanceError, fields
 from fractions import Fraction
 from pathlib import Path
@@ -14,6 +20,7 @@ from typing import Any
 import pytest
 
 import gcrules as gc
+from gcrules import api
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.statements import parse_script
 from gcrules.algebra.straighten import straighten_steps
@@ -83,6 +90,34 @@ OTHER_VALUES: dict[str, Callable[[], Any]] = {
     "parsed script": lambda: parse_script(f"let x = ab {SCRIPT}"),
     "straightening": lambda: straighten_steps(polynomial("[afgl][behk][cdij]"))[1][0],
 }
+FLAT = ["x -100:100:4", "y -100:100:3"]
+DEEP = [*FLAT, "z -500:0:3"]
+NUMBERS: dict[str, Callable[[], Any]] = {
+    "one pose": lambda: gc.pose(PLATFORM, "0 0 10"),
+    "a singular pose": lambda: gc.pose(PLATFORM, "0 0 -400", nearest=False),
+    "poses": lambda: gc.pose(PLATFORM, [[0, 0, 0], [0, 0, -400], [1, 2, 3]]),
+    "reading": lambda: gc.pose(PLATFORM, [[0, 0, 0]] * 2).readings[0],
+    "path": lambda: gc.path(PLATFORM, ["0 0 0", "0 0 -600"], samples=5),
+    "map": lambda: gc.singular_map(PLATFORM, FLAT, limits="leg lengths 100..900"),
+    "map that turns": lambda: gc.singular_map(PLATFORM, ["rx -90:90:4 deg", "rz -90:90:4 deg"], measure="value"),
+    "map in space": lambda: gc.singular_map(PLATFORM, DEEP),
+    "mesh": lambda: gc.singular_map(PLATFORM, DEEP).mesh,
+    "curve": lambda: gc.singular_map(PLATFORM, ["x -100:100:5", "z -600:100:5"]).curves[0],
+    "locus": lambda: gc.locus(PLATFORM, "x, y"),
+    "compiled condition": lambda: gc.compiled(PLATFORM, engine="numpy"),
+    "robot": lambda: gc.Robot.load("3-rps"),
+    "analysis of a robot": lambda: gc.Robot.load("3-rps").analyze(),
+    "pose of a robot": lambda: gc.Robot.load("3-rps").pose("z=0.1, roll=5deg, pitch=0deg"),
+    "singular pose of a robot": lambda: gc.Robot.load("3-rps").pose("z=-1.1, roll=0deg, pitch=0deg"),
+    "factorization": lambda: gc.factor("[abcd][abef] + [abce][abdf]"),
+    "shortening": lambda: gc.shorten("[abcd][abef] - [abce][abdf]"),
+    "rewriting": lambda: gc.rewrite(r"(ab /\ cde) \/ f", ["expansion"]),
+    "transversals": lambda: gc.transversals("Aa Ab Bc Bd Ce Df"),
+    "rules": gc.load_rules,
+}
+
+EVERY = {**RESULTS, **OTHER_VALUES, **NUMBERS}
+HERE = str(Path(__file__).resolve().parent)
 
 
 def table(*tables: dict[str, Callable[[], Any]]) -> pytest.MarkDecorator:
@@ -94,7 +129,7 @@ def has(value: Any, method: str) -> bool:
     return hasattr(type(value), method)
 
 
-@table(RESULTS, OTHER_VALUES)
+@table(RESULTS, OTHER_VALUES, NUMBERS)
 def test_is_a_frozen_value(make: Callable[[], Any]) -> None:
     value, again = make(), make()
     assert value == again
@@ -106,7 +141,7 @@ def test_is_a_frozen_value(make: Callable[[], Any]) -> None:
     assert repr(value) == repr(again)
 
 
-@table(RESULTS, OTHER_VALUES)
+@table(RESULTS, OTHER_VALUES, NUMBERS)
 def test_can_be_copied_and_pickled(make: Callable[[], Any]) -> None:
     value = make()
     for other in (pickle.loads(pickle.dumps(value)), copy.deepcopy(value), copy.copy(value)):
@@ -116,6 +151,78 @@ def test_can_be_copied_and_pickled(make: Callable[[], Any]) -> None:
         assert repr(other) == repr(value)
         if has(value, "to_json"):
             assert other.to_json() == value.to_json()
+
+
+ELSEWHERE = """
+import pickle, sys
+import test_results
+
+values = pickle.load(sys.stdin.buffer)
+for name, value in values.items():
+    again = test_results.EVERY[name]()
+    assert value == again, name
+    assert hash(value) == hash(again), name
+sys.stdout.buffer.write(pickle.dumps(values))
+"""
+
+
+@pytest.mark.parametrize("seed", ["1", "2"])
+def test_another_process_finds_the_same_values(seed: str) -> None:
+    """Pickled here, made anew and compared there where hashes of texts are others, pickled there, compared here."""
+    values = {name: make() for name, make in EVERY.items()}
+    done = subprocess.run(
+        [sys.executable, "-c", ELSEWHERE],
+        input=pickle.dumps(values),
+        capture_output=True,
+        check=False,
+        env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": os.pathsep.join((HERE, *sys.path))},
+    )
+    assert done.returncode == 0, done.stderr.decode()
+    for name, other in pickle.loads(done.stdout).items():
+        assert other == values[name], name
+        assert hash(other) == hash(values[name]), name
+
+
+def _answers() -> Iterator[type]:
+    """All classes of gcrules that write themselves as JSON."""
+    for module in pkgutil.walk_packages(gc.__path__, "gcrules."):
+        if not module.name.startswith(("gcrules._", "gcrules.cli")):
+            classes = filter(inspect.isclass, vars(importlib.import_module(module.name)).values())
+            own = (c for c in classes if c.__module__ == module.name and not inspect.isabstract(c))
+            yield from (c for c in own if "to_json" in vars(c))
+
+
+ANSWERS = list(_answers())
+
+
+def test_answers_are_found() -> None:
+    assert len(ANSWERS) > 50
+    assert {"PoseNumbers", "PathReport", "SingularMap", "RobotPose", "Analysis"} <= {c.__name__ for c in ANSWERS}
+
+
+@pytest.mark.parametrize("answer", ANSWERS, ids=lambda c: f"{c.__module__.removeprefix('gcrules.')}.{c.__name__}")
+def test_answers_are_compared_by_what_they_hold(answer: type) -> None:
+    assert answer.__eq__ is not object.__eq__
+    assert answer.__hash__ not in (None, object.__hash__)
+
+
+def test_what_the_public_functions_return_is_in_the_tables() -> None:
+    listed = {type(make()).__name__ for make in EVERY.values()}
+    functions = [f for f in map(vars(api).__getitem__, api.__all__) if inspect.isfunction(f)]
+    assert len(functions) > 15
+    returned = {name for f in functions for name in str(inspect.signature(f).return_annotation).split(" | ")}
+    assert returned - listed == {
+        "Expr",
+        "Any",
+        "str",
+        "RobotWidget",
+    }  # a sum of one class of expressions, and no values
+
+
+def test_arrays_in_results_cannot_be_written_to() -> None:
+    for value in (poses := gc.pose(PLATFORM, [[0, 0, 0]] * 2), pickle.loads(pickle.dumps(poses))):
+        with pytest.raises(ValueError, match="read-only"):
+            value.closeness[0] = 1.0
 
 
 @table(RESULTS)
@@ -262,7 +369,6 @@ def test_faults_can_be_pickled(fault: gc.GcrulesError) -> None:
 
 def test_the_public_names_are_those_of_the_api() -> None:
     import gcrules
-    from gcrules import api
 
     assert set(gcrules.__all__) == {*api.__all__, "__version__"}
     assert all(getattr(gcrules, name) is getattr(api, name) for name in api.__all__)

@@ -221,10 +221,8 @@ def _analysis(
     space: Space,
 ) -> Analysis:
     found = _platform_or_legs(legs)
-    for warning in found.warnings if isinstance(found, Platform) else ():
-        click.echo(f"warning: {warning}", err=True)
     with working("analysing"):
-        return analyzed(
+        answer = analyzed(
             found,
             order=order,
             points=space.points,
@@ -236,6 +234,9 @@ def _analysis(
             strategy=choice.strategy(),
             search=search,
         )
+    for warning in answer.platform.warnings if answer.platform else ():
+        click.echo(f"warning: {warning}", err=True)
+    return answer
 
 
 def _platform_or_legs(words: tuple[str, ...]) -> Platform | str:

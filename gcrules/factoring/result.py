@@ -28,7 +28,7 @@ class Family:
     name: str
     size: int = 0
     extensors: int = 0
-    seconds: float = field(default=0.0, compare=False)
+    seconds: float = field(default=0.0, compare=False, repr=False)
 
     def searched(self) -> str:
         """What was tested and how long it took, in words."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -49,7 +49,7 @@ def factors(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> tuple[Fact
     """The values of all factors; none where the robot's wrenches are no lines of its points."""
     if not analysis.parts or analysis.lines is None:
         return ()
-    used = {n for part in analysis.parts for n in points_of(part.expression)}
+    used = dict.fromkeys(n for part in analysis.parts for n in points_of(part.expression))  # in one order: sums round
     at = _unit_scale(analysis, values, used)
     names = analysis.lines.structure.names
     return tuple(_factor(part, at, names) for part in analysis.parts)
@@ -67,7 +67,7 @@ def _value(e: Expr, at: Mapping[str, Floats]) -> float:
     return found
 
 
-def _unit_scale(analysis: RobotAnalysis, values: Mapping[str, Floats], used: set[str]) -> dict[str, Floats]:
+def _unit_scale(analysis: RobotAnalysis, values: Mapping[str, Floats], used: Collection[str]) -> dict[str, Floats]:
     """Homogeneous coordinates (1, 4) of the names that are used, (1, 3) in the plane."""
     sorts = analysis.robot.family.sorts
     derived: dict[str, Floats] = {}

@@ -36,6 +36,7 @@ from gcrules.kinematics.wrenches import wrench_jacobian
 from gcrules.numeric.motion import Twist, twist_of
 from gcrules.numeric.pose import Pose, exact
 from gcrules.numeric.threshold import DEFAULT, Threshold, degrees, parse_threshold
+from gcrules.numeric.verdict import decide
 from gcrules.robots.robot_analysis import RobotAnalysis
 from gcrules.rules.listing import listed
 
@@ -165,16 +166,18 @@ def here(m: Mechanism, analysis: RobotAnalysis, solution: Solution, limit: Thres
 def _verdict(m: Mechanism, near: Closeness, own: Sequence[float], limit: Threshold) -> tuple[str, str]:
     sigma, turn = near.sigma, math.asin(near.sigma)
     assert limit.angle is not None
-    if sigma <= SINGULAR:
-        return "singular", "σ is 0 within rounding: the wrenches of all limbs do not hold the platform."
+    # Here σ guarantees a turn of asin σ, which is at most 90°.
+    word = decide(sigma, SINGULAR, close=math.sin(limit.angle) if limit.angle <= math.pi / 2 else math.inf)
+    if word == "singular":
+        return word, "σ is 0 within rounding: the wrenches of all limbs do not hold the platform."
     lost = [limb.name for limb, c in zip(m.robot.limbs, own, strict=True) if c <= SINGULAR]
     if lost:
         return "singular", f"{' and '.join(lost)} is singular by itself: its own twists depend on each other."
     words = "the limbs' own singularities apart, there is no singular configuration before the wrenches of some limb"
     words += f" have turned by {degrees(turn)} relative to the platform"
-    if turn >= limit.angle:
-        return "regular", f"{_capital(words)} (threshold {limit.text})."
-    return "close", f"It is only certain that, {words}; the threshold is {limit.text}."
+    if word == "regular":
+        return word, f"{_capital(words)} (threshold {limit.text})."
+    return word, f"It is only certain that, {words}; the threshold is {limit.text}."
 
 
 def _causes(values: Sequence[Factor], verdict: str) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from gcrules.frozen import FrozenMap, HoldsArrays
 from gcrules.kinematics.balance import LimbNumbers
 from gcrules.kinematics.factors import Factor
 from gcrules.kinematics.mechanism import Actuator
@@ -18,7 +19,7 @@ __all__ = ["RobotPose"]
 
 
 @dataclass(frozen=True, eq=False)
-class RobotPose:
+class RobotPose(HoldsArrays):
     """A robot in one configuration. Lengths are in the unit of its file, angles in radians, all from home.
 
     `verdict` is regular | close | singular, `reason` the sentence with it, `causes` the factors that vanish, in words.
@@ -55,6 +56,10 @@ class RobotPose:
     motions: tuple[Twist, ...]
     points: Mapping[str, tuple[float, ...]]
     notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name in ("coordinates", "points"):
+            object.__setattr__(self, name, FrozenMap(getattr(self, name)))
 
     @property
     def actuator_values(self) -> dict[str, float]:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from gcrules.frozen import HoldsArrays
 from gcrules.kinematics.chains import geometry_of
 from gcrules.kinematics.closeness import Closeness
 from gcrules.kinematics.mechanism import Configuration, Mechanism
@@ -19,7 +20,7 @@ __all__ = ["WrenchJacobian", "wrench_jacobian"]
 
 
 @dataclass(frozen=True, eq=False)
-class WrenchJacobian:
+class WrenchJacobian(HoldsArrays):
     """`rows` (f; m), moments about `centre`, with their `labels`: first the actuations, each with product 1 with its
     own joint's twist, then the constraints of all limbs, orthonormal with moments divided by `length`. The product of
     an actuation with a twist (ω; v at the centre) of the platform is the rate of its actuator, that of a constraint 0.

@@ -26,6 +26,7 @@ Floats = NDArray[np.float64]
 
 MAX_POSES = 1_000_000_000
 """Nodes of a map over three coordinates."""
+_SMALL = 1e-24  # poses may be `FAR` away, and a 32-bit float goes to 3e38
 MAX_FLAT = 16_000_000
 """Nodes of a map over two coordinates, and of a layer of three."""
 
@@ -144,6 +145,12 @@ def grid(rig: Rig, axes: tuple[Axis, ...], at: Any = None) -> Grid:
     corners = np.array(np.meshgrid(*[[float(a.start), float(a.stop)] for a in axes])).reshape(len(axes), -1).T
     if np.abs(found.ends(corners) - rig.base).max() > FAR * rig.size:
         raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
+    if not _SMALL < rig.size < 1 / _SMALL:
+        raise InputError(
+            f"the robot is too {'small' if rig.size < 1 else 'large'} for the 32-bit floats of a map: its size is"
+            f" {rig.size:.3g}, expected one between {_SMALL:g} and {1 / _SMALL:g}",
+            hint="choose another unit",
+        )
     return found
 
 

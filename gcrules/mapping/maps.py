@@ -39,7 +39,7 @@ from gcrules.mapping.summary import Summary, summed, together
 from gcrules.mapping.tracing import polished, traced
 from gcrules.mapping.values import KINDS, Task
 from gcrules.moving import Given, moving_robot
-from gcrules.numeric.threshold import DEFAULT, Threshold, angle_threshold
+from gcrules.numeric.threshold import DEFAULT, Threshold, angle_threshold, closeness_of
 
 __all__ = ["MEASURES", "bytes_of", "done", "planned", "singular_map"]
 
@@ -142,7 +142,7 @@ def _manifest(task: Task) -> dict[str, Any]:
 
 def _computed(task: Task, store: Store, limit: Threshold, tell: Told) -> Summary:
     assert limit.angle is not None
-    sigma = float(2 * np.sin(min(limit.angle, np.pi) / 2))
+    sigma = closeness_of(limit.angle)
     parts: list[Summary] = []
     kept: list[int] = []
     poses = 0

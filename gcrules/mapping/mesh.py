@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.frozen import HoldsArrays
 from gcrules.render.palette import LIGHT
 
 __all__ = ["SHEETS", "Mesh", "glb", "ply"]
@@ -30,7 +31,7 @@ _METRES = {"m": 1.0, "dm": 0.1, "cm": 0.01, "mm": 0.001, "um": 1e-6, "in": 0.025
 
 
 @dataclass(frozen=True, eq=False)
-class Mesh:
+class Mesh(HoldsArrays):
     """`vertices` and unit `normals` (V, 3), `faces` (F, 3); `sheet` (V,) is the factor that is 0 there; `allowed` (V,)
     says which vertices keep to the limits of leg lengths; `accurate` which were brought onto the zero set.
 

@@ -2,7 +2,6 @@ r"""The answer for a map: arrays over the grid, singular curves or surfaces, whi
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 from gcrules import __version__
 from gcrules.condition import Condition
 from gcrules.errors import EngineFault, InputError, LimitReached
+from gcrules.frozen import HoldsArrays
 from gcrules.mapping.grid import Grid
 from gcrules.mapping.limits import Limits
 from gcrules.mapping.mesh import Mesh
@@ -22,7 +22,7 @@ from gcrules.mapping.store import Store
 from gcrules.mapping.summary import Summary
 from gcrules.mapping.surface import Sheet, of_factor, sheet
 from gcrules.mapping.values import Chunk, Task
-from gcrules.numeric.threshold import Threshold
+from gcrules.numeric.threshold import Threshold, closeness_of
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -36,7 +36,7 @@ MAX_IN_MEMORY = 40_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class Curve(HoldsArrays):
     """Singular poses along a curve: `points` (K, 2) in the axes' coordinates, the first again at the end if it is
     closed. `factor` is the number of the factor that is 0 there (None where the slice is no polynomial); `allowed`
     (K,) says where the limits of leg lengths are kept.
@@ -60,7 +60,7 @@ class Curve:
 
 
 @dataclass(frozen=True, eq=False)
-class SingularMap:
+class SingularMap(HoldsArrays):
     """A robot over two or three coordinates of its poses.
 
     `values(name)` are arrays over the grid, in the order of the axes (`arrays` are their names); `curves` are the
@@ -101,7 +101,7 @@ class SingularMap:
     def sigma(self) -> float:
         """The closeness that the threshold stands for."""
         assert self.threshold.angle is not None
-        return 2 * math.sin(min(self.threshold.angle, math.pi) / 2)
+        return closeness_of(self.threshold.angle)
 
     def chunks(self) -> Iterator[tuple[int, Chunk]]:
         """The first layer of each chunk, and its arrays."""

@@ -19,6 +19,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from gcrules.errors import FileError, InputError
+from gcrules.frozen import HoldsArrays
 from gcrules.mapping.values import Chunk
 
 __all__ = ["Folder", "Memory", "Store", "check_room", "written"]
@@ -27,8 +28,8 @@ _PREFIX = ".new-"
 _LOCK = "lock"
 
 
-@dataclass(frozen=True)
-class Memory:
+@dataclass(frozen=True, eq=False)
+class Memory(HoldsArrays):
     """Chunks that are kept in memory."""
 
     chunks: dict[int, Chunk] = field(default_factory=dict)
@@ -50,6 +51,9 @@ class Folder:
     path: Path
     names: tuple[str, ...]
     lock: _Lock | None = field(default=None, repr=False, compare=False)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Folder, (self.path, self.names)  # a lock is of one process
 
     @staticmethod
     def open(path: str, names: tuple[str, ...], manifest: Mapping[str, Any], *, restart: bool = False) -> Folder:

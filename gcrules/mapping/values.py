@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.compiling.compiled import CompiledCondition
+from gcrules.frozen import HoldsArrays
 from gcrules.mapping.cells import CROSSED, FREE, UNDECIDED, certified
 from gcrules.mapping.grid import Grid
 from gcrules.mapping.guarded import guarded
@@ -44,7 +45,7 @@ _BATCH = 20_000  # poses whose Jacobians are in memory at once
 
 
 @dataclass(frozen=True, eq=False)
-class Task:
+class Task(HoldsArrays):
     """What is computed: `measure` is closeness (everything) or value (the superbracket, and what the limits need).
 
     `factors` are those of the superbracket where all axes are translations, else None; `everywhere` says that it is

@@ -23,6 +23,7 @@ ROUNDING = 1e-12
 """Accuracy of coordinates, in units of the robot's size, where none is stated: that of the arithmetic alone."""
 
 _ROUNDING = 1e-13  # of σ, in floats
+_DIGITS = 4 * float(np.finfo(np.float64).eps)  # of coordinates
 _LESS = 1 - 1e-12  # rounding of the bounds themselves, to the safe side
 
 
@@ -69,13 +70,14 @@ def closeness(j: Jacobian) -> Closeness:
 
 
 def noise(j: Jacobian, accuracy: float) -> Floats:
-    """How much σ can change when each joint is elsewhere by up to `accuracy` (a length), shape (N,); at most 1.
+    """How much σ can change when each joint is elsewhere by up to `accuracy` (a length) or by the rounding of its
+    coordinates, shape (N,); at most 1.
 
     A leg turns by at most asin(2ε/l). The velocities of a twist with angular velocity ω change by |ω|ε each, that is
     by at most η = √6 ε / spread relative to the root of Σ |v_i|², which is at least |ω| spread.
     """
-    leg = np.minimum(2 * accuracy / j.lengths.min(axis=1), 1.0)
+    leg = np.minimum(2 * np.maximum(accuracy, _DIGITS * j.far) / j.lengths.min(axis=1), 1.0)
     turned = 2 * np.sin(np.arcsin(leg) / 2)
-    eta = min(np.sqrt(6) * accuracy / j.spread, 0.5)
+    eta = np.minimum(np.sqrt(6) * np.maximum(accuracy, _DIGITS * j.far_ends) / j.spread, 0.5)
     found: Floats = np.where((leg >= 1) | (eta >= 0.5), 1.0, np.minimum((turned + 2 * eta) / (1 - eta), 1.0))
     return found

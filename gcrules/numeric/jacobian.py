@@ -13,6 +13,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.errors import InputError
+
 __all__ = ["Jacobian", "jacobian", "on_one_line"]
 
 Floats = NDArray[np.float64]
@@ -25,7 +27,8 @@ class Jacobian:
     `centroid` (N, 3); `arms` (N, 6, 3) are the ends less the centroid; `radius` ρ, their root-mean-square length, is
     the characteristic length; `rows` (N, 6, 6) are the legs' (u, (arm/ρ) × u); `lengths` (N, 6); `directions` u
     (N, 6, 3).
-    `spread` is the root of the summed squared distances of the ends from the line that is nearest to them.
+    `spread` is the root of the summed squared distances of the ends from the line that is nearest to them; `far` and
+    `far_ends` (N,) are the largest coordinates of all points and of the platform's, by which floats are rounded.
     """
 
     centroid: Floats
@@ -35,6 +38,8 @@ class Jacobian:
     lengths: Floats
     directions: Floats
     spread: float
+    far: Floats
+    far_ends: Floats
     _turn: Floats  # (N, 3, 3), the inverse root of the ends' inertia
 
     @cached_property
@@ -96,12 +101,15 @@ def on_one_line(ends: Floats) -> bool:
 
 
 _ROUNDED = 16 * float(np.finfo(np.float64).eps)
+_RESOLVED = 1000 * _ROUNDED  # of the coordinates: a platform that is smaller or thinner is not known well enough
+_THIN = 1e-6
 
 
 def jacobian(base: Floats, ends: Floats) -> Jacobian:
     """The Jacobian of legs from base points (6, 3) to platform points (N, 6, 3) that move as one body.
 
-    The legs have lengths other than 0, and the platform's points are not all on one line.
+    The legs have lengths other than 0. Raises InputError where the platform's points are all on one line, but for the
+    rounding of their coordinates: so far away that floats cannot tell them apart.
     """
     along = ends - base
     lengths = np.linalg.norm(along, axis=2)
@@ -109,12 +117,29 @@ def jacobian(base: Floats, ends: Floats) -> Jacobian:
     centroid = ends.mean(axis=1)
     arms = ends - centroid[:, None, :]
     radius = float(np.sqrt((arms[0] ** 2).sum(axis=1).mean()))
+    far_ends = np.abs(ends).max(axis=(1, 2))
+    least = _RESOLVED * float(far_ends.max())
+    if not radius > least:
+        raise _too_far()
     scaled = arms / radius
     rows = np.concatenate([directions, np.cross(scaled, directions)], axis=2)
     # Σ |v_i|² = 6 |v|² + ωᵀ I ω: the centroid parts the two, and I has the same eigenvalues in every pose.
     inertia = (scaled**2).sum(axis=(1, 2))[:, None, None] * np.eye(3) - np.einsum("nki,nkj->nij", scaled, scaled)
     values, vectors = np.linalg.eigh(inertia)
+    if values.min() < _THIN:  # I is rounded by more than that of a thin platform: its extents are not
+        extents, vectors = np.linalg.svd(scaled, full_matrices=False)[1:]
+        values = np.stack([(np.delete(extents, k, axis=1) ** 2).sum(axis=1) for k in range(3)], axis=1)
+        vectors = np.swapaxes(vectors, 1, 2)
+    spread = radius * float(np.sqrt(values.min()))
+    if not spread > least:
+        raise _too_far()
     turn = np.einsum("nij,nj,nkj->nik", vectors, 1 / np.sqrt(values), vectors)
-    return Jacobian(
-        centroid, arms, radius, rows, lengths, directions, spread=radius * float(np.sqrt(values[0, 0])), _turn=turn
+    far = np.maximum(far_ends, np.abs(base).max())
+    return Jacobian(centroid, arms, radius, rows, lengths, directions, spread, far, far_ends, turn)
+
+
+def _too_far() -> InputError:
+    return InputError(
+        "floats cannot tell the platform's joints apart here: they are in one place or on one line but for rounding",
+        hint="take poses nearer to the robot, and an origin near it",
     )

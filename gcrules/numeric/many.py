@@ -11,22 +11,26 @@ from numpy.typing import NDArray
 
 from gcrules.condition import Condition
 from gcrules.errors import InputError
+from gcrules.frozen import HoldsArrays
 from gcrules.numeric.closeness import ROUNDING, closeness, noise
 from gcrules.numeric.jacobian import jacobian
 from gcrules.numeric.readings import Reading, readings
 from gcrules.numeric.rig import Rig
-from gcrules.numeric.threshold import Threshold
+from gcrules.numeric.threshold import Threshold, closeness_of
+from gcrules.numeric.verdict import VERDICTS, rank
 
 __all__ = ["PoseNumbers", "homogeneous", "numbers"]
 
 Floats = NDArray[np.float64]
+
+_BEYOND = "the superbracket is too large or too small for floats in some poses: inf or 0 there; choose another unit"
 
 CHUNK = 20_000
 """Poses that are computed at once; the memory that is used grows with it."""
 
 
 @dataclass(frozen=True, eq=False)
-class PoseNumbers:
+class PoseNumbers(HoldsArrays):
     """Arrays over N poses, shape (N,); the names and units are those of `PoseReport`. `readings` hold arrays too;
     `notes` say what was changed on reading.
 
@@ -120,7 +124,8 @@ def _joined(parts: Sequence[PoseNumbers]) -> PoseNumbers:
         )
         for same in zip(*(p.readings for p in parts), strict=True)
     )
-    return replace(first, readings=joined, **arrays)
+    notes = tuple(dict.fromkeys(note for p in parts for note in p.notes))
+    return replace(first, readings=joined, notes=notes, **arrays)
 
 
 def _numbers(
@@ -137,9 +142,8 @@ def _numbers(
     bounds = closeness(j)
     spread, floor = noise(j, accuracy), noise(j, ROUNDING * rig.size)
     turned = sum(leg != typed for leg, typed in zip(rig.legs, rig.structure.legs, strict=True))
-    with np.errstate(over="ignore"):
+    with np.errstate(over="ignore", under="ignore"):
         value = -np.linalg.det(j.rows) * j.radius**3 * j.lengths.prod(axis=1) * (-1) ** turned
-    safe = 2 * np.arcsin(np.maximum(j.sigma - spread, 0) / 2) >= angle
     return PoseNumbers(
         value=value,
         closeness=j.sigma,
@@ -150,8 +154,9 @@ def _numbers(
         noise=spread,
         smallest_singular_value=j.singular_values[:, 5],
         condition_number=j.condition_number,
-        verdict=np.where(j.sigma <= floor, "singular", np.where(safe & (j.sigma > spread), "regular", "close")),
+        verdict=np.array(VERDICTS)[rank(j.sigma, floor, spread, closeness_of(angle))],
         readings=readings(conditions, homogeneous(rig, *poses)),
         radius=j.radius,
         unit=rig.unit,
+        notes=(_BEYOND,) if (np.isinf(value) | ((value == 0) & (j.sigma > floor))).any() else (),
     )

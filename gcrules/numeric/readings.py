@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from gcrules.algebra.expr import Bracket, Expr, Meet, Product, Sum, meet
 from gcrules.condition import Condition
+from gcrules.frozen import HoldsArrays
 from gcrules.numeric.extensors import (
     Points,
     coordinates,
@@ -36,7 +37,7 @@ NEAR_ZERO = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
-class Reading:
+class Reading(HoldsArrays):
     """A number read off one part of a condition in N poses, shape (N,): 0 where this part makes the robot singular.
 
     `part` is the expression in DSL text; `name` and `meaning` say what is measured; `power` is the dimension, 1 for a

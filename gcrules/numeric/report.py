@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from gcrules.condition import Condition
+from gcrules.core.floats import as_float
 from gcrules.numeric.motion import Dependence, Twist
 from gcrules.numeric.nearest_pose import NearestPose
 from gcrules.numeric.pose import Pose
@@ -86,14 +87,11 @@ class PoseReport:
 
     @property
     def value(self) -> float:
-        """The superbracket as a float, in the unit to the ninth power; infinite where a float cannot hold it."""
-        try:
-            return float(self.superbracket)
-        except OverflowError:
-            return math.inf if self.superbracket > 0 else -math.inf
+        """The superbracket as a float, in the unit to the ninth power; infinite or 0 where a float cannot hold it."""
+        return as_float(self.superbracket)
 
     def to_json(self) -> dict[str, Any]:
-        """One JSON object; numbers that are infinite or not valid are null."""
+        """One JSON object; numbers that are infinite, beyond floats or not valid are null."""
         exact = str(self.superbracket)
         return {
             "schema": 1,
@@ -103,7 +101,7 @@ class PoseReport:
             "platform": list(self.rig.structure.platform),
             "about": [float(c) for c in self.rig.centre],
             "pose": self.pose.to_json(),
-            "value": self.value if math.isfinite(self.value) else None,
+            "value": self.value if math.isfinite(self.value) and (self.value or not self.superbracket) else None,
             "exact": exact if len(exact) <= _LONGEST else None,
             "closeness": self.closeness,
             "verdict": self.verdict,

@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.floats import decimal
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.gauss import kernel
@@ -128,10 +129,8 @@ def rig(structure: Structure, platform: Platform, about: str | Sequence[Fraction
     points = {n: platform.points[n] for n in structure.names}
     for side, names in (("base", structure.base), ("platform", structure.platform)):
         _check_body(side, names, points)
-    largest = max(abs(c) for p in points.values() for c in p)
-    if not Fraction(1, 10**60) < largest < 10**60:
-        raise InputError("the coordinates are too large or too small for floats", hint="choose another unit")
     centre = _centre(about, [points[n] for n in structure.platform], platform.units)
+    _check_floats(points, structure.platform, platform.filename)
     return Rig(structure, points, centre, platform.units, platform.title)
 
 
@@ -145,6 +144,43 @@ def _check_body(side: str, names: Sequence[str], points: Mapping[str, Vector]) -
             f"degenerate robot: the joints {', '.join(names)} of the {side} {what}",
             hint="every leg then meets a line about which the platform can turn: it is singular in every pose",
         )
+
+
+def _check_floats(points: Mapping[str, Vector], body: Sequence[str], filename: str) -> None:
+    """Raises InputError for coordinates that are exact but of which floats cannot tell the joints of the body apart."""
+    largest = max(abs(c) for p in points.values() for c in p) or Fraction(1)
+    if not _SMALL < largest < 1 / _SMALL:
+        raise InputError(
+            f"the coordinates are too {'small' if largest < 1 else 'large'} for floats: the largest is"
+            f" {decimal(largest, 3)}, expected one between {decimal(_SMALL)} and {decimal(1 / _SMALL)}",
+            filename=filename,
+            hint="choose another unit",
+        )
+    far = max(abs(c) for n in body for c in points[n])
+    first = points[body[0]]  # differences are exact
+    arms = np.array([[float((c - o) / far) for c, o in zip(points[n], first, strict=True)] for n in body])
+    sizes = np.linalg.svd(arms - arms.mean(axis=0), compute_uv=False)
+    if sizes[1] <= _THIN * sizes[0]:
+        raise InputError(
+            f"the joints {', '.join(body)} of the platform lie on one line but for {sizes[1] / sizes[0]:.1g} of their"
+            f" extent: too thin for floats, expected {_THIN:g} or more",
+            filename=filename,
+            hint="every leg then meets a line about which the platform can turn",
+        )
+    if sizes[1] <= _FINE:
+        raise InputError(
+            f"the platform is too small for floats: {sizes[1]:.1g} of its largest coordinate"
+            f" {decimal(far, 3)}, expected {_FINE:g} or more",
+            filename=filename,
+            hint="choose an origin near the robot, and check the units of its coordinates",
+        )
+
+
+_SMALL = Fraction(1, 10**60)
+_THIN = 1e-9
+"""A platform is refused whose second extent is less of its first one."""
+_FINE = 1e-8
+"""A platform is refused that is smaller, in parts of its largest coordinate, which a float knows to 1e-16 of itself."""
 
 
 def _centre(about: str | Sequence[Fraction], ends: Sequence[Vector], unit: str) -> Vector:

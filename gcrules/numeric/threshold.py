@@ -9,7 +9,16 @@ from fractions import Fraction
 from gcrules.errors import InputError
 from gcrules.numeric.pose import check_unit, read_number
 
-__all__ = ["DEFAULT", "Threshold", "angle_threshold", "degrees", "parse_length", "parse_threshold", "threshold_of"]
+__all__ = [
+    "DEFAULT",
+    "Threshold",
+    "angle_threshold",
+    "closeness_of",
+    "degrees",
+    "parse_length",
+    "parse_threshold",
+    "threshold_of",
+]
 
 _ANGLES = {"deg": math.pi / 180, "°": math.pi / 180, "rad": 1.0}
 
@@ -23,6 +32,11 @@ class Threshold:
     angle: float | None = None
     length: float | None = None
     text: str = ""
+
+
+def closeness_of(angle: float) -> float:
+    """The closeness σ that guarantees this turn of a leg (radians): turn = 2 asin(σ/2)."""
+    return 2 * math.sin(min(angle, math.pi) / 2)
 
 
 DEFAULT = Threshold(angle=math.radians(0.5), text="0.5 deg")

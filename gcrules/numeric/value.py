@@ -11,12 +11,9 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.condition import Condition
 from gcrules.errors import InputError
 from gcrules.legs import Leg, Structure
+from gcrules.numeric.verdict import CLOSE, FLOOR, decide
 
-__all__ = ["CLOSE", "PoseValue", "line_measure", "line_points", "measure", "pose_value"]
-
-CLOSE = 0.0087
-"""Below this measure a pose is called close to singular: a leg's turn by half a degree may lead to a singular pose (an
-example; choose your own for a real robot, `gcrules pose --threshold`)."""
+__all__ = ["PoseValue", "judged", "line_measure", "line_points", "measure", "pose_value"]
 
 XYZ = tuple[float, float, float]
 
@@ -57,32 +54,59 @@ def pose_value(
     close: float = CLOSE,
     unit: str = "",
 ) -> PoseValue:
-    """Evaluate at exact homogeneous coordinates (x, y, z, 1) of every joint; all must be finite (else InputError)."""
+    """Evaluate at exact homogeneous coordinates (x, y, z, 1) of every joint.
+
+    Raises InputError for joints at infinity, and for joints so close to each other that floats cannot tell them apart.
+    """
     if any(c[3] == 0 for c in points.values()):
         raise InputError("a pose needs finite joints (last coordinate not 0)")
     value, right, cofactor = (
         Fraction(evaluate(e, points)) for e in (structure.superbracket, condition.right_side, condition.cofactor)
     )
-    at = {n: (float(c[0]), float(c[1]), float(c[2])) for n, c in points.items()}
-    size = measure(structure, at) if value else 0.0
-    verdict = "singular" if value == 0 else "close" if size < close else "regular"
+    size, verdict = judged(structure, _centred(structure, points), close) if value else (0.0, "singular")
+    if value and not size:
+        raise InputError("floats cannot tell the robot's joints apart", hint="check the units of the coordinates")
     return PoseValue(value, right, cofactor, size, verdict, unit)
+
+
+def _centred(structure: Structure, points: Mapping[str, Sequence[Fraction]]) -> dict[str, XYZ]:
+    """The places in floats, in a frame at the platform and a unit of the size of the whole: σ knows neither."""
+    names = structure.names
+    o = [points[(structure.platform or names)[0]][i] for i in range(3)]
+    unit = max(abs(points[n][i] - o[i]) for n in names for i in range(3)) or Fraction(1)
+    x, y, z = ({n: float((points[n][i] - o[i]) / unit) for n in names} for i in range(3))
+    return {n: (x[n], y[n], z[n]) for n in names}
 
 
 def measure(structure: Structure, points: Mapping[str, XYZ]) -> float:
     """The measure σ of `gcrules.numeric.jacobian` in [0, 1], which knows neither frame nor unit; 0 for a leg of no
     length. Where the legs do not tell base from platform, `line_measure`.
     """
+    return _measured(structure, points)[0]
+
+
+def judged(structure: Structure, points: Mapping[str, XYZ], close: float = CLOSE) -> tuple[float, str]:
+    """The measure, and singular | close | regular (below, from `close` on)."""
+    size, floor = _measured(structure, points)
+    return size, decide(size, floor, close=close)
+
+
+def _measured(structure: Structure, points: Mapping[str, XYZ]) -> tuple[float, float]:
+    """The measure, and what rounding may do to it."""
     if not all(n in structure.sides for leg in structure.legs for n in leg):
-        return line_measure(structure.legs, points)
+        return line_measure(structure.legs, points), FLOOR
     import numpy as np
 
+    from gcrules.numeric.closeness import ROUNDING, noise
     from gcrules.numeric.jacobian import jacobian, on_one_line  # numpy, for numbers only
 
     base, ends = (np.array([points[leg[i]] for leg in structure.oriented]) for i in (0, 1))
     if not np.linalg.norm(ends - base, axis=1).all() or on_one_line(ends):
-        return 0.0
-    return float(jacobian(base, ends[None]).sigma[0])
+        return 0.0, FLOOR
+    j = jacobian(base, ends[None])
+    places = np.array([points[n] for n in structure.names])
+    size = float(np.sqrt(((places - places.mean(axis=0)) ** 2).sum(axis=1).mean()))
+    return float(j.sigma[0]), float(noise(j, ROUNDING * size)[0])
 
 
 def line_measure(legs: Sequence[Leg], points: Mapping[str, XYZ]) -> float:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.condition import Condition
+from gcrules.frozen import HoldsArrays
 from gcrules.numeric.many import PoseNumbers
 from gcrules.numeric.motion import Dependence
 from gcrules.numeric.pose import Pose
@@ -68,7 +69,7 @@ class Zero:
 
 
 @dataclass(frozen=True, eq=False)
-class PathReport:
+class PathReport(HoldsArrays):
     """A robot along a path through `poses`. The parameter is 0 at the first of them, 1 at the second, and so on.
 
     `zeros` are all singular places, but for the `stretches` that are singular throughout: both are proved complete, as

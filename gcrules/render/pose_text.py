@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 
+from gcrules.core.floats import decimal
 from gcrules.numeric.incidence import factors
 from gcrules.numeric.nearest_pose import NearestPose
 from gcrules.numeric.pose import Pose
@@ -33,7 +35,7 @@ def _lines(r: PoseReport) -> Iterator[str]:
             ("pose", f"{_pose(r.pose)}, about {_about(r)}"),
             ("closeness", f"σ = {r.closeness:.4g} (0 singular, at most 1; knows neither frame nor unit)"),
             *_meaning(r),
-            ("superbracket", f"{r.value:.6g}{f' {u}⁹' if u else ''}"),
+            ("superbracket", f"{decimal(r.superbracket)}{f' {u}⁹' if u else ''}"),
             (
                 "Jacobian",
                 f"smallest singular value {_small(r.smallest_singular_value)}, condition number "
@@ -192,7 +194,7 @@ def as_latex(r: PoseReport) -> str:
     rows = [
         ("verdict", r.verdict),
         ("closeness $\\sigma$", _tex(r.closeness)),
-        ("superbracket", _tex(r.value, f"\\,\\mathrm{{{u}}}^9" if u else "")),
+        ("superbracket", _tex(r.superbracket, f"\\,\\mathrm{{{u}}}^9" if u else "")),
         ("smallest singular value", _tex(r.smallest_singular_value)),
         ("condition number", _tex(r.condition_number)),
         ("characteristic length", _tex(r.radius, unit)),
@@ -209,10 +211,10 @@ def as_latex(r: PoseReport) -> str:
     return f"\\begin{{tabular}}{{ll}}\n{body}\n\\end{{tabular}}"
 
 
-def _tex(x: float, unit: str = "") -> str:
-    if not math.isfinite(x):
+def _tex(x: float | Fraction, unit: str = "") -> str:
+    if x == math.inf:
         return "$\\infty$"
-    digits, _, power = f"{x:.4g}".partition("e")
+    digits, _, power = (decimal(x, 4) if isinstance(x, Fraction) else f"{x:.4g}").partition("e")
     if power:
         digits += f" \\cdot 10^{{{int(power)}}}"
     return f"${digits}{unit}$"

@@ -13,7 +13,7 @@ from gcrules.render.derivation import reasons
 from gcrules.render.figures import graph_figure, robot_figure
 from gcrules.render.report_page import footer, page, robot_figure_html
 from gcrules.render.scene_json import drawable, scene
-from gcrules.render.stages import VERDICTS, Fact, Formula, Item, Stage, stages
+from gcrules.render.stages import Fact, Formula, Item, Stage, stages, verdict_of
 from gcrules.render.terms import formula_html
 from gcrules.robots.geometry import Platform
 from gcrules.robots.robot_analysis import RobotAnalysis
@@ -107,7 +107,7 @@ def _numbers(pose: PoseValue) -> str:
     meaning = "dimensionless, 0 (singular) to 1, the same in every frame and unit"
     rows.append(("Closeness", f"{pose.measure:.4g}", meaning))
     body = "".join(f"<tr><th>{n}</th><td>{v}</td><td>{escape(w)}</td></tr>" for n, v, w in rows)
-    head = f'<h2>In this pose</h2><p class="verdict">{VERDICTS[pose.verdict]}</p>'
+    head = f'<h2>In this pose</h2><p class="verdict">{verdict_of(pose)}</p>'
     return f'<section class="numbers {pose.verdict}">{head}<table>{body}</table></section>'
 
 

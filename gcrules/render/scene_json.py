@@ -26,7 +26,8 @@ from gcrules.analysis import Analysis
 from gcrules.errors import InputError
 from gcrules.numeric.incidence import incidence_rows
 from gcrules.numeric.pose import Pose
-from gcrules.numeric.value import CLOSE, XYZ, line_points
+from gcrules.numeric.value import XYZ, line_points
+from gcrules.numeric.verdict import CLOSE
 from gcrules.render.figures import distinct_entities, named_lines, sample_points
 from gcrules.render.scene_parts import Incidence, entity_data, incidences, nested
 from gcrules.structure import Structure

@@ -20,10 +20,12 @@ def center(points: Sequence[XYZ]) -> XYZ:
 
 def flat_normal(corners: Sequence[XYZ]) -> XYZ | None:
     """The unit normal of the largest triangle of the corners; None if they are all in one line."""
-    normals = [cross(minus(b, a), minus(c, a)) for a, b, c in combinations(corners[:12], 3)]
-    largest = max(normals, key=lambda n: round(dot(n, n), 9), default=(0.0, 0.0, 0.0))
-    length = dot(largest, largest) ** 0.5
     size = max((dist(a, b) for a, b in combinations(corners[:12], 2)), default=0.0)
+    if not size:
+        return None
+    normals = [cross(minus(b, a), minus(c, a)) for a, b, c in combinations(corners[:12], 3)]
+    largest = max(normals, key=lambda n: round(dot(n, n) / size**4, 9), default=(0.0, 0.0, 0.0))
+    length = dot(largest, largest) ** 0.5
     return None if length <= 1e-6 * size * size else _scaled(largest, 1 / length)
 
 
@@ -44,8 +46,8 @@ def outline(corners: Sequence[XYZ]) -> list[tuple[tuple[XYZ, ...], tuple[bool, .
         return []
     origin = center(corners)
     u, v = _basis(corners, normal)
-    flat = [_flat(minus(c, origin), u, v) for c in corners]
     size = max(dist(c, origin) for c in corners)
+    flat = [_flat(_scaled(minus(c, origin), 1 / size), u, v) for c in corners]
     if all(abs(dot(minus(c, origin), normal)) <= 0.01 * size for c in corners):
         hull = convex_hull(flat)
         return [(tuple(corners[flat.index(p)] for p in hull), (True,) * len(hull))]
@@ -104,13 +106,20 @@ def through_ball(a: XYZ, b: XYZ, middle: XYZ, radius: float) -> tuple[XYZ, XYZ] 
 
 
 def _basis(corners: Sequence[XYZ], normal: XYZ) -> tuple[XYZ, XYZ]:
-    """Two unit vectors along a plane."""
+    """Two unit vectors along a plane; the corners are not all in one place, seen along its normal."""
     a = corners[0]
-    far = max(corners, key=lambda c: round(dot(minus(c, a), minus(c, a)), 9))
-    along = minus(far, a)
-    along = minus(along, _scaled(normal, dot(along, normal)))
+    size = max(dist(c, a) for c in corners)
+    far = max(corners, key=lambda c: round(dot(minus(c, a), minus(c, a)) / size**2, 9))
+    along = _within(minus(far, a), normal)
+    if dot(along, along) <= 1e-6 * size**2:  # the farthest corner lies along the normal
+        along = max((_within(minus(c, a), normal) for c in corners), key=lambda w: dot(w, w))
     u = _scaled(along, 1 / (dot(along, along) ** 0.5))
     return u, cross(normal, u)
+
+
+def _within(v: XYZ, normal: XYZ) -> XYZ:
+    """The part of a vector along the plane of this unit normal."""
+    return minus(v, _scaled(normal, dot(v, normal)))
 
 
 def _flat(p: XYZ, u: XYZ, v: XYZ) -> tuple[float, float]:

@@ -11,11 +11,13 @@ from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
 from gcrules.catalog import SHIPPED
 from gcrules.condition import ONE, Condition, Entity
+from gcrules.core.floats import decimal
 from gcrules.legs import Structure, leg_text
-from gcrules.numeric.value import CLOSE, PoseValue
+from gcrules.numeric.value import PoseValue
+from gcrules.numeric.verdict import CLOSE
 from gcrules.rules.listing import listed
 
-__all__ = ["VERDICTS", "Fact", "Formula", "Item", "Stage", "stages"]
+__all__ = ["Fact", "Formula", "Item", "Stage", "stages", "verdict_of"]
 
 
 @dataclass(frozen=True)
@@ -202,19 +204,24 @@ def _starred(entity: Entity) -> str:
     return (" " if spaced else "").join(entity.starred)
 
 
-VERDICTS = {
-    "singular": "Singular: the superbracket is exactly zero here.",
-    "close": f"Warning: close to singular (closeness below {CLOSE:g}).",
+def verdict_of(pose: PoseValue) -> str:
+    """The verdict as a sentence."""
+    return _VERDICTS[pose.verdict] if pose.superbracket else "Singular: the superbracket is exactly zero here."
+
+
+_VERDICTS = {
+    "singular": "Singular: the superbracket is zero here within rounding.",
+    "close": f"Warning: close to singular (closeness below {CLOSE:.2g}).",
     "regular": "Regular: the six legs control the platform here.",
 }
 
 
 def _pose(pose: PoseValue) -> list[Item]:
     unit = f" {pose.unit}⁹" if pose.unit else ""
-    items: list[Item] = [VERDICTS[pose.verdict], Fact("superbracket", f"{float(pose.superbracket):.6g}{unit}")]
+    items: list[Item] = [verdict_of(pose), Fact("superbracket", f"{decimal(pose.superbracket)}{unit}")]
     if pose.cofactor != 1:
-        items.append(Fact("cofactor", f"{float(pose.cofactor):.6g} (where it is 0 the condition says nothing)"))
-        items.append(Fact("condition", f"{float(pose.condition):.6g} (cofactor times superbracket)"))
+        items.append(Fact("cofactor", f"{decimal(pose.cofactor)} (where it is 0 the condition says nothing)"))
+        items.append(Fact("condition", f"{decimal(pose.condition)} (cofactor times superbracket)"))
     items.append(Fact("closeness", f"{pose.measure:.4g} (dimensionless, 0 singular to 1)"))
     return items
 

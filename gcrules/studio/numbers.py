@@ -31,7 +31,7 @@ from gcrules.numeric.pose import Pose
 from gcrules.numeric.readings import readings
 from gcrules.numeric.rig import FAR, Rig
 from gcrules.numeric.threshold import DEFAULT, Threshold, parse_threshold
-from gcrules.numeric.value import CLOSE, line_measure, measure
+from gcrules.numeric.value import judged, line_measure
 from gcrules.numeric.verdict import verdict
 from gcrules.render.limb_views import limb_views
 from gcrules.studio.answer_views import Along, Numbers, ReadingView
@@ -151,10 +151,9 @@ def _by_lines(subject: Subject, pose: PoseJson) -> Numbers:
     if max(map(abs, pose["translation"])) > FAR * subject.size:
         raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
     places = scenery.points(_plain(pose))
-    size = measure(a.structure, places)
+    size, said = judged(a.structure, places)
     always = a.condition.kind == "always-singular"
     value = 0.0 if always else _sign(a, places) * line_measure(a.structure.legs, places)
-    said = "singular" if always or not size else "close" if size < CLOSE else "regular"
     points = {n: np.array([[*p, 1.0]]) for n, p in places.items()}
     why = f" ({subject.why_not})" if subject.why_not else ""
     return {
@@ -162,7 +161,7 @@ def _by_lines(subject: Subject, pose: PoseJson) -> Numbers:
         "points": {n: list(p) for n, p in places.items()},
         "value": value,
         "closeness": 0.0 if always else size,
-        "verdict": said,
+        "verdict": "singular" if always else said,
         "reason": f"Told by the six lines alone{why}.",
         "causes": [a.condition.sentence] if always else [],
         "readings": _readings((a.condition, *a.readings), points, subject.unit),
