@@ -732,6 +732,7 @@ def test_an_interrupted_run_goes_on(robots: dict[str, Analysis], tmp_path: Path,
     (work / "chunk-000001.npz").write_bytes((work / "chunk-000001.npz").read_bytes()[:-50])  # damaged
     counted.clear()
     m = singular_map(robots["octahedral"], SMALL, work=work)
+    assert counted.pop() in (0, 2)  # one of those that were kept, looked at again
     assert counted == [1, *range(3, m.task.number)]
     direct = singular_map(robots["octahedral"], SMALL)
     for name in m.arrays:
