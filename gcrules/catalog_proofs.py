@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import ZERO, Expr, Number, mul, sub
 from gcrules.algebra.prove import Proof, prove
-from gcrules.core.memory import digest_of, remember, remembered
+from gcrules.core.proof_memory import digest_of, remember, remembered
 from gcrules.errors import FileError
 
 if TYPE_CHECKING:

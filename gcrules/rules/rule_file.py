@@ -15,7 +15,7 @@ from gcrules.algebra.prove import Proof, prove
 from gcrules.algebra.rule_text import Case, Instance, Order, RuleText
 from gcrules.algebra.space import Space
 from gcrules.algebra.statements import Script, parse_script
-from gcrules.core.memory import digest_of, remember, remembered
+from gcrules.core.proof_memory import digest_of, remember, remembered
 from gcrules.errors import FileError, GcrulesError, InputError, LimitReached, join_faults
 from gcrules.rules.identity import Identity, instance_fault, rewrite_all
 from gcrules.yamlfile import read_text
