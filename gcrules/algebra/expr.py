@@ -56,6 +56,7 @@ __all__ = [
     "subexpressions",
     "substitute",
     "superbracket",
+    "too_many_bits",
 ]
 
 MAX_DEPTH = 150
@@ -130,7 +131,7 @@ class Number(Expr):
             object.__setattr__(self, "value", value.numerator)
         _measure(self, 0)
         if max(abs(value.numerator), value.denominator).bit_length() > MAX_COEFFICIENT_BITS:
-            raise InputError(f"a coefficient has more than {MAX_COEFFICIENT_BITS} bits")
+            raise too_many_bits()
 
 
 @dataclass(frozen=True, slots=True)
@@ -285,6 +286,11 @@ class Power(Expr):
 
 
 ZERO = Number(0)
+
+
+def too_many_bits() -> InputError:
+    """What is raised for a number that is too large."""
+    return InputError(f"a coefficient has more than {MAX_COEFFICIENT_BITS} bits")
 
 
 def permutation_sign(order: Sequence[int]) -> int:
