@@ -159,9 +159,10 @@ class BracketPolynomial(_Shown):
         minus = "−" if unicode else "-"
         rows = {row: f"[{between.join(self.points[i] for i in row)}]" for m in self.terms for row in m}
         words: list[str] = []
-        for m, c in watched(sorted(self.terms.items(), key=lambda term: not term[0])):  # a number comes last
+        last = sorted(self.terms.items(), key=lambda term: not term[0])  # a number comes last
+        for m, c in watched(last):
             words.append(f" {minus if c < 0 else '+'} " if words else minus * (c < 0))
-            words.append("" if abs(c) == 1 and m else str(ex.Number(abs(c)).value))
+            words.append("" if abs(c) == 1 and m else str(ex.Number(c if c > 0 else -c).value))
             words += map(rows.__getitem__, m)
         return "".join(words) or "0"
 

@@ -29,7 +29,7 @@ from gcrules.errors import LimitReached
 __all__ = ["MORE_SECONDS", "MORE_TERMS", "Budget", "Count", "checkpoint", "seconds_left", "watched", "within"]
 
 MORE_SECONDS = "give it more time with --seconds (in Python within(seconds=...))"
-MORE_MEMORY = "a smaller --limit ends sooner; GCRULES_MEMORY sets the gigabytes that may be used"
+MORE_MEMORY = "GCRULES_MEMORY sets the gigabytes that may be used"
 MORE_TERMS = "raise the limit with --limit (in Python limit=...)"
 
 _T = TypeVar("_T")
@@ -51,7 +51,7 @@ class Budget:
 
     def __post_init__(self) -> None:
         own = inf if self.seconds is None else self.started + self.seconds
-        self.until = own if self.outer is None else min(own, self.outer.until)
+        self.until: float = own if self.outer is None else min(own, self.outer.until)
         """The moment at which this budget or one around it ends, on the monotonic clock."""
         self.look = self.started
         """Checkpoints compare the clock with this moment, and do nothing else before it."""
@@ -75,7 +75,12 @@ class Budget:
         if self.cancelled:
             raise LimitReached("this was cancelled")
         if self.seconds is not None and now >= self.started + self.seconds:
-            raise LimitReached(f"this takes more than {self.seconds:g} seconds", hint=MORE_SECONDS)
+            what = "1 second" if self.seconds == 1 else f"{self.seconds:,.10g} seconds"
+            raise LimitReached(f"this takes more than {what}", hint=MORE_SECONDS)
+        self.check_memory()
+
+    def check_memory(self) -> None:
+        """Raises LimitReached where this budget's memory is used up."""
         if self.memory is not None and memory_in_use() > self.memory:
             raise LimitReached(f"this takes more than {self.memory / GIGABYTE:.3g} GB of memory", hint=MORE_MEMORY)
 
