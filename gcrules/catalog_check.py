@@ -16,6 +16,7 @@ from gcrules.algebra.shortest import counts
 from gcrules.analysis import analyze
 from gcrules.catalog import SHIPPED, Catalog, Entry, Reading
 from gcrules.condition import Certificate, Condition
+from gcrules.core.budget import checkpoint
 from gcrules.legs import Leg, Structure
 from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.state import extensor
@@ -64,6 +65,7 @@ def check_entry(entry: Entry) -> CheckResult:
     faults = [*_facts(entry, structure, regular=found.condition.kind != "always-singular")]
     proved = 0
     for reading in (entry.condition, *entry.readings):
+        checkpoint()
         fault = _proved(reading, structure)
         faults += fault
         proved += not fault
@@ -108,6 +110,7 @@ def factors(structure: Structure) -> Iterator[tuple[str, ...]]:
     at exact random points) it vanishes too.
     """
     for four in combinations(structure.names, 4):
+        checkpoint()
         points = random_points(structure.names, seed=5)
         weights = random_points(four[:3], seed=6)
         points[four[3]] = tuple(
@@ -150,6 +153,7 @@ def enumerate_classes() -> tuple[tuple[Leg, ...], ...]:
         grown: list[frozenset[tuple[int, int]]] = []
         buckets: dict[Any, list[Any]] = {}
         for legs in kinds:
+            checkpoint()
             for leg in _additions(legs):
                 new = legs | {leg}
                 graph = _graph(new)

@@ -11,7 +11,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import groupby
+from itertools import chain, groupby
 from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra import expr as ex
@@ -157,7 +157,7 @@ class BracketPolynomial(_Shown):
             return super().text(unicode=unicode, short=True)
         between = "" if all(map(SHORT_NAME.fullmatch, self.points)) else " "
         minus = "−" if unicode else "-"
-        rows = {row: f"[{between.join(self.points[i] for i in row)}]" for m in self.terms for row in m}
+        rows = {row: f"[{between.join(self.points[i] for i in row)}]" for row in set(chain.from_iterable(self.terms))}
         words: list[str] = []
         last = sorted(self.terms.items(), key=lambda term: not term[0])  # a number comes last
         for m, c in watched(last):
@@ -240,7 +240,7 @@ class BracketPolynomial(_Shown):
     def to_expr(self, *, short: bool = False) -> Expr:
         """The polynomial as an expression of the language; with `short` many equal brackets are a power."""
         points = [ex.Point(n) for n in self.points]
-        brackets = {row: ex.Bracket(tuple(points[i] for i in row)) for row in {r for m in self.terms for r in m}}
+        brackets = {row: ex.Bracket(tuple(points[i] for i in row)) for row in set(chain.from_iterable(self.terms))}
 
         def factors(monomial: Monomial) -> Iterator[Expr]:
             for row, run in groupby(monomial) if short else ((row, (row,)) for row in monomial):

@@ -18,9 +18,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import chain, combinations
+from itertools import chain, combinations, repeat
 from math import comb, factorial, isqrt, prod
 
+from gcrules.core.budget import watched
 from gcrules.errors import InputError, LimitReached, StepError
 
 __all__ = [
@@ -490,7 +491,9 @@ def power(base: Expr, exponent: int, rank: int = 4) -> Expr:
 def subexpressions(e: Expr) -> Iterator[Expr]:
     """The expression and all its parts, parents first."""
     stack = [e]
-    while stack:
+    for _ in watched(repeat(None), every=1_000):  # shared parts come again and again
+        if not stack:
+            return
         top = stack.pop()
         yield top
         stack.extend(reversed(top.children))

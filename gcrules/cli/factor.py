@@ -54,7 +54,7 @@ def factor(
     """
     from gcrules.factoring.factorize import factor as factored  # numpy, for this command only
 
-    with limited(seconds + AROUND):
+    with limited(seconds, AROUND):
         e = read_expression(expression, space)
         with working("factoring") as status:
             found = factored(

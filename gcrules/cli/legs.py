@@ -106,7 +106,7 @@ def analyze(
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
     others = order or recheck or full or figure or assumptions or catalogs or space != _SPACE
-    with limited(seconds + search):
+    with limited(seconds, search):
         if of_joints := _of_joints(legs, choice, search, others):
             out.show(of_joints)
             return

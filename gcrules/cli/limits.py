@@ -41,7 +41,7 @@ def time_limit(
 ) -> Callable[[_Command], _Command]:
     """--seconds S: LimitReached where the command takes longer; a default of None is no limit unless one is given.
 
-    The seconds of the option `plus`, those of a search, are added. A command that sees to it `itself` receives the
+    The seconds of the option `plus`, those of a search, come on top. A command that sees to it `itself` receives the
     `seconds`, and surrounds with `limited` what takes time.
     """
 
@@ -50,7 +50,7 @@ def time_limit(
         def within_its_time(**options: Any) -> Any:
             if itself:
                 return command(**options)
-            with limited(options.pop("seconds") + (options[plus] if plus else 0)):
+            with limited(options.pop("seconds"), options[plus] if plus else 0.0):
                 return command(**options)
 
         option = click.option(

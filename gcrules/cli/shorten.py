@@ -40,7 +40,7 @@ def shorten(expression: str, limit: int, seconds: float, space: Space, out: Outp
     """
     from gcrules.shortening.shorten import shorten as shortened  # numpy, for this command only
 
-    with limited(seconds + AROUND):
+    with limited(seconds, AROUND):
         e = read_expression(expression, space)
         with working("shortening") as status:
             found = shortened(

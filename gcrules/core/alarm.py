@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from time import monotonic
 from types import FrameType
@@ -27,12 +27,12 @@ _T = TypeVar("_T")
 
 
 @contextmanager
-def limited(seconds: float | None, progress: Callable[[str], None] | None = None) -> Iterator[Budget]:
+def limited(seconds: float | None, grace: float = 0.0) -> Iterator[Budget]:
     """As `within`, with the memory that a command may use, and the net.
 
     Raises LimitReached, InputError where GCRULES_MEMORY is no number.
     """
-    with within(seconds, memory=memory_limit(), progress=progress) as budget, _net(budget):
+    with within(seconds, memory=memory_limit(), grace=grace) as budget, _net(budget):
         yield budget
 
 

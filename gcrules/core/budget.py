@@ -40,6 +40,8 @@ _LOOK = 0.1  # seconds between two looks at the memory that is in use, and at th
 class Budget:
     """At most `seconds` from `started` on, and at most `memory` bytes of this process; no limit where None.
 
+    `grace` is what may be taken beyond the seconds, for work that has a limit of its own, or to finish.
+
     `progress` is told, in words, what is being done, by those who call `report`.
     """
 
@@ -48,9 +50,10 @@ class Budget:
     progress: Callable[[str], None] | None
     started: float
     outer: Budget | None
+    grace: float = 0.0
 
     def __post_init__(self) -> None:
-        own = inf if self.seconds is None else self.started + self.seconds
+        own = inf if self.seconds is None else self.started + self.seconds + self.grace
         self.until: float = own if self.outer is None else min(own, self.outer.until)
         """The moment at which this budget or one around it ends, on the monotonic clock."""
         self.look = self.started
@@ -74,7 +77,7 @@ class Budget:
     def _check(self, now: float) -> None:
         if self.cancelled:
             raise LimitReached("this was cancelled")
-        if self.seconds is not None and now >= self.started + self.seconds:
+        if self.seconds is not None and now >= self.started + self.seconds + self.grace:
             what = "1 second" if self.seconds == 1 else f"{self.seconds:,.10g} seconds"
             raise LimitReached(f"this takes more than {what}", hint=MORE_SECONDS)
         self.check_memory()
@@ -102,13 +105,17 @@ _current: ContextVar[Budget | None] = ContextVar("gcrules budget", default=None)
 
 @contextmanager
 def within(
-    seconds: float | None = None, *, memory: int | None = None, progress: Callable[[str], None] | None = None
+    seconds: float | None = None,
+    *,
+    memory: int | None = None,
+    progress: Callable[[str], None] | None = None,
+    grace: float = 0.0,
 ) -> Iterator[Budget]:
-    """Limit what runs inside: by `seconds` from now, and to `memory` bytes of the process.
+    """Limit what runs inside: by `seconds` (and `grace`) from now, and to `memory` bytes of the process.
 
     Raises LimitReached, at the next `checkpoint`, when one of them is used up.
     """
-    budget = Budget(seconds, memory, progress, monotonic(), _current.get())
+    budget = Budget(seconds, memory, progress, monotonic(), _current.get(), grace)
     token = _current.set(budget)
     try:
         yield budget
