@@ -61,6 +61,7 @@ if TYPE_CHECKING:
         superbracket,
         transversals,
         view,
+        within,
     )
 
 __all__ = [
@@ -108,6 +109,7 @@ __all__ = [
     "superbracket",
     "transversals",
     "view",
+    "within",
 ]
 
 

@@ -29,6 +29,7 @@ from gcrules.algebra.incidences import Condition, Facts, equations, fault
 from gcrules.algebra.nonzero import assumed, fewest
 from gcrules.algebra.roads import ROADS, understood
 from gcrules.algebra.space import Assumption, Space
+from gcrules.core.budget import checkpoint
 from gcrules.errors import InputError
 
 __all__ = ["equations", "holds", "resolve"]
@@ -134,6 +135,7 @@ class _Builder:
             for group in orders(self.conditions, order, late, self.rank, left_out):
                 found: list[Construction] = []
                 for turns in islice(group, MAX_ORDERS):
+                    checkpoint()
                     try:
                         found.append(self._attempt(turns))
                     except _Failure as failed:
@@ -160,6 +162,7 @@ class _Builder:
         values = random_points(free, rank=self.rank, ideal=self.ideal, seed=1)
         state = _State(self, values)
         for depth, (name, conditions) in enumerate(turns):
+            checkpoint()
             state.place(depth, name, conditions)
         return state.construction(free)
 

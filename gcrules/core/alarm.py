@@ -49,7 +49,7 @@ def paced(items: Iterator[_T], seconds: float | None, *, each: bool = False) -> 
         if item is _END:
             return
         if left is not None and not each:
-            left -= monotonic() - started
+            left = max(0.0, left - (monotonic() - started))
         yield item  # type: ignore[misc]
 
 

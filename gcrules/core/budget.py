@@ -19,12 +19,13 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from math import inf
+from math import inf, isnan
+from numbers import Real
 from time import monotonic
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from gcrules.core.memory import GIGABYTE, memory_in_use
-from gcrules.errors import LimitReached
+from gcrules.errors import InputError, LimitReached
 
 __all__ = ["MORE_SECONDS", "MORE_TERMS", "Budget", "Count", "checkpoint", "seconds_left", "watched", "within"]
 
@@ -113,8 +114,12 @@ def within(
 ) -> Iterator[Budget]:
     """Limit what runs inside: by `seconds` (and `grace`) from now, and to `memory` bytes of the process.
 
-    Raises LimitReached, at the next `checkpoint`, when one of them is used up.
+    Raises LimitReached, at the next `checkpoint`, when one of them is used up; InputError for what is no number.
     """
+    limits: tuple[tuple[Any, str], ...] = ((seconds, "seconds"), (memory, "bytes of memory"))
+    for given, what in limits:
+        if given is not None and (not isinstance(given, Real) or isnan(given)):
+            raise InputError(f"{given!r} is no number of {what}", hint="None is no limit")
     budget = Budget(seconds, memory, progress, monotonic(), _current.get(), grace)
     token = _current.set(budget)
     try:
