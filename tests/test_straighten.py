@@ -14,7 +14,6 @@ from hypothesis import strategies as st
 from gcrules.algebra import diagonal, levels
 from gcrules.algebra import straighten as module
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms
-from gcrules.algebra.work import Work
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, vanishes
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import sub
@@ -23,6 +22,7 @@ from gcrules.algebra.superbracket import form_terms
 from gcrules.algebra.syntax import parse
 from gcrules.algebra.text import text
 from gcrules.algebra.two_rows import exchange, offending_column, syzygy
+from gcrules.algebra.work import Work
 from gcrules.errors import LimitReached
 
 

@@ -56,6 +56,7 @@ __all__ = ["MAX_BRACKETS", "MAX_TERMS", "Expander", "Multivector", "expand", "ex
 MAX_TERMS = 200_000
 MAX_BRACKETS = 1_000_000  # in one monomial
 _LOOK_EVERY = 1_000  # products of terms between two looks at the clock
+_MANY_BRACKETS = 64  # in a product that takes as long as two with few of them
 _LONG = 1_000  # products of terms that are many for one product of polynomials
 _SUPERBRACKET_WORK = 120  # what the 24 terms of a superbracket take, in products of terms
 _SET_WORK = 20  # the same for a choice of joins of points, one from each line
@@ -263,7 +264,8 @@ class Expander:
         return {} if self._at_infinity(row) else self._times(terms, {(row,): 1})
 
     def _times(self, a: Terms, b: Terms) -> Terms:
-        self._worked(len(a) * len(b))
+        brackets = len(next(iter(a), ())) + len(next(iter(b), ()))
+        self._worked(len(a) * len(b) * (1 + brackets // _MANY_BRACKETS))
         if len(b) == 1 and () in b:
             return a if b[()] == 1 else {m: c * b[()] for m, c in a.items()}
         if len(a) < len(b):

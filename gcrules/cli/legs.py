@@ -22,7 +22,7 @@ from gcrules.cli.base import (
     space_options,
 )
 from gcrules.cli.files import read_stdin, working
-from gcrules.cli.limits import limited, time_limit
+from gcrules.cli.limits import beside, limited, time_limit
 from gcrules.cli.manual import Manual, manual_options, run_manual
 from gcrules.cli.rules import Choice, rules_options
 from gcrules.errors import InputError
@@ -106,7 +106,7 @@ def analyze(
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
     others = order or recheck or full or figure or assumptions or catalogs or space != _SPACE
-    with limited(seconds, search):
+    with limited(seconds, beside(search)):
         if of_joints := _of_joints(legs, choice, search, others):
             out.show(of_joints)
             return

@@ -8,10 +8,11 @@ from math import inf, isnan
 from typing import Any
 
 import click
+from click.core import ParameterSource
 
 from gcrules.core.alarm import limited
 
-__all__ = ["AROUND", "SECONDS", "Seconds", "limited", "time_limit"]
+__all__ = ["AROUND", "SECONDS", "Seconds", "beside", "limited", "time_limit"]
 
 SECONDS = 60.0
 VARIABLE = "GCRULES_SECONDS"
@@ -36,13 +37,19 @@ class Seconds(click.ParamType):  # type: ignore[type-arg, unused-ignore]
         return found
 
 
+def beside(search: float) -> float:
+    """The seconds that a search has on top of --seconds: its own, unless the user said how long all may take."""
+    said = click.get_current_context().get_parameter_source("seconds")
+    return 0.0 if said is ParameterSource.COMMANDLINE else search
+
+
 def time_limit(
     default: float | None = SECONDS, words: str = "", *, plus: str | None = None, itself: bool = False
 ) -> Callable[[_Command], _Command]:
     """--seconds S: LimitReached where the command takes longer; a default of None is no limit unless one is given.
 
-    The seconds of the option `plus`, those of a search, come on top. A command that sees to it `itself` receives the
-    `seconds`, and surrounds with `limited` what takes time.
+    The seconds of the option `plus`, those of a search, come on top of the default. A command that sees to it `itself`
+    receives the `seconds`, and surrounds with `limited` what takes time.
     """
 
     def decorate(command: _Command) -> _Command:
@@ -50,7 +57,7 @@ def time_limit(
         def within_its_time(**options: Any) -> Any:
             if itself:
                 return command(**options)
-            with limited(options.pop("seconds"), options[plus] if plus else 0.0):
+            with limited(options.pop("seconds"), beside(options[plus]) if plus else 0.0):
                 return command(**options)
 
         option = click.option(
