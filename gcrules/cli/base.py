@@ -17,6 +17,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from gcrules.cli.limits import Seconds
+from gcrules.core.budget import waiting
 from gcrules.errors import GcrulesError, InputError
 from gcrules.files import write_file
 
@@ -191,7 +192,8 @@ class Output:
         if self.path:
             write_file(self.path, click.unstyle(text).rstrip("\n") + "\n")
         else:
-            click.echo(text.rstrip("\n"))
+            with waiting():
+                click.echo(text.rstrip("\n"))
 
 
 def output_options(*, latex: bool = True) -> Callable[[_Command], _Command]:

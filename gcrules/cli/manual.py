@@ -16,6 +16,7 @@ from gcrules.algebra.text import SHORT_NAME
 from gcrules.cli.base import Output, Space, decorated
 from gcrules.cli.files import read_stdin
 from gcrules.cli.limits import limited
+from gcrules.core.budget import waiting
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.legs import Structure, read_legs
 from gcrules.manual import MOVES, PROPOSALS, Session
@@ -251,4 +252,5 @@ class _Console:
 
     def say(self, text: str) -> None:
         if not self.out.json:
-            click.echo(text)
+            with waiting():
+                click.echo(text)

@@ -64,7 +64,7 @@ def _net(budget: Budget) -> Iterator[None]:
         if over:
             return
         budget.check_memory()
-        if monotonic() > budget.until + GRACE:
+        if not budget.waiting and monotonic() > budget.until + GRACE:
             budget.check()
 
     before = signal.signal(signal.SIGALRM, ring)

@@ -27,7 +27,17 @@ from typing import Any, TypeVar
 from gcrules.core.memory import GIGABYTE, memory_in_use
 from gcrules.errors import InputError, LimitReached
 
-__all__ = ["MORE_SECONDS", "MORE_TERMS", "Budget", "Count", "checkpoint", "seconds_left", "watched", "within"]
+__all__ = [
+    "MORE_SECONDS",
+    "MORE_TERMS",
+    "Budget",
+    "Count",
+    "checkpoint",
+    "seconds_left",
+    "waiting",
+    "watched",
+    "within",
+]
 
 MORE_SECONDS = "give it more time with --seconds (in Python within(seconds=...))"
 MORE_MEMORY = "GCRULES_MEMORY sets the gigabytes that may be used"
@@ -60,6 +70,7 @@ class Budget:
         self.look = self.started
         """Checkpoints compare the clock with this moment, and do nothing else before it."""
         self.cancelled = False
+        self.waiting = 0
 
     @property
     def left(self) -> float:
@@ -78,7 +89,7 @@ class Budget:
     def _check(self, now: float) -> None:
         if self.cancelled:
             raise LimitReached("this was cancelled")
-        if self.seconds is not None and now >= self.started + self.seconds + self.grace:
+        if self.seconds is not None and not self.waiting and now >= self.started + self.seconds + self.grace:
             what = "1 second" if self.seconds == 1 else f"{self.seconds:,.10g} seconds"
             raise LimitReached(f"this takes more than {what}", hint=MORE_SECONDS)
         self.check_memory()
@@ -141,6 +152,28 @@ def watched(items: Iterable[_T], every: int = 64) -> Iterator[_T]:
         if not number % every:
             checkpoint()
         yield item
+
+
+@contextmanager
+def waiting() -> Iterator[None]:
+    """What is spent inside, on waiting for whoever writes the input or reads the output, does not count."""
+    around: list[Budget] = []
+    one = _current.get()
+    while one is not None:
+        around.append(one)
+        one = one.outer
+    began = monotonic()
+    for one in around:
+        one.waiting += 1
+    try:
+        yield
+    finally:
+        gone = monotonic() - began
+        for one in around:
+            one.waiting -= 1
+            if not one.waiting:
+                one.started += gone
+                one.until += gone
 
 
 def seconds_left() -> float:
