@@ -159,7 +159,7 @@ class Expander:
 
     def _product(self, powers: Mapping[Expr, int]) -> Multivector:
         """The product of powers, of which at most one is no scalar. Monomials are not multiplied one by one."""
-        value: Multivector = {(): {(): 1}}
+        value: Multivector | None = None
         brackets: list[Row] = []
         coefficient: Coefficient = 1
         for base, n in powers.items():
@@ -173,8 +173,11 @@ class Expander:
                 brackets += monomial * n
                 self._worked(1)
             else:
-                value = reduce(self._join, repeat(found, n), value)
-        return self._join(value, {(): {tuple(sorted(brackets)): coefficient}})
+                value = reduce(self._join, repeat(found, n) if value is None else chain((value,), repeat(found, n)))
+        if value is not None and not brackets and coefficient == 1:
+            return value
+        monomial_part: Multivector = {(): {tuple(sorted(brackets)): coefficient}}
+        return monomial_part if value is None else self._join(value, monomial_part)
 
     def _number_power(self, base: Coefficient, exponent: int) -> Coefficient:
         bits = max(base.numerator.bit_length(), base.denominator.bit_length()) - 1
