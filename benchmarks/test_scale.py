@@ -16,10 +16,10 @@ from scale import FORMS, by_gcrules, by_macaulay2, macaulay2
 from gcrules.algebra import diagonal
 from gcrules.algebra import straighten as module
 from gcrules.algebra.bracket import BracketPolynomial, Terms
-from gcrules.algebra.budget import Budget
 from gcrules.algebra.expand import expand
 from gcrules.algebra.straighten import straighten, straighten_terms
 from gcrules.algebra.syntax import parse
+from gcrules.algebra.work import Work
 from gcrules.catalog_file import load
 from gcrules.condition import Certificate, Condition
 from gcrules.factoring.factorize import factor
@@ -52,7 +52,7 @@ def test_methods(ratio: Callable[..., Any], rank: int, points: int, number: int)
     terms: Terms = dict.fromkeys(products(rank, points, number), 1)
     poly = BracketPolynomial(rank, tuple(f"p{i}" for i in range(points)), terms)
     others = {
-        "one monomial at a time": lambda: module._largest_first(dict(terms), 0, Budget(10**6), inf),
+        "one monomial at a time": lambda: module._largest_first(dict(terms), 0, Work(10**6), inf),
         "triangular system": lambda: dict(diagonal.normal_form(poly).terms),
     }
 

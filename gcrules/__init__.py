@@ -62,6 +62,7 @@ if TYPE_CHECKING:
         superbracket,
         transversals,
         view,
+        within,
     )
 
 __all__ = [
@@ -110,6 +111,7 @@ __all__ = [
     "superbracket",
     "transversals",
     "view",
+    "within",
 ]
 
 

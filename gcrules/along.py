@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 
 from gcrules.analysis import Analysis
+from gcrules.core.budget import checkpoint
 from gcrules.errors import GcrulesError, InputError, LimitReached
 from gcrules.moving import Given, moving_robot
 from gcrules.numeric.arrays import from_poses, matrices
@@ -65,6 +66,7 @@ def path(
     way = segments(moving, found)
     polynomials = []
     for k, s in enumerate(way):
+        checkpoint()
         tell(f"segment {k + 1} of {len(way)}")
         polynomials.append(s.polynomial)
     zeros = tuple(_zero(analysis, moving, way, p, limit) for p in places(polynomials))

@@ -22,6 +22,7 @@ from gcrules.algebra.syntax import Context, parse, parse_equation
 from gcrules.algebra.text import Names, split_names
 from gcrules.analysis import Analysis, analyze
 from gcrules.condition import Condition
+from gcrules.core.budget import within
 from gcrules.core.seeds import repeated
 from gcrules.errors import GcrulesError, InputError, LimitReached, StepError, SyntaxFault
 from gcrules.factoring.limits import MAX_EXTENSORS, SECONDS
@@ -96,6 +97,7 @@ __all__ = [
     "superbracket",
     "transversals",
     "view",
+    "within",
 ]
 
 

@@ -18,6 +18,7 @@ from gcrules.analysis import analyze
 from gcrules.catalog import SHIPPED, Catalog, Entry, Reading
 from gcrules.catalog_proofs import DIGESTS, counterexample, digests
 from gcrules.condition import Certificate, Condition
+from gcrules.core.budget import checkpoint
 from gcrules.files import write_file
 from gcrules.legs import Leg, Structure
 from gcrules.rules.incidence import INCIDENCES
@@ -76,6 +77,7 @@ def check_entry(entry: Entry) -> CheckResult:
     faults = [*_facts(entry, structure, regular=found.condition.kind != "always-singular")]
     proved = 0
     for reading in (entry.condition, *entry.readings):
+        checkpoint()
         fault = _proved(reading, structure)
         faults += fault
         proved += not fault
@@ -146,6 +148,7 @@ def factors(structure: Structure) -> Iterator[tuple[str, ...]]:
     at exact random points) it vanishes too.
     """
     for four in combinations(structure.names, 4):
+        checkpoint()
         points = random_points(structure.names, seed=("factors", structure.text()))
         weights = random_points(four[:3], seed=("weights", structure.text()))
         points[four[3]] = tuple(
@@ -187,6 +190,7 @@ def enumerate_classes() -> tuple[tuple[Leg, ...], ...]:
         grown: list[frozenset[tuple[int, int]]] = []
         buckets: dict[Any, list[Any]] = {}
         for legs in kinds:
+            checkpoint()
             for leg in _additions(legs):
                 new = legs | {leg}
                 graph = _graph(new)

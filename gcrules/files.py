@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
+from gcrules.core.budget import waiting
 from gcrules.errors import FileError
 
 __all__ = ["write_file"]
@@ -16,7 +17,8 @@ def write_file(path: str, text: str) -> None:
     Raises FileError where that is not possible.
     """
     if path == "-":
-        sys.stdout.write(text)
+        with waiting():
+            sys.stdout.write(text)
         return
     target = os.path.realpath(path)
     if os.path.isdir(target):
@@ -26,7 +28,7 @@ def write_file(path: str, text: str) -> None:
         raise FileError("cannot be written: there is no such directory", filename=path)
     try:
         if os.path.exists(target) and not os.path.isfile(target):  # a device or pipe
-            with open(target, "w", encoding="utf-8") as file:
+            with waiting(), open(target, "w", encoding="utf-8") as file:
                 file.write(text)
             return
         if os.path.exists(target) and not os.access(target, os.W_OK):

@@ -12,6 +12,8 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.budget import checkpoint
+
 __all__ = ["echelon", "kernel", "rank"]
 
 Row = tuple[Any, ...]
@@ -25,6 +27,7 @@ def echelon(matrix: Iterable[Sequence[Any]], modulus: int | None = None) -> tupl
     left: list[list[Any]] = [[_number(x, modulus) for x in row] for row in matrix]
     pivots: list[int] = []
     for column in range(len(left[0]) if left else 0):
+        checkpoint()
         top = len(pivots)
         found = next((i for i in range(top, len(left)) if left[i][column]), None)
         if found is None:

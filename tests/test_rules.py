@@ -29,7 +29,7 @@ from gcrules.rules.check import check_cases, check_rules, fires_on
 from gcrules.rules.entities import LEFT_OVER_PLANE, PLANES, TETRAHEDRA
 from gcrules.rules.identity import Identity, rewrite_all
 from gcrules.rules.library import ENGINE, Library
-from gcrules.rules.matching import Budget, match_monomial
+from gcrules.rules.matching import match_monomial, trials
 from gcrules.rules.rule import Incidence, RewriteRule, Rule
 from gcrules.rules.rule_file import check_script, identities, load_rule_file
 from gcrules.script import run_script
@@ -335,7 +335,7 @@ def test_matching_is_bounded() -> None:
     pattern = [tuple(f"{x}{i}" for i in range(4)) for x in "abc"]
     monomial = tuple(tuple(range(n, n + 4)) for n in range(0, 32, 4))
     with pytest.raises(LimitReached, match="trials"):
-        list(match_monomial(pattern, monomial, {}, Budget(10_000)))
+        list(match_monomial(pattern, monomial, {}, trials(10_000)))
 
 
 SUMS = [

@@ -14,7 +14,6 @@ from hypothesis import strategies as st
 from gcrules.algebra import diagonal, levels
 from gcrules.algebra import straighten as module
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms
-from gcrules.algebra.budget import Budget
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, vanishes
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import sub
@@ -23,6 +22,7 @@ from gcrules.algebra.superbracket import form_terms
 from gcrules.algebra.syntax import parse
 from gcrules.algebra.text import text
 from gcrules.algebra.two_rows import exchange, offending_column, syzygy
+from gcrules.algebra.work import Work
 from gcrules.errors import LimitReached
 
 
@@ -64,7 +64,7 @@ def test_three_methods_agree(p: BracketPolynomial) -> None:
 def test_many_at_a_time_gives_the_same(p: BracketPolynomial) -> None:
     """The arrays, which take over in long computations, from the start."""
     terms = {m: c for m, c in p.terms.items() if not any(row[-1] < p.ideal for row in m)}
-    assert levels.straighten_levels(terms, p.ideal, Budget(10_000)) == straighten(p).terms
+    assert levels.straighten_levels(terms, p.ideal, Work(10_000)) == straighten(p).terms
 
 
 @settings(max_examples=60)
@@ -176,7 +176,7 @@ def test_large_coefficients_do_not_overflow() -> None:
     for factor in (2**61, 2**63, Fraction(10**30, 7)):
         many = {m: c * factor for m, c in one.items()}
         expected = {m: c * factor for m, c in straighten_terms(one).items()}
-        assert levels.straighten_levels(many, 0, Budget(10_000)) == expected
+        assert levels.straighten_levels(many, 0, Work(10_000)) == expected
         p = BracketPolynomial(4, tuple("abcdefghijkl"), many)
         assert dict(diagonal.normal_form(p).terms) == expected
 
@@ -196,11 +196,13 @@ def test_arrays_take_over(monkeypatch: pytest.MonkeyPatch, extra: Monomial) -> N
     assert straighten_terms(found) == form
 
 
-def test_the_budget_counts_in_arrays_too() -> None:
+def test_the_work_counts_in_arrays_too() -> None:
+    nearly_done = Work(2_000)
+    nearly_done.replacements(45_000)
     with pytest.raises(LimitReached, match="2,000 terms"):
-        levels.straighten_levels(products(16, 4, 50, seed=7), 0, Budget(2_000))
+        levels.straighten_levels(products(16, 4, 50, seed=7), 0, Work(2_000))
     with pytest.raises(LimitReached, match="replacements"):
-        levels.straighten_levels(products(16, 4, 1, seed=7), 0, Budget(2_000, work=45_000))
+        levels.straighten_levels(products(16, 4, 1, seed=7), 0, nearly_done)
 
 
 PAIRS = st.integers(2, 6).flatmap(

@@ -26,7 +26,7 @@ from gcrules.analysis import analyze
 from gcrules.catalog_check import check_digests, check_entry
 from gcrules.catalog_file import load, load_file
 from gcrules.cli import cli
-from gcrules.core import memory, seeds
+from gcrules.core import proof_memory, seeds
 from gcrules.errors import FileError, InputError, LimitReached
 from gcrules.legs import read_legs
 from gcrules.manual.file import load_session
@@ -349,7 +349,7 @@ def test_a_proof_costs_once(own: Any, tmp_path: Path, monkeypatch: pytest.Monkey
         note.write_text(damage, encoding="utf-8", errors="surrogateescape")
         assert catalog_proofs.standing(one, one.condition).verdict == "proved"
     assert len(calls) == 4
-    monkeypatch.setattr(memory, "engine", lambda: "another engine")
+    monkeypatch.setattr(proof_memory, "engine", lambda: "another engine")
     catalog_proofs.standing(one, one.condition)
     assert len(calls) == 5
     monkeypatch.setenv("GCRULES_CACHE", "off")
@@ -384,7 +384,7 @@ def test_where_proofs_are_kept(
         monkeypatch.delenv(name, raising=False)
     for name, value in variables.items():
         monkeypatch.setenv(name, value)
-    assert memory.folder() == (Path(expected) if expected else None)
+    assert proof_memory.folder() == (Path(expected) if expected else None)
 
 
 # --- rules ---------------------------------------------------------------------------------------------------------

@@ -11,12 +11,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import groupby
+from itertools import chain, groupby
 from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import SHORT_NAME, text
+from gcrules.core.budget import watched
 from gcrules.errors import InputError, StepError
 from gcrules.frozen import FrozenMap
 
@@ -38,6 +39,8 @@ Coefficient = int | Fraction
 Row = tuple[int, ...]
 Monomial = tuple[Row, ...]
 Terms = dict[Monomial, Coefficient]
+
+MANY_EQUAL = 10  # brackets that are written as a power where a short text is asked for
 
 
 def tableau_order(names: Iterable[str], declared: Iterable[str] = (), ideal: Iterable[str] = ()) -> tuple[str, ...]:
@@ -78,6 +81,11 @@ def _nonzero(terms: Mapping[Monomial, Coefficient]) -> Terms:
     }
 
 
+def _repeats(monomial: Monomial) -> bool:
+    """Whether a bracket occurs so often that a power is shorter."""
+    return any(a == b for a, b in zip(monomial, monomial[MANY_EQUAL - 1 :], strict=False))
+
+
 class _Shown(ABC):
     """What both kinds of polynomials show of themselves."""
 
@@ -90,11 +98,13 @@ class _Shown(ABC):
     def _step(self) -> int: ...
 
     @abstractmethod
-    def to_expr(self) -> Expr: ...
+    def to_expr(self, *, short: bool = False) -> Expr: ...
 
-    def text(self, *, unicode: bool = False) -> str:
-        """The text of the language, in plain ASCII or in Unicode mathematics."""
-        return text(self.to_expr(), unicode=unicode, names=self.points)
+    def text(self, *, unicode: bool = False, short: bool = False) -> str:
+        """The text of the language, in plain ASCII or in Unicode mathematics; `short` writes many equal brackets as a
+        power (of which the language reads those up to 64 back).
+        """
+        return text(self.to_expr(short=short), unicode=unicode, names=self.points)
 
     def latex(self) -> str:
         """The LaTeX of the polynomial, without dollar signs."""
@@ -141,15 +151,18 @@ class BracketPolynomial(_Shown):
     def _step(self) -> int:
         return self.step
 
-    def text(self, *, unicode: bool = False) -> str:
+    def text(self, *, unicode: bool = False, short: bool = False) -> str:
         """As for any expression, without making one of each of the terms, which may be many."""
+        if short and any(map(_repeats, self.terms)):
+            return super().text(unicode=unicode, short=True)
         between = "" if all(map(SHORT_NAME.fullmatch, self.points)) else " "
         minus = "−" if unicode else "-"
-        rows = {row: f"[{between.join(self.points[i] for i in row)}]" for m in self.terms for row in m}
+        rows = {row: f"[{between.join(self.points[i] for i in row)}]" for row in set(chain.from_iterable(self.terms))}
         words: list[str] = []
-        for m, c in sorted(self.terms.items(), key=lambda term: not term[0]):  # a number comes last
+        last = sorted(self.terms.items(), key=lambda term: not term[0])  # a number comes last
+        for m, c in watched(last):
             words.append(f" {minus if c < 0 else '+'} " if words else minus * (c < 0))
-            words.append("" if abs(c) == 1 and m else str(abs(c)))
+            words.append("" if abs(c) == 1 and m else str(ex.Number(c if c > 0 else -c).value))
             words += map(rows.__getitem__, m)
         return "".join(words) or "0"
 
@@ -174,8 +187,10 @@ class BracketPolynomial(_Shown):
         if not isinstance(other, BracketPolynomial):
             return self.with_terms({m: c * other for m, c in self.terms.items()})
         a, b = self._aligned(other)
+        if len(a) < len(b):
+            a, b = b, a
         terms: Terms = {}
-        for m, c in a.terms.items():
+        for m, c in watched(a.terms.items(), every=8):
             for n, k in b.terms.items():
                 product = tuple(sorted(m + n))
                 terms[product] = terms.get(product, 0) + c * k
@@ -200,7 +215,7 @@ class BracketPolynomial(_Shown):
         if gone:
             raise InputError(f"points that occur are missing: {', '.join(self.points[i] for i in gone)}")
         terms: Terms = {}
-        for m, c in self.terms.items():
+        for m, c in watched(self.terms.items()):
             sign, rows = 1, []
             for row in m:
                 s, r = sorted_row(moved[i] for i in row)
@@ -222,15 +237,18 @@ class BracketPolynomial(_Shown):
         for m, c in self.terms.items():
             yield c, tuple(tuple(self.points[i] for i in row) for row in m)
 
-    def to_expr(self) -> Expr:
-        """The polynomial as an expression of the language."""
-        return ex.add(
-            *(
-                ex.mul(ex.Number(c), *(ex.Bracket(tuple(map(ex.Point, row))) for row in rows))
-                for c, rows in self.named()
-            ),
-            rank=self.rank,
-        )
+    def to_expr(self, *, short: bool = False) -> Expr:
+        """The polynomial as an expression of the language; with `short` many equal brackets are a power."""
+        points = [ex.Point(n) for n in self.points]
+        brackets = {row: ex.Bracket(tuple(points[i] for i in row)) for row in set(chain.from_iterable(self.terms))}
+
+        def factors(monomial: Monomial) -> Iterator[Expr]:
+            for row, run in groupby(monomial) if short else ((row, (row,)) for row in monomial):
+                equal = [brackets[row] for _ in run]
+                yield from equal if len(equal) < MANY_EQUAL else [ex.Power(equal[0], len(equal))]
+
+        terms = (ex.mul(ex.Number(c), *factors(m)) for m, c in watched(self.terms.items()))
+        return ex.add(*terms, rank=self.rank)
 
     def to_sympy(self) -> sympy.Expr:
         """A sympy expression with one symbol for each bracket, named as in the text ("[abcd]")."""
@@ -266,11 +284,11 @@ class ExtensorPolynomial(_Shown):
     def __bool__(self) -> bool:
         return bool(self.parts)
 
-    def to_expr(self) -> Expr:
-        """The polynomial as an expression of the language."""
+    def to_expr(self, *, short: bool = False) -> Expr:
+        """The polynomial as an expression of the language; with `short` many equal brackets are a power."""
         return ex.add(
             *(
-                ex.mul(p.to_expr(), ex.join(*(ex.Point(self.points[i]) for i in row), rank=self.rank))
+                ex.mul(p.to_expr(short=short), ex.join(*(ex.Point(self.points[i]) for i in row), rank=self.rank))
                 for row, p in sorted(self.parts.items(), reverse=True)
             ),
             rank=self.rank,

@@ -24,6 +24,7 @@ from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rat
 from gcrules.algebra.expand import MAX_TERMS, Expander, Multivector
 from gcrules.algebra.expr import Expr, Join, Point, points_of
 from gcrules.algebra.straighten import terms_are_zero
+from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import DRAWN, drawn
 from gcrules.errors import LimitReached
 
@@ -206,6 +207,7 @@ class Construction:
         groups: dict[Monomial, Terms] = {}
         for row, terms in parts.items():
             for m, c in terms.items():
+                checkpoint()
                 letters = tuple(r for r in m if len(r) == 1)
                 rows = [r for r in m if len(r) > 1]
                 key = tuple(sorted([*rows, row + new] if e.step else rows))
@@ -227,6 +229,7 @@ class Construction:
                 for row, terms in expander.value(part).items():
                     into = value.setdefault(row, {})
                     for m, c in terms.items():
+                        checkpoint()
                         for k in letter:
                             key = tuple(sorted((*m, *k)))
                             into[key] = into.get(key, 0) + c
@@ -269,4 +272,5 @@ def _every(e: Expr, points: Mapping[str, Any], rank: int) -> Iterator[Mapping[st
     basis = [tuple(int(i == j) for j in range(rank)) for i in range(rank)]
     # Equations are linear in each of these and change sign when two of them change places.
     for chosen in combinations(basis, len(open_points)) if open_points else product():
+        checkpoint()
         yield {**points, **dict(zip(open_points, chosen, strict=True))}

@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms
 from gcrules.algebra.expr import permutation_sign
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 
 if TYPE_CHECKING:
@@ -115,6 +116,7 @@ def _solve(content: _Content, rank: int, terms: Terms) -> Terms:
     found: Terms = {}
     at = 0
     while at < size:
+        checkpoint()
         ahead = np.flatnonzero(value[at : at + _AHEAD])
         if not len(ahead):
             at += _AHEAD
@@ -152,6 +154,7 @@ def _basis(content: _Content, rank: int) -> _Basis:
 
     found: list[tuple[_Word, Monomial]] = []
     for tableau in standard_tableaux(content, rank):
+        checkpoint()
         places = sorted((p, c) for row in tableau for c, p in enumerate(row))
         found.append((tuple(c for _, c in places), tableau))
         if len(found) > MAX_TABLEAUX:
@@ -162,6 +165,7 @@ def _basis(content: _Content, rank: int) -> _Basis:
     words: list[_Word] = []
     starts: list[int] = []
     for diagonal, _ in found:
+        checkpoint()
         starts.append(len(words))
         ways = [_arrangements(diagonal[i:j]) for i, j in parts]
         if len(words) + prod(map(len, ways)) > MAX_WORDS:

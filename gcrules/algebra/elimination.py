@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 
 from gcrules.algebra.incidences import Condition
+from gcrules.core.budget import checkpoint
 
 __all__ = ["MAX_WORK", "Turn", "orders"]
 
@@ -68,6 +69,7 @@ class _Search:
         fruitful = False
         turns = []
         for name in {n for i in remaining for n in self.conditions[i].names}:
+            checkpoint()
             at = remaining & self.holding[name]
             self.work += len(at)
             turn = tuple(self.conditions[i] for i in sorted(at))

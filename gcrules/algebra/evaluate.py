@@ -15,6 +15,7 @@ rank 4: 12, 13, 14, 23, 24, 34); the bracket is the determinant with the points 
 from __future__ import annotations
 
 import random
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, reduce
@@ -38,6 +39,7 @@ from gcrules.algebra.expr import (
     points_of,
     rank_of,
 )
+from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import DRAWN, PRIME, drawn
 from gcrules.errors import InputError, LimitReached
 
@@ -53,6 +55,8 @@ __all__ = [
     "random_rational_points",
     "vanishes",
 ]
+
+MAX_BITS = 10_000_000  # of an exact value
 
 _Values = list[Any]  # Plücker coordinates: numbers of any ring, or arrays of them (one entry for each sample)
 _Reduce = Callable[[Any], Any]
@@ -114,6 +118,7 @@ class Evaluator:
 
     def value(self, e: Expr) -> _Values:
         if e not in self.known:
+            checkpoint()
             self.known[e] = self._value(e)
         return self.known[e]
 
@@ -134,17 +139,30 @@ class Evaluator:
             case Product(factors=factors):
                 scalar: Any = 1
                 rest: _Values = [1]
-                for f in factors:
+                for f, n in Counter(factors).items():
                     if f.step:
                         rest = self.value(f)
                     else:
-                        scalar = self.reduced(scalar * self.value(f)[0])
+                        scalar = self.reduced(scalar * self._power(self.value(f)[0], n))
+                        _check_size(scalar)
                 return [self.reduced(scalar * c) for c in rest]
             case Power(base=base, exponent=n):
-                return [reduce(lambda a, b: self.reduced(a * b), [self.value(base)[0]] * n)]
+                return [self._power(self.value(base)[0], n)]
             case Dotted():
                 return self.value(e.written_out())
         raise TypeError(f"not an expression: {e!r}")
+
+    def _power(self, base: Any, exponent: int) -> Any:
+        """By squaring, for any kind of numbers."""
+        _check_size(base, exponent)
+        found: Any = None
+        while True:
+            if exponent & 1:
+                found = base if found is None else self.reduced(found * base)
+            exponent >>= 1
+            if not exponent:
+                return found
+            base = self.reduced(base * base)
 
     def _number(self, value: int | Fraction) -> int | float | Fraction:
         if not self.modulus:
@@ -196,6 +214,14 @@ class Evaluator:
 
     def _combine(self, a: _Values, b: _Values, table: tuple[tuple[tuple[int, int, int], ...], ...]) -> _Values:
         return [self.reduced(sum(s * self.reduced(a[i] * b[j]) for i, j, s in row)) for row in table]
+
+
+def _check_size(value: Any, exponent: int = 1) -> None:
+    """Raises LimitReached for an exact number whose power would be too large to go on with."""
+    if isinstance(value, int | Fraction):
+        bits = max(value.numerator.bit_length(), value.denominator.bit_length()) - 1
+        if bits * exponent > MAX_BITS:
+            raise LimitReached(f"a value has more than {MAX_BITS:,} bits")
 
 
 def _is_float(value: Any) -> bool:

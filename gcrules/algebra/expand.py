@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from bisect import bisect
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache, reduce
-from itertools import chain, combinations, product
+from itertools import chain, combinations, product, repeat
 from math import comb
 from typing import TypeVar
 
@@ -29,6 +29,7 @@ from gcrules.algebra.bracket import (
 )
 from gcrules.algebra.determinant import Pair, determinant_terms
 from gcrules.algebra.expr import (
+    MAX_COEFFICIENT_BITS,
     Bracket,
     Dotted,
     Expr,
@@ -44,13 +45,19 @@ from gcrules.algebra.expr import (
     permutation_sign,
     points_of,
     superbracket,
+    too_many_bits,
 )
 from gcrules.algebra.superbracket import form_terms
+from gcrules.core.budget import MORE_TERMS, checkpoint, watched
 from gcrules.errors import LimitReached
 
-__all__ = ["MAX_TERMS", "Expander", "Multivector", "expand", "expand_superbracket", "shuffles"]
+__all__ = ["MAX_BRACKETS", "MAX_TERMS", "Expander", "Multivector", "expand", "expand_superbracket", "shuffles"]
 
 MAX_TERMS = 200_000
+MAX_BRACKETS = 1_000_000  # in one monomial
+_LOOK_EVERY = 1_000  # products of terms between two looks at the clock
+_MANY_BRACKETS = 64  # in a product that takes as long as two with few of them
+_LONG = 1_000  # products of terms that are many for one product of polynomials
 _SUPERBRACKET_WORK = 120  # what the 24 terms of a superbracket take, in products of terms
 _SET_WORK = 20  # the same for a choice of joins of points, one from each line
 
@@ -114,6 +121,7 @@ class Expander:
         self.ideal = ideal
         self.limit = limit
         self.work = 0
+        self.pause = 0  # the work at which the limits are looked at again
         self.known: dict[Expr, Multivector] = {}
 
     def value(self, e: Expr) -> Multivector:
@@ -142,12 +150,40 @@ class Expander:
                         self._add(total, row, coefficients, 1)
                 return total
             case Product(factors=factors):
-                return reduce(self._join, map(self.value, factors))
+                return self._product(Counter(factors))
             case Power(base=base, exponent=n):
-                return reduce(self._join, [self.value(base)] * n)
+                return self._product({base: n})
             case Dotted():
                 return self.value(e.written_out())
         raise TypeError(f"not an expression: {e!r}")
+
+    def _product(self, powers: Mapping[Expr, int]) -> Multivector:
+        """The product of powers, of which at most one is no scalar. Monomials are not multiplied one by one."""
+        value: Multivector | None = None
+        brackets: list[Row] = []
+        coefficient: Coefficient = 1
+        for base, n in powers.items():
+            found = self.value(base)
+            terms = found.get((), {})
+            if len(found) == len(terms) == 1:
+                ((monomial, c),) = terms.items()
+                coefficient *= self._number_power(c, n)
+                if len(brackets) + n * len(monomial) > MAX_BRACKETS:
+                    raise LimitReached(f"the expansion has monomials of more than {MAX_BRACKETS:,} brackets")
+                brackets += monomial * n
+                self._worked(1)
+            else:
+                value = reduce(self._join, repeat(found, n) if value is None else chain((value,), repeat(found, n)))
+        if value is not None and not brackets and coefficient == 1:
+            return value
+        monomial_part: Multivector = {(): {tuple(sorted(brackets)): coefficient}}
+        return monomial_part if value is None else self._join(value, monomial_part)
+
+    def _number_power(self, base: Coefficient, exponent: int) -> Coefficient:
+        bits = max(base.numerator.bit_length(), base.denominator.bit_length()) - 1
+        if bits * exponent > MAX_COEFFICIENT_BITS:
+            raise too_many_bits()
+        return base**exponent
 
     def _join(self, a: Multivector, b: Multivector) -> Multivector:
         out: Multivector = {}
@@ -231,11 +267,14 @@ class Expander:
         return {} if self._at_infinity(row) else self._times(terms, {(row,): 1})
 
     def _times(self, a: Terms, b: Terms) -> Terms:
-        self._worked(len(a) * len(b))
+        brackets = len(next(iter(a), ())) + len(next(iter(b), ()))
+        self._worked(len(a) * len(b) * (1 + brackets // _MANY_BRACKETS))
         if len(b) == 1 and () in b:
             return a if b[()] == 1 else {m: c * b[()] for m, c in a.items()}
+        if len(a) < len(b):
+            a, b = b, a
         out: Terms = {}
-        for m, c in a.items():
+        for m, c in watched(a.items()) if len(a) * len(b) > _LONG else a.items():
             for n, k in b.items():
                 key: Monomial = tuple(sorted(m + n)) if m and n else m or n
                 value: Coefficient = out.get(key, 0) + c * k
@@ -256,11 +295,14 @@ class Expander:
 
     def _worked(self, products: int) -> None:
         self.work += products
-        if self.work > 20 * self.limit:
-            self._stop(f"the expansion takes more than {20 * self.limit:,} products of terms")
+        if self.work > self.pause:
+            if self.work > 20 * self.limit:
+                self._stop(f"the expansion takes more than {20 * self.limit:,} products of terms")
+            checkpoint()
+            self.pause = min(self.work + _LOOK_EVERY, 20 * self.limit)
 
     def _stop(self, what: str) -> None:
-        raise LimitReached(what, hint="raise the limit with --limit (in Python limit=...)")
+        raise LimitReached(what, hint=MORE_TERMS)
 
 
 @cache

@@ -18,9 +18,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import chain, combinations
+from itertools import chain, combinations, repeat
 from math import comb, factorial, isqrt, prod
 
+from gcrules.core.budget import watched
 from gcrules.errors import InputError, LimitReached, StepError
 
 __all__ = [
@@ -56,6 +57,7 @@ __all__ = [
     "subexpressions",
     "substitute",
     "superbracket",
+    "too_many_bits",
 ]
 
 MAX_DEPTH = 150
@@ -130,7 +132,7 @@ class Number(Expr):
             object.__setattr__(self, "value", value.numerator)
         _measure(self, 0)
         if max(abs(value.numerator), value.denominator).bit_length() > MAX_COEFFICIENT_BITS:
-            raise InputError(f"a coefficient has more than {MAX_COEFFICIENT_BITS} bits")
+            raise too_many_bits()
 
 
 @dataclass(frozen=True, slots=True)
@@ -285,6 +287,11 @@ class Power(Expr):
 
 
 ZERO = Number(0)
+
+
+def too_many_bits() -> InputError:
+    """What is raised for a number that is too large."""
+    return InputError(f"a coefficient has more than {MAX_COEFFICIENT_BITS} bits")
 
 
 def permutation_sign(order: Sequence[int]) -> int:
@@ -484,7 +491,9 @@ def power(base: Expr, exponent: int, rank: int = 4) -> Expr:
 def subexpressions(e: Expr) -> Iterator[Expr]:
     """The expression and all its parts, parents first."""
     stack = [e]
-    while stack:
+    for _ in watched(repeat(None), every=1_000):  # shared parts come again and again
+        if not stack:
+            return
         top = stack.pop()
         yield top
         stack.extend(reversed(top.children))

@@ -29,6 +29,7 @@ from gcrules.algebra.incidences import Condition, Facts, equations, fault
 from gcrules.algebra.nonzero import assumed, fewest
 from gcrules.algebra.roads import ROADS, understood
 from gcrules.algebra.space import Assumption, Space
+from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import DRAWN, drawn, seed
 from gcrules.errors import InputError
 
@@ -136,6 +137,7 @@ class _Builder:
             for group in orders(self.conditions, order, late, self.rank, left_out):
                 found: list[Construction] = []
                 for turns in islice(group, MAX_ORDERS):
+                    checkpoint()
                     try:
                         found.append(self._attempt(turns))
                     except _Failure as failed:
@@ -162,6 +164,7 @@ class _Builder:
         values = random_points(free, rank=self.rank, ideal=self.ideal, seed="construction")
         state = _State(self, values)
         for depth, (name, conditions) in enumerate(turns):
+            checkpoint()
             state.place(depth, name, conditions)
         return state.construction(free)
 

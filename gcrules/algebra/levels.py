@@ -19,8 +19,9 @@ from typing import Any
 import numpy as np
 
 from gcrules.algebra.bracket import Monomial, Row, Terms
-from gcrules.algebra.budget import Budget
 from gcrules.algebra.two_rows import two_row_pattern
+from gcrules.algebra.work import Work
+from gcrules.core.budget import watched
 
 __all__ = ["straighten_levels"]
 
@@ -33,28 +34,28 @@ _Array = np.ndarray[Any, Any]
 _Chunk = tuple[_Array, _Array]  # keys of shape (n, words), coefficients
 
 
-def straighten_levels(terms: Mapping[Monomial, Any], ideal: int, budget: Budget) -> Terms:
+def straighten_levels(terms: Mapping[Monomial, Any], ideal: int, work: Work) -> Terms:
     """The normal form of raw terms, none of whose rows lies within the first `ideal` points.
 
-    Raises LimitReached where the budget does not suffice.
+    Raises LimitReached where the work is too much, or a budget around the caller used up.
     """
     normal: Terms = {}
     for rows in sorted({len(m) for m in terms}):
         some = {m: c for m, c in terms.items() if len(m) == rows}
-        normal |= _Levels(some, ideal, budget).normal_form() if rows > 1 else some
+        normal |= _Levels(some, ideal, work).normal_form() if rows > 1 else some
     return normal
 
 
 class _Levels:
     """Monomials of equally many rows, waiting in their levels."""
 
-    def __init__(self, terms: Mapping[Monomial, Any], ideal: int, budget: Budget) -> None:
+    def __init__(self, terms: Mapping[Monomial, Any], ideal: int, work: Work) -> None:
         self.letters = sorted({i for m in terms for row in m for i in row})
         self.ideal = sum(i < ideal for i in self.letters)
-        self.budget = budget
+        self.work = work
         example = next(iter(terms))
         self.rows, rank = len(example), len(example[0])
-        self.pairs = _Pairs(len(self.letters), rank, budget)
+        self.pairs = _Pairs(len(self.letters), rank, work)
         self.row = self.pairs.row
         total = self.row.sum(axis=1, dtype=np.int64)
         self.square = total * total
@@ -64,7 +65,7 @@ class _Levels:
         self.order: list[int] = []
         self.count = 0
         place = {x: i for i, x in enumerate(self.letters)}
-        index = [[sum(comb(place[x], j + 1) for j, x in enumerate(row)) for row in m] for m in terms]
+        index = [[sum(comb(place[x], j + 1) for j, x in enumerate(row)) for row in m] for m in watched(terms)]
         self._put(np.sort(np.array(index, dtype=np.int64), axis=1), _numbers(terms.values()))
 
     def normal_form(self) -> Terms:
@@ -80,11 +81,11 @@ class _Levels:
             if len(done) > _CHUNKS:
                 done = [_merged(done)]
             self._replace(ids[~standard], at[~standard], coefficients[~standard])
-            if self.count + finished > self.budget.limit:
+            if self.count + finished > self.work.limit:
                 self._compact()
                 done = [_merged(done)]
                 finished = len(done[0][1])
-                self.budget.held(self.count + finished)
+                self.work.held(self.count + finished)
         return self._terms(*_merged(done))
 
     def _compact(self) -> None:
@@ -98,7 +99,7 @@ class _Levels:
             return
         n = np.arange(len(ids))
         starts, counts, first, second, signs = self.pairs.standard(ids[n, at], ids[n, at + 1])
-        self.budget.replacements(int(counts.sum()))
+        self.work.replacements(int(counts.sum()))
         which = np.repeat(n, counts)
         term = np.arange(len(which)) + np.repeat(starts - np.cumsum(counts) + counts, counts)
         new = ids[which]
@@ -169,15 +170,16 @@ class _Levels:
     def _terms(self, keys: _Array, coefficients: _Array) -> Terms:
         names = [tuple(self.letters[i] for i in row) for row in self.row.tolist()]
         rows = self._ids(keys).tolist()
-        return {tuple(sorted(names[i] for i in m)): c for m, c in zip(rows, coefficients.tolist(), strict=True)}
+        found = zip(rows, coefficients.tolist(), strict=True)
+        return {tuple(sorted(names[i] for i in m)): c for m, c in watched(found)}
 
 
 class _Pairs:
     """Standard forms of products of two rows over `letters` points, found for many pairs at a time."""
 
-    def __init__(self, letters: int, rank: int, budget: Budget) -> None:
+    def __init__(self, letters: int, rank: int, work: Work) -> None:
         self.rank = rank
-        self.budget = budget
+        self.work = work
         self.binomial = np.array([[comb(x, j + 1) for j in range(rank)] for x in range(letters)], dtype=np.int64)
         self.row = _colexicographic(letters, rank)
         self.known: dict[int, int] = {}
@@ -223,7 +225,7 @@ class _Pairs:
             rows = self.row[one].tolist(), self.row[other].tolist()
             place = {x: i for i, x in enumerate(sorted({*rows[0], *rows[1]}))}
             found, work = two_row_pattern(*(tuple(place[x] for x in row) for row in rows))
-            self.budget.syzygies(work)
+            self.work.syzygies(work)
             self.known[code] = len(self.start)
             self.start.append(len(self.signs))
             self.length.append(len(found))

@@ -19,6 +19,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point, Product, Sum, points_of
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 
 __all__ = ["hyperplane", "is_extensor", "simplified", "weighted", "weights"]
@@ -118,6 +119,7 @@ def _expanded(e: Expr, name: str, rank: int) -> Expr | None:
     assert isinstance(polynomial, BracketPolynomial)
     terms = []
     for c, rows in polynomial.named():
+        checkpoint()
         places = [(i, row.index(name)) for i, row in enumerate(rows) if name in row]
         if len(places) != 1:
             return None
@@ -139,6 +141,7 @@ def weights(e: Expr, factor: Fraction = Fraction(1)) -> dict[Expr, Fraction]:
         case Sum(terms=terms):
             found: dict[Expr, Fraction] = {}
             for t in terms:
+                checkpoint()
                 for part, c in weights(t, factor).items():
                     found[part] = found.get(part, Fraction(0)) + c
             return {part: c for part, c in found.items() if c}

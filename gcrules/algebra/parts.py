@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Power, Product, Sum, Superbracket
+from gcrules.core.budget import checkpoint
 
 __all__ = ["everywhere", "first_part", "rebuilt"]
 
@@ -37,6 +38,7 @@ def rebuilt(e: Expr, children: tuple[Expr, ...], rank: int) -> Expr:
 
 def first_part(e: Expr, at: At, rank: int) -> Expr | None:
     """The expression with the first part, from the outside in, that `at` replaces; None where it replaces none."""
+    checkpoint()
     found = at(e)
     if found is not None:
         return found
@@ -49,6 +51,7 @@ def first_part(e: Expr, at: At, rank: int) -> Expr | None:
 
 def everywhere(e: Expr, at: At, rank: int) -> Expr:
     """The expression with all parts replaced that `at` replaces, from the inside out."""
+    checkpoint()
     children = tuple(everywhere(c, at, rank) for c in e.children)
     if any(new is not old for new, old in zip(children, e.children, strict=True)):
         e = rebuilt(e, children, rank)

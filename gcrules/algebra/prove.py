@@ -30,6 +30,7 @@ from gcrules.algebra.nonzero import words
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straighten import is_zero
 from gcrules.algebra.text import text
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached, StepError
 from gcrules.frozen import FrozenMap
 
@@ -175,6 +176,7 @@ def _refuted_under(left: Expr, right: Expr, construction: Construction) -> Proof
     """Small exact coordinates that satisfy the assumptions, at which the sides differ; best if no two points agree."""
     best: tuple[bool, Mapping[str, Any], tuple[Any, Any]] | None = None
     for seed in range(_TRIES):
+        checkpoint()
         found = construction.rational_points(seed, 1 + seed // 8)
         if found is None:
             continue
@@ -200,6 +202,7 @@ def _all_differ(points: Mapping[str, Sequence[Any]]) -> bool:
 def _refuted(left: Expr, right: Expr, rank: int, ideal: tuple[str, ...]) -> Proof:
     """Small whole coordinates at which the sides differ; wider ranges are tried if the first ones do not separate."""
     for seed in range(200):
+        checkpoint()
         found = random_rational_points(points_of(left, right), rank=rank, ideal=ideal, seed=seed, size=1 + seed // 4)
         values = evaluate(left, found), evaluate(right, found)
         if _differ(*values):

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms, sorted_row, tableau_order
 from gcrules.algebra.expr import permutation_sign
 from gcrules.algebra.superbracket import FORMS, form_terms
+from gcrules.core.budget import checkpoint
 
 if TYPE_CHECKING:
     import numpy as np
@@ -120,6 +121,7 @@ def shortest_forms(
     least = min(int(t.counts.min()) for t in tables.values())
     found: dict[Any, SuperbracketForm] = {}
     for form, table in tables.items():
+        checkpoint()
         for i in table.representatives(least):
             candidate = superbracket_form(lines, _orders()[i], form, points=points, ideal=ideal, dead=dead)
             terms = candidate.polynomial.terms

@@ -42,6 +42,7 @@ from gcrules.algebra.parts import everywhere, first_part, rebuilt
 from gcrules.algebra.space import Space
 from gcrules.algebra.straighten import next_syzygy
 from gcrules.algebra.superbracket import form_terms
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 
 __all__ = [
@@ -200,6 +201,7 @@ def multiplied_out(e: Expr, space: Space) -> Expr | None:
 
 
 def _one_layer(e: Expr, rank: int) -> Expr:
+    checkpoint()
     if isinstance(e, Meet) and (pair := _cheapest_pair(e, rank)):
         i, j = pair
         rest = tuple(a for n, a in enumerate(e.args) if n not in pair)
@@ -246,6 +248,7 @@ def _points(e: Expr) -> tuple[Expr, ...]:
 
 def _products(e: Expr, rank: int) -> list[Expr]:
     """The terms of an expression when everything is multiplied out."""
+    checkpoint()
     match e:
         case Sum(terms=terms):
             return [p for t in terms for p in _products(t, rank)]

@@ -19,14 +19,17 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
+from itertools import pairwise
 from math import comb, inf
+from operator import gt
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Monomial, Row, Terms, sorted_row
-from gcrules.algebra.budget import WORK_PER_TERM, Budget
 from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.expr import Expr, sub
 from gcrules.algebra.two_rows import offending_column, pattern_of, syzygy, two_rows
+from gcrules.algebra.work import WORK_PER_TERM, Work
+from gcrules.core.budget import checkpoint, watched
 from gcrules.errors import LimitReached
 
 __all__ = [
@@ -43,6 +46,7 @@ __all__ = [
 
 _FEW = 20_000  # replacements after which arrays take over, unless there are more possible rows than they can number
 _MOST_ROWS = 100_000
+_TALL = 64  # brackets of a monomial for which arrays would be too large
 
 _Pair = tuple[Row, Row]
 
@@ -116,7 +120,7 @@ def terms_are_zero(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = M
     often = Counter(i for m in terms for row in m for i in row)
     order = {x: n for n, x in enumerate(sorted(often, key=lambda x: (x >= ideal, -often[x], x)))}
     moved: Terms = {}
-    for m, c in terms.items():
+    for m, c in watched(terms.items()):
         rows = [sorted_row(order[i] for i in row) for row in m]
         for sign, _ in rows:
             c = c * sign
@@ -128,12 +132,13 @@ def terms_are_zero(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = M
 def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = MAX_TERMS) -> Terms:
     """The normal form of raw terms; rows whose points all come before `ideal` are 0."""
     pending = {m: c for m, c in terms.items() if c and not any(row[-1] < ideal for row in m)}
-    budget = Budget(limit)
-    normal = _largest_first(pending, ideal, budget, _FEW if _possible_rows(pending) <= _MOST_ROWS else inf)
+    work = Work(limit)
+    arrays = max(map(len, pending), default=0) <= _TALL and _possible_rows(pending) <= _MOST_ROWS
+    normal = _largest_first(pending, ideal, work, _FEW if arrays else inf)
     if pending:
         from gcrules.algebra.levels import straighten_levels  # needs numpy, which is worth while for many terms only
 
-        for m, c in straighten_levels(pending, ideal, budget).items():
+        for m, c in straighten_levels(pending, ideal, work).items():
             normal[m] = normal.get(m, 0) + c
     return normal
 
@@ -143,13 +148,13 @@ def _possible_rows(terms: Terms) -> int:
     return comb(len(letters), max((len(row) for m in terms for row in m), default=0))
 
 
-def _largest_first(pending: Terms, ideal: int, budget: Budget, enough: float) -> Terms:
+def _largest_first(pending: Terms, ideal: int, work: Work, enough: float) -> Terms:
     """Moves monomials from `pending` into the normal form until none is left or there was `enough` work."""
     heap = [_Last(m) for m in pending]
     heapify(heap)
     normal: Terms = {}
     seen: set[_Pair] = set()
-    while heap and budget.work < enough:
+    while heap and work.count.done < enough:
         monomial = heappop(heap).monomial
         coefficient = pending.pop(monomial)
         if not coefficient:
@@ -157,12 +162,13 @@ def _largest_first(pending: Terms, ideal: int, budget: Budget, enough: float) ->
         at = _offence(monomial)
         if at is None:
             normal[monomial] = coefficient
+            checkpoint()
             continue
         above, below = monomial[:at], monomial[at + 2 :]
         pair = monomial[at], monomial[at + 1]
         if pair not in seen:
             seen.add(pair)
-            budget.syzygies(pattern_of(*pair)[1])
+            work.syzygies(pattern_of(*pair)[1])
         replacements = two_rows(*pair)
         for c, first, second in replacements:
             if first[-1] < ideal:
@@ -173,8 +179,8 @@ def _largest_first(pending: Terms, ideal: int, budget: Budget, enough: float) ->
             else:
                 pending[new] = c * coefficient
                 heappush(heap, _Last(new))
-        budget.replacements(len(replacements))
-        budget.held(len(pending) + len(normal))
+        work.replacements(len(replacements))
+        work.held(len(pending) + len(normal))
     return normal
 
 
@@ -201,10 +207,9 @@ def is_standard(monomial: Monomial) -> bool:
 
 def _offence(monomial: Monomial) -> int | None:
     """The first row that is larger than the one below it in some column."""
-    for i in range(len(monomial) - 1):
-        for x, y in zip(monomial[i], monomial[i + 1], strict=True):
-            if x > y:
-                return i
+    for i, (above, below) in enumerate(pairwise(monomial)):
+        if above != below and any(map(gt, above, below)):
+            return i
     return None
 
 
@@ -237,6 +242,7 @@ def straighten_steps(
     normal: Terms = {}
     steps: list[Straightening] = []
     while pending:
+        checkpoint()
         monomial = max(pending)
         coefficient = pending.pop(monomial)
         step = _on_monomial(monomial, poly)
@@ -261,7 +267,7 @@ def next_syzygy(poly: BracketPolynomial) -> tuple[Straightening, BracketPolynomi
     >>> print(step, after, sep="; ")
     [ade][bcf] = -[abc][def] + [abd][cef] - [abe][cdf] - [acd][bef] + [ace][bdf]; -2[abc][def] + ...
     """
-    for monomial in sorted(poly.terms, reverse=True):
+    for monomial in watched(sorted(poly.terms, reverse=True)):
         step = _on_monomial(monomial, poly)
         if step is not None:
             return step, poly + (step.after - step.before) * poly.terms[monomial]

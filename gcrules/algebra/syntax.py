@@ -25,6 +25,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.space import Space, shortened
 from gcrules.algebra.syntax_faults import syntax_fault
 from gcrules.algebra.text import SHORT_NAME
+from gcrules.core.budget import checkpoint
 from gcrules.errors import GcrulesError, Span, StepError, SyntaxFault
 from gcrules.frozen import FrozenMap
 
@@ -99,7 +100,16 @@ def _grammar(scripts: bool) -> Lark:
         start=[*(("script", "assumptions") if scripts else _EXPRESSIONS)],
         propagate_positions=True,
         maybe_placeholders=True,
+        lexer_callbacks=dict.fromkeys(_FREQUENT, _token),
     )
+
+
+_FREQUENT = ("WORD", "NUMBER", "LPAR", "LSQB")  # no long text is without one of these
+
+
+def _token(token: Node) -> Node:
+    checkpoint()
+    return token
 
 
 def _check_size(text: str) -> None:
@@ -176,6 +186,7 @@ class Builder:
 
     def any(self, tree: Node) -> _Value:
         self.level += 1
+        checkpoint()
         try:
             if self.level > MAX_DEPTH:
                 raise SyntaxFault(f"more than {MAX_DEPTH} operations inside each other")

@@ -22,6 +22,7 @@ from gcrules.algebra.expr import (
     Superbracket,
     neg,
 )
+from gcrules.core.budget import watched
 
 __all__ = ["SHORT_NAME", "Names", "split_names", "text"]
 
@@ -95,7 +96,7 @@ def _text(e: Expr, style: _Style) -> str:
         case Sum(terms=terms):
             rest = (
                 f" {style.minus} {_wrapped_sum(neg(t), style)}" if _negative(t) else f" + {_text(t, style)}"
-                for t in terms[1:]
+                for t in watched(terms[1:])
             )
             return "".join((_text(terms[0], style), *rest))
     raise TypeError(f"not an expression: {e!r}")
@@ -144,7 +145,7 @@ def _product(factors: tuple[Expr, ...], style: _Style) -> str:
     """Brackets stand side by side, a number in front of them; anything else is set apart by a product sign."""
     out = ""
     previous: Expr | None = None
-    for f in factors:
+    for f in watched(factors):
         match f:
             case Number(value=value):
                 piece = style.minus if value == -1 else _text(f, style)

@@ -13,6 +13,7 @@ from math import comb
 
 from gcrules.algebra.bracket import Monomial, Row, sorted_row
 from gcrules.algebra.expr import permutation_sign
+from gcrules.core.budget import checkpoint
 
 __all__ = ["Pattern", "exchange", "offending_column", "pattern_of", "syzygy", "two_row_pattern", "two_rows"]
 
@@ -41,6 +42,7 @@ def two_row_pattern(first: Row, second: Row) -> Pattern:
     normal: dict[Monomial, int] = {}
     pending: dict[Monomial, int] = {(first, second): 1}
     while pending:
+        checkpoint()
         largest = max(pending)
         coefficient = pending.pop(largest)
         if not coefficient:

@@ -21,7 +21,9 @@ from gcrules.algebra.syntax import parse, parse_equation
 from gcrules.cli.base import ExpressionCommand, Output, Space, given_option, limit_option, output_options, space_options
 from gcrules.cli.expressions import context_of, given_text, read_expression
 from gcrules.cli.files import read_stdin, working
+from gcrules.cli.limits import SECONDS, time_limit
 from gcrules.cli.rules import Choice, rules_options
+from gcrules.core.alarm import paced
 from gcrules.errors import InputError
 from gcrules.rewriting import rewrite as rewritten
 from gcrules.script import Result, ScriptResult, results
@@ -33,6 +35,7 @@ EXIT_CODES = {"proved": 0, "refuted": 1, "undecided": 3}
 COLOURS = {"proved": "green", "refuted": "red", "undecided": "yellow"}
 
 _limit = limit_option(MAX_TERMS, "Give up beyond this many terms.")
+_seconds = time_limit()
 
 
 @click.command(cls=ExpressionCommand)
@@ -40,6 +43,7 @@ _limit = limit_option(MAX_TERMS, "Give up beyond this many terms.")
 @given_option
 @space_options()
 @_limit
+@_seconds
 @output_options()
 @click.pass_context
 def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: Space, limit: int, out: Output) -> None:
@@ -74,6 +78,7 @@ def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: S
 @rules_options
 @given_option
 @space_options()
+@_seconds
 @output_options()
 def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space: Space, out: Output) -> None:
     """Rewrite an expression by rules, the first that fires each time, until all stay silent; every step is shown.
@@ -98,6 +103,7 @@ def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space
 @click.argument("expression", metavar="EXPR")
 @space_options()
 @_limit
+@_seconds
 @output_options()
 def expand(expression: str, space: Space, limit: int, out: Output) -> None:
     """Expand an expression into brackets: a bracket polynomial, or a sum of extensors with such coefficients.
@@ -111,7 +117,7 @@ def expand(expression: str, space: Space, limit: int, out: Output) -> None:
     e = read_expression(expression, space)
     with working("expanding"):
         found = expanded(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
-    out.show(_Polynomial(found))
+    out.show(_Polynomial(found, short=out.terminal))
 
 
 @click.command(cls=ExpressionCommand)
@@ -119,6 +125,7 @@ def expand(expression: str, space: Space, limit: int, out: Output) -> None:
 @click.option("--steps", is_flag=True, help="Show every syzygy that is used (scalars only).")
 @space_options()
 @_limit
+@_seconds
 @output_options()
 def straighten(expression: str, steps: bool, space: Space, limit: int, out: Output) -> None:
     """The normal form of an expression: its bracket monomials as standard tableaux.
@@ -133,20 +140,21 @@ def straighten(expression: str, steps: bool, space: Space, limit: int, out: Outp
     with working("straightening"):
         found = expanded(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
         if not steps:
-            out.show(_Polynomial(straightened(found, limit=limit)))
+            out.show(_Polynomial(straightened(found, limit=limit), short=out.terminal))
             return
         if not isinstance(found, BracketPolynomial):
             raise InputError(f"--steps shows scalars only, this is an expression of step {found.step}")
         normal, syzygies = straighten_steps(found)
-    out.show(_Polynomial(normal, syzygies))
+    out.show(_Polynomial(normal, syzygies, short=out.terminal))
 
 
 @click.command(cls=ExpressionCommand)
 @click.argument("files", metavar="FILE.gca…", nargs=-1, required=True)
 @_limit
+@time_limit(SECONDS, "Give a statement up after this time.", itself=True)
 @output_options(latex=False)
 @click.pass_context
-def run(ctx: click.Context, files: tuple[str, ...], limit: int, out: Output) -> None:
+def run(ctx: click.Context, files: tuple[str, ...], limit: int, seconds: float, out: Output) -> None:
     """Run scripts and report every claim with its line; "-" reads standard input.
 
     \b
@@ -160,7 +168,7 @@ def run(ctx: click.Context, files: tuple[str, ...], limit: int, out: Output) -> 
     refuted, 3 if any is undecided.
     """
     scripts = [parse_script(*((read_stdin(), "<stdin>") if f == "-" else (read_text(f), f))) for f in files]
-    answers = [_answered(script, limit) for script in scripts]
+    answers = [_answered(script, limit, seconds) for script in scripts]
     shown = [
         "\n".join([*(_coloured(r.verdict, r.text(unicode=out.unicode)) for r in a.results), *a.totals]) for a in answers
     ]
@@ -173,10 +181,10 @@ def run(ctx: click.Context, files: tuple[str, ...], limit: int, out: Output) -> 
     ctx.exit(EXIT_CODES[whole.verdict])
 
 
-def _answered(script: Script, limit: int) -> ScriptResult:
+def _answered(script: Script, limit: int, seconds: float) -> ScriptResult:
     found: list[Result] = []
     with working(f"running {script.filename}") as status:
-        for result in results(script, limit=limit):
+        for result in paced(results(script, limit=limit), seconds, each=True):
             found.append(result)
             status.tell(f"{len(found)} of {len(script.statements)}, past line {result.line}")
     return ScriptResult(tuple(found))
@@ -201,6 +209,7 @@ class _Polynomial:
 
     value: BracketPolynomial | ExtensorPolynomial
     steps: tuple[Straightening, ...] | None = None
+    short: bool = False
 
     def to_json(self) -> dict[str, Any]:
         found = self.value.to_json()
@@ -210,7 +219,7 @@ class _Polynomial:
 
     def text(self, *, unicode: bool = False) -> str:
         def shown(p: BracketPolynomial | ExtensorPolynomial) -> str:
-            return p.text(unicode=unicode)
+            return p.text(unicode=unicode, short=self.short)
 
         return "\n".join(self._lines(shown, "", " = "))
 

@@ -16,6 +16,8 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
+from gcrules.cli.limits import Seconds
+from gcrules.core.budget import waiting
 from gcrules.core.seeds import repeated
 from gcrules.errors import GcrulesError, InputError
 from gcrules.files import write_file
@@ -33,7 +35,6 @@ __all__ = [
     "limit_option",
     "output_options",
     "search_option",
-    "seconds_option",
     "space_options",
 ]
 
@@ -194,6 +195,11 @@ class Output:
             return False
         return True
 
+    @property
+    def terminal(self) -> bool:
+        """Whether someone reads it at once, and not a program or from a file."""
+        return not (self.json or self.latex or self.path) and sys.stdout.isatty()
+
     def show(self, answer: Any, text: str | None = None) -> None:
         """Print an answer that has `to_json()`, `text(unicode=…)` and `latex()`; `text` replaces the plain text."""
         if self.json:
@@ -208,7 +214,8 @@ class Output:
         if self.path:
             write_file(self.path, click.unstyle(text).rstrip("\n") + "\n")
         else:
-            click.echo(text.rstrip("\n"))
+            with waiting():
+                click.echo(text.rstrip("\n"))
 
 
 def output_options(*, latex: bool = True) -> Callable[[_Command], _Command]:
@@ -300,15 +307,15 @@ def limit_option(default: int, words: str) -> Callable[[_Command], _Command]:
     )
 
 
-def seconds_option(flag: str, default: float, words: str) -> Callable[[_Command], _Command]:
-    """A time limit."""
-    return click.option(flag, type=click.FloatRange(min=0), default=default, show_default=True, metavar="S", help=words)
-
-
 def search_option(default: float) -> Callable[[_Command], _Command]:
     """--search S."""
-    return seconds_option(
-        "--search", default, "Seek a factorization for so many seconds where no rule finds a condition."
+    return click.option(
+        "--search",
+        type=Seconds(),
+        default=default,
+        show_default=True,
+        metavar="S",
+        help="Seek a factorization for so many seconds where no rule finds a condition.",
     )
 
 

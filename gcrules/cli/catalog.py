@@ -13,6 +13,7 @@ from gcrules.catalog_file import load
 from gcrules.catalog_proofs import is_shipped
 from gcrules.cli.base import LazyGroup, Output, catalog_option, output_options
 from gcrules.cli.files import working
+from gcrules.cli.limits import time_limit
 from gcrules.cli.rules import plugins_option
 from gcrules.condition import Certificate, Condition
 from gcrules.errors import InputError
@@ -42,6 +43,7 @@ def catalog() -> None:
 @click.command("list")
 @catalog_option
 @plugins_option
+@time_limit()
 @output_options(latex=False)
 def list_(catalogs: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
     """List the classes: legs, fewest terms of the 24- and 16-term forms, group of entities, condition.
@@ -63,6 +65,7 @@ def _loaded(catalogs: tuple[str, ...], folders: tuple[str, ...]) -> Catalog:
 @click.argument("class_id", metavar="ID")
 @catalog_option
 @plugins_option
+@time_limit()
 @output_options(latex=False)
 def show(class_id: str, catalogs: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
     """Show what is known about a class, in the class's own labels.
@@ -77,6 +80,7 @@ def show(class_id: str, catalogs: tuple[str, ...], folders: tuple[str, ...], out
 @catalog_option
 @plugins_option
 @click.option("--write", is_flag=True, help="Write the digests of what is shipped, once all of it is proved.")
+@time_limit(None)
 @output_options(latex=False)
 @click.pass_context
 def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...], write: bool, out: Output) -> None:
@@ -107,6 +111,7 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...
 @click.command("enumerate")
 @catalog_option
 @plugins_option
+@time_limit(None)
 @click.option("--yaml", "as_yaml", is_flag=True, help="Write entries for a catalog, with all that can be computed.")
 @output_options(latex=False)
 def enumerate_(catalogs: tuple[str, ...], folders: tuple[str, ...], as_yaml: bool, out: Output) -> None:

@@ -7,6 +7,7 @@ import click
 from gcrules.catalog_file import load
 from gcrules.cli.base import Output, catalog_option
 from gcrules.cli.files import working
+from gcrules.cli.limits import time_limit
 from gcrules.cli.page_files import renew
 from gcrules.cli.rules import plugins_option
 from gcrules.plugins import load_rules
@@ -18,6 +19,7 @@ __all__ = ["docs"]
 @click.option("--check", is_flag=True, help="Write nothing; exit code 1 if a page is stale.")
 @click.option("--out", default="docs/catalog", show_default=True, metavar="DIR", help="The folder of the pages.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@time_limit(None)
 @catalog_option
 @plugins_option
 @click.pass_context

@@ -10,11 +10,11 @@ from gcrules.cli.base import (
     Space,
     limit_option,
     output_options,
-    seconds_option,
     space_options,
 )
 from gcrules.cli.expressions import read_expression
 from gcrules.cli.files import working
+from gcrules.cli.limits import AROUND, limited, time_limit
 from gcrules.factoring.limits import MAX_EXTENSORS, SECONDS
 
 __all__ = ["factor"]
@@ -25,7 +25,7 @@ __all__ = ["factor"]
 @click.option("--all", "every", is_flag=True, help="Show every expression, not the simplest only.")
 @click.option("--cofactor", is_flag=True, help="Where there is none, seek one that equals a cofactor times EXPR.")
 @limit_option(MAX_EXTENSORS, "Give up beyond this many extensors.")
-@seconds_option("--seconds", SECONDS, "Give up after this time.")
+@time_limit(SECONDS, "Give up after this time.", itself=True)
 @space_options()
 @output_options()
 @click.pass_context
@@ -54,18 +54,19 @@ def factor(
     """
     from gcrules.factoring.factorize import factor as factored  # numpy, for this command only
 
-    e = read_expression(expression, space)
-    with working("factoring") as status:
-        found = factored(
-            e,
-            points=space.points,
-            ideal=space.ideal,
-            rank=space.rank,
-            limit=limit,
-            seconds=seconds,
-            every=every,
-            cofactor=cofactor,
-            progress=status.tell,
-        )
-    out.show(found)
+    with limited(seconds, AROUND):
+        e = read_expression(expression, space)
+        with working("factoring") as status:
+            found = factored(
+                e,
+                points=space.points,
+                ideal=space.ideal,
+                rank=space.rank,
+                limit=limit,
+                seconds=seconds,
+                every=every,
+                cofactor=cofactor,
+                progress=status.tell,
+            )
+        out.show(found)
     ctx.exit(0 if found.found else 1)

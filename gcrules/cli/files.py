@@ -9,6 +9,7 @@ from contextlib import contextmanager
 
 import click
 
+from gcrules.core.budget import waiting
 from gcrules.errors import FileError
 
 __all__ = ["Status", "read_stdin", "working"]
@@ -19,7 +20,8 @@ _PATIENCE = 1.0  # seconds before progress is shown
 
 def read_stdin() -> str:
     """All of standard input as UTF-8 text. Raises FileError where it is too long or no text."""
-    data: bytes = sys.stdin.buffer.read(MAX_STDIN + 1)
+    with waiting():
+        data: bytes = sys.stdin.buffer.read(MAX_STDIN + 1)
     if len(data) > MAX_STDIN:
         raise FileError(f"the input is larger than {MAX_STDIN:,} bytes", filename="<stdin>")
     try:

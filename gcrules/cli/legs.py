@@ -22,6 +22,7 @@ from gcrules.cli.base import (
     space_options,
 )
 from gcrules.cli.files import read_stdin, working
+from gcrules.cli.limits import beside, limited, time_limit
 from gcrules.cli.manual import Manual, manual_options, run_manual
 from gcrules.cli.rules import Choice, rules_options
 from gcrules.errors import InputError
@@ -52,6 +53,7 @@ _SPACE = Space(4, (), ())  # where no option says otherwise
 @click.option("--figure", metavar="FILE", help="Draw the robot (FILE.yaml) or the graph of its legs: .svg or .pdf.")
 @given_option
 @_search
+@time_limit(itself=True)
 @catalog_option
 @rules_options
 @space_options()
@@ -65,6 +67,7 @@ def analyze(
     figure: str | None,
     assumptions: tuple[str, ...],
     search: float,
+    seconds: float,
     catalogs: tuple[str, ...],
     choice: Choice,
     space: Space,
@@ -99,17 +102,18 @@ def analyze(
     if manual.wanted:
         refused = recheck or full or catalogs or figure or choice.words or choice.without or out.latex or special
         _check_manual(legs, refused, manual)
-        run_manual(_platform_or_legs(legs) if legs else None, order, manual, space, out)
+        run_manual(_platform_or_legs(legs) if legs else None, order, manual, space, out, seconds)
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
     others = order or recheck or full or figure or assumptions or catalogs or space != _SPACE
-    if of_joints := _of_joints(legs, choice, search, others):
-        out.show(of_joints)
-        return
-    analysis = _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
-    if figure:
-        _draw(analysis, figure)
-    out.show(_InFull(analysis) if full else analysis)
+    with limited(seconds, beside(search)):
+        if of_joints := _of_joints(legs, choice, search, others):
+            out.show(of_joints)
+            return
+        analysis = _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
+        if figure:
+            _draw(analysis, figure)
+        out.show(_InFull(analysis) if full else analysis)
 
 
 @click.command(cls=ExpressionCommand)
@@ -119,6 +123,7 @@ def analyze(
 @_recheck
 @given_option
 @_search
+@time_limit(plus="search")
 @catalog_option
 @rules_options
 @space_options()

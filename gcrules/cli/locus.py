@@ -6,6 +6,7 @@ import click
 
 from gcrules.cli.base import ExpressionCommand, Output, about_option, limit_option, output_options
 from gcrules.cli.files import working
+from gcrules.cli.limits import time_limit
 from gcrules.cli.platforms import read_platform
 from gcrules.loci.factors import MAX_TERMS
 from gcrules.loci.form import FORMATS
@@ -29,6 +30,7 @@ __all__ = ["locus"]
 @about_option
 @click.option("--export", metavar="|".join(FORMATS), help="Print the polynomial alone, for that program.")
 @limit_option(MAX_TERMS, "Search for factors of polynomials of so many terms, where no proof decides.")
+@time_limit()
 @output_options()
 def locus(
     file: str,

@@ -15,6 +15,8 @@ import click
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.cli.base import Output, Space, decorated
 from gcrules.cli.files import read_stdin
+from gcrules.cli.limits import limited
+from gcrules.core.budget import waiting
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.legs import Structure, read_legs
 from gcrules.manual import MOVES, PROPOSALS, Session
@@ -79,14 +81,20 @@ def manual_options(command: Callable[..., Any]) -> Callable[..., Any]:
     return decorated(with_manual, decorators)
 
 
-def run_manual(found: Platform | str | None, order: str | None, manual: Manual, space: Space, out: Output) -> None:
-    """A session on legs (or on those of the session file), to its end. The exit code is 1 if anything was refused."""
+def run_manual(
+    found: Platform | str | None, order: str | None, manual: Manual, space: Space, out: Output, seconds: float
+) -> None:
+    """A session on legs (or on those of the session file), to its end. The exit code is 1 if anything was refused.
+
+    Each command may take so many `seconds`.
+    """
     if out.path and not out.json:
         raise click.UsageError("In manual mode --output goes with --json; `save FILE` keeps a session.")
-    session = _opened(found, order, manual.path, space)
-    console = _Console(session, out, manual.path)
-    if not out.json:
-        console.say(session.text(unicode=out.unicode))
+    with limited(seconds):
+        session = _opened(found, order, manual.path, space)
+        console = _Console(session, out, manual.path, seconds)
+        if not out.json:
+            console.say(session.text(unicode=out.unicode))
     if manual.proposals:
         for command in manual.proposals:
             if not console.script(command, "<input>"):
@@ -134,7 +142,8 @@ class _Done(Exception):
 class _Console:
     """Takes commands, prints answers, saves after each change; `refused` counts refusals."""
 
-    def __init__(self, session: Session, out: Output, path: str | None) -> None:
+    def __init__(self, session: Session, out: Output, path: str | None, seconds: float) -> None:
+        self.seconds = seconds
         self.session = session
         self.out = out
         self.path = path
@@ -160,7 +169,8 @@ class _Console:
             try:
                 if line.strip() and not line.lstrip().startswith("#"):
                     self.say(f"> {line.strip()}")
-                self.take(line.rstrip("\r\n"))
+                with limited(self.seconds):
+                    self.take(line.rstrip("\r\n"))
             except _Done:
                 return False
             except GcrulesError as fault:
@@ -189,7 +199,9 @@ class _Console:
     def _prompted(self) -> None:
         """One line; a fault is shown."""
         try:
-            self.take(input("" if self.out.json else "> "))
+            line = input("" if self.out.json else "> ")
+            with limited(self.seconds):
+                self.take(line)
         except GcrulesError as fault:
             click.echo(fault.render(), err=True)
 
@@ -240,4 +252,5 @@ class _Console:
 
     def say(self, text: str) -> None:
         if not self.out.json:
-            click.echo(text)
+            with waiting():
+                click.echo(text)

@@ -10,6 +10,7 @@ import click
 
 from gcrules.cli.base import ExpressionCommand, Output, about_option
 from gcrules.cli.files import Status, working
+from gcrules.cli.limits import time_limit
 from gcrules.cli.platforms import read_platform
 from gcrules.errors import InputError
 from gcrules.mapping.axes import read_axes
@@ -47,6 +48,7 @@ _BAR = 24
     type=click.Choice(MEASURES),
     help="closeness σ and leg lengths too, or the superbracket only, which is quick.",
 )
+@time_limit(None)
 @click.option("--restart", is_flag=True, help="Throw away finished chunks of an earlier run and begin anew.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.option(

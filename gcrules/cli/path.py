@@ -10,6 +10,7 @@ from gcrules.along import SAMPLES
 from gcrules.along import path as along
 from gcrules.cli.base import ExpressionCommand, Output, about_option, output_options
 from gcrules.cli.files import working
+from gcrules.cli.limits import time_limit
 from gcrules.cli.platforms import read_platform
 from gcrules.errors import FileError, InputError
 from gcrules.files import write_file
@@ -29,6 +30,7 @@ __all__ = ["path"]
 )
 @click.option("--csv", "values", metavar="FILE.csv", help="Write the values along the path; - prints them.")
 @click.option("--plot", metavar="FILE.svg|FILE.pdf", help="Draw closeness and superbracket along the path.")
+@time_limit(None)
 @output_options(latex=False)
 def path(
     file: str,

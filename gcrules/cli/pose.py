@@ -6,6 +6,7 @@ import click
 
 from gcrules.cli.base import ExpressionCommand, Output, output_options
 from gcrules.cli.files import working
+from gcrules.cli.limits import time_limit
 from gcrules.cli.platforms import centre, read_either
 from gcrules.errors import InputError
 from gcrules.posed import pose as posed
@@ -38,6 +39,7 @@ __all__ = ["pose"]
 )
 @click.option("--accuracy", metavar="LENGTH", help="How well the joints' places are known; by default exactly.")
 @click.option("--nearest/--no-nearest", default=None, help="Seek the nearest singular poses (about a second).")
+@time_limit()
 @output_options()
 def pose(
     file: str,

@@ -8,6 +8,7 @@ import click
 
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.cli.base import ExpressionCommand, Output
+from gcrules.cli.limits import SECONDS, time_limit
 from gcrules.repl.answers import worst
 from gcrules.repl.interpreter import Interpreter
 from gcrules.repl.lines import run_pieces, stdin_pieces, tell_all
@@ -29,6 +30,7 @@ __all__ = ["repl"]
     metavar="N",
     help="Give up beyond this many terms.",
 )
+@time_limit(SECONDS, "Give an input up after this time.", itself=True)
 @click.option(
     "--unicode/--ascii",
     " /--plain",
@@ -38,7 +40,13 @@ __all__ = ["repl"]
 )
 @click.pass_context
 def repl(
-    ctx: click.Context, file: str | None, texts: tuple[str, ...], echo: bool, limit: int, mathematics: bool | None
+    ctx: click.Context,
+    file: str | None,
+    texts: tuple[str, ...],
+    echo: bool,
+    limit: int,
+    seconds: float,
+    mathematics: bool | None,
 ) -> None:
     """Type expressions, equations and statements, and get an answer to each; :help says what there is.
 
@@ -51,7 +59,10 @@ def repl(
     Without a terminal the exit code is 2 where any input was at fault, else 1 where anything was refuted, else 3 where
     anything was not decided. GCRULES_HISTORY names the file of the history; none is written where it is empty.
     """
-    session = Interpreter(settings=Settings(unicode=Output(mathematics=mathematics).unicode, limit=limit))
+    settings = Settings(
+        Output(mathematics=mathematics).unicode, limit=limit, seconds=seconds, short=sys.stdout.isatty()
+    )
+    session = Interpreter(settings=settings)
     codes = [tell_all(session.load(file))] if file is not None else []
     if not texts and sys.stdin.isatty() and sys.stdout.isatty():
         from gcrules.repl.terminal import run_terminal  # loads prompt_toolkit

@@ -11,6 +11,7 @@ import click
 
 from gcrules.cli.base import SEEDED, ExpressionCommand, Output, output_options, search_option, seeded
 from gcrules.cli.files import working
+from gcrules.cli.limits import time_limit
 from gcrules.cli.robot_docs import docs
 from gcrules.errors import FileError, GcrulesError, LimitReached
 from gcrules.files import write_file
@@ -95,6 +96,7 @@ def _shown(r: Robot) -> Iterator[str]:
 @robot.command("check", short_help="Check robot files; all, if none is named.")
 @click.argument("names", nargs=-1, metavar="[ID|FILE]...")
 @_plugins
+@time_limit(None)
 @click.pass_context
 def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str, ...]) -> None:
     """Check robots (all, if none is named): their files, on random exact members, and the published condition.
@@ -128,6 +130,7 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
 @_name
 @_plugins
 @search_option(SECONDS)
+@time_limit(plus="search")
 @output_options()
 def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Output) -> None:
     """Tell when and why a robot is singular: wrenches of its limbs, equivalent lines, condition, sentence.
@@ -149,6 +152,7 @@ def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Out
 @click.option(
     "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
 )
+@time_limit()
 @click.option("--search", is_flag=True, help="Seek the first singular configuration on the way there from home.")
 @output_options()
 def pose_command(

@@ -6,6 +6,7 @@ import click
 
 from gcrules.cli.base import Output
 from gcrules.cli.files import working
+from gcrules.cli.limits import time_limit
 from gcrules.cli.page_files import renew
 from gcrules.robots.discovery import robots
 from gcrules.robots.model import Robot
@@ -17,6 +18,7 @@ __all__ = ["docs"]
 @click.option("--check", is_flag=True, help="Write nothing; exit code 1 if a page is stale.")
 @click.option("--out", default="docs/robots", show_default=True, metavar="DIR", help="The folder of the pages.")
 @click.option("--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins.")
+@time_limit(None)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
 def docs(ctx: click.Context, check: bool, out: str, folders: tuple[str, ...], as_json: bool) -> None:

@@ -13,6 +13,7 @@ import click
 
 from gcrules.cli.base import LazyGroup, Output, decorated, output_options
 from gcrules.cli.files import working
+from gcrules.cli.limits import time_limit
 from gcrules.errors import InputError
 from gcrules.plugins import load_rules
 from gcrules.rules.library import Library
@@ -125,6 +126,7 @@ _files = click.option("--rules", "words", multiple=True, metavar="FILE", help="A
 @click.command(name="list")
 @_files
 @plugins_option
+@time_limit()
 @output_options(latex=False)
 def list_rules(words: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
     """List the rules in the order in which a strategy runs them.
@@ -152,6 +154,7 @@ def list_rules(words: tuple[str, ...], folders: tuple[str, ...], out: Output) ->
 @click.argument("rule_id", metavar="ID")
 @_files
 @plugins_option
+@time_limit()
 @output_options(latex=False)
 def show(rule_id: str, words: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
     """Show one rule.
@@ -174,6 +177,7 @@ def show(rule_id: str, words: tuple[str, ...], folders: tuple[str, ...], out: Ou
 @click.command()
 @click.argument("files", nargs=-1, metavar="[FILE.gca]...")
 @plugins_option
+@time_limit(None)
 @output_options(latex=False)
 @click.pass_context
 def check(ctx: click.Context, files: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:

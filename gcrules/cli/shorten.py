@@ -10,11 +10,11 @@ from gcrules.cli.base import (
     Space,
     limit_option,
     output_options,
-    seconds_option,
     space_options,
 )
 from gcrules.cli.expressions import read_expression
 from gcrules.cli.files import working
+from gcrules.cli.limits import AROUND, limited, time_limit
 from gcrules.shortening.limits import MAX_MONOMIALS, SECONDS
 
 __all__ = ["shorten"]
@@ -23,7 +23,7 @@ __all__ = ["shorten"]
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
 @limit_option(MAX_MONOMIALS, "Give up beyond this many bracket monomials.")
-@seconds_option("--seconds", SECONDS, "Search for no longer than this; what was found is the answer.")
+@time_limit(SECONDS, "Search for no longer than this; what was found is the answer.", itself=True)
 @space_options()
 @output_options()
 def shorten(expression: str, limit: int, seconds: float, space: Space, out: Output) -> None:
@@ -40,15 +40,16 @@ def shorten(expression: str, limit: int, seconds: float, space: Space, out: Outp
     """
     from gcrules.shortening.shorten import shorten as shortened  # numpy, for this command only
 
-    e = read_expression(expression, space)
-    with working("shortening") as status:
-        found = shortened(
-            e,
-            points=space.points,
-            ideal=space.ideal,
-            rank=space.rank,
-            limit=limit,
-            seconds=seconds,
-            progress=status.tell,
-        )
-    out.show(found)
+    with limited(seconds, AROUND):
+        e = read_expression(expression, space)
+        with working("shortening") as status:
+            found = shortened(
+                e,
+                points=space.points,
+                ideal=space.ideal,
+                rank=space.rank,
+                limit=limit,
+                seconds=seconds,
+                progress=status.tell,
+            )
+        out.show(found)

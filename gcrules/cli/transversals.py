@@ -6,6 +6,7 @@ import click
 
 from gcrules.cli.base import ExpressionCommand, Output, Space, given_option, output_options, space_options
 from gcrules.cli.files import read_stdin, working
+from gcrules.cli.limits import time_limit
 
 __all__ = ["transversals"]
 
@@ -16,6 +17,7 @@ NOT_DECIDED = 3
 @click.argument("legs", nargs=-1, required=True, metavar="LEGS")
 @click.option("--all", "every", is_flag=True, help="Show every reading, not the simplest only.")
 @given_option
+@time_limit()
 @space_options(rank=False)
 @output_options()
 @click.pass_context

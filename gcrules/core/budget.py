@@ -1,35 +1,57 @@
 r"""What a computation may use: seconds and memory. Every long loop calls `checkpoint`, so that no limit is only said.
 
 A budget surrounds the code that it limits; one inside another ends no later than the outer one. How many terms may be
-held is counted by each stage for itself, for terms of different stages are not the same thing.
+held is counted by each stage for itself (by `Count`), for terms of different stages are not the same thing.
 
     >>> with within(seconds=60) as budget:
     ...     checkpoint()
-    >>> budget.left > 0
+    >>> 0 < budget.left <= 60
     True
+    >>> with within(seconds=0):
+    ...     checkpoint()
+    Traceback (most recent call last):
+    gcrules.errors.LimitReached: this takes more than 0 seconds
 """
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from math import inf
+from math import inf, isnan
+from numbers import Real
 from time import monotonic
+from typing import Any, TypeVar
 
-from gcrules.errors import LimitReached
+from gcrules.core.memory import GIGABYTE, memory_in_use
+from gcrules.errors import InputError, LimitReached
 
-__all__ = ["Budget", "checkpoint", "seconds_left", "within"]
+__all__ = [
+    "MORE_SECONDS",
+    "MORE_TERMS",
+    "Budget",
+    "Count",
+    "checkpoint",
+    "seconds_left",
+    "waiting",
+    "watched",
+    "within",
+]
 
-_MEMORY_EVERY = 0.1  # seconds between two looks at the memory that is in use
-_PAGE = os.sysconf("SC_PAGE_SIZE") if hasattr(os, "sysconf") else 4096
+MORE_SECONDS = "give it more time with --seconds (in Python within(seconds=...))"
+MORE_MEMORY = "GCRULES_MEMORY sets the gigabytes that may be used"
+MORE_TERMS = "raise the limit with --limit (in Python limit=...)"
+
+_T = TypeVar("_T")
+_LOOK = 0.1  # seconds between two looks at the memory that is in use, and at the budgets around
 
 
 @dataclass(eq=False)
 class Budget:
     """At most `seconds` from `started` on, and at most `memory` bytes of this process; no limit where None.
+
+    `grace` is what may be taken beyond the seconds, for work that has a limit of its own, or to finish.
 
     `progress` is told, in words, what is being done, by those who call `report`.
     """
@@ -39,13 +61,16 @@ class Budget:
     progress: Callable[[str], None] | None
     started: float
     outer: Budget | None
-    _memory_at: float = 0.0
+    grace: float = 0.0
 
-    @property
-    def until(self) -> float:
+    def __post_init__(self) -> None:
+        own = inf if self.seconds is None else self.started + self.seconds + self.grace
+        self.until: float = own if self.outer is None else min(own, self.outer.until)
         """The moment at which this budget or one around it ends, on the monotonic clock."""
-        own = inf if self.seconds is None else self.started + self.seconds
-        return min(own, self.outer.until) if self.outer is not None else own
+        self.look = self.started
+        """Checkpoints compare the clock with this moment, and do nothing else before it."""
+        self.cancelled = False
+        self.waiting = 0
 
     @property
     def left(self) -> float:
@@ -55,21 +80,29 @@ class Budget:
     def check(self) -> None:
         """Raises LimitReached where the seconds or the memory are used up, here or in a budget around this one."""
         now = monotonic()
-        if self.seconds is not None and now > self.started + self.seconds:
-            raise LimitReached(
-                f"this takes more than {self.seconds:g} seconds",
-                hint="give it more time with --seconds (in Python seconds=...)",
-            )
-        if self.memory is not None and now > self._memory_at:
-            self._memory_at = now + _MEMORY_EVERY
-            used = _memory_in_use()
-            if used > self.memory:
-                raise LimitReached(
-                    f"this takes more than {self.memory / 2**30:.3g} GB of memory",
-                    hint="a smaller --limit ends sooner; GCRULES_MEMORY sets the gigabytes that may be used",
-                )
-        if self.outer is not None:
-            self.outer.check()
+        one: Budget | None = self
+        while one is not None:
+            one._check(now)
+            one = one.outer
+        self.look = min(self.until, now + _LOOK)
+
+    def _check(self, now: float) -> None:
+        if self.cancelled:
+            raise LimitReached("this was cancelled")
+        if self.seconds is not None and not self.waiting and now >= self.started + self.seconds + self.grace:
+            what = "1 second" if self.seconds == 1 else f"{self.seconds:,.10g} seconds"
+            raise LimitReached(f"this takes more than {what}", hint=MORE_SECONDS)
+        self.check_memory()
+
+    def check_memory(self) -> None:
+        """Raises LimitReached where this budget's memory is used up."""
+        if self.memory is not None and memory_in_use() > self.memory:
+            raise LimitReached(f"this takes more than {self.memory / GIGABYTE:.3g} GB of memory", hint=MORE_MEMORY)
+
+    def cancel(self) -> None:
+        """Let the next checkpoint raise LimitReached; may be called from any thread."""
+        self.cancelled = True
+        self.look = -inf
 
     def report(self, words: str) -> None:
         """Tell the progress, here or around."""
@@ -84,13 +117,21 @@ _current: ContextVar[Budget | None] = ContextVar("gcrules budget", default=None)
 
 @contextmanager
 def within(
-    seconds: float | None = None, *, memory: int | None = None, progress: Callable[[str], None] | None = None
+    seconds: float | None = None,
+    *,
+    memory: int | None = None,
+    progress: Callable[[str], None] | None = None,
+    grace: float = 0.0,
 ) -> Iterator[Budget]:
-    """Limit what runs inside: by `seconds` from now, and to `memory` bytes of the process.
+    """Limit what runs inside: by `seconds` (and `grace`) from now, and to `memory` bytes of the process.
 
-    Raises LimitReached, at the next `checkpoint`, when one of them is used up.
+    Raises LimitReached, at the next `checkpoint`, when one of them is used up; InputError for what is no number.
     """
-    budget = Budget(seconds, memory, progress, monotonic(), _current.get())
+    limits: tuple[tuple[Any, str], ...] = ((seconds, "seconds"), (memory, "bytes of memory"))
+    for given, what in limits:
+        if given is not None and (not isinstance(given, Real) or isnan(given)):
+            raise InputError(f"{given!r} is no number of {what}", hint="None is no limit")
+    budget = Budget(seconds, memory, progress, monotonic(), _current.get(), grace)
     token = _current.set(budget)
     try:
         yield budget
@@ -101,8 +142,38 @@ def within(
 def checkpoint() -> None:
     """To be called in every loop that may be long. Raises LimitReached where a budget around the caller is used up."""
     budget = _current.get()
-    if budget is not None:
+    if budget is not None and monotonic() >= budget.look:
         budget.check()
+
+
+def watched(items: Iterable[_T], every: int = 64) -> Iterator[_T]:
+    """The items, with a checkpoint before the first and before each `every`-th after it: for loops of short turns."""
+    for number, item in enumerate(items):
+        if not number % every:
+            checkpoint()
+        yield item
+
+
+@contextmanager
+def waiting() -> Iterator[None]:
+    """What is spent inside, on waiting for whoever writes the input or reads the output, does not count."""
+    around: list[Budget] = []
+    one = _current.get()
+    while one is not None:
+        around.append(one)
+        one = one.outer
+    began = monotonic()
+    for one in around:
+        one.waiting += 1
+    try:
+        yield
+    finally:
+        gone = monotonic() - began
+        for one in around:
+            one.waiting -= 1
+            if not one.waiting:
+                one.started += gone
+                one.until += gone
 
 
 def seconds_left() -> float:
@@ -111,10 +182,24 @@ def seconds_left() -> float:
     return inf if budget is None else budget.left
 
 
-def _memory_in_use() -> int:
-    """Bytes of this process that are in memory; 0 where the system does not tell."""
-    try:
-        with open("/proc/self/statm", "rb") as file:
-            return int(file.read().split()[1]) * _PAGE
-    except (OSError, ValueError, IndexError):
-        return 0
+@dataclass
+class Count:
+    """Counts what one stage does, beside the clock: beyond `most`, LimitReached says `what` takes more than so many.
+
+    >>> Count(2, "matching a rule", "trials").spend(3)
+    Traceback (most recent call last):
+    gcrules.errors.LimitReached: matching a rule takes more than 2 trials
+    """
+
+    most: int
+    what: str
+    things: str
+    hint: str | None = None
+    done: int = 0
+
+    def spend(self, number: int = 1) -> None:
+        """So many more. Raises LimitReached beyond `most`, or where a budget around the caller is used up."""
+        self.done += number
+        if self.done > self.most:
+            raise LimitReached(f"{self.what} takes more than {self.most:,} {self.things}", hint=self.hint)
+        checkpoint()

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from gcrules.core.budget import checkpoint
 from gcrules.errors import InputError
 from gcrules.kinematics.closeness import closeness
 from gcrules.kinematics.factors import factors
@@ -52,6 +53,7 @@ def first_singular(m: Mechanism, analysis: RobotAnalysis, wanted: Wanted, sample
 
     signs, sizes = [signed(way[0])], [sigma(way[0])]
     for k in range(1, samples + 1):
+        checkpoint()
         way.append(goal(course, way[-1], (k - 1) / samples, k / samples))
         signs.append(signed(way[-1]))
         sizes.append(sigma(way[-1]))
@@ -80,6 +82,7 @@ def _zero(
     (start, first), (b, best) = one, two
     a, at_a, at_b = start, value(first), value(best)
     for _ in range(_MOST):
+        checkpoint()
         part = b - at_b * (b - a) / (at_b - at_a)
         try:
             there = goal(course, first, start, part)
@@ -109,6 +112,7 @@ def _least(
     one, two = at(a), at(b)
     at_a, at_b = value(one), value(two)
     for _ in range(_MOST):
+        checkpoint()
         if at_a < at_b:
             high, b, two, at_b = b, a, one, at_a
             a = high - _GOLDEN * (high - low)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gcrules.core.budget import checkpoint
 from gcrules.errors import InputError
 from gcrules.kinematics.chains import chain_of
 from gcrules.kinematics.coordinates import SHIFTS, coordinates, slopes, wrapped
@@ -124,6 +125,7 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
     if not far:
         return start
     while done < far:
+        checkpoint()
         step = min(step, far - done)
         part = at + (done + step) * np.sign(end - at) if done + step < far else end
         try:
@@ -155,6 +157,7 @@ def _closed(course: Course, here: Configuration, part: float) -> tuple[Configura
     whole = np.zeros(sum(sizes))
     best = np.inf
     for iteration in range(_ITERATIONS + 1):
+        checkpoint()
         amounts = tuple(np.split(whole, np.cumsum(sizes)[:-1]))
         links = tuple(c.links(a) for c, a in zip(here.chains, amounts, strict=True))
         open_, wanted_off = _gaps(links, here, m), course.error(part, here, links, amounts)

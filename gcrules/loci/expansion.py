@@ -23,6 +23,7 @@ from math import lcm
 from typing import Any
 
 from gcrules.algebra.expr import permutation_sign
+from gcrules.core.budget import checkpoint
 from gcrules.frozen import FrozenMap
 from gcrules.numeric.cubic import EXPONENTS, interpolated
 from gcrules.numeric.rig import Rig
@@ -50,13 +51,16 @@ def expansion(rig: Rig) -> Terms:
     norm, turned = _turns(arms)
     values: dict[tuple[int, ...], dict[Any, int]] = {}
     for shift in EXPONENTS:
+        checkpoint()
         place = (centre[0] + shift[0], centre[1] + shift[1], centre[2] + shift[2])
         form = _form([_sub(place, a) for a in base], arms, norm, turned)
         for powers, c in form.terms():
+            checkpoint()
             values.setdefault(tuple(powers), dict.fromkeys(EXPONENTS, 0))[shift] = int(c)
     scale = Fraction((-1) ** (flipped + 1), unit**9)
     found: dict[tuple[int, ...], Fraction] = {}
     for powers, at in values.items():
+        checkpoint()
         cubic = interpolated({e: Fraction(c) for e, c in at.items()}, Fraction(1))
         for e, c in cubic.coefficients.items():
             found[(*e, *powers)] = c * scale * unit ** sum(e)
@@ -99,6 +103,7 @@ def _form(d: Sequence[Whole], arms: Sequence[Whole], norm: Any, turned: Mapping[
     arm = {(i, j): _dot(d[i], turned[j, i]) for i in range(6) for j in range(6) if i != j}  # d_i · R(β_j × β_i)
     total = 0 * norm
     for i, j, k in combinations(range(6), 3):
+        checkpoint()
         rest = tuple(r for r in range(6) if r not in (i, j, k))
         first = norm * (_dot(d[i], pairs[j, k]) + _dot(arms[i], _cross(arms[j], arms[k])))
         first += mixed[i, j, k] - mixed[j, i, k] + mixed[k, i, j]

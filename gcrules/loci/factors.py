@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 
 __all__ = ["MAX_TERMS", "Candidate", "divided", "factored", "primitive"]
@@ -48,6 +49,7 @@ def factored(p: Any, candidates: Sequence[Candidate], limit: int = MAX_TERMS) ->
     """
     found = []
     for c in candidates:
+        checkpoint()
         if c.polynomial.is_ground:
             continue
         for part, _ in _irreducible(c.polynomial, limit):
@@ -63,6 +65,7 @@ def divided(p: Any, divisor: Any) -> tuple[Any, int]:
     """(q, n): p = q divisorⁿ with n as large as can be; neither is a number."""
     times = 0
     while (quotient := _quotient(p, divisor)) is not None:
+        checkpoint()
         p, times = quotient, times + 1
     return p, times
 
@@ -89,6 +92,7 @@ def _irreducible(p: Any, limit: int) -> Iterator[tuple[Any, int]]:
         return
     on_lines: tuple[int, ...] = ()
     for k in range(LINES):
+        checkpoint()
         on_lines = _degrees_on_a_line(p, k)
         if len(on_lines) == 1:
             yield p, 1

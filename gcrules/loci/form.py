@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from gcrules.core.budget import checkpoint
 from gcrules.errors import InputError
 from gcrules.yamlfile import near
 
@@ -69,6 +70,7 @@ class Form:
                 row.append(row[-1] * v)
         total: Any = 0
         for exponents, c in self.terms:
+            checkpoint()
             for row, n in zip(powers, exponents, strict=True):
                 if n:
                     c = c * row[n]
@@ -122,6 +124,7 @@ def _joined(terms: Iterable[tuple[int, str, str]], *, first: bool = True) -> str
     """A sum of coefficients, what they are multiplied by, and the sign of that product."""
     found: list[str] = []
     for c, monomial, times in terms:
+        checkpoint()
         sign = ("- " if c < 0 else "+ ") if found or not first else ("-" if c < 0 else "")
         size = str(abs(c)) if abs(c) != 1 or not monomial else ""
         found.append(f"{sign}{size}{times if size and monomial else ''}{monomial}")

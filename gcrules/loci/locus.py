@@ -21,6 +21,7 @@ from fractions import Fraction
 from typing import Any
 
 from gcrules.algebra.evaluate import evaluate
+from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import DRAWN, PRIME, drawn
 from gcrules.errors import EngineFault
 from gcrules.frozen import FrozenMap
@@ -98,13 +99,16 @@ def _substituted(terms: Terms, shift: Sequence[Any], turn: Sequence[Any], ring: 
     powers = [[ring.one] for _ in range(7)]
     for row, x in zip(powers, (*shift, *turn), strict=True):
         for _ in range(6):
+            checkpoint()
             row.append(row[-1] * x)
     groups: dict[tuple[int, ...], Any] = {}
     for e, c in terms.items():
+        checkpoint()
         at = powers[0][e[0]] * powers[1][e[1]] * powers[2][e[2]] * ring.domain(c.numerator, c.denominator)
         groups[e[3:]] = groups.get(e[3:], ring.zero) + at
     total = ring.zero
     for e, group in groups.items():
+        checkpoint()
         for row, n in zip(powers[3:], e, strict=True):
             group = group * row[n]
         total += group
@@ -115,6 +119,7 @@ def _check(found: Locus, shift: Sequence[Any], turn: Sequence[Any]) -> None:
     """Two roads: superbrackets at poses, computed from the joints alone. Raises EngineFault where one differs."""
     rng = drawn("locus", str(found.coefficient), len(found.variables))
     for k in range(2 * CHECKS):
+        checkpoint()
         modular = k >= CHECKS
         values = [
             Fraction(rng.randrange(DRAWN)) if modular else Fraction(rng.randint(1, 10**9), rng.randint(1, 9))

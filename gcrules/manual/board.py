@@ -18,6 +18,7 @@ from gcrules.algebra.bracket import BracketPolynomial, Coefficient, Monomial, Ro
 from gcrules.algebra.expr import Expr, Number, Point, bracket, mul, signed
 from gcrules.algebra.shortest import SuperbracketForm, superbracket_form
 from gcrules.condition import Condition, Entity, starred
+from gcrules.core.budget import checkpoint
 from gcrules.legs import Structure
 from gcrules.rules.state import State, extensor
 
@@ -32,6 +33,7 @@ _MOST_STATES = 256  # ways to share out the brackets that the test of a pair goe
 def placements(monomial: Monomial, entities: tuple[Row, ...]) -> Iterator[tuple[int, ...]]:
     """All ways to give each entity a bracket of its own that holds its points."""
     for homes in permutations(range(len(monomial)), len(entities)):
+        checkpoint()
         if all(set(row) <= set(monomial[i]) for row, i in zip(entities, homes, strict=True)):
             yield homes
 
@@ -137,6 +139,7 @@ class Board:
         state = replace(start, planes=planes, lines=lines, taken=tuple(sorted(self.taken)))
         ways = [list(placements(monomial, (*planes, *lines))) for monomial in rest.terms]
         for homes in islice(product(*ways), _MOST_STATES):
+            checkpoint()
             yield replace(state, homes=homes)
 
     @property

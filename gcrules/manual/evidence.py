@@ -15,6 +15,7 @@ from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number, Point, bracket, mul
 from gcrules.algebra.shortest import superbracket_form
 from gcrules.algebra.straighten import straighten
+from gcrules.core.budget import checkpoint
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Structure
 from gcrules.numeric.incidence import factors
@@ -85,6 +86,7 @@ def flat(structure: Structure, names: tuple[str, ...]) -> Evidence | None:
     """Small whole coordinates at which the four points lie in a plane and the superbracket is not zero."""
     volume = bracket(*map(Point, names))
     for seed in range(_SEEDS):
+        checkpoint()
         points = _small(structure, seed)
         points |= {n: (points[n][0], points[n][1], 0, points[n][3]) for n in names}
         value = Fraction(evaluate(structure.superbracket, points))
@@ -126,6 +128,7 @@ def _ratios(structure: Structure, e: Expr, cofactor: Expr) -> Evidence | None:
     left = mul(cofactor, structure.superbracket)
     first: Evidence | None = None
     for seed in range(_SEEDS):
+        checkpoint()
         points = _small(structure, seed)
         if not evaluate(left, points) or not evaluate(e, points):
             continue
@@ -156,6 +159,7 @@ def _zeros(structure: Structure, e: Expr) -> Iterator[Points]:
     if isinstance(e, Number):
         return
     for seed in range(4):
+        checkpoint()
         start = _small(structure, seed)
         for name in structure.names:
             for direction in _directions(start, name):

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.mapping.bernstein import coefficients, corners, halves, tolerance
 from gcrules.mapping.slices import Factor
 
@@ -51,6 +52,7 @@ def open_cells(
     cells = np.stack(np.meshgrid(*starts, indexing="ij"), axis=-1).reshape(-1, axes) + np.array(first)
     kept = [(np.zeros((0, axes), dtype=np.int64), np.zeros((0, *[4] * axes)))]
     for start in range(0, len(cells), _BLOCK):
+        checkpoint()
         blocks = cells[start : start + _BLOCK]
         kept.append(_opened(blocks, coefficients(f.tensor, blocks, width), width, first, shape, block_error(f, reach)))
     return np.concatenate([c for c, _ in kept]), np.concatenate([b for _, b in kept])
@@ -95,6 +97,7 @@ def _one(f: Factor, corner: Integers, b: Floats, error: float) -> Statuses:
     owner = np.arange(len(corner))
     axes = corner.shape[1]
     for depth in range(_DEPTH[axes] + 1):
+        checkpoint()
         flat = b.reshape(len(b), 4**axes)
         open_ = (flat.min(axis=1) <= error) & (flat.max(axis=1) >= -error)
         b, owner = b[open_], owner[open_]

@@ -14,6 +14,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.mapping.grid import Grid
 from gcrules.numeric.closeness import closeness
 from gcrules.numeric.jacobian import jacobian
@@ -33,10 +34,12 @@ def guarded(g: Grid, cells: Integers) -> Booleans:
     found = np.ones(len(cells), dtype=bool)
     axes = cells.shape[1]
     for start in range(0, len(cells), _BLOCK):
+        checkpoint()
         owner = np.arange(start, min(start + _BLOCK, len(cells)))
         middle = cells[owner].astype(np.float64) + 0.5
         half = 0.5
         for depth in range(_DEPTH[axes] + 1):
+            checkpoint()
             left = ~_free(g, middle, half)
             middle, owner = middle[left], owner[left]
             if not len(owner) or depth == _DEPTH[axes]:

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
+
 __all__ = ["Arcs", "joined"]
 
 Floats = NDArray[np.float64]
@@ -58,6 +60,7 @@ def _walk(at: dict[int, list[tuple[int, int]]], done: set[int], start: int, arc:
     way = [start, following]
     done.add(arc)
     while len(at[way[-1]]) == 2 and way[-1] != start:
+        checkpoint()
         onward = next(((n, q) for n, q in at[way[-1]] if n not in done), None)
         if onward is None:
             break

@@ -25,6 +25,7 @@ import numpy as np
 from gcrules import __version__
 from gcrules.analysis import Analysis
 from gcrules.compiling.compiled import compiled
+from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import drawn
 from gcrules.errors import FileError, InputError, LimitReached
 from gcrules.mapping.axes import Axis, read_axes
@@ -147,6 +148,7 @@ def _computed(task: Task, store: Store, limit: Threshold, tell: Told) -> Summary
     kept: list[int] = []
     poses = 0
     for n in range(task.number):
+        checkpoint()
         chunk = store.get(n)
         if chunk is None:
             chunk = task.compute(n)

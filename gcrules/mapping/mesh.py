@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.frozen import HoldsArrays
 from gcrules.render.palette import LIGHT
 
@@ -126,6 +127,7 @@ def glb(m: Mesh) -> bytes:
 
     primitives = []
     for sheet in range(m.sheets):
+        checkpoint()
         used = np.flatnonzero(m.sheet == sheet)
         if not len(used):
             continue

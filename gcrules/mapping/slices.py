@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import DRAWN, drawn
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
@@ -88,6 +89,7 @@ def slice_polynomial(g: Grid) -> Polynomial:
     size = max(abs(c) for p in r.points.values() for c in p)
     # A pose in which every leg has a length, whichever: each of the six has none in one translation at most.
     for n in range(7):
+        checkpoint()
         start = [c + size * Fraction(n, d) for c, d in zip(g.at.translation, (7, 11, 13), strict=True)]
         try:
             points = r.exact(Pose((start[0], start[1], start[2]), g.at.quaternion))
@@ -108,6 +110,7 @@ def _substituted(
     """p with each variable replaced by a constant, or by a multiple of one of `number` new ones plus a constant."""
     found: dict[tuple[int, ...], Fraction] = {}
     for exponents, c in p.items():
+        checkpoint()
         terms = {(0,) * number: c}
         for (k, constant, slope), e in zip(lines, exponents, strict=True):
             terms = _times(terms, k, constant, slope, e)

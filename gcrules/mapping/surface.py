@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.errors import InputError, LimitReached
 from gcrules.mapping.grid import Grid
 from gcrules.mapping.marching import bracketed
@@ -70,6 +71,7 @@ def sheet(value: Value, layers: Layers, shape: tuple[int, ...], before: int = 0)
     total, triangles = 0, before
     border: tuple[Integers, Integers] = np.zeros((0, 4), dtype=np.int64), np.zeros(0, dtype=np.int64)
     for first, last in _slabs(shape):
+        checkpoint()
         values = layers(first, last)
         largest = float(np.abs(values).max(initial=0))
         if not largest or values.min() >= 0 or values.max() < 0:
@@ -126,6 +128,7 @@ def _slabs(shape: tuple[int, ...]) -> Iterator[tuple[int, int]]:
     """Layers from, to (not included); neighbours share one layer."""
     step = max(1, _SLAB // (shape[1] * shape[2]) - 1)
     for first in range(0, shape[0] - 1, step):
+        checkpoint()
         yield first, min(first + step + 1, shape[0])
 
 

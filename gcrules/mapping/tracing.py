@@ -14,6 +14,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.mapping.bernstein import corners, halves
 from gcrules.mapping.cells import block_error, open_cells
 from gcrules.mapping.joining import Arcs
@@ -41,6 +42,7 @@ def traced(f: Factor, shape: tuple[int, ...], middle: tuple[int, ...]) -> Arcs:
     error = block_error(f, reach)
     cells, b = open_cells(f, (-middle[0], -middle[1]), (shape[0] - 1, shape[1] - 1), reach)
     for start in range(0, len(cells), _BLOCK):
+        checkpoint()
         part = slice(start, start + _BLOCK)
         found.append(_arcs(b[part] + 4 * error, (cells[part] + np.array(middle)) << DEPTH, error))
     return Arcs.together(found)
@@ -50,6 +52,7 @@ def _arcs(b: Floats, corner: Integers, error: float) -> Arcs:
     """`corner` in units of 2^-DEPTH cells."""
     found: list[Arcs] = []
     for depth in range(DEPTH + 1):
+        checkpoint()
         flat = b.reshape(len(b), 16)
         open_ = (flat.min(axis=1) <= error) & (flat.max(axis=1) >= -error)
         b, corner = b[open_], corner[open_]
@@ -124,6 +127,7 @@ def _root(c: Floats) -> Floats:
     low, high = np.zeros(len(c)), np.ones(len(c))
     rising = c[:, 3] > c[:, 0]
     for _ in range(54):
+        checkpoint()
         t = (low + high) / 2
         u = 1 - t
         value = c[:, 0] * u**3 + 3 * c[:, 1] * u * u * t + 3 * c[:, 2] * u * t * t + c[:, 3] * t**3

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.compiling.compiled import CompiledCondition
+from gcrules.core.budget import checkpoint
 from gcrules.frozen import HoldsArrays
 from gcrules.mapping.cells import CROSSED, FREE, UNDECIDED, certified
 from gcrules.mapping.grid import Grid
@@ -105,6 +106,7 @@ class Task(HoldsArrays):
         inner = math.prod(self.grid.shape[1:])
         found = np.empty((stop - first) * inner)
         for start in range(0, len(found), 4 * _BATCH):
+            checkpoint()
             part = found[start : start + 4 * _BATCH]
             part[:] = self.value(self._places(first * inner + start, len(part)))
         return found.reshape(-1, *self.grid.shape[1:])
@@ -119,6 +121,7 @@ class Task(HoldsArrays):
         number = (last - first) * inner
         lengths, sigma = np.empty((number, 6)), np.zeros(number)
         for start in range(0, number, _BATCH):
+            checkpoint()
             part = slice(start, min(start + _BATCH, number))
             ends = g.ends(g.coordinates(self._places(first * inner + start, part.stop - start)))
             lengths[part] = np.linalg.norm(ends - g.rig.base, axis=2)

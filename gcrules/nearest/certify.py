@@ -16,6 +16,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.nearest.taylor import Taylor
 
 __all__ = ["GAPS", "MAX_BOXES", "Search", "search"]
@@ -78,6 +79,7 @@ def search(f: Taylor, touching: Sequence[Floats], limit: int = MAX_BOXES) -> Sea
 def _search(f: Taylor, boxes: Sequence[_Box], radius: float, limit: int) -> Search:
     cubes, half, seen = np.zeros((1, 3)), 1.0, 0
     while len(cubes):
+        checkpoint()
         nearest = np.linalg.norm(np.maximum(np.abs(cubes) - half, 0.0), axis=1)
         cubes = cubes[nearest < radius]
         values = f.value(cubes)

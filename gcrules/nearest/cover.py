@@ -13,6 +13,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.numeric.arrays import from_vectors, matrices
 from gcrules.numeric.closeness import closeness
 from gcrules.numeric.jacobian import Jacobian, jacobian
@@ -34,6 +35,7 @@ def free_angle(base: Floats, j: Jacobian, target: float, limit: int = MAX_POSES)
     """
     cubes, half, seen, free = np.zeros((1, 3)), target, 0, target
     while len(cubes):
+        checkpoint()
         nearest = _nearest(cubes, half)
         order = np.argsort(nearest, kind="stable")
         order = order[nearest[order] < free]
@@ -60,6 +62,7 @@ def free_distance(base: Floats, j: Jacobian, target: float, limit: int = MAX_POS
     half = min(target / rho, np.pi)
     cubes, seen, best = np.zeros((1, 3)), 0, target
     while len(cubes):
+        checkpoint()
         seen += len(cubes)
         shifts, centres = _free_shift(base, j, cubes, half)
         # No cube can do better than its centre, so `best` bounds what can be proved at all.

@@ -15,6 +15,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.nearest.zero import fibonacci
 from gcrules.numeric.arrays import from_vectors, matrices
 from gcrules.numeric.jacobian import Jacobian
@@ -94,6 +95,7 @@ def _along_rays(f: Callable[[Floats], Floats], directions: Floats, reach: float)
     rays = directions[hit]
     low, high = grid[first] - grid[0], grid[first]
     for _ in range(50):
+        checkpoint()
         middle = (low + high) / 2
         below = f(rays * middle[:, None]) <= 0
         low, high = np.where(below, low, middle), np.where(below, middle, high)
@@ -111,6 +113,7 @@ def _polished(f: Callable[[Floats], Floats], x: Floats, size: float) -> Floats:
         return found
 
     for _ in range(25):
+        checkpoint()
         g = slope(x)
         mu = -float(g @ x) / float(x @ x)
         h = 1e-4
@@ -141,6 +144,7 @@ def _on_ray(f: Callable[[Floats], Floats], x: Floats, size: float) -> Floats | N
     if not len(change):
         return None
     for _ in range(12):  # each time the interval becomes 40 times smaller
+        checkpoint()
         factors = np.linspace(factors[change[0]], factors[change[0] + 1], 41)
         values = f(x[None, :] * factors[:, None] * size)
         change = np.flatnonzero((values[:-1] > 0) & (values[1:] <= 0))

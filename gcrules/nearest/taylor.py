@@ -10,6 +10,7 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.numeric.cubic import Cubic
 
 __all__ = ["Taylor", "taylor"]
@@ -78,6 +79,7 @@ def taylor(f: Cubic, size: Fraction) -> Taylor:
     start = f(Fraction(0), Fraction(0), Fraction(0))
     gradient, hessian, third = np.zeros(3), np.zeros((3, 3)), np.zeros((3, 3, 3))
     for exponents, coefficient in f.stretched(size).coefficients.items():
+        checkpoint()
         axes = [i for i, e in enumerate(exponents) for _ in range(e)]
         derivative = float(coefficient / start) * math.prod(map(math.factorial, exponents))
         for order in set(permutations(axes)):

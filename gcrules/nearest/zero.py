@@ -13,6 +13,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.nearest.certify import Search, search
 from gcrules.nearest.taylor import Taylor, taylor
 from gcrules.numeric.cubic import Cubic
@@ -94,6 +95,7 @@ def _nearest(f: Cubic, size: float) -> NearestZero:
         points = _candidates(taylor(f, unit), far.better)
     found = Search(0.0)
     for _ in range(_AGAIN):
+        checkpoint()
         nearest = Fraction(float(np.linalg.norm(points, axis=1).min()))
         unit *= nearest
         points = points / float(nearest)
@@ -156,6 +158,7 @@ def _polished(f: Taylor, x: Floats) -> Floats:
     first, slope = x, f.slope(x)
     mu = -float(slope @ x) / float(x @ x)
     for _ in range(40):
+        checkpoint()
         slope = f.slope(x)
         system = np.zeros((4, 4))
         system[:3, :3] = f.curvature(x) + mu * np.eye(3)

@@ -15,6 +15,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.budget import checkpoint
 from gcrules.numeric.arrays import matrices
 from gcrules.numeric.closeness import ROUNDING, noise
 from gcrules.numeric.jacobian import jacobian
@@ -54,6 +55,7 @@ def least(path: Sequence[Segment], samples: int, most: int = MOST) -> Least:
     most = max(most, 4 * len(cells))
     best, proved, seen = Least(np.inf, 0.0, 0.0), np.inf, 0
     while len(cells):
+        checkpoint()
         sigma, low, wrong = _bounds(rig, path, cells)
         n = int(np.argmin(sigma))
         if sigma[n] < best.closeness:

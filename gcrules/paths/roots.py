@@ -16,6 +16,8 @@ from fractions import Fraction
 from itertools import pairwise
 from math import gcd, lcm
 
+from gcrules.core.budget import checkpoint
+
 __all__ = ["WIDTH", "Root", "integers", "roots", "sign_after", "sign_before", "value"]
 
 Poly = list[int]
@@ -79,6 +81,7 @@ def roots(coefficients: Sequence[Fraction | int]) -> tuple[Root, ...]:
     p = p[at_zero:]
     at_one = 0
     while len(p) > 1 and not sum(p):
+        checkpoint()
         p = _quotient(p, [-1, 1])
         at_one += 1
     for place, times in ((Fraction(0), at_zero), (Fraction(1), at_one)):
@@ -103,6 +106,7 @@ def _parted(p: Poly) -> Iterator[tuple[Poly, int]]:
     b, c, times = _quotient(p, common), _quotient(slope, common), 1
     d = _difference(c, _derivative(b))
     while len(b) > 1:
+        checkpoint()
         factor = _gcd(b, d)
         if len(factor) > 1:
             yield factor, times
@@ -114,6 +118,7 @@ def _isolated(p: Poly) -> Iterator[tuple[Fraction, Fraction]]:
     """Intervals, each with exactly one of the zeros of p in (0, 1) inside; p has no multiple ones."""
     waiting = [(p, Fraction(0), Fraction(1))]
     while waiting:
+        checkpoint()
         q, start, width = waiting.pop()
         changes = _changes(q)
         if changes == 1:
@@ -136,6 +141,7 @@ def _changes(p: Poly) -> int:
 def _refined(r: Root, p: Poly) -> Root:
     """The interval halved down to `WIDTH`, or the zero itself if it is a simple quotient."""
     while not r.exact and r.upper - r.lower > WIDTH:
+        checkpoint()
         r = _halved(r, p)
     near = r.middle.limit_denominator(_SIMPLE)
     if not r.exact and r.lower < near < r.upper and not value(p, near):
@@ -158,6 +164,7 @@ def _apart(found: Sequence[tuple[Root, Poly]]) -> list[Root]:
     """The same zeros, ascending, in intervals without a common inner point; zeros of different factors differ."""
     placed = sorted(found, key=lambda f: f[0].middle)
     while any(x.upper > y.lower for (x, _), (y, _) in pairwise(placed)):
+        checkpoint()
         placed = [(r if r.exact else _halved(r, p), p) for r, p in placed]
         placed.sort(key=lambda f: f[0].middle)
     return [r for r, _ in placed]
@@ -209,6 +216,7 @@ def _gcd(p: Poly, q: Poly) -> Poly:
     """The greatest common divisor, primitive, with a positive leading coefficient."""
     p, q = _primitive(p), _primitive(q)
     while q:
+        checkpoint()
         p, q = q, _primitive(_remainder(p, q))
     return [-c for c in p] if p[-1] < 0 else p
 
@@ -217,6 +225,7 @@ def _remainder(p: Poly, q: Poly) -> Poly:
     """Of p times a power of the leading coefficient of q, after division by q."""
     rest = list(p)
     while len(rest) >= len(q):
+        checkpoint()
         lead, gap = rest[-1], len(rest) - len(q)
         rest = [c * q[-1] for c in rest]
         for i, c in enumerate(q):

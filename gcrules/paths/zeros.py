@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.budget import checkpoint
 from gcrules.numeric.motion import Dependence
 from gcrules.paths.roots import Root, roots, sign_after, sign_before
 
@@ -58,6 +59,7 @@ def stretches(path: Sequence[Polynomial]) -> tuple[Stretch, ...]:
     """The segments whose polynomial is zero, neighbours joined."""
     found: list[Stretch] = []
     for k, p in enumerate(path):
+        checkpoint()
         if not p:
             joined = bool(found) and found[-1].end == k
             found[-1:] = [Stretch(found[-1].start, k + 1)] if joined else [*found[-1:], Stretch(k, k + 1)]
@@ -69,6 +71,7 @@ def places(path: Sequence[Polynomial]) -> tuple[Place, ...]:
     zeros = [roots(p) if p else () for p in path]
     found: list[Place] = []
     for k, p in enumerate(path):
+        checkpoint()
         if k and p and path[k - 1]:
             found += _between(k, (path[k - 1], zeros[k - 1]), (p, zeros[k]))
         elif not k:

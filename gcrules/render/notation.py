@@ -24,6 +24,7 @@ from gcrules.algebra.expr import (
     Superbracket,
     neg,
 )
+from gcrules.core.budget import watched
 
 __all__ = ["Digits", "Mark", "Name", "Raised", "Sign", "Term", "signs", "split_name", "terms"]
 
@@ -71,7 +72,7 @@ def terms(e: Expr) -> list[Term]:
     """The terms of a sum, each with the sign that stands before it (none before a first term that is positive)."""
     if not isinstance(e, Sum):
         return [signs(e)]
-    return [signs(e.terms[0]), *(tuple(_later_term(t)) for t in e.terms[1:])]
+    return [signs(e.terms[0]), *(tuple(_later_term(t)) for t in watched(e.terms[1:]))]
 
 
 def split_name(name: str) -> tuple[str, str, str]:
@@ -135,7 +136,7 @@ _ALL_BUT_SUMS = (Number, Point, Join, Meet, Bracket, Dotted, Superbracket, Power
 
 
 def _product(factors: tuple[Expr, ...]) -> Iterator[Sign]:
-    for i, f in enumerate(factors):
+    for i, f in enumerate(watched(factors)):
         if isinstance(f, Number):
             yield from _signs(f) if f.value != -1 else (Mark("negative"),)
             continue

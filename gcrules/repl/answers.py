@@ -31,7 +31,12 @@ __all__ = [
 Polynomial = BracketPolynomial | ExtensorPolynomial
 
 _CODES = {"proved": 0, "refuted": 1, "undecided": 3}
-_ELSEWHERE = (("--limit (in Python limit=...)", ":limit N"), ("leave out --steps", "use :straighten"))
+_ELSEWHERE = (
+    ("--limit (in Python limit=...)", ":limit N"),
+    ("--seconds (in Python within(seconds=...))", ":seconds S"),
+    ("--seconds (in Python seconds=...)", ":seconds S"),
+    ("leave out --steps", "use :straighten"),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +79,8 @@ def answer_of(result: Result, settings: Settings, *, brief: bool, line: int | No
         shown = _in_full(result, settings)
     if shown is None:
         shown = result.text(unicode=settings.unicode).removeprefix(f"line {result.line}: ")
-    if isinstance(result, ShowResult | ClaimResult) and result.verdict == "undecided" and ":limit" not in _here(shown):
+    hinted = any(words in _here(shown) for words in (":limit", ":seconds"))
+    if isinstance(result, ShowResult | ClaimResult) and result.verdict == "undecided" and not hinted:
         shown += "\nhint: :limit N allows more terms"
     return Answer(_here(as_typed(shown if line is None else f"line {line}: {shown}")), result.verdict)
 
@@ -83,7 +89,9 @@ def _in_full(result: Result, settings: Settings) -> str | None:
     if isinstance(result, ClaimResult) and result.proof is not None:
         return result.proof.text(unicode=settings.unicode)
     if isinstance(result, ShowResult) and result.polynomial is not None:
-        return value_text(result.polynomial.to_expr(), settings, (*result.names, *result.polynomial.points))
+        return value_text(
+            result.polynomial.to_expr(short=settings.short), settings, (*result.names, *result.polynomial.points)
+        )
     return None
 
 
@@ -115,7 +123,7 @@ def value_text(e: Expr, settings: Settings, names: tuple[str, ...]) -> str:
 
 def polynomial_text(p: Polynomial, settings: Settings, context: Context) -> str:
     """A polynomial as the settings ask for it."""
-    return value_text(p.to_expr(), settings, (*context.points, *p.points))
+    return value_text(p.to_expr(short=settings.short), settings, (*context.points, *p.points))
 
 
 def bound_text(name: str, context: Context, settings: Settings) -> str:

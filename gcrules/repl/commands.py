@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from math import inf, nan
 from os.path import expanduser
 from typing import TYPE_CHECKING
 
@@ -159,6 +160,18 @@ def _limit(repl: Interpreter, request: Request) -> Iterator[Answer]:
     yield Answer(f"limit {repl.settings.limit:,} terms")
 
 
+def _seconds(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    if request.argument:
+        try:
+            found = float(request.argument)
+        except ValueError:
+            found = nan
+        if not found >= 0:
+            raise request.fault("the limit is a number of seconds, 0 or more; inf is none")
+        repl.settings = replace(repl.settings, seconds=found)
+    yield Answer("no limit of time" if repl.settings.seconds == inf else f"limit {repl.settings.seconds:g} seconds")
+
+
 # --- what is declared ----------------------------------------------------------------------------------------------
 
 
@@ -269,6 +282,7 @@ HANDLERS: Mapping[str, Callable[[Interpreter, Request], Iterator[Answer]]] = {
     "latex": _latex,
     "unicode": _unicode,
     "limit": _limit,
+    "seconds": _seconds,
     "context": _context,
     "rules": _rules,
     "load": _load,

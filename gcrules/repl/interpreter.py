@@ -19,6 +19,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.rule_text import RuleText
 from gcrules.algebra.statements import Claim, Script, Show, Statement, parse_script
 from gcrules.algebra.syntax import Builder, Context, read
+from gcrules.core.alarm import paced
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.repl.answers import Answer, answer_of, bound_text, fault_answer, result_of
 from gcrules.repl.commands import HANDLERS, Request
@@ -64,14 +65,14 @@ class Interpreter:
     def answer(self, piece: Piece, filename: str = "<input>") -> Answers:
         """The answers to one input."""
         try:
-            yield from self._answers(piece, filename)
+            yield from paced(self._answers(piece, filename), self.settings.seconds)
         except GcrulesError as fault:
             yield fault_answer(fault)
 
     def load(self, name: str) -> Answers:
         """The answers to a script."""
         try:
-            yield from self.script(name)
+            yield from paced(self.script(name), self.settings.seconds)
         except GcrulesError as fault:
             yield fault_answer(fault)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import inf
 from typing import Any
 
 from gcrules.algebra.expand import MAX_TERMS
@@ -45,8 +46,13 @@ class State:
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """How answers are shown, and the number of terms beyond which none is sought."""
+    """How answers are shown, the number of terms beyond which none is sought, and the seconds that an input may take.
+
+    `short` writes many equal brackets as a power.
+    """
 
     unicode: bool = True
     latex: bool = False
     limit: int = MAX_TERMS
+    seconds: float = inf
+    short: bool = False

@@ -65,6 +65,7 @@ COMMANDS: Mapping[str, Command] = {
         Command("latex", ":latex [EXPR|on|off]", "LaTeX of an expression, or of all answers", "latex", _SWITCH),
         Command("unicode", ":unicode [on|off]", "Unicode mathematics in answers and while typing", "switch", _SWITCH),
         Command("limit", ":limit [N]", "give up beyond this many terms", "number"),
+        Command("seconds", ":seconds [S]", "give an input up after this time", "number"),
         Command("context", ":context", "what is declared and assumed"),
         Command("rules", ":rules [ID]", "the rules so far", "rule"),
         Command("load", ":load FILE.gca", "run a script; what it declares holds from here on", "file"),

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, product
 
+from gcrules.core.budget import checkpoint
 from gcrules.robots.family import Family
 from gcrules.robots.limbs import LimbText
 from gcrules.robots.names import Sample, directions, key, samples
@@ -177,6 +178,7 @@ def _incidences(family: Family, names: tuple[str, ...], at: Sequence[Sample]) ->
     rank = 3 if family.plane else 4
     keep = (0, 1, 3) if family.plane else (0, 1, 2, 3)
     for some in combinations(names, rank):
+        checkpoint()
         if sum(at[0].points[n][3] == 0 for n in some) == rank:
             continue
         if all(RESIDUES.determinant([[s.points[n][i] for i in keep] for n in some]) == 0 for s in at):

@@ -14,6 +14,7 @@ from itertools import combinations_with_replacement
 
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Expr, points_of
+from gcrules.core.budget import checkpoint
 from gcrules.errors import GcrulesError
 from gcrules.robots.equivalent import Equivalent
 from gcrules.robots.family import Family, Path
@@ -188,6 +189,7 @@ def tell_apart(
     told = Told.of(open_factors)
     value = superbracket_at(family, structure, superbracket)
     for path in paths(family, names):
+        checkpoint()
         polynomial = interpolated(lambda t, path=path: value(path.member(t)))  # type: ignore[misc]
         for t in roots(polynomial or []):
             _vote(family, limbs, structure, path.member(t), generic, told)

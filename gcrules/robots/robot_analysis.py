@@ -13,6 +13,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
 from gcrules.condition import Condition
+from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import remark
 from gcrules.errors import EngineFault
 from gcrules.robots.conditions import condition_of_lines, factors_at
@@ -182,6 +183,7 @@ def _check(
     full = 3 if robot.family.plane else 6
     numbers = set()
     for seed in range(MEMBERS):
+        checkpoint()
         values = robot.family.member(("checked", seed))
         at = at_member(robot.family, structure, values)
         if robot.limbs and ranks(robot.family, robot.limbs, values).wrenches != full:

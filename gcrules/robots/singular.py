@@ -13,6 +13,7 @@ import random
 from collections.abc import Callable, Sequence
 
 from gcrules.algebra.evaluate import PRIME
+from gcrules.core.budget import checkpoint
 
 __all__ = ["PRIME", "Poly", "at", "divided", "gcd", "interpolated", "radical", "roots"]
 
@@ -26,6 +27,7 @@ def interpolated(value: Callable[[int], int]) -> Poly | None:
     """The polynomial that takes these values modulo the prime (degree 63 at most, else None); checked at two points."""
     known: list[int] = []
     for degree in _DEGREES:
+        checkpoint()
         known += [value(t) % PRIME for t in range(len(known), degree + 1)]
         found = _newton(known)
         if all(at(found, t) == value(t) % PRIME for t in _CHECKS):
@@ -116,6 +118,7 @@ def divided(f: Poly, g: Poly) -> tuple[Poly, Poly]:
 def gcd(f: Poly, g: Poly) -> Poly:
     """A greatest common divisor modulo the prime, up to a number."""
     while g:
+        checkpoint()
         f, g = g, divided(f, g)[1]
     return f
 
@@ -136,6 +139,7 @@ def radical(f: Poly) -> Poly:
 def _power(base: Poly, exponent: int, modulus: Poly) -> Poly:
     found, base = [1], divided(base, modulus)[1]
     while exponent:
+        checkpoint()
         if exponent & 1:
             found = divided(_times(found, base), modulus)[1]
         base = divided(_times(base, base), modulus)[1]

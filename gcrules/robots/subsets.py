@@ -21,6 +21,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import text
 from gcrules.condition import ONE
+from gcrules.core.budget import checkpoint
 from gcrules.errors import EngineFault, LimitReached
 from gcrules.robots.along import Along
 from gcrules.robots.equivalent import Equivalent
@@ -145,6 +146,7 @@ def _subset(along: Along, words: Words, lines: Sequence[Line], common: Poly) -> 
     if rest or len(left) == 1:
         return Subset(ends, ONE, 0)
     for e in _candidates(along, ends):
+        checkpoint()
         if _alike(along.polynomial(lambda t, e=e: along.value(e, t)), left):  # type: ignore[misc]
             factors = e.factors if isinstance(e, ex.Product) else (e,)
             said = [words.clause(f) or f"{f} = 0" for f in factors]

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
+from gcrules.core.budget import checkpoint
 from gcrules.robots.family import Family
 from gcrules.robots.limbs import LimbText
 from gcrules.robots.names import Key, Named, Sample, add_derived, crosswise, free_names, names_of_limb, names_of_others
@@ -220,6 +221,7 @@ def _basis(
         return None
     best: tuple[tuple[float, ...], tuple[Line, ...]] | None = None
     for some in combinations(kept, size):
+        checkpoint()
         lines = tuple(line for _, line in some)
         held = min(sum(line.role == "constraint" for line in lines), constraints)
         number = len({n for line in lines for n in line.ends})

@@ -14,7 +14,7 @@ from gcrules.algebra.given import holds
 from gcrules.algebra.parts import first_part
 from gcrules.algebra.rule_text import Instance, Order
 from gcrules.algebra.space import Assumption, Space
-from gcrules.rules.matching import Budget, match_monomial, matches
+from gcrules.rules.matching import match_monomial, matches, trials
 
 __all__ = ["applications", "left_terms", "only_brackets", "polynomial_of", "rewrite_expression"]
 
@@ -71,9 +71,9 @@ def applications(instance: Instance, polynomial: BracketPolynomial, space: Space
         return
     c, first = left[0]
     run_of = {n: run for run, names in instance.runs.items() for n in names}
-    budget = Budget()
+    count = trials()
     for monomial, coefficient in polynomial.terms.items():
-        for binding, sign, used in match_monomial(first, monomial, run_of, budget):
+        for binding, sign, used in match_monomial(first, monomial, run_of, count):
             rest = tuple(row for i, row in enumerate(monomial) if i not in used)
             factor = Fraction(coefficient, c) * sign
             images = [(factor * k, *_image(rows, binding, rest)) for k, rows in left]
@@ -131,10 +131,10 @@ def rewrite_expression(instance: Instance, e: Expr, space: Space) -> Expr | None
     """The expression with the first part, from the outside in, that looks like the left side replaced; None where no
     part does. Raises LimitReached where matching takes too long.
     """
-    budget = Budget()
+    count = trials()
 
     def at(part: Expr) -> Expr | None:
-        for values, sign, rest in matches(instance.left, part, space.rank, budget):
+        for values, sign, rest in matches(instance.left, part, space.rank, count):
             if not all(_satisfied(g, values, space) for g in instance.guards):
                 continue
             right = substitute(instance.right, dict(values), space.rank)

@@ -19,6 +19,7 @@ from itertools import combinations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, Point, join, meet
+from gcrules.core.budget import checkpoint
 from gcrules.legs import Leg, leg_text
 from gcrules.rules.state import extensor
 
@@ -80,6 +81,7 @@ class FourLegs:
         known: dict[tuple[int, ...], CommonLine] = {}
         # The simplest construction of a line is kept.
         for line in sorted(self._constructed(), key=lambda c: (c.letters.total(), c.expression.depth)):
+            checkpoint()
             at = [p.value(line.expression) for p in self.positions]
             crossing = (p.value(meet(line.expression, g))[0] == 0 for p in self.positions for g in through)
             if all(any(v) for v in at) and all(crossing):
@@ -91,10 +93,12 @@ class FourLegs:
         by the way they are constructed.
         """
         for a, b in combinations(self.joints, 2):
+            checkpoint()
             if not self._missed((a, b), ()):
                 yield CommonLine(extensor((a, b)), self._line_of_joints(a, b))
         planes = [self._plane(*g, *h) for g, h in combinations(self.legs, 2) if len({*g, *h}) == 3]
         for x, y in combinations(dict.fromkeys(planes), 2):
+            checkpoint()
             if not self._missed((), (x, y)):
                 words = f"the common line of the leg planes {extensor(x)} and {extensor(y)}"
                 yield CommonLine(meet(extensor(x), extensor(y)), words)

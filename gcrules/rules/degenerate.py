@@ -9,6 +9,7 @@ from itertools import combinations
 
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, join, meet
+from gcrules.core.budget import checkpoint
 from gcrules.gauss import rank
 from gcrules.legs import Leg, Structure, leg_text
 from gcrules.rules.listing import listed
@@ -78,6 +79,7 @@ def _few_dimensions(s: Structure) -> Degeneracy | None:
     oracle = Oracle(s)
     joined = [i for i, leg in enumerate(s.oriented) if leg in s.joined]
     for some in combinations(joined, 4):
+        checkpoint()
         ends = [points.value(Point(n)) for i in some for n in s.legs[i]]
         if rank(ends, PRIME) < 4:
             words = listed([s.words[i] for i in some])
@@ -149,6 +151,7 @@ def _dependent_legs(s: Structure) -> Degeneracy | None:
     where += " that satisfy the assumptions" if s.given else ""
     for size in range(2, len(rows) + 1):
         for chosen in combinations(range(len(rows)), size):
+            checkpoint()
             if rank([rows[i] for i in chosen], PRIME) < size:
                 names = ", ".join(s.words[i] if s.stand_ins else leg_text(s.oriented[i]) for i in chosen)
                 reason = f"the {size} legs {names} are dependent for {where}"

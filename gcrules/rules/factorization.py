@@ -13,6 +13,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr
 from gcrules.condition import ONE, Certificate, Condition
+from gcrules.core.budget import checkpoint
 from gcrules.errors import GcrulesError, LimitReached
 from gcrules.factoring.result import Factorization
 from gcrules.legs import Structure
@@ -108,6 +109,7 @@ def _in_order(polynomials: Iterable[BracketPolynomial]) -> list[BracketPolynomia
     """Different ones up to sign, simplest first, whatever the sequence in which they come."""
     found: dict[str, BracketPolynomial] = {}
     for poly in polynomials:
+        checkpoint()
         sign = -1 if next(iter(poly.terms.values()), 1) < 0 else 1
         found.setdefault(str(poly * sign), poly * sign)
     return [found[key] for key in sorted(found, key=lambda k: (len(found[k]), k))[:_MOST]]

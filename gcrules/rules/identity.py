@@ -16,6 +16,7 @@ from gcrules.algebra.parts import first_part
 from gcrules.algebra.prove import prove
 from gcrules.algebra.rule_text import Instance
 from gcrules.algebra.space import Space
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 from gcrules.rules.applying import applications, left_terms, only_brackets, polynomial_of, rewrite_expression
 from gcrules.rules.rule import RewriteRule, reductions
@@ -132,6 +133,7 @@ def _parts(e: Expr) -> int:
 
     def count(x: Expr) -> int:
         if id(x) not in known:
+            checkpoint()
             known[id(x)] = 1 + sum(map(count, x.children))
         return known[id(x)]
 

@@ -26,6 +26,7 @@ from itertools import combinations, product
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, meet
+from gcrules.core.budget import checkpoint
 from gcrules.rules.common_lines import FREE, CommonLine, FourLegs, letters
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.state import extensor
@@ -63,6 +64,7 @@ def balance(four: FourLegs, p: CommonLine, q: CommonLine) -> Balance | None:
     lines = (p.expression, q.expression)
     tetrahedra = list(_products(content - spent, (), four.joints))
     for left, right in product(_products(spent - content, lines, four.joints), tetrahedra):
+        checkpoint()
         ratios = [
             (x * _value(at, left) % PRIME, y * _value(at, right) % PRIME)
             for at, (x, y) in zip(four.positions, sides, strict=True)
@@ -76,6 +78,7 @@ def quotient(e: Expr, divisor: Expr, oracle: Oracle, names: Sequence[str]) -> Fa
     """The brackets of the joints `names` whose product is ± e / divisor; None where there are none."""
     more, less = letters(e), letters(divisor)
     for brackets in _products(more - less, (), names) if less <= more else ():
+        checkpoint()
         product_ = ex.mul(divisor, *brackets)
         if oracle.zero(ex.sub(e, product_)) or oracle.zero(ex.add(e, product_)):
             return brackets
@@ -103,6 +106,7 @@ def _products(degrees: Counter[str], lines: Factors, names: Sequence[str]) -> It
     if degrees.total() % 4:
         return
     for rest in combinations(left[1:], 3):
+        checkpoint()
         row = (left[0], *rest)
         for more in _products(degrees - Counter(row), (), names):
             yield (ex.bracket(*map(Point, row)), *more)

@@ -7,7 +7,6 @@ of the pattern may stand for any point (in expressions: for anything of step 1),
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations, permutations
 
 from gcrules.algebra.bracket import Monomial, Row, sorted_row
@@ -24,9 +23,9 @@ from gcrules.algebra.expr import (
     Superbracket,
     permutation_sign,
 )
-from gcrules.errors import LimitReached
+from gcrules.core.budget import Count
 
-__all__ = ["MAX_TRIALS", "Budget", "match_monomial", "matches"]
+__all__ = ["MAX_TRIALS", "match_monomial", "matches", "trials"]
 
 MAX_TRIALS = 200_000
 
@@ -34,24 +33,16 @@ Binding = dict[str, int]
 Values = Mapping[str, Expr]
 
 
-@dataclass
-class Budget:
-    """Counts trials, so that matching ends. Raises LimitReached."""
-
-    left: int = MAX_TRIALS
-
-    def spend(self) -> None:
-        """One trial more. Raises LimitReached where there have been too many."""
-        self.left -= 1
-        if self.left < 0:
-            raise LimitReached(f"matching a rule takes more than {MAX_TRIALS:,} trials")
+def trials(most: int = MAX_TRIALS) -> Count:
+    """Counts trials, so that matching ends."""
+    return Count(most, "matching a rule", "trials")
 
 
 # --- bracket monomials ---------------------------------------------------------------------------------------------
 
 
 def match_monomial(
-    pattern: Sequence[tuple[str, ...]], monomial: Monomial, run_of: Mapping[str, str], budget: Budget
+    pattern: Sequence[tuple[str, ...]], monomial: Monomial, run_of: Mapping[str, str], count: Count
 ) -> Iterator[tuple[Binding, int, tuple[int, ...]]]:
     """Bindings of names to points under which each row of the pattern is a bracket of its own of the monomial.
 
@@ -70,7 +61,7 @@ def match_monomial(
             if i in used or row in seen:
                 continue
             seen.add(row)
-            for found in _bindings(rows[0], row, binding, run_of, budget):
+            for found in _bindings(rows[0], row, binding, run_of, count):
                 s, _ = sorted_row(found[n] for n in rows[0])
                 yield from walk(rows[1:], found, sign * s, (*used, i))
 
@@ -78,7 +69,7 @@ def match_monomial(
 
 
 def _bindings(
-    names: tuple[str, ...], row: Row, binding: Binding, run_of: Mapping[str, str], budget: Budget
+    names: tuple[str, ...], row: Row, binding: Binding, run_of: Mapping[str, str], count: Count
 ) -> Iterator[Binding]:
     """Extensions of a binding that take the names of a pattern's row onto the points of a bracket."""
     known = [binding[n] for n in names if n in binding]
@@ -91,7 +82,7 @@ def _bindings(
         if n not in binding and n in run_of:
             runs.setdefault(run_of[n], []).append(n)
     for chosen in permutations(open_points, len(singles)):
-        budget.spend()
+        count.spend()
         rest = [p for p in open_points if p not in chosen]
         for shared in _shared(list(runs.values()), rest):
             yield {**binding, **dict(zip(singles, chosen, strict=True)), **shared}
@@ -110,20 +101,20 @@ def _shared(runs: list[list[str]], points: list[int]) -> Iterator[Binding]:
 # --- expressions ---------------------------------------------------------------------------------------------------
 
 
-def matches(pattern: Expr, target: Expr, rank: int, budget: Budget) -> Iterator[tuple[Values, int, tuple[Expr, ...]]]:
+def matches(pattern: Expr, target: Expr, rank: int, count: Count) -> Iterator[tuple[Values, int, tuple[Expr, ...]]]:
     """Ways to see the pattern in the top of an expression.
 
     Yields what its points stand for, the sign s, and the parts of a join, meet or product that are left over (behind
     what was matched): target = s · pattern · rest.
     """
-    yield from _match(pattern, target, {}, rank, budget, whole=False)
+    yield from _match(pattern, target, {}, rank, count, whole=False)
 
 
 _Found = tuple[Values, int, tuple[Expr, ...]]
 
 
-def _match(pattern: Expr, target: Expr, known: Values, rank: int, budget: Budget, *, whole: bool) -> Iterator[_Found]:
-    budget.spend()
+def _match(pattern: Expr, target: Expr, known: Values, rank: int, count: Count, *, whole: bool) -> Iterator[_Found]:
+    count.spend()
     match pattern, target:
         case Point(name=name), _:
             if target.step == 1 and known.get(name, target) == target:
@@ -132,20 +123,20 @@ def _match(pattern: Expr, target: Expr, known: Values, rank: int, budget: Budget
             if pattern == target:
                 yield known, 1, ()
         case Join(args=a), Join(args=b):
-            yield from _parts(a, b, known, rank, budget, whole, lambda x: x.step)
+            yield from _parts(a, b, known, rank, count, whole, lambda x: x.step)
         case Meet(args=a), Meet(args=b):
-            yield from _parts(a, b, known, rank, budget, whole, lambda x: rank - x.step)
+            yield from _parts(a, b, known, rank, count, whole, lambda x: rank - x.step)
         case Bracket(args=a), Bracket(args=b):
-            yield from _parts(a, b, known, rank, budget, True, lambda x: x.step)
+            yield from _parts(a, b, known, rank, count, True, lambda x: x.step)
         case Product(factors=a), Product(factors=b):
-            yield from _parts(a, b, known, rank, budget, whole, lambda x: 0)
+            yield from _parts(a, b, known, rank, count, whole, lambda x: 0)
         case Sum(terms=a), Sum(terms=b):
-            yield from _sums(a, b, known, rank, budget)
+            yield from _sums(a, b, known, rank, count)
         case Superbracket(lines=a), Superbracket(lines=b):
-            yield from _in_sequence(a, b, known, rank, budget)
+            yield from _in_sequence(a, b, known, rank, count)
         case Power(base=a, exponent=n), Power(base=b, exponent=m):
             if n == m:
-                yield from (f for f in _match(a, b, known, rank, budget, whole=True) if f[1] == 1)
+                yield from (f for f in _match(a, b, known, rank, count, whole=True) if f[1] == 1)
 
 
 def _parts(
@@ -153,7 +144,7 @@ def _parts(
     target: tuple[Expr, ...],
     known: Values,
     rank: int,
-    budget: Budget,
+    count: Count,
     whole: bool,
     grade: Callable[[Expr], int],
 ) -> Iterator[_Found]:
@@ -169,14 +160,14 @@ def _parts(
             return
         for i, part in enumerate(target):
             if i not in chosen:
-                for found, s, _ in _match(pattern[done], part, known, rank, budget, whole=True):
+                for found, s, _ in _match(pattern[done], part, known, rank, count, whole=True):
                     yield from walk(done + 1, (*chosen, i), found, sign * s)
 
     yield from walk(0, (), known, 1)
 
 
 def _sums(
-    pattern: tuple[Expr, ...], target: tuple[Expr, ...], known: Values, rank: int, budget: Budget
+    pattern: tuple[Expr, ...], target: tuple[Expr, ...], known: Values, rank: int, count: Count
 ) -> Iterator[_Found]:
     """All terms of the target for those of the pattern, in any sequence, all of them with the same sign."""
     if len(pattern) != len(target):
@@ -188,7 +179,7 @@ def _sums(
             return
         for i, part in enumerate(target):
             if i not in chosen:
-                for found, s, _ in _match(pattern[len(chosen)], part, known, rank, budget, whole=True):
+                for found, s, _ in _match(pattern[len(chosen)], part, known, rank, count, whole=True):
                     if not chosen or s == sign:
                         yield from walk((*chosen, i), found, s)
 
@@ -196,11 +187,11 @@ def _sums(
 
 
 def _in_sequence(
-    pattern: tuple[Expr, ...], target: tuple[Expr, ...], known: Values, rank: int, budget: Budget
+    pattern: tuple[Expr, ...], target: tuple[Expr, ...], known: Values, rank: int, count: Count
 ) -> Iterator[_Found]:
     if not pattern:
         yield known, 1, ()
         return
-    for found, s, _ in _match(pattern[0], target[0], known, rank, budget, whole=True):
-        for more, t, _ in _in_sequence(pattern[1:], target[1:], found, rank, budget):
+    for found, s, _ in _match(pattern[0], target[0], known, rank, count, whole=True):
+        for more, t, _ in _in_sequence(pattern[1:], target[1:], found, rank, count):
             yield more, s * t, ()

@@ -21,6 +21,7 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Terms
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Bracket, Expr, Join, Point, points_of
 from gcrules.algebra.text import SHORT_NAME
+from gcrules.core.budget import checkpoint
 from gcrules.legs import Leg, Structure
 
 __all__ = ["alive", "said_of_lines", "written_back", "written_out"]
@@ -117,6 +118,7 @@ def written_out(poly: BracketPolynomial, stand_ins: StandIns, points: Iterable[s
             x, y = (every.index(parts.points[i]) for i in row)
             coefficient = factor.over(every, ideal)
             for m, c in found.terms.items():
+                checkpoint()
                 rows, sign = [], 1
                 for old in m:
                     s, new = sorted_row({u: x, v: y}.get(i, i) for i in old)

@@ -12,6 +12,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, Coefficient, Row, sorted_row
 from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.shortest import SuperbracketForm
+from gcrules.core.budget import checkpoint
 from gcrules.legs import Structure
 
 __all__ = ["State", "extensor"]
@@ -87,6 +88,7 @@ class State:
         """The states in which `row` (three or two points) is one more entity, in a bracket of its own everywhere."""
         homes = []
         for monomial, taken in zip(self.rest.terms, self.homes, strict=True):
+            checkpoint()
             free = [i for i, b in enumerate(monomial) if i not in taken and set(row) <= set(b)]
             if not free:
                 return
@@ -98,6 +100,7 @@ class State:
         """Whether P(x, y) + P(y, x) = 0 for left-over points x and y, the other entities' points being starred."""
         total: Counter[tuple[Row, ...]] = Counter()
         for (monomial, c), homes in zip(self.rest.terms.items(), self.homes, strict=True):
+            checkpoint()
             plain = [list(row) for row in monomial]
             starred: list[list[int]] = [[] for _ in monomial]
             for entity, home in zip((*self.planes, *self.lines), homes, strict=True):
@@ -127,6 +130,7 @@ class State:
         """The form's polynomial with tetrahedra in front and each bracket beginning with its entity."""
         terms = []
         for (monomial, c), homes in zip(self.rest.terms.items(), self.homes, strict=True):
+            checkpoint()
             factors, sign = [], c
             entity_of = dict(zip(homes, (*self.planes, *self.lines), strict=True))
             places = [*homes, *(i for i in range(len(monomial)) if i not in homes)]

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from gcrules.algebra.shortest import SuperbracketForm
 from gcrules.algebra.space import Space
+from gcrules.core.budget import checkpoint
 from gcrules.errors import InputError, LimitReached
 from gcrules.legs import Structure
 from gcrules.rules.entities import TETRAHEDRA
@@ -108,6 +109,7 @@ def _with_tetrahedra(states: Sequence[State], strategy: Strategy) -> list[State]
 def _first(states: Sequence[State], oracle: Oracle, strategy: Strategy) -> list[Claim]:
     states = _with_tetrahedra(states, strategy)
     for incidence in strategy.incidences:
+        checkpoint()
         found = list(claims(incidence, states, oracle))
         if found:
             return found

@@ -23,6 +23,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import text
 from gcrules.condition import Condition
+from gcrules.core.budget import checkpoint
 from gcrules.legs import Structure
 from gcrules.rules.common_lines import FourLegs
 from gcrules.rules.line_cofactors import balance
@@ -85,6 +86,7 @@ def _of_joints(structure: Structure, oracle: Oracle) -> Iterator[Reading]:
     if structure.rank != 4 or oracle.zero(structure.superbracket):
         return
     for single in combinations(legs, 2):
+        checkpoint()
         four = FourLegs(tuple(leg for leg in legs if leg not in single), names, structure.ideal)
         for p, q in combinations(four.lines, 2):
             factors = balance(four, p, q)

@@ -19,6 +19,7 @@ from itertools import pairwise
 
 from gcrules.algebra.expr import Expr, Sum, mul
 from gcrules.algebra.space import Space
+from gcrules.core.budget import Count
 from gcrules.errors import LimitReached
 from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.instance import structures_in
@@ -30,6 +31,7 @@ __all__ = ["MAX_STEPS", "MAX_TERMS", "follows", "unfold"]
 
 MAX_STEPS = 120
 MAX_TERMS = 250
+MAX_WORK = 2_000  # terms of all expressions that are passed while single steps are sought
 """Longer chains, and longer sums, are no help to a reader."""
 
 _FOLDED = frozenset({"shortest-form", "straightening"})
@@ -59,16 +61,18 @@ def unfold(
 ) -> tuple[Step, ...]:
     """The single steps that lead from `before` to `after`; the step itself if it is one.
 
-    `rules` are known beside the elementary ones. Raises LimitReached beyond `limit` steps or `MAX_TERMS` terms.
+    `rules` are known beside the elementary ones. Raises LimitReached beyond `limit` steps, `MAX_TERMS` terms, or
+    `MAX_WORK` terms of all expressions together.
     """
     space = space or Space()
     known = _RULES | {r.id: r for r in rules if isinstance(r, RewriteRule)}
     if step.rule in _TAKEN or (step.rule not in _FOLDED and follows(step, space, known.values())):
         return (step,)
+    work = Count(MAX_WORK, "this", "terms on the way", _HINT)
     own = [(step.rule,)] if step.rule in known and step.rule not in _RULES else []
     for tactic in (*own, *_TACTICS.get(step.rule, ()), _DOWN, (*_DOWN, _LAST)):
         chosen = [known[i] for i in tactic]
-        down, up = (_trace(e, chosen, space, limit) for e in (step.before, step.after))
+        down, up = (_trace(e, chosen, space, limit, work) for e in (step.before, step.after))
         met = _meeting(down, up)
         if met is not None:
             chain = _chain(down[: met[0] + 1], up[: met[1] + 1], known)
@@ -94,13 +98,14 @@ def _read(rule: StructureRule, e: Expr, space: Space) -> Iterator[tuple[Expr, Ex
             yield mul(c.cofactor, structure.superbracket), c.right_side
 
 
-def _trace(e: Expr, rules: Sequence[RewriteRule], space: Space, limit: int) -> _Trace:
+def _trace(e: Expr, rules: Sequence[RewriteRule], space: Space, limit: int, work: Count) -> _Trace:
     """The expression and what it becomes, step by step, by the first rule that fires, until all stay silent."""
     found = [("", e)]
     for rule, after in reductions(e, rules, space):
         found.append((rule.id, after))
         if len(found) > limit:
             raise LimitReached(f"it takes more than {limit} single steps", hint=_HINT)
+        work.spend(len(after.terms) if isinstance(after, Sum) else 1)
         if isinstance(after, Sum) and len(after.terms) > MAX_TERMS:
             raise LimitReached(f"its single steps have more than {MAX_TERMS} terms", hint=_HINT)
     return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from gcrules.core.budget import MORE_SECONDS
 from gcrules.errors import GcrulesError, LimitReached, Span
 from gcrules.studio.views import FaultView, Place
 
@@ -13,6 +14,7 @@ SUPERSEDED: FaultView = {"kind": "superseded", "message": "a later request has t
 CANCELLED: FaultView = {"kind": "cancelled", "message": "cancelled"}
 
 _MOST, _LONGEST = 50, 600
+_HERE = {MORE_SECONDS: "the command line gives it more time with --seconds"}
 
 
 def fault_view(fault: GcrulesError) -> FaultView:
@@ -24,7 +26,7 @@ def fault_view(fault: GcrulesError) -> FaultView:
     kind: Literal["limit", "input"] = "limit" if isinstance(fault, LimitReached) else "input"
     found: FaultView = {"kind": kind, "message": _cut(fault.message)}
     if fault.hint:
-        found["hint"] = fault.hint
+        found["hint"] = _HERE.get(fault.hint, fault.hint)
     if fault.span is not None and fault.source is not None:
         found["place"] = _place(fault.source, fault.span)
     return found

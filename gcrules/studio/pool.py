@@ -19,6 +19,7 @@ from gcrules.studio.wire import Job, Tell, framed, read_frame
 __all__ = ["Pool", "Told"]
 
 _STILL = 1.0  # seconds after which it is said that work goes on
+_LATE = 5.0  # seconds for a worker to notice by itself that its time is over
 _MOST = 16_000_000  # bytes of an answer that are taken in at once
 
 
@@ -40,19 +41,20 @@ class Pool:
         self.starting: set[asyncio.Task[None]] = set()
 
     async def run(self, job: Job, seconds: float, tell: Tell) -> tuple[Any, Any]:
-        """The result of a job, and its subject. Raises Told for faults, LimitReached after so many seconds.
+        """The result of a job, and its subject. Raises Told for faults, LimitReached after so many seconds (a
+        little later where the worker does not notice it).
 
         Where the task is cancelled the worker is ended.
         """
         async with self.free:
             process = self.idle.pop() if self.idle else await self._start()
             try:
-                async with asyncio.timeout(seconds):
+                async with asyncio.timeout(seconds + _LATE):
                     kind, value, subject = await _answer(process, job, tell)
             except TimeoutError:
                 self._end(process)
                 raise LimitReached(
-                    f"no answer within {seconds:g} seconds", hint="the command line has no such limit"
+                    f"no answer within {seconds:g} seconds", hint="the command line gives it more time with --seconds"
                 ) from None
             except (asyncio.IncompleteReadError, ConnectionError):
                 self._end(process)

@@ -11,6 +11,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from gcrules import __version__
+from gcrules.core.budget import Budget, within
 from gcrules.studio.methods import METHODS
 from gcrules.studio.pool import Pool
 from gcrules.studio.views import Hello, SourceJson
@@ -25,8 +26,10 @@ _KEPT = 24
 _ENGINE = "gcrules.studio.answers"  # loaded beside the first page, not before it
 
 
-def _numbers(name: str, subject: Subject, args: Mapping[str, Any]) -> Any:
-    return import_module(_ENGINE).answer(name, subject, args, lambda _: None)
+def _numbers(name: str, subject: Subject, args: Mapping[str, Any], running: list[Budget]) -> Any:
+    with within(METHODS[name].seconds) as budget:
+        running.append(budget)
+        return import_module(_ENGINE).answer(name, subject, args, lambda _: None)
 
 
 def _load() -> None:
@@ -65,7 +68,13 @@ class Service:
                 _, known = await self.pool.run(("subject", {"source": source}, None), METHODS["open"].seconds, tell)
                 self._keep(source, known)
             loop = asyncio.get_running_loop()
-            return await loop.run_in_executor(self.numbers, _numbers, name, known, args)
+            running: list[Budget] = []
+            try:
+                return await loop.run_in_executor(self.numbers, _numbers, name, known, args, running)
+            except asyncio.CancelledError:
+                for budget in running:
+                    budget.cancel()
+                raise
         result, subject = await self.pool.run((name, args, known), method.seconds, tell)
         self._keep(source, subject)
         if name == "gallery":

@@ -9,9 +9,11 @@ import traceback
 from time import sleep
 from typing import Any
 
+from gcrules.core.alarm import limited
 from gcrules.errors import GcrulesError
 from gcrules.studio.answers import answer
 from gcrules.studio.faults import fault_view, limit, own_fault
+from gcrules.studio.methods import METHODS
 from gcrules.studio.subject import Subject, read_subject
 from gcrules.studio.wire import Job, Tell, framed, key_of, read
 
@@ -25,11 +27,12 @@ def done(job: Job, known: dict[str, Subject], tell: Tell) -> tuple[str, Any, Sub
     """What came of a job: ("done", result, subject) or ("fault", fault, None). `known` are subjects of earlier ones."""
     name, args, subject = job
     try:
-        source = args.get("source")
-        if source is not None:
-            subject = _subject(source, subject, known, tell)
-        result = None if name == "subject" else answer(name, subject, args, tell)
-        return "done", result, subject
+        with limited(METHODS["open" if name == "subject" else name].seconds):
+            source = args.get("source")
+            if source is not None:
+                subject = _subject(source, subject, known, tell)
+            result = None if name == "subject" else answer(name, subject, args, tell)
+            return "done", result, subject
     except GcrulesError as fault:
         return "fault", fault_view(fault), None
     except MemoryError:

@@ -1,0 +1,77 @@
+"""The last net under a limit: what meets no checkpoint is ended by a signal, a little after its time.
+
+Python delivers signals to the main thread only, between two of its instructions; so a single call into compiled code
+is waited for, and in other threads the checkpoints are all there is.
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from time import monotonic
+from types import FrameType
+from typing import TypeVar
+
+from gcrules.core.budget import Budget, within
+from gcrules.core.memory import memory_limit
+
+__all__ = ["GRACE", "limited", "paced"]
+
+GRACE = 3.0  # seconds after its end in which a budget is waited for
+_EVERY = 0.5  # seconds between two looks
+
+_END = object()
+_T = TypeVar("_T")
+
+
+@contextmanager
+def limited(seconds: float | None, grace: float = 0.0) -> Iterator[Budget]:
+    """As `within`, with the memory that a command may use, and the net.
+
+    Raises LimitReached, InputError where GCRULES_MEMORY is no number.
+    """
+    with within(seconds, memory=memory_limit(), grace=grace) as budget, _net(budget):
+        yield budget
+
+
+def paced(items: Iterator[_T], seconds: float | None, *, each: bool = False) -> Iterator[_T]:
+    """The items; all that is done for them together takes no more than `seconds`, or what is done for `each` of them.
+
+    What is done with them does not count.
+    """
+    left = seconds
+    while True:
+        started = monotonic()
+        with limited(left):
+            item = next(items, _END)
+        if item is _END:
+            return
+        if left is not None and not each:
+            left = max(0.0, left - (monotonic() - started))
+        yield item  # type: ignore[misc]
+
+
+@contextmanager
+def _net(budget: Budget) -> Iterator[None]:
+    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "setitimer"):
+        yield
+        return
+    over = False
+
+    def ring(number: int, frame: FrameType | None) -> None:
+        if over:
+            return
+        budget.check_memory()
+        if not budget.waiting and monotonic() > budget.until + GRACE:
+            budget.check()
+
+    before = signal.signal(signal.SIGALRM, ring)
+    signal.setitimer(signal.ITIMER_REAL, _EVERY, _EVERY)
+    try:
+        yield
+    finally:
+        over = True
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
