@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from sys import UnraisableHookArgs
     from types import FrameType
 
-__all__ = ["Terminated", "deferred", "go_on", "ignore", "interruptible", "pending", "run"]
+__all__ = ["Terminated", "deferred", "go_on", "hearing", "ignore", "in_program", "interruptible", "pending", "run"]
 
 
 class Terminated(KeyboardInterrupt):
@@ -49,6 +49,7 @@ class _Signals:
     silent_until = 0.0
     """What was raised has so long to reach those who wait for it."""
     reminding = False
+    program = False
 
 
 _heard = _Signals()
@@ -121,7 +122,7 @@ def run(program: Callable[[], int]) -> int:
         try:
             _listen()
             sys.unraisablehook = _unraisable
-            _heard.armed = True
+            _heard.armed = _heard.program = True
             _raise()  # what came since the handlers are there
             code = program()
         finally:
@@ -144,21 +145,9 @@ def interruptible() -> Iterator[None]:
     What a prompt leaves behind (its event loop has a destructor) is collected before the computation, so that this is
     rare.
     """
-    if _heard.armed or threading.current_thread() is not threading.main_thread():
+    with hearing():
         gc.collect()
         yield
-        return
-    before, hook = _listen(), sys.unraisablehook
-    sys.unraisablehook = lambda ignored: (_unraisable if _heard.number is not None else hook)(ignored)
-    _heard.armed = True
-    try:
-        gc.collect()
-        yield
-    finally:
-        _heard.armed, _heard.number, _heard.silent_until = False, None, 0.0
-        sys.unraisablehook = hook
-        for number, handler in before.items():
-            signal.signal(number, handler)
 
 
 def go_on() -> None:
@@ -179,3 +168,26 @@ def deferred() -> Iterator[None]:
         _heard.deferred -= 1
     if _heard.armed and not _heard.deferred:
         _raise()
+
+
+def in_program() -> bool:
+    """Whether `run` runs: the process is gcrules' own, not that of somebody who imports it."""
+    return _heard.program
+
+
+@contextmanager
+def hearing() -> Iterator[None]:
+    """Within it, `pending` tells an interrupt of the user's from a KeyboardInterrupt that some code raises."""
+    if _heard.armed or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before, hook = _listen(), sys.unraisablehook
+    sys.unraisablehook = lambda ignored: (_unraisable if _heard.number is not None else hook)(ignored)
+    _heard.armed = True
+    try:
+        yield
+    finally:
+        _heard.armed, _heard.number, _heard.silent_until = False, None, 0.0
+        sys.unraisablehook = hook
+        for number, handler in before.items():
+            signal.signal(number, handler)

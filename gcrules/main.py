@@ -19,6 +19,7 @@ def main() -> NoReturn:
     interrupts.ignore()
     files.remove_unfinished()
     streams.flush()
+    streams.silence()  # what is printed from now on, by a plugin that has asked to be called at the end, is no answer
     if any(not t.daemon for t in threading.enumerate() if t is not threading.main_thread()):
         atexit._run_exitfuncs()  # the interpreter would wait for a thread that a plugin has left behind
         os._exit(code)

@@ -849,9 +849,8 @@ def test_a_full_disk(
     elif where == "file":
         monkeypatch.setattr(outputs, "netcdf", full)
     else:
-        monkeypatch.setattr(
-            "gcrules.files.os.replace", lambda a, b: full() if str(b).endswith(".nc") else os.rename(a, b)
-        )
+        full_at = "gcrules.files.os.replace"
+        monkeypatch.setattr(full_at, lambda a, b: full() if str(b).endswith(".nc") else os.rename(a, b))
     done = run(robot, *OVER, "-o", str(tmp_path / "map.nc"))
     assert done.exit_code == 2
     assert "No space left on device" in done.stderr
