@@ -11,15 +11,15 @@ import _thread
 import gc
 import signal
 import sys
-import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import monotonic, sleep
-from typing import TYPE_CHECKING, Any
 
+TYPE_CHECKING = False  # typing takes ten milliseconds in which no signal is heard yet
 if TYPE_CHECKING:
     from sys import UnraisableHookArgs
     from types import FrameType
+    from typing import Any
 
 __all__ = ["Terminated", "deferred", "go_on", "hearing", "ignore", "in_program", "interruptible", "pending", "run"]
 
@@ -103,12 +103,17 @@ def _unraisable(ignored: UnraisableHookArgs, /) -> None:
         sys.__unraisablehook__(ignored)
 
 
-def _listen() -> dict[int, Any]:
-    """Hear the signals from now on, except those that are ignored, as under nohup; the handlers before."""
+def _listen() -> dict[int, Any] | None:
+    """Hear the signals from now on, except those that are ignored, as under nohup; the handlers before, None where this
+    is not the main thread.
+    """
     before = {n: signal.getsignal(n) for n in _KINDS}
     own = {n: h for n, h in before.items() if h in (signal.SIG_DFL, signal.default_int_handler)}
-    for number in own:
-        signal.signal(number, _hear)
+    try:
+        for number in own:
+            signal.signal(number, _hear)
+    except ValueError:
+        return None
     return own
 
 
@@ -178,10 +183,11 @@ def in_program() -> bool:
 @contextmanager
 def hearing() -> Iterator[None]:
     """Within it, `pending` tells an interrupt of the user's from a KeyboardInterrupt that some code raises."""
-    if _heard.armed or threading.current_thread() is not threading.main_thread():
+    before = None if _heard.armed else _listen()
+    if before is None:
         yield
         return
-    before, hook = _listen(), sys.unraisablehook
+    hook = sys.unraisablehook
     sys.unraisablehook = lambda ignored: (_unraisable if _heard.number is not None else hook)(ignored)
     _heard.armed = True
     try:

@@ -19,7 +19,7 @@ from importlib import metadata, util
 from os import PathLike
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 from gcrules.algebra.expr import Expr, Point, add, bracket, join, meet, mul, sub
 from gcrules.errors import FileError
@@ -63,6 +63,7 @@ __all__ = [
 ]
 
 GROUP = "gcrules.plugins"
+_R = TypeVar("_R", bound=Rule)
 
 
 def points(names: Iterable[str]) -> list[Expr]:
@@ -175,7 +176,7 @@ def _owned(plugin: Plugin, owner: str, place: str) -> Plugin:
         return Plugin(tuple(_of(owner, r) for r in plugin.rules), plugin.files, owner)
 
 
-def _of(owner: str, rule: Rule) -> Rule:
+def _of(owner: str, rule: _R) -> _R:
     """A rule with its owner, which the entity rules that it brings along have too."""
     if not isinstance(rule, Incidence):
         return replace(rule, owner=owner)
