@@ -106,18 +106,18 @@ def held() -> Iterator[None]:
     waiting = _Held()
     token = _held.set(waiting)
     try:
-        yield
-    except BaseException:
+        try:
+            yield
+        finally:
+            _held.reset(token)
+        for write in waiting.devices:
+            write()
+        with interrupts.deferred():
+            for one in waiting.finished:
+                _put(*one)
+    finally:
         for temporary, _, _ in waiting.finished:
             _remove(temporary)
-        raise
-    finally:
-        _held.reset(token)
-    for write in waiting.devices:
-        write()
-    with interrupts.deferred():
-        for one in waiting.finished:
-            _put(*one)
     for step in waiting.after:
         step()
 
@@ -146,6 +146,7 @@ def replacing(path: str) -> Iterator[str]:
         waiting = _held.get()
         if waiting is None:
             _put(temporary, target, path)
+            _unfinished.discard(temporary)
         else:
             waiting.finished.append((temporary, target, path))
     except BaseException:
@@ -191,8 +192,6 @@ def _put(temporary: str, target: str, path: str) -> None:
         os.replace(temporary, target)
     except OSError as fault:
         raise unwritable(fault, path) from None
-    finally:
-        _remove(temporary)
 
 
 def _remove(temporary: str) -> None:

@@ -13,7 +13,7 @@ import click
 
 from gcrules import streams
 from gcrules.errors import FileError, InputError
-from gcrules.files import check_target, held
+from gcrules.files import check_name, check_target, held
 
 __all__ = ["ANSWERED", "Command", "OutputFile", "Status", "printed", "read_stdin", "working"]
 
@@ -90,6 +90,7 @@ class OutputFile(click.types.StringParamType):
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """Raises FileError where no such file can be written, InputError for another suffix."""
         suffix = os.path.splitext(value)[1].lower()
+        check_name(value)
         if self.suffixes and suffix not in self.suffixes and os.path.basename(value).lower() not in self.suffixes:
             found = f"the suffix {suffix!r}" if suffix else "a name without suffix"
             endings = " or ".join(self.suffixes)
