@@ -22,12 +22,12 @@ answered = m._answered
 m._answered = lambda: (print("ready", file=sys.stderr, flush=True), answered())[1]
 m.main()
 """
+OVER = [word for c in "xyz" for word in ("--over", f"{c} -1:1:41")]
 COMMANDS = {
     "factor": ["factor", "[[Aa,Ab,Bc,Bd,Ca,Dc]]", "--cofactor", "-o", "OUT.txt"],
     "shorten": ["shorten", "[[Aa,Bb,Cc,Dd,Ee,Ff]]", "-o", "OUT.txt"],
     "report": ["report", "{examples}/platform-6-3.yaml", "-o", "OUT.html"],
-    "map": ["map", "{examples}/platform-6-3.yaml", *(w for c in "xyz" for w in ("--over", f"{c} -1:1:41"))]
-    + ["-o", "OUT.nc", "-o", "OUT.glb"],
+    "map": ["map", "{examples}/platform-6-3.yaml", *OVER, "-o", "OUT.nc", "-o", "OUT.glb"],
     "figure": ["analyze", "{examples}/platform-6-3.yaml", "--figure", "OUT.pdf", "-o", "OUT.txt"],
     "path": ["path", "{examples}/platform-6-3.yaml", "--at", "0 0 0", "--at", "0 0 -3", "--plot", "OUT.svg"],
     "rules": ["rules", "check", "-o", "OUT.txt"],
