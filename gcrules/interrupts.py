@@ -11,7 +11,7 @@ import _thread
 import gc
 import signal
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from time import monotonic, sleep
 
@@ -41,7 +41,7 @@ class _Signals:
     """What this process has heard. Signals are the process's own, so there is one such value."""
 
     number: int | None = None
-    """The first signal that nobody has dealt with."""
+    """The signal that nobody has dealt with."""
     armed = False
     """Whether a signal raises; else it is noted."""
     deferred = 0
@@ -61,7 +61,8 @@ def pending() -> int | None:
 
 
 def _hear(number: int, frame: FrameType | None) -> None:
-    _heard.number = _heard.number or number
+    if _heard.number in (None, signal.SIGINT):  # a request to end counts even where Ctrl-C would be forgiven
+        _heard.number = number
     if not _heard.armed:
         return
     if not _heard.reminding:
@@ -103,11 +104,11 @@ def _unraisable(ignored: UnraisableHookArgs, /) -> None:
         sys.__unraisablehook__(ignored)
 
 
-def _listen() -> dict[int, Any] | None:
-    """Hear the signals from now on, except those that are ignored, as under nohup; the handlers before, None where this
-    is not the main thread.
+def _listen(numbers: Iterable[int]) -> dict[int, Any] | None:
+    """Hear signals from now on, except those that are ignored, as under nohup; the handlers before, None where this is
+    not the main thread.
     """
-    before = {n: signal.getsignal(n) for n in _KINDS}
+    before = {n: signal.getsignal(n) for n in numbers}
     own = {n: h for n, h in before.items() if h in (signal.SIG_DFL, signal.default_int_handler)}
     try:
         for number in own:
@@ -125,7 +126,7 @@ def run(program: Callable[[], int]) -> int:
     code = 128 + signal.SIGINT
     try:
         try:
-            _listen()
+            _listen(_KINDS)
             sys.unraisablehook = _unraisable
             _heard.armed = _heard.program = True
             _raise()  # what came since the handlers are there
@@ -183,7 +184,7 @@ def in_program() -> bool:
 @contextmanager
 def hearing() -> Iterator[None]:
     """Within it, `pending` tells an interrupt of the user's from a KeyboardInterrupt that some code raises."""
-    before = None if _heard.armed else _listen()
+    before = None if _heard.armed else _listen([signal.SIGINT])
     if before is None:
         yield
         return

@@ -163,7 +163,9 @@ def _names(value: object) -> tuple[str, ...]:
 
 
 def _identity(path: str) -> object:
-    """The same for all names of one file."""
+    """The same for all names of one file; nothing is lost in the null device."""
+    if path == os.devnull:
+        return object()
     if streams.is_stdout(path):
         return streams.STDOUT
     with suppress(OSError):
