@@ -12,11 +12,13 @@ The names below load what they need when they are first used.
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
 
 __version__ = "0.1.0"
 
+TYPE_CHECKING = False  # the command line begins here, and hears no signals while typing is loaded
 if TYPE_CHECKING:
+    from typing import Any
+
     from gcrules.api import (
         Analysis,
         BracketPolynomial,

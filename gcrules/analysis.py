@@ -35,6 +35,7 @@ from gcrules.rules.degenerate import Degeneracy, explain
 from gcrules.rules.derivation import Derivation
 from gcrules.rules.deriving import derived, derived_zero
 from gcrules.rules.factorization import SECONDS
+from gcrules.rules.foreign import PluginFault
 from gcrules.rules.incidence import Claim
 from gcrules.rules.strategy import SHORTEST, Strategy
 
@@ -210,6 +211,9 @@ def analyze(
     sign = 1 if structure.rank != 4 else structure.sign
     shown = SuperbracketForm(found.form.form, found.form.order, found.form.polynomial * sign)
     if not derivation.check():
+        for rule, _ in found.claim.state.trail if found.claim is not None else ():
+            if rule.foreign:
+                raise PluginFault(f"{rule.blame}a step of the rule {rule.id} is no identity", filename=rule.owner)
         raise EngineFault(f"the derivation of {structure.superbracket} does not replay")
     claim = found.claim
     if claim is not None:  # what the rules did stands in the derivation

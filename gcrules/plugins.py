@@ -19,13 +19,13 @@ from importlib import metadata, util
 from os import PathLike
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 from gcrules.algebra.expr import Expr, Point, add, bracket, join, meet, mul, sub
 from gcrules.errors import FileError
 from gcrules.legs import leg_text
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES, TETRAHEDRA
-from gcrules.rules.fault import plugin_fault
+from gcrules.rules.foreign import foreign
 from gcrules.rules.identity import Identity
 from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.rule import Elementary, EntityRule, Incidence, Rule
@@ -63,7 +63,7 @@ __all__ = [
 ]
 
 GROUP = "gcrules.plugins"
-_UNLOADED = "a plugin cannot be loaded"
+_R = TypeVar("_R", bound=Rule)
 
 
 def points(names: Iterable[str]) -> list[Expr]:
@@ -139,14 +139,16 @@ def plugins_in(folder: Path, *, shipped: bool = False) -> Iterator[Plugin]:
     """The plugins of a folder, by name; those that come with gcrules are `shipped`. Raises FileError if unreadable."""
     try:
         inside = sorted(p for p in folder.iterdir() if p.is_dir() and not p.name.startswith((".", "_")))
-    except OSError as fault:
-        raise FileError(f"cannot be read as a folder of plugins: {fault.strerror}", filename=str(folder)) from None
+    except (OSError, ValueError) as fault:
+        why = getattr(fault, "strerror", None) or fault
+        raise FileError(f"cannot be read as a folder of plugins: {why}", filename=str(folder)) from None
     for path in inside:
         code = path / "rules.py"
-        rules = _rules_of(code) if code.is_file() else ()
+        owner = f"plugin {path.name}"
+        rules = _rules_of(code, owner) if code.is_file() else ()
         files = tuple(sorted(str(f) for f in path.glob("*.gca")))
         if rules or files:
-            yield _owned(Plugin(rules, files), f"plugin {path.name}", str(code), outside=not shipped)
+            yield _owned(Plugin(rules, files), owner, str(code), outside=not shipped)
 
 
 def installed() -> Iterator[Plugin]:
@@ -154,24 +156,35 @@ def installed() -> Iterator[Plugin]:
     for entry in sorted(metadata.entry_points(group=GROUP), key=lambda e: e.name):
         package = entry.dist.name if entry.dist else entry.value
         owner = f"package {package}"
-        try:
+        with foreign(f"{owner} cannot be loaded", f"{owner} (entry point {entry.name} = {entry.value})"):
             plugin = entry.load()
-        except Exception as fault:
-            place = f"{owner} (entry point {entry.name} = {entry.value})"
-            raise plugin_fault(fault, place, _UNLOADED) from fault
         if not isinstance(plugin, Plugin):
             raise FileError(f"{entry.value} is no gcrules.Plugin but {type(plugin).__name__}", filename=owner)
         yield _owned(plugin, owner, owner, outside=True)
 
 
 def _owned(plugin: Plugin, owner: str, place: str, *, outside: bool) -> Plugin:
-    for rule in plugin.rules:
-        if not isinstance(rule, Rule):
-            raise FileError(f"RULES holds {rule!r}, which is no rule", filename=place)
-    return Plugin(tuple(replace(r, owner=owner, outside=outside) for r in plugin.rules), plugin.files, owner)
+    """A pack with its owner's name. Raises FileError where it holds something else than rules and files."""
+    for name, kind, word in (("rules", Rule, "rule"), ("files", (str, PathLike), "name of a file")):
+        values = getattr(plugin, name)
+        if not isinstance(values, tuple):
+            raise FileError(f"{owner}: {name} is {values!r:.100}, expected a tuple", filename=place)
+        for value in values:
+            if not isinstance(value, kind):
+                raise FileError(f"{owner}: {name} holds {value!r:.100}, which is no {word}", filename=place)
+    with foreign(f"{owner} cannot be loaded", place):
+        return Plugin(tuple(_of(owner, r, outside) for r in plugin.rules), plugin.files, owner)
 
 
-def _rules_of(path: Path) -> tuple[Rule, ...]:
+def _of(owner: str, rule: _R, outside: bool) -> _R:
+    """A rule with its owner, which the entity rules that it brings along have too."""
+    if not isinstance(rule, Incidence):
+        return replace(rule, owner=owner, outside=outside)
+    uses = tuple((_of(owner, u, outside) if u.foreign else u, n) for u, n in rule.uses)
+    return replace(rule, owner=owner, outside=outside, uses=uses)
+
+
+def _rules_of(path: Path, owner: str) -> tuple[Rule, ...]:
     """`RULES` of a plugin's Python file, which is run. Raises FileError with the plugin's own file and line."""
     name = f"gcrules_plugin_{path.parent.name}"
     spec = util.spec_from_file_location(name, path)
@@ -180,13 +193,14 @@ def _rules_of(path: Path) -> tuple[Rule, ...]:
     module: ModuleType = util.module_from_spec(spec)
     sys.modules[name] = module  # dataclasses and pickles look their module up
     try:
-        spec.loader.exec_module(module)
-    except Exception as fault:
-        del sys.modules[name]
-        raise plugin_fault(fault, str(path), _UNLOADED) from fault
-    rules = getattr(module, "RULES", None)
+        with foreign(f"{owner} cannot be loaded", str(path)):
+            spec.loader.exec_module(module)
+            rules = getattr(module, "RULES", None)
+    except BaseException:
+        sys.modules.pop(name, None)
+        raise
     if not isinstance(rules, tuple):
-        raise FileError("defines no tuple RULES", filename=str(path), hint="RULES = (rule, …)")
+        raise FileError(f"{owner} defines no tuple RULES", filename=str(path), hint="RULES = (rule, …)")
     return rules
 
 

@@ -22,6 +22,7 @@ from gcrules.algebra.space import Space
 from gcrules.algebra.text import text
 from gcrules.errors import EngineFault
 from gcrules.rules.derivation import Derivation, Step
+from gcrules.rules.foreign import PluginFault
 from gcrules.rules.identity import Identity, rewrite_all
 from gcrules.rules.rule import RewriteRule
 
@@ -93,7 +94,8 @@ def rewrite(e: Expr, rules: Iterable[RewriteRule], space: Space | None = None) -
     for rule, after in rewrite_all(e, tuple(rules), space):
         step = Step(rule.id, before, after, rule.sentence, _assumed(rule, space))
         if not step.check(space):
-            raise EngineFault(f"the rule {rule.id} makes {after} of {before}, which is not equal")
+            wrong = f"the rule {rule.id} makes {after} of {before}, which is not equal"
+            raise PluginFault(f"{rule.blame}{wrong}", filename=rule.owner) if rule.foreign else EngineFault(wrong)
         steps.append(step)
         before = after
     return Rewriting(e, tuple(steps), space)

@@ -850,7 +850,8 @@ def test_a_full_disk(
     elif where == "file":
         monkeypatch.setattr(outputs, "netcdf", full)
     else:
-        monkeypatch.setattr(outputs.os, "replace", lambda a, b: full() if str(b).endswith(".nc") else os.rename(a, b))
+        full_at = "gcrules.files.os.replace"
+        monkeypatch.setattr(full_at, lambda a, b: full() if str(b).endswith(".nc") else os.rename(a, b))
     done = run(robot, *OVER, "-o", str(tmp_path / "map.nc"))
     assert done.exit_code == 2
     assert "No space left on device" in done.stderr
@@ -915,12 +916,12 @@ def test_the_command(robot: str, tmp_path: Path) -> None:
     [
         ((), 2, "two or three coordinates"),
         (OVER[:2], 2, "found 1"),
-        ((*OVER, "--over", SMALL[0]), 2, "given twice"),
+        ((*OVER, "--over", SMALL[0]), 2, "are one file"),
         ((*OVER, "-o", "map.xyz"), 2, "outputs end in .nc"),
         ((*OVER, "-o", "map"), 2, "outputs end in .nc"),
         ((*OVER, "-o", "map.ply"), 2, "three coordinates"),
         ((*OVER, "-o", "no/such/dir/map.json"), 2, "no such directory"),
-        ((*OVER, "-o", "map.json", "-o", "map.json"), 2, "given twice"),
+        ((*OVER, "-o", "map.json", "-o", "map.json"), 2, "are one file"),
         ((*OVER, "--restart"), 2, "--restart without -o"),
         ((*OVER, "--at", "0 0 1 m"), 2, "mixed units"),
         ((*OVER, "--at", "0 0 nan"), 2, "--at:1:1"),

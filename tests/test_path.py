@@ -581,7 +581,7 @@ def test_the_example_of_a_table(robot: str, root: Any) -> None:
         ((*WAY, "--threshold", "2"), 2, "without a unit"),
         ((*WAY, "--threshold", "2 mm"), 2, "the threshold is an angle"),
         ((*WAY, "--about", "middle"), 2, "no centre"),
-        ((*WAY, "--plot", "way.png"), 2, "no name of a plot"),
+        ((*WAY, "--plot", "way.png"), 2, "is no figure format"),
         ((*WAY, "--plot", "no/such/dir/way.svg"), 2, "cannot be written"),
         ((*WAY, "--csv", "no/such/dir/way.csv"), 2, "no such directory"),
     ],

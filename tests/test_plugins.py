@@ -120,7 +120,7 @@ BROKEN = [
 WHOLE = "mul(*(bracket(*points(s.named(row))) for row in s.tetrahedra))"
 FAILING = [
     ("an error", "for row in s.tetrahedra", "for row in s.no_such_thing", "rules.py:11", "AttributeError"),
-    ("a step", WHOLE, "points(s.named(s.tetrahedra[0]))[0]", "plugin mine", "has step 1"),
+    ("a step", WHOLE, "points(s.named(s.tetrahedra[0]))[0]", "rules.py:11", "has step 1"),
 ]
 
 

@@ -28,7 +28,7 @@ from hypothesis import strategies as st
 import gcrules as gc
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.cli import cli
-from gcrules.errors import FileError, InputError, LimitReached
+from gcrules.errors import EngineFault, FileError, InputError, LimitReached
 from gcrules.render.latex import latex
 from gcrules.render.robot_values import value_at
 from gcrules.robots.geometry import parse_platform
@@ -53,6 +53,7 @@ from gcrules.studio.pool import Pool
 from gcrules.studio.stages import stage_views
 from gcrules.studio.study import study
 from gcrules.studio.subject import examples, known_as, read_subject
+from gcrules.studio.wire import framed
 
 PORT = 8747
 TOKEN = "x" * 43
@@ -830,6 +831,67 @@ def test_time_limit_ends_a_worker() -> None:
             await pool.close()
 
     asyncio.run(run())
+
+
+OPEN = ("open", {"source": OCTAHEDRAL}, None)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
+def test_a_worker_that_is_killed_costs_nobody_an_answer() -> None:
+    """While it waits, while it starts, and in the middle of work."""
+    chance = random.Random(1)
+
+    async def run() -> None:
+        pool = Pool(2)
+
+        async def kill(after: float) -> None:
+            await asyncio.sleep(after)
+            for process in list(pool.all):
+                if process.returncode is None:
+                    os.kill(process.pid, signal.SIGKILL)
+
+        try:
+            for _ in range(6):
+                killing = asyncio.ensure_future(kill(chance.uniform(0, 0.6)))
+                result, _ = await pool.run(OPEN, 60, lambda _: None)
+                assert result["kind"] == "platform"
+                await killing
+                assert (await pool.run(OPEN, 60, lambda _: None))[0]["kind"] == "platform"
+        finally:
+            await pool.close()
+
+    asyncio.run(run())
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
+def test_a_job_that_ends_every_worker_is_a_fault_and_the_next_is_none() -> None:
+    async def run() -> None:
+        pool = Pool(1)
+
+        def kill(_: str) -> None:
+            for process in list(pool.all):
+                if process.returncode is None:
+                    os.kill(process.pid, signal.SIGKILL)
+
+        try:
+            with pytest.raises(EngineFault, match="twice"):
+                await pool.run(OPEN, 60, kill)  # as soon as it says what it does
+            assert (await pool.run(OPEN, 60, lambda _: None))[0]["kind"] == "platform"
+        finally:
+            await pool.close()
+
+    asyncio.run(run())
+
+
+def test_what_a_worker_prints_is_no_frame() -> None:
+    script = (
+        "import os, sys, gcrules.studio.worker as w\n"
+        "w.done = lambda *given: (os.write(1, b'loud'), print('loud'), ('done', 1, None))[2]\n"
+        "w.serve()\n"
+    )
+    sent = framed(("bench", {}, None))
+    done = subprocess.run([sys.executable, "-c", script], input=sent, capture_output=True, timeout=60)
+    assert done.stdout == framed(("done", 1, None))
 
 
 # --- who may speak -------------------------------------------------------------------------------------------------

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 import traceback
-from typing import NoReturn
 
 import click
 
-from gcrules import __version__
+from gcrules import __version__, interrupts
 from gcrules.cli.base import LazyGroup, colour_choice
+from gcrules.main import main
 
-__all__ = ["main"]
+__all__ = ["answered", "cli", "main"]
 
 INTERNAL_FAULT = 70
 
@@ -43,7 +42,8 @@ COMMANDS = {
     cls=LazyGroup,
     table=COMMANDS,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    epilog="Exit codes: 0 done or proved, 1 a definite no, 2 the input is at fault, 3 not decided within a limit.",
+    epilog="Exit codes: 0 done or proved, 1 a definite no, 2 the input is at fault, 3 not decided within a limit;"
+    " 130 interrupted, 143 terminated. Output files are written with code 0 or 1 only.",
 )
 @click.version_option(__version__, message="gcrules %(version)s")
 @click.pass_context
@@ -57,15 +57,21 @@ def cli(ctx: click.Context) -> None:
     ctx.color = colour_choice()
 
 
-def main() -> NoReturn:
-    """The entry point. A fault of gcrules itself shows its traceback and ends with code 70, unlike any answer."""
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="replace")
+def answered() -> int:
+    """The exit code of the command line, whose answer is printed. A fault of gcrules itself shows its traceback and has
+    code 70, unlike any answer.
+    """
     try:
-        cli(prog_name="gcrules")
-    except Exception:
-        traceback.print_exc()
-        click.echo("This is a fault of gcrules, not of your input; please report it with the lines above.", err=True)
-        sys.exit(INTERNAL_FAULT)
-    sys.exit(0)
+        return int(cli.main(prog_name="gcrules", standalone_mode=False) or 0)
+    except click.ClickException as fault:
+        fault.show()
+        return fault.exit_code
+    except KeyboardInterrupt:
+        raise
+    except BaseException as fault:
+        if interrupts.pending() is None:
+            traceback.print_exception(fault)
+            click.echo(
+                "This is a fault of gcrules, not of your input; please report it with the lines above.", err=True
+            )
+        return INTERNAL_FAULT

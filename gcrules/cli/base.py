@@ -7,7 +7,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import wraps
 from importlib import import_module
@@ -16,6 +16,8 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
+from gcrules import interrupts, streams
+from gcrules.cli.files import ANSWERED, Command, OutputFile, printed
 from gcrules.cli.limits import Seconds
 from gcrules.core.budget import waiting
 from gcrules.core.seeds import repeated
@@ -40,7 +42,7 @@ __all__ = [
 
 _Command = Callable[..., Any]
 
-INTERRUPTED = 130
+INTERRUPTED = 130  # where it is Ctrl-C that ends a command; `interrupts.run` knows other signals
 BROKEN_PIPE = 141
 
 
@@ -89,10 +91,11 @@ class LazyGroup(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
-            result = super().invoke(ctx)
-            sys.stdout.flush()
-            return result
+            with printed():
+                return super().invoke(ctx)
         except GcrulesError as fault:
+            if interrupts.pending() is not None:  # what a library made of an interrupt is no fault of the input
+                ctx.exit(INTERRUPTED)
             first, _, rest = fault.render().partition(":")
             click.echo(f"{click.style(first, fg='red', bold=True)}:{rest}", err=True)
             ctx.exit(fault.exit_code)
@@ -102,15 +105,14 @@ class LazyGroup(click.Group):
         except KeyboardInterrupt:
             ctx.exit(INTERRUPTED)
         except OSError as fault:  # of standard output: files report their own faults
-            # What is still buffered has no reader; without this the interpreter complains when it closes the stream.
-            os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+            streams.silence()
             if isinstance(fault, BrokenPipeError):
                 ctx.exit(BROKEN_PIPE)
             click.echo(f"error: the output cannot be written: {fault.strerror or fault}", err=True)
             ctx.exit(GcrulesError.exit_code)
 
 
-class ExpressionCommand(click.Command):
+class ExpressionCommand(Command):
     """A command whose arguments may begin with a minus sign: only declared options, and words that look like a long
     option (--json), are options; everything else is an argument. An option's value is a word of its own or follows =.
     """
@@ -183,6 +185,8 @@ class Output:
     latex: bool = False
     mathematics: bool | None = None
     path: str | None = None
+    texts: list[str] = field(default_factory=list, repr=False, compare=False)
+    """What is written to the file when the command has ended with an answer."""
 
     @property
     def unicode(self) -> bool:
@@ -210,12 +214,24 @@ class Output:
             self.write(answer.text(unicode=self.unicode) if text is None else text)
 
     def write(self, text: str) -> None:
-        """Print, or write to the file of --output (complete or not at all)."""
+        """Print, or write to the file of --output once the command has ended."""
         if self.path:
-            write_file(self.path, click.unstyle(text).rstrip("\n") + "\n")
+            self.texts.append(text)
         else:
             with waiting():
                 click.echo(text.rstrip("\n"))
+
+    def deliver(self, code: int) -> None:
+        """Write the file if the command has ended with an answer; what is not decided is printed."""
+        if self.path is None or not self.texts:
+            return
+        text = "\n".join(t.rstrip("\n") for t in self.texts)
+        if code in ANSWERED:
+            write_file(self.path, click.unstyle(text) + "\n")
+        else:
+            click.echo(text)
+            if not streams.is_stdout(self.path):
+                click.echo(f"note: {self.path} is not written, for nothing is decided", err=True)
 
 
 def output_options(*, latex: bool = True) -> Callable[[_Command], _Command]:
@@ -229,7 +245,13 @@ def output_options(*, latex: bool = True) -> Callable[[_Command], _Command]:
             )
             if out.json and out.latex:
                 raise click.UsageError("--json and --latex exclude each other.")
-            return command(out=out, **options)
+            try:
+                result = command(out=out, **options)
+            except click.exceptions.Exit as end:
+                out.deliver(end.exit_code)
+                raise
+            out.deliver(0)
+            return result
 
         decorators = [
             click.option("--json", "as_json", is_flag=True, help="Print one JSON object."),
@@ -241,7 +263,14 @@ def output_options(*, latex: bool = True) -> Callable[[_Command], _Command]:
                 default=None,
                 help="Unicode mathematics or plain ASCII; by default what the output can show.",
             ),
-            click.option("-o", "--output", "path", metavar="FILE", help="Write to a file."),
+            click.option(
+                "-o",
+                "--output",
+                "path",
+                type=OutputFile(),
+                metavar="FILE",
+                help="Write to a file, if the exit code is 0 or 1.",
+            ),
         ]
         return decorated(with_output, decorators)
 

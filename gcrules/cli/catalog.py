@@ -57,7 +57,7 @@ def list_(catalogs: tuple[str, ...], folders: tuple[str, ...], out: Output) -> N
 
 def _loaded(catalogs: tuple[str, ...], folders: tuple[str, ...]) -> Catalog:
     """The catalog with the user's files; rules of plugins may bring kinds of condition."""
-    rules = load_rules(folders=folders, identities=False).strategy()
+    rules = load_rules(folders=folders, identities=bool(folders)).strategy()
     return load(catalogs, (r.id for r in rules.incidences))
 
 

@@ -35,7 +35,7 @@ def docs(
     """
     from gcrules.render.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages
 
-    strategy = load_rules(folders=folders, identities=False).strategy()
+    strategy = load_rules(folders=folders, identities=bool(folders)).strategy()
     loaded = load(catalogs, (r.id for r in strategy.incidences))
     with working("computing the pages"):
         pages = catalog_pages(loaded, bibliography(), catalogs, strategy)

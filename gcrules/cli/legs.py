@@ -21,7 +21,7 @@ from gcrules.cli.base import (
     search_option,
     space_options,
 )
-from gcrules.cli.files import read_stdin, working
+from gcrules.cli.files import OutputFile, read_stdin, working
 from gcrules.cli.limits import beside, limited, time_limit
 from gcrules.cli.manual import Manual, manual_options, run_manual
 from gcrules.cli.rules import Choice, rules_options
@@ -50,7 +50,12 @@ _SPACE = Space(4, (), ())  # where no option says otherwise
 @_recheck
 @manual_options
 @click.option("--full", is_flag=True, help="Show every single step of the derivation.")
-@click.option("--figure", metavar="FILE", help="Draw the robot (FILE.yaml) or the graph of its legs: .svg or .pdf.")
+@click.option(
+    "--figure",
+    type=OutputFile(".svg", ".pdf"),
+    metavar="FILE",
+    help="Draw the robot (FILE.yaml) or the graph of its legs: .svg or .pdf.",
+)
 @given_option
 @_search
 @time_limit(itself=True)
@@ -118,7 +123,7 @@ def analyze(
 
 @click.command(cls=ExpressionCommand)
 @click.argument("legs", nargs=-1, required=True, metavar=_LEGS)
-@click.option("-o", "--output", "path", default="-", metavar="FILE.html", help="Write to a file.")
+@click.option("-o", "--output", "path", type=OutputFile(), default="-", metavar="FILE.html", help="Write to a file.")
 @_order
 @_recheck
 @given_option

@@ -12,6 +12,7 @@ from typing import Any
 
 import click
 
+from gcrules import interrupts
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.cli.base import Output, Space, decorated
 from gcrules.cli.files import read_stdin
@@ -191,6 +192,7 @@ class _Console:
             except (EOFError, _Done):
                 break
             except KeyboardInterrupt:
+                interrupts.go_on()
                 click.echo("\ninterrupted; the session is as it was (Ctrl-D ends)", err=self.out.json)
         self.say("")
         if self.path:

@@ -9,10 +9,11 @@ from typing import Any
 import click
 
 from gcrules.cli.base import ExpressionCommand, Output, about_option
-from gcrules.cli.files import Status, working
+from gcrules.cli.files import OutputFile, Status, working
 from gcrules.cli.limits import time_limit
 from gcrules.cli.platforms import read_platform
 from gcrules.errors import InputError
+from gcrules.files import after_writing
 from gcrules.mapping.axes import read_axes
 from gcrules.mapping.maps import MEASURES, bytes_of, done, planned
 from gcrules.mapping.outputs import SUFFIXES, check_outputs
@@ -58,6 +59,7 @@ _BAR = 24
     "-o",
     "--output",
     "outputs",
+    type=OutputFile(),
     multiple=True,
     metavar="FILE",
     help=f"Write a file, as often as you like; its suffix says what: {' '.join(SUFFIXES)}.",
@@ -117,7 +119,7 @@ def map_(
         click.echo(json.dumps(found.to_json()))
     else:
         out.show(found)
-    found.store.close()
+    after_writing(found.store.close)
 
 
 def _folder(outputs: tuple[str, ...]) -> str | None:

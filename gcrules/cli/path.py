@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import os
-
 import click
 
 from gcrules.along import SAMPLES
 from gcrules.along import path as along
 from gcrules.cli.base import ExpressionCommand, Output, about_option, output_options
-from gcrules.cli.files import working
+from gcrules.cli.files import OutputFile, working
 from gcrules.cli.limits import time_limit
 from gcrules.cli.platforms import read_platform
-from gcrules.errors import FileError, InputError
 from gcrules.files import write_file
 from gcrules.render.drawing import save
+from gcrules.streams import is_stdout
 
 __all__ = ["path"]
 
@@ -28,8 +26,19 @@ __all__ = ["path"]
 @click.option(
     "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
 )
-@click.option("--csv", "values", metavar="FILE.csv", help="Write the values along the path; - prints them.")
-@click.option("--plot", metavar="FILE.svg|FILE.pdf", help="Draw closeness and superbracket along the path.")
+@click.option(
+    "--csv",
+    "values",
+    type=OutputFile(alone=True),
+    metavar="FILE.csv",
+    help="Write the values along the path; - prints them instead of the answer.",
+)
+@click.option(
+    "--plot",
+    type=OutputFile(".svg", ".pdf"),
+    metavar="FILE.svg|FILE.pdf",
+    help="Draw closeness and superbracket along the path.",
+)
 @time_limit(None)
 @output_options(latex=False)
 def path(
@@ -57,11 +66,6 @@ def path(
     """
     if (table is None) == (not at):
         raise click.UsageError("Give the poses either by --poses POSES.csv or by --at, twice or more.")
-    if plot is not None and os.path.splitext(plot)[1].lower() not in (".svg", ".pdf"):
-        raise InputError(f"{plot} is no name of a plot", hint="plots are written as .svg or .pdf")
-    for target in (values, plot, out.path):  # told now, not after minutes of work
-        if target and not os.path.isdir(os.path.dirname(os.path.realpath(target))):
-            raise FileError("cannot be written: there is no such directory", filename=target)
     platform, centre = read_platform(file, about)
     try:
         with working("computing") as status:
@@ -80,5 +84,5 @@ def path(
         save(found.plot(), plot)
     if values is not None:
         write_file(values, found.csv())
-    if values != "-":
+    if values is None or out.path is not None or not is_stdout(values):
         out.show(found)

@@ -10,7 +10,7 @@ from pathlib import Path
 import click
 
 from gcrules.cli.base import SEEDED, ExpressionCommand, Output, output_options, search_option, seeded
-from gcrules.cli.files import working
+from gcrules.cli.files import Command, OutputFile, working
 from gcrules.cli.limits import time_limit
 from gcrules.cli.robot_docs import docs
 from gcrules.errors import FileError, GcrulesError, LimitReached
@@ -190,9 +190,16 @@ def pose_command(
     out.show(found)
 
 
-@robot.command("new", short_help="Write a robot file to begin with.")
+@robot.command("new", cls=Command, short_help="Write a robot file to begin with.")
 @click.argument("robot_id", metavar="ID")
-@click.option("-o", "--output", "path", metavar="FILE", help="Where to write it; ID/robot.yaml by default.")
+@click.option(
+    "-o",
+    "--output",
+    "path",
+    type=OutputFile(),
+    metavar="FILE",
+    help="Where to write it; ID/robot.yaml by default.",
+)
 def new_command(robot_id: str, path: str | None) -> None:
     """Write a commented robot file to begin with; it passes `gcrules robot check`."""
     text = skeleton(robot_id)

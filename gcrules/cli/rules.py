@@ -55,7 +55,7 @@ class Choice:
         """None where nothing was said. Files add their identities to the rules named, or to the default ones."""
         if not (self.words or self.without or self.folders):
             return None
-        library = load_rules(self.files, self.folders, identities=bool(self.ids))
+        library = load_rules(self.files, self.folders, identities=bool(self.ids or self.folders))
         strategy = library.strategy(self.ids or None, self.without)
         return Strategy((*(r for r in _of_files(library, self.files) if r not in strategy.rules), *strategy.rules))
 
@@ -107,7 +107,7 @@ def _ids(ctx: click.Context, option: click.Parameter, words: tuple[str, ...]) ->
     table={
         "list": ("gcrules.cli.rules:list_rules", "List the rules of the engine, of plugins and of files."),
         "show": ("gcrules.cli.rules:show", "Show one rule: sentence, source, cases, and who brought it."),
-        "check": ("gcrules.cli.rules:check", "Prove the rules of a file, or all rules that are known."),
+        "check": ("gcrules.cli.rules:check", "Prove the rules of a file, the rules named, or all that are known."),
     },
 )
 def rules() -> None:
@@ -175,16 +175,18 @@ def show(rule_id: str, words: tuple[str, ...], folders: tuple[str, ...], out: Ou
 
 
 @click.command()
-@click.argument("files", nargs=-1, metavar="[FILE.gca]...")
+@click.argument("words", nargs=-1, metavar="[FILE.gca|ID]...")
 @plugins_option
 @time_limit(None)
 @output_options(latex=False)
 @click.pass_context
-def check(ctx: click.Context, files: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
-    """Prove every rule of a file and try its cases; without a file, all rules of the engine and of plugins.
+def check(ctx: click.Context, words: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
+    """Prove every rule of a file, or the rules named, and try their cases; by default all rules of the engine and of
+    plugins.
 
     \b
     gcrules rules check mine.gca
+    gcrules rules check four-planes
     gcrules rules check
 
     Exit code 0: all hold. 1: a rule is no identity, loops, or a case fails; exact points that refute it are shown.
@@ -192,7 +194,8 @@ def check(ctx: click.Context, files: tuple[str, ...], folders: tuple[str, ...], 
     from gcrules.rules.check import check_rules  # tries rules on whole analyses, which nothing else here does
 
     with working("proving"):
-        found = list(check_rules(files, folders))
+        chosen = Choice(words)
+        found = list(check_rules(chosen.files, folders, chosen.ids))
     if out.json:
         out.write(json.dumps({"ok": all(f.ok for f in found), "rules": [f.to_json() for f in found]}, indent=2))
     else:
@@ -201,16 +204,12 @@ def check(ctx: click.Context, files: tuple[str, ...], folders: tuple[str, ...], 
                 click.echo(f.fault.render(), err=True)
         width = max((len(f.rule.id) for f in found), default=0)
         wrong = sum(not f.ok for f in found)
-        lines = [f"{'ok   ' if f.ok else 'wrong'} {f.rule.id:<{width}}  {_first_line(f.reason)}" for f in found]
+        lines = [f"{'ok   ' if f.ok else 'wrong'} {f.rule.id:<{width}}  {f.reason}" for f in found]
         count = "1 rule" if len(found) == 1 else f"{len(found)} rules"
         out.write("\n".join([*lines, f"{count}: {len(found) - wrong} hold, {wrong} wrong"]))
     if any(f.verdict == "undecided" for f in found):
         ctx.exit(3)
     ctx.exit(0 if all(f.ok for f in found) else 1)
-
-
-def _first_line(reason: str) -> str:
-    return reason if len(reason) <= 100 else f"{reason[:100]}…"
 
 
 def _json(rule: Rule) -> dict[str, Any]:

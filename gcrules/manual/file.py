@@ -35,7 +35,7 @@ _OPTIONAL = {"order", "form", "points", "ideal", "undone"}
 
 def save_session(session: Session, path: str | PathLike[str]) -> None:
     """Write a session file by way of a temporary one. Raises FileError."""
-    write_file(fspath(path), session_yaml(session))
+    write_file(fspath(path), session_yaml(session), at_once=True)
 
 
 def load_session(path: str | PathLike[str]) -> Session:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Sequence
-from contextlib import suppress
 
-from gcrules.errors import FileError, InputError
+from gcrules.errors import InputError
+from gcrules.files import check_target, replacing
 from gcrules.mapping.data import netcdf
 from gcrules.mapping.mesh import glb, ply
 from gcrules.mapping.report import SingularMap
@@ -37,11 +37,7 @@ def check_outputs(paths: Sequence[str], axes: int) -> None:
         if suffix == ".nc":
             _need("h5netcdf", "NetCDF files need h5netcdf")
             _need("h5py", "NetCDF files need h5py")
-        folder = os.path.dirname(os.path.realpath(path))
-        if not os.path.isdir(folder):
-            raise FileError("cannot be written: there is no such directory", filename=path)
-        if os.path.isdir(path):
-            raise FileError("this is a directory, expected the name of a file", filename=path)
+        check_target(path)
     twice = next((p for i, p in enumerate(paths) if p in paths[:i]), None)
     if twice is not None:
         raise InputError(f"{twice}: given twice as an output")
@@ -62,17 +58,11 @@ def save(m: SingularMap, paths: Sequence[str]) -> None:
     """Write all files. Raises as `check_outputs`, and FileError for files that cannot be written."""
     check_outputs(paths, len(m.grid.axes))
     for path in paths:
-        target = os.path.realpath(path)
-        folder, name = os.path.split(target)
-        temporary = os.path.join(folder, f".{os.getpid()}.{name}")
         try:
-            _write(m, temporary, _suffix(path))
-            os.replace(temporary, target)
+            with replacing(path) as temporary:
+                _write(m, temporary, _suffix(path))
         except OSError as fault:
             raise written(fault, path) from None
-        finally:
-            with suppress(OSError):
-                os.unlink(temporary)
 
 
 def _write(m: SingularMap, path: str, suffix: str) -> None:

@@ -7,7 +7,6 @@ a process works on the folder, and is free again when the process ends, however 
 
 from __future__ import annotations
 
-import errno
 import json
 import os
 import shutil
@@ -19,6 +18,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from gcrules.errors import FileError, InputError
+from gcrules.files import unwritable
 from gcrules.frozen import HoldsArrays
 from gcrules.mapping.values import Chunk
 
@@ -125,9 +125,7 @@ Store = Memory | Folder
 
 def written(fault: OSError, path: str) -> InputError:
     """The fault of a file that cannot be written, with advice where the disk is full."""
-    full = fault.errno in (errno.ENOSPC, errno.EDQUOT)
-    hint = "make room; finished chunks are kept, and the same command goes on from there" if full else None
-    return FileError(f"cannot be written: {fault.strerror or fault}", filename=path, hint=hint)
+    return unwritable(fault, path, "make room; finished chunks are kept, and the same command goes on from there")
 
 
 def check_room(path: str, needed: int, free: Callable[[str], Any] = shutil.disk_usage) -> None:

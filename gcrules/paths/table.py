@@ -61,8 +61,8 @@ def load_poses(path: str, unit: str = "") -> tuple[tuple[Pose, ...], tuple[str, 
     try:
         with Path(path).open("rb") as file:
             data = file.read(MAX_BYTES + 1)
-    except OSError as fault:
-        raise FileError(f"cannot be read: {fault.strerror or fault}", filename=path) from None
+    except (OSError, ValueError) as fault:
+        raise FileError(f"cannot be read: {getattr(fault, 'strerror', None) or fault}", filename=path) from None
     if len(data) > MAX_BYTES:
         raise FileError(f"the file is larger than {MAX_BYTES:,} bytes", filename=path)
     try:

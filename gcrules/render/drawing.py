@@ -6,7 +6,6 @@ installed fonts or on the time: equal drawings give equal bytes.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from html import escape
@@ -16,7 +15,8 @@ from pathlib import Path
 from typing import Literal
 from unicodedata import east_asian_width
 
-from gcrules.errors import FileError, InputError
+from gcrules.errors import InputError
+from gcrules.files import write_file
 from gcrules.render.notation import split_name
 from gcrules.render.palette import ROLES
 
@@ -223,11 +223,7 @@ def save(drawing: Drawing, path: str | PathLike[str]) -> None:
     if writer is None:
         found = f"the suffix {target.suffix!r}" if target.suffix else "a name without suffix"
         raise InputError(f"{target}: {found} is no figure format", hint="figures are written as .svg or .pdf")
-    data = writer(drawing)
-    try:
-        _replace(target, data)
-    except OSError as fault:
-        raise FileError(f"cannot be written: {fault.strerror}", filename=str(target)) from None
+    write_file(fspath(path), writer(drawing))
 
 
 def _svg_bytes(drawing: Drawing) -> bytes:
@@ -245,16 +241,6 @@ def _pdf_bytes(drawing: Drawing) -> bytes:
 
 
 _WRITERS: dict[str, Callable[[Drawing], bytes]] = {".svg": _svg_bytes, ".pdf": _pdf_bytes}
-
-
-def _replace(target: Path, data: bytes) -> None:
-    temporary = target.with_name(f".{target.name}.{os.getpid()}")
-    try:
-        temporary.write_bytes(data)
-        temporary.replace(target)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
 
 
 # --- SVG -----------------------------------------------------------------------------------------------------------

@@ -26,14 +26,13 @@ from prompt_toolkit.lexers import Lexer
 from prompt_toolkit.output import Output
 from prompt_toolkit.styles import Style
 
-from gcrules import __version__
+from gcrules import __version__, interrupts
 from gcrules.cli.files import working
 from gcrules.repl.answers import wrapped
 from gcrules.repl.completion import candidates
 from gcrules.repl.highlight import tokens
 from gcrules.repl.history import history_path, private_file
 from gcrules.repl.interpreter import Interpreter
-from gcrules.repl.interrupts import interruptible
 from gcrules.repl.lines import CONTINUED, PROMPT, tell
 from gcrules.repl.reading import unfinished
 
@@ -69,7 +68,7 @@ def run_terminal(repl: Interpreter, session: PromptSession[str] | None = None) -
         try:
             respond(repl, session.prompt())
         except KeyboardInterrupt:  # clears the line
-            continue
+            interrupts.go_on()
         except EOFError:
             break
 
@@ -77,7 +76,7 @@ def run_terminal(repl: Interpreter, session: PromptSession[str] | None = None) -
 def respond(repl: Interpreter, text: str) -> None:
     """Print the answers to an input. An interrupt ends the computation and leaves the state as it was before it."""
     try:
-        with interruptible(), closing(repl.feed(text)) as answers:
+        with interrupts.interruptible(), closing(repl.feed(text)) as answers:
             while True:
                 with working("computing"):
                     answer = next(answers, None)
@@ -86,6 +85,7 @@ def respond(repl: Interpreter, text: str) -> None:
                 plain = answer.wraps and answer.fault is None and not repl.settings.latex
                 tell(replace(answer, text=wrapped(answer.text, _width())) if plain else answer)
     except KeyboardInterrupt:
+        interrupts.go_on()
         click.echo("interrupted; what is declared stays", err=True)
     except MemoryError:
         click.echo("error: there is not enough memory for this", err=True)

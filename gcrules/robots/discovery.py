@@ -74,7 +74,8 @@ def _all(folders: Folders) -> Iterator[Found]:
 def _in(folder: Path, owner: str) -> Iterator[Found]:
     try:
         inside = sorted(p for p in folder.iterdir() if (p / FILE).is_file())
-    except OSError as fault:
-        raise FileError(f"cannot be read as a folder of plugins: {fault.strerror}", filename=str(folder)) from None
+    except (OSError, ValueError) as fault:
+        why = getattr(fault, "strerror", None) or fault
+        raise FileError(f"cannot be read as a folder of plugins: {why}", filename=str(folder)) from None
     for path in inside:
         yield Found(path.name, str(path / FILE), owner)

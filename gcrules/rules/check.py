@@ -19,10 +19,11 @@ from gcrules.errors import FileError, GcrulesError, InputError
 from gcrules.legs import read_legs
 from gcrules.plugins import load_rules, packs
 from gcrules.rules.entities import TETRAHEDRA
+from gcrules.rules.foreign import place_of
 from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, RewriteRule, Rule, StructureRule
-from gcrules.rules.rule_file import RuleCheck, check_script, identities
+from gcrules.rules.rule_file import RuleCheck, check_rule, check_script, identities
 from gcrules.rules.state import State
 from gcrules.rules.strategy import Strategy, recognise
 from gcrules.yamlfile import read_text
@@ -60,20 +61,25 @@ class CaseCheck:
 
 
 def check_rules(
-    files: Iterable[str | PathLike[str]] = (), folders: Iterable[str | PathLike[str]] = ()
+    files: Iterable[str | PathLike[str]] = (), folders: Iterable[str | PathLike[str]] = (), ids: Iterable[str] = ()
 ) -> Iterator[RuleCheck | CaseCheck]:
-    """The rules of the files; without files all rules that are known, those of the folders among them.
+    """The rules of the files and those named; by default all rules that are known, those of the folders among them.
 
-    Raises FileError where a file holds no rules or a plugin is broken, InputError where a file cannot be read as rules
-    or ids clash; what is wrong with a rule stands in its check.
+    Raises FileError where a file holds no rules or a plugin is broken, InputError where a file cannot be read as rules,
+    ids clash or a rule is not there; what is wrong with a rule stands in its check.
     """
-    paths, found = [fspath(f) for f in files], packs(folders)
+    paths, found, named = [fspath(f) for f in files], packs(folders), set(ids)
+    everything = not paths and not named
     library = ENGINE.plus(r for p in found for r in p.rules)
-    if not paths:
-        yield from (check_cases(rule, library) for rule in library)
-        paths = [fspath(f) for p in found for f in p.files]
     known = library.plus(i for p in found for i in p.identities(proved=False))
-    own = {Path(f).resolve() for p in found for f in p.files}
+    for one in sorted(named):
+        known[one]  # raises where it is not there
+    yield from (check_cases(rule, library) for rule in library if everything or rule.id in named)
+    brought = [fspath(f) for p in found for f in p.files]
+    for path in brought if everything or named else ():
+        script = parse_script(read_text(path), path)
+        yield from (check_rule(rule, script) for rule in script.rules if everything or rule.id in named)
+    own = {Path(f).resolve() for f in brought}
     for path in paths:
         script = parse_script(read_text(path), path)
         if Path(path).resolve() not in own:
@@ -92,17 +98,12 @@ def check_cases(rule: Rule, library: Library | None = None) -> CaseCheck:
         if fires_on(rule, case, library) != expected:
             what = "stays silent on" if expected else "fires on"
             refuted = _refuted_claim(rule, case) if expected and isinstance(rule, Incidence) else ""
-            fault = InputError(f"the rule {rule.id} {what} {case}{refuted}", filename=_place(rule))
+            place = place_of(getattr(rule, "expression", None), rule.owner)
+            fault = InputError(f"the rule {rule.id} {what} {case}{refuted}", filename=place)
             return CaseCheck(rule, len(cases), fault)
     if not rule.fires:
         return CaseCheck(rule, 0, InputError(f"the rule {rule.id} has no case where it fires", filename=rule.owner))
     return CaseCheck(rule, len(cases))
-
-
-def _place(rule: Rule) -> str:
-    """The file and line of the function that makes a rule's claims, else who brought the rule."""
-    code = getattr(getattr(rule, "expression", None), "__code__", None)
-    return f"{code.co_filename}:{code.co_firstlineno}" if code is not None and rule.owner != SHIPPED else rule.owner
 
 
 def _refuted_claim(rule: Incidence, case: str) -> str:

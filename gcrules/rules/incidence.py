@@ -16,9 +16,9 @@ from gcrules.condition import ONE
 from gcrules.errors import StepError
 from gcrules.legs import Leg
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES
-from gcrules.rules.fault import plugin_fault
+from gcrules.rules.foreign import foreign, place_of
 from gcrules.rules.oracle import Oracle
-from gcrules.rules.rule import SHIPPED, Incidence
+from gcrules.rules.rule import Incidence
 from gcrules.rules.state import State, extensor
 
 __all__ = ["INCIDENCES", "Claim", "claims"]
@@ -54,14 +54,14 @@ class Claim:
 def claims(incidence: Incidence, states: Sequence[State], oracle: Oracle) -> Iterator[Claim]:
     """The claims of one rule that hold, in any of the states.
 
-    Raises FileError, with the plugin's file and line, where the code of a plugin's rule fails.
+    Raises PluginFault, with the plugin's file and line, where the code of a plugin's rule fails.
     """
-    try:
+    if not incidence.foreign:
         yield from _claims(incidence, states, oracle)
-    except Exception as fault:
-        if incidence.owner == SHIPPED:
-            raise
-        raise plugin_fault(fault, incidence.owner, f"the rule {incidence.id} fails") from fault
+        return
+    with foreign(f"{incidence.blame}the rule {incidence.id} fails", place_of(incidence.expression, incidence.owner)):
+        found = list(_claims(incidence, states, oracle))  # what it gives is at its cost
+    yield from found
 
 
 def _claims(incidence: Incidence, states: Sequence[State], oracle: Oracle) -> Iterator[Claim]:

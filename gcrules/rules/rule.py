@@ -11,13 +11,15 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from string import Formatter
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.space import Space
 from gcrules.condition import ONE, Condition
 from gcrules.errors import InputError
 from gcrules.legs import Structure
+from gcrules.rules.fields import FIELDS, RESULTS, expression_or_none, is_text
+from gcrules.rules.foreign import Guarded, foreign, is_foreign, place_of
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.state import State
 
@@ -57,8 +59,32 @@ class Rule:
         return f"your own rule {self.id}" if self.owner == SHIPPED else f"{self.owner}, rule {self.id}"
 
     def __post_init__(self) -> None:
-        if not _ID.fullmatch(self.id):
+        if not is_text(self.id) or not _ID.fullmatch(self.id):
             raise InputError(f"{self.id!r} cannot be the id of a rule", hint="letters, digits, - and _")
+        for name, (holds, kind) in FIELDS.items():
+            if hasattr(self, name) and not holds(getattr(self, name)):
+                raise InputError(f"{name} of the rule {self.id} is {getattr(self, name)!r:.100}, expected {kind}")
+        for (owner, name), check in RESULTS.items():
+            if owner == self.family and callable(function := getattr(self, name, None)):
+                object.__setattr__(self, name, self._guarded(function, check))
+
+    def _guarded(self, function: Callable[..., Any], check: Callable[[Any], Any]) -> Callable[..., Any]:
+        """The function of a plugin, called as such."""
+        own = function.function if isinstance(function, Guarded) else function
+        if not is_foreign(own):
+            return own
+        return Guarded(own, check, f"{self.blame}the rule {self.id} fails", place_of(own, self.owner))
+
+    @property
+    def blame(self) -> str:
+        """Who brought the rule, for messages about it."""
+        return "" if self.owner == SHIPPED else f"{self.owner}: "
+
+    @property
+    def foreign(self) -> bool:
+        """Whether it runs code that is not the engine's."""
+        functions = (getattr(self, name, None) for owner, name in RESULTS if owner == self.family)
+        return self.owner != SHIPPED or is_foreign(type(self)) or any(isinstance(f, Guarded) for f in functions)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,12 +101,19 @@ class RewriteRule(Rule):
 def reductions(e: Expr, rules: Sequence[RewriteRule], space: Space) -> Iterator[tuple[RewriteRule, Expr]]:
     """The first rule that fires, with what it makes, and so on from there until all stay silent. It may never end."""
     while True:
-        fired = ((rule, after) for rule in rules if (after := rule.rewrite(e, space)) is not None)
+        fired = ((rule, after) for rule in rules if (after := _rewritten(rule, e, space)) is not None)
         found = next(fired, None)
         if found is None:
             return
         yield found
         _, e = found
+
+
+def _rewritten(rule: RewriteRule, e: Expr, space: Space) -> Expr | None:
+    if not is_foreign(type(rule)):
+        return rule.rewrite(e, space)
+    with foreign(f"{rule.blame}the rule {rule.id} fails", rule.owner):  # a kind of rule that a plugin has made
+        return expression_or_none(rule.rewrite(e, space))
 
 
 @dataclass(frozen=True, kw_only=True)

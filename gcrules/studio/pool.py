@@ -18,6 +18,7 @@ from gcrules.studio.wire import Job, Tell, framed, read_frame
 
 __all__ = ["Pool", "Told"]
 
+_GONE = (asyncio.IncompleteReadError, ConnectionError)  # what is seen of a worker that has ended
 _STILL = 1.0  # seconds after which it is said that work goes on
 _LATE = 5.0  # seconds for a worker to notice by itself that its time is over
 _MOST = 16_000_000  # bytes of an answer that are taken in at once
@@ -44,28 +45,36 @@ class Pool:
         """The result of a job, and its subject. Raises Told for faults, LimitReached after so many seconds (a
         little later where the worker does not notice it).
 
-        Where the task is cancelled the worker is ended.
+        Where the task is cancelled the worker is ended. A worker that something else has ended, waiting or at work, is
+        no fault of the job: it is tried once more, in a fresh one. Raises EngineFault where that ends too.
         """
         async with self.free:
-            process = self.idle.pop() if self.idle else await self._start()
             try:
                 async with asyncio.timeout(seconds + _LATE):
-                    kind, value, subject = await _answer(process, job, tell)
+                    try:
+                        kind, value, subject = await self._done(job, tell)
+                    except _GONE:
+                        kind, value, subject = await self._done(job, tell, fresh=True)
             except TimeoutError:
-                self._end(process)
                 raise LimitReached(
                     f"no answer within {seconds:g} seconds", hint="the command line gives it more time with --seconds"
                 ) from None
-            except (asyncio.IncompleteReadError, ConnectionError):
-                self._end(process)
-                raise EngineFault("the worker has ended by itself") from None
-            except BaseException:
-                self._end(process)
-                raise
-            self.idle.append(process)
+            except _GONE:
+                raise EngineFault("the worker has ended by itself, twice") from None
         if kind == "fault":
             raise Told(value)
         return value, subject
+
+    async def _done(self, job: Job, tell: Tell, *, fresh: bool = False) -> Any:
+        """What a worker makes of a job; it is ended where that is nothing."""
+        process = self.idle.pop() if self.idle and not fresh else await self._start()
+        try:
+            found = await _answer(process, job, tell)
+        except BaseException:
+            self._end(process)
+            raise
+        self.idle.append(process)
+        return found
 
     def ready(self) -> None:
         """Have a worker ready before it is asked for."""

@@ -12,6 +12,7 @@ from collections.abc import Callable
 
 import uvicorn
 
+from gcrules import interrupts
 from gcrules.errors import InputError
 from gcrules.studio.app import make_app
 from gcrules.studio.token_file import token
@@ -54,7 +55,9 @@ class _Server(uvicorn.Server):
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)
-        if self.started:
+        if interrupts.pending() is not None:
+            self.should_exit = True
+        elif self.started:
             self.ready()
 
 
@@ -86,8 +89,9 @@ def serve(
             threading.Thread(target=webbrowser.open, args=(f"{address}?ticket={ticket}",), daemon=True).start()
 
     try:
-        _Server(config, ready).run(sockets=[listening])
+        with interrupts.deferred():  # the server hears them itself, once it has begun
+            _Server(config, ready).run(sockets=[listening])
     except KeyboardInterrupt:
-        pass
+        interrupts.go_on()
     finally:
         listening.close()

@@ -67,8 +67,9 @@ def _watch(server: int) -> None:
 def serve() -> None:
     """Work until the server is gone."""
     threading.Thread(target=_watch, args=(os.getppid(),), daemon=True).start()
-    inward, outward = sys.stdin.buffer, sys.stdout.buffer
-    sys.stdout = sys.stderr  # nothing but frames goes to the server
+    inward, outward = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # nothing but frames goes to the server
+    sys.stdout = sys.stderr
     known: dict[str, Subject] = {}
 
     def put(frame: Any) -> None:
