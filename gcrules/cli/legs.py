@@ -189,7 +189,11 @@ def _of_joints(words: tuple[str, ...], choice: Choice, search: float, others: ob
     if others or choice.words or choice.without:
         raise click.UsageError("A robot of joints takes --search, --plugins and the options of output only.")
     with working("analysing"):
-        return robot.analyze(search=search)
+        found = robot.analyze(search=search)
+        remark = robot.home_remark(found)
+    if remark:
+        click.echo(f"warning: {remark}", err=True)
+    return found
 
 
 def _robot(words: tuple[str, ...], folders: tuple[str, ...]) -> Robot | None:
