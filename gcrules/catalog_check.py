@@ -21,7 +21,15 @@ from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.state import extensor
 from gcrules.shortening.shorten import shorten
 
-__all__ = ["CheckResult", "check_catalog", "check_entry", "enumerate_classes", "factors", "source_keys"]
+__all__ = [
+    "CheckResult",
+    "check_catalog",
+    "check_entry",
+    "enumerate_classes",
+    "factors",
+    "false_identities",
+    "source_keys",
+]
 
 LEGS = 6
 MOST_AT_A_JOINT = 3
@@ -72,6 +80,11 @@ def check_entry(entry: Entry) -> CheckResult:
     if entry.condition.kind in FOUND and entry.condition.kind != found.condition.kind:
         faults.append(f"a condition of kind {entry.condition.kind}, but the rules find {found.condition.kind}")
     return CheckResult(entry.id, entry.place, proved, tuple(faults))
+
+
+def false_identities(entry: Entry) -> list[str]:
+    """What is wrong with the identities of an entry; nothing where all are proved."""
+    return [fault for reading in (entry.condition, *entry.readings) for fault in _proved(reading, entry.structure)]
 
 
 def _facts(entry: Entry, structure: Structure, *, regular: bool) -> Iterator[str]:
