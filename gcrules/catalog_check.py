@@ -32,6 +32,7 @@ __all__ = [
     "check_entry",
     "enumerate_classes",
     "factors",
+    "false_identities",
     "source_keys",
     "write_digests",
 ]
@@ -112,6 +113,11 @@ def _digest_file() -> Path:
 
 
 _SHOWN = 6
+
+
+def false_identities(entry: Entry) -> list[str]:
+    """What is wrong with the identities of an entry; nothing where all are proved."""
+    return [fault for reading in (entry.condition, *entry.readings) for fault in _proved(reading, entry.structure)]
 
 
 def _facts(entry: Entry, structure: Structure, *, regular: bool) -> Iterator[str]:

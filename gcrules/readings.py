@@ -8,7 +8,7 @@ from itertools import combinations, permutations
 
 from gcrules import forms
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Point, points_of
+from gcrules.algebra.expr import Expr, Number, Point, points_of
 from gcrules.algebra.shortest import SuperbracketForm
 from gcrules.algebra.straighten import straighten
 from gcrules.catalog import SHIPPED, Catalog, Match
@@ -146,7 +146,10 @@ def _recognised(
 
     def look_up(m: Match) -> None:
         readings = catalog.readings(structure, m, oracle, recheck=recheck)
-        conditions.extend(r for r in readings if not any(_alike(r, c, oracle) for c in conditions))
+        new = (r for r in readings if not any(_alike(r, c, oracle) for c in conditions))
+        conditions.extend(
+            r if r.statement else replace(r, statement=_said(r, structure, oracle), statement_source="") for r in new
+        )
 
     for m in known:
         if m.entry.owner != SHIPPED:  # what users know of their own classes comes before what is found as a last resort
@@ -253,9 +256,24 @@ def _with_factorization(
     return replace(found, conditions=(*found.conditions, outcome.condition), notes=notes)
 
 
+def _said(condition: Condition, structure: Structure, oracle: Oracle) -> str:
+    """The sentence of an identity to which a catalog gives none."""
+    return sentence(condition.expression, structure, oracle, condition.cofactor)
+
+
+def _unordered(e: Expr) -> str:
+    """An expression but for numbers and for the order of its parts."""
+    if isinstance(e, Point):
+        return e.name
+    parts = sorted(_unordered(child) for child in e.children if not isinstance(child, Number))
+    return f"{type(e).__name__}({' '.join(parts)})"
+
+
 def _alike(a: Condition, b: Condition, oracle: Oracle) -> bool:
     """Whether two readings say the same in the same words, or compare turns about the same two lines."""
-    if str(a.expression) == str(b.expression) and a.statement in ("", b.statement):
+    if not a.statement and (a.kind, _unordered(a.expression)) == (b.kind, _unordered(b.expression)):
+        return True
+    if str(a.expression) == str(b.expression) and a.statement == b.statement:
         return True
     mine, others = ([line for _, line in c.lines] for c in (a, b))
     return (a.kind, len(mine), len(others)) == (b.kind, 2, 2) and any(

@@ -71,9 +71,10 @@ class Rewriting:
     def latex(self) -> str:
         """The chain in an `aligned` environment (package amsmath), without dollar signs."""
         from gcrules.render.latex import latex  # needed for LaTeX only
+        from gcrules.render.latex_text import latex_words
 
         lines = [f"&{latex(self.before)}"]
-        lines += [f"&={{}} {latex(s.after)} && \\text{{{s.rule}}}".replace("_", "\\_") for s in self.steps]
+        lines += [f"&={{}} {latex(s.after)} && \\text{{{latex_words(s.rule)}}}" for s in self.steps]
         return "\n".join(["\\begin{aligned}", " \\\\\n".join(lines), "\\end{aligned}"])
 
     def __str__(self) -> str:

@@ -84,9 +84,11 @@ class Transversals:
 
     def latex(self) -> str:
         """The identities as LaTeX without dollar signs, one on each line where there are several."""
+        from gcrules.render.latex_text import latex_words  # needed for LaTeX only
+
         identities = [r.condition.latex() for r in self.readings]
         if len(identities) < 2:
-            return identities[0] if identities else rf"\text{{none: {self.reason}}}"
+            return identities[0] if identities else rf"\text{{none: {latex_words(self.reason)}}}"
         rows = " \\\\\n".join(i.replace(" = ", " &= ", 1) for i in identities)
         return f"\\begin{{aligned}}\n{rows}\n\\end{{aligned}}"
 

@@ -21,6 +21,7 @@ from fractions import Fraction
 from os import PathLike, fspath
 from typing import Any, Literal
 
+from gcrules.core.hints import files_like, number_with_unit
 from gcrules.errors import FileError, GcrulesError, Span, join_faults
 
 __all__ = ["MAX_BYTES", "Document", "Node", "near", "read_text"]
@@ -52,7 +53,7 @@ def read_text(path: str | PathLike[str], *, limit: int = MAX_BYTES) -> str:
         with open(name, "rb") as file:
             data = file.read(limit + 1)
     except FileNotFoundError:
-        raise FileError("there is no such file", filename=name) from None
+        raise FileError("there is no such file", filename=name, hint=files_like(name)) from None
     except IsADirectoryError:
         raise FileError("this is a directory, expected a file", filename=name) from None
     except (OSError, ValueError) as fault:
@@ -220,8 +221,10 @@ class Node:
             return None
         return int(text)
 
-    def rational(self) -> Fraction | None:
-        """A finite number, exact as written: `3`, `-0.25`, `1e-3` or `1/3` (quoted or not)."""
+    def rational(self, units: str = "numbers stand without a unit") -> Fraction | None:
+        """A finite number, exact as written: `3`, `-0.25`, `1e-3` or `1/3` (quoted or not); `units` is the advice for
+        one with a unit behind it.
+        """
         text = self.string()
         if text is None:
             return None
@@ -231,6 +234,8 @@ class Node:
             if _NOT_FINITE.fullmatch(text.strip()):
                 self.fault(f"expected a finite number, found {_short(text)}")
             else:
+                quantity = number_with_unit(text)
+                hint = f"write {quantity[0]}; {units.format(quantity[1])}" if quantity else hint
                 self.fault(f"expected a number, found {_short(text)}", hint)
             return None
         if len(text) > MAX_NUMBER or abs(int(match[1] or 0)) > MAX_EXPONENT:

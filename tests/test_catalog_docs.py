@@ -58,7 +58,11 @@ def known(pages: Pages, monkeypatch: pytest.MonkeyPatch) -> None:
     shipped = {e.id for e in ENTRIES}
 
     def quick(
-        catalog: Catalog, sources: dict[str, str], catalogs: Sequence[str] = (), strategy: Strategy | None = None
+        catalog: Catalog,
+        sources: dict[str, str],
+        catalogs: Sequence[str] = (),
+        strategy: Strategy | None = None,
+        tell: Callable[[str], None] | None = None,
     ) -> Pages:
         own = Catalog(tuple(e for e in catalog.entries if e.id not in shipped), catalog.statements)
         return pages | (catalog_pages(own, sources, catalogs, strategy) if own.entries else {})
@@ -226,6 +230,91 @@ def test_odd_catalogs(tmp_path: Path, pages: Pages) -> None:
             if f"{name}-{kind}.svg" in found:
                 ET.fromstring(found[f"{name}-{kind}.svg"])
     assert run("--check", "--out", str(folder), "--catalog", str(path)).exit_code == 0
+
+
+def own_catalog(legs: str, expression: str, more: str = "") -> str:
+    """A catalog of one class whose condition has no sentence of its own."""
+    return (
+        f"classes:\n  - id: mine\n    legs: {legs}\n"
+        f"    condition: {{kind: three-tetrahedra, expression: '{expression}'{more}}}\n"
+    )
+
+
+def own_pages(path: Path) -> Pages:
+    """The pages of a catalog's own classes."""
+    catalog = load([path])
+    own = Catalog(tuple(e for e in catalog.entries if e.owner == str(path)), catalog.statements)
+    return catalog_pages(own, bibliography(), [path])
+
+
+NO_TWO_BODIES = {
+    "nowhere": ("ab bc ca ad be cf", "[abcd][abce][abcf]", ", coefficient: -1", "a 3, b 3, c 3, d 1, e 1, f 1", "6"),
+    "in a part": ("ab bc ca de ef fg", "[abce][abcf][defg]", ", coefficient: -1", "a 2, b 2, c 2, d 1, e 2, f 2", "7"),
+}
+
+
+@pytest.mark.parametrize(("legs", "expression", "more", "degrees", "joints"), NO_TWO_BODIES.values(), ids=NO_TWO_BODIES)
+def test_classes_without_two_bodies(
+    legs: str, expression: str, more: str, degrees: str, joints: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "own.yaml"
+    path.write_text(own_catalog(legs, expression, more), encoding="utf-8")
+    found = own_pages(path)
+    assert f"* Legs at the joints {degrees}" in found["mine.md"]
+    assert "close a ring of odd length" in found["mine.md"]
+    assert f"| {joints} joints | [mine](mine.md) |" in found["README.md"]
+    shown = CliRunner().invoke(cli, ["catalog", "show", "mine", "--catalog", str(path)]).stdout
+    assert f"degrees    joints {degrees}" in shown
+
+
+SENTENCES = {
+    "the same in another order": ("[cbad][bace][abcf]", ", coefficient: -1", 0),
+    "with a meet": ("[abcd][abce](ab /\\ cf)", ", coefficient: -1", 1),
+    "a sum": ("[abcd][abce][abcf] + [abcd][abce][abfc] + [abcd][abce][abcf]", ", coefficient: -1", 1),
+}
+
+
+@pytest.mark.parametrize(("expression", "more", "added"), SENTENCES.values(), ids=SENTENCES)
+def test_every_reading_has_a_sentence(expression: str, more: str, added: int, tmp_path: Path) -> None:
+    path = tmp_path / "own.yaml"
+    path.write_text(own_catalog("ab bc ca ad be cf", expression.replace("\\\\", "\\"), more), encoding="utf-8")
+    readings = own_pages(path)["mine.md"].partition("## Other readings\n")[2].partition("\n## ")[0]
+    parts = re.split(r"^Certificate: .*$", readings.strip(), flags=re.MULTILINE)[:-1]
+    assert len(parts) == 1 + added
+    assert all(part.strip().startswith("The robot is singular exactly when") for part in parts)
+
+
+def test_false_entries_are_refused_before_pages_are_computed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def never(*_: object, **__: object) -> Pages:
+        raise AssertionError("no page may be computed")
+
+    monkeypatch.setattr(renderer, "catalog_pages", never)
+    path = tmp_path / "my own.yaml"
+    path.write_text(own_catalog("ab bc ca ad be cf", "[abcd][abce][abcf]"), encoding="utf-8")
+    result = run("--out", str(tmp_path / "pages"), "--catalog", str(path))
+    assert result.exit_code == 2
+    assert "refuted: 1 * superbracket = 1 * [abcd][abce][abcf] fails at" in result.stderr
+    assert f"`gcrules catalog check --catalog '{path}'`" in result.stderr
+    assert not (tmp_path / "pages").exists()
+
+
+@pytest.mark.usefixtures("known")
+def test_the_command_that_renews_has_the_options(tmp_path: Path) -> None:
+    path = tmp_path / "own.yaml"
+    path.write_text(own_catalog("ab bc ca ad be cf", "[abcd][abce][abcf]", ", coefficient: -1"), encoding="utf-8")
+    folder = tmp_path / "pages"
+    said = run("--check", "--out", str(folder), "--catalog", str(path)).stdout
+    assert f"`gcrules catalog docs --catalog {path} --out {folder}`" in said
+
+
+def test_progress(tmp_path: Path) -> None:
+    path = tmp_path / "own.yaml"
+    path.write_text(own_catalog("ab bc ca ad be cf", "[abcd][abce][abcf]", ", coefficient: -1"), encoding="utf-8")
+    catalog = load([path])
+    own = Catalog(tuple(e for e in catalog.entries if e.id in ("mine", "4-4.s")), catalog.statements)
+    told: list[str] = []
+    catalog_pages(own, bibliography(), [path], tell=told.append)
+    assert told == ["4-4.s, 1 of 2", "mine, 2 of 2"]
 
 
 @pytest.mark.parametrize(

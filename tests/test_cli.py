@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner, Result
+from commands import assert_refused
 
 from gcrules.algebra.syntax import parse
 from gcrules.cli import COMMANDS, cli
@@ -502,6 +503,21 @@ def test_report(run: Run, root: Path, tmp_path: Path) -> None:
     assert page.startswith("<!DOCTYPE html>")
     assert "<math" in page
     assert run("report", OCTAHEDRON).stdout.startswith("<!DOCTYPE html>")
+
+
+@pytest.mark.parametrize("ending", ["pdf", "PDF", "svg", "png", "json", "tex", "md", "txt", "yaml", "docx", "csv"])
+def test_reports_are_pages(run: Run, tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"a.{ending}"
+    done = run("report", OCTAHEDRON, "-o", str(path))
+    assert_refused(done, 2, "a report is a page in HTML")
+    assert f"write {tmp_path / 'a.html'}" in done.stderr
+    assert not path.exists()
+
+
+@pytest.mark.parametrize("name", ["a.html", "a.htm", "a.xhtml", "a", "a.report", "3-rps.v2"])
+def test_other_names_of_reports(run: Run, tmp_path: Path, name: str) -> None:
+    assert run("report", OCTAHEDRON, "--no-3d", "-o", str(tmp_path / name)).exit_code == 0
+    assert (tmp_path / name).read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
 def test_catalog_of_the_users_own(run: Run, tmp_path: Path) -> None:

@@ -29,7 +29,7 @@ from gcrules.condition import ONE
 from gcrules.errors import LimitReached
 from gcrules.legs import read_legs
 from gcrules.plugins import load_rules
-from gcrules.render.latex import latex_words
+from gcrules.render.latex_text import latex_words
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.deriving import derived_zero, from_catalog
 from gcrules.rules.elementary import ELEMENTARY

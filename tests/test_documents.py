@@ -101,6 +101,16 @@ def test_the_table_of_other_blocks_is_up_to_date() -> None:
     assert set(NOT_RUN) == {(b.document, b.first) for b in BLOCKS if b.language not in RUN}
 
 
+DURATION = re.compile(r"\b[0-9.,]+ ?(?:[mµn]?s|sec|seconds?|minutes?)\b")
+
+
+@pytest.mark.parametrize("block", of("console") + of("python"), ids=lambda b: b.name)
+def test_no_output_depends_on_the_speed_of_a_machine(block: Block) -> None:
+    """Times differ from run to run: an output that is compared must not tell any."""
+    output = (line for line in block.text.splitlines() if not line.startswith(("$ ", ">>> ", "... ")))
+    assert not [line for line in output if DURATION.search(line)]
+
+
 def test_there_is_something_to_run() -> None:
     assert all(len(of(language)) > 1 for language in RUN)
     assert len(DOCUMENTS) > 10

@@ -548,7 +548,7 @@ def test_json_text_and_latex(name: str) -> None:
     assert words.startswith(a.statement[:60])
     assert "Certificate" in words
     assert a.latex().startswith("\\documentclass")
-    assert a.latex().endswith("\\end{document}")
+    assert a.latex().rstrip().endswith("\\end{document}")
 
 
 CHOSEN = {

@@ -30,20 +30,36 @@ def tool(name: str) -> ModuleType:
         sys.path.remove(str(ROOT / "tools"))
 
 
-@pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("site")
-    done = subprocess.run(
-        [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(folder)],
-        cwd=ROOT,
+def build(folder: Path, site: Path) -> subprocess.CompletedProcess[str]:
+    """Build the guide of a folder with the options that the Makefile gives."""
+    options = re.search(r"-m mkdocs (build .*) --site-dir", (ROOT / "Makefile").read_text(encoding="utf-8"))
+    assert options is not None
+    return subprocess.run(
+        [sys.executable, "-m", "mkdocs", *options[1].split(), "--site-dir", str(site)],
+        cwd=folder,
         env={**os.environ, "NO_MKDOCS_2_WARNING": "1"},
         capture_output=True,
         encoding="utf-8",
         check=False,
     )
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("site")
+    done = build(ROOT, folder)
     assert done.returncode == 0, done.stderr
-    assert not done.stderr
+    assert not [line for line in done.stderr.splitlines() if not line.startswith("INFO ")]
     return folder
+
+
+def test_warnings_are_shown_and_fail(tmp_path: Path) -> None:
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs" / "index.md").write_text("# A page\n\n[broken](nowhere.md)\n", encoding="utf-8")
+    (tmp_path / "mkdocs.yml").write_text("site_name: a\nplugins: []\n", encoding="utf-8")
+    done = build(tmp_path, tmp_path / "site")
+    assert done.returncode != 0
+    assert "nowhere.md" in done.stderr
 
 
 # --- the whole site -------------------------------------------------------------------------------------------------

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.space import Space, shortened
-from gcrules.algebra.syntax_faults import syntax_fault
+from gcrules.algebra.syntax_faults import call_hint, syntax_fault
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.core.budget import checkpoint
 from gcrules.errors import GcrulesError, Span, StepError, SyntaxFault
@@ -85,6 +85,8 @@ def read(text: str, start: str, filename: str, build: Callable[[Node], _T]) -> _
         _check_size(text)
         return build(_tree(text, start))
     except GcrulesError as fault:
+        if isinstance(fault, (SyntaxFault, StepError)) and fault.span is not None and fault.source in (None, text):
+            fault.hint = call_hint(text, fault.span.start) or fault.hint
         raise fault.located(text, filename) from None
 
 

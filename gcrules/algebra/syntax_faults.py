@@ -10,7 +10,7 @@ from typing import Any
 from gcrules.algebra.space import shortened
 from gcrules.errors import Span, SyntaxFault
 
-__all__ = ["syntax_fault"]
+__all__ = ["call_hint", "syntax_fault"]
 
 _TERMINALS = {
     "WORD": "a point",
@@ -44,6 +44,16 @@ _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"(?<=[0-9]\.)[0-9]"), "fractions are written 3/2"),
     (re.compile(r"==|!=|<|>"), "only `prove` and `claim` compare two expressions, with =="),
 )
+_CALL = re.compile(r"(?<![A-Za-z0-9_'])([A-Za-z]+)\s*\(")
+_INFIX = {
+    **dict.fromkeys(("meet", "cap", "intersect", "intersection", "regressive", "wedge"), (" /\\ ", "the meet")),
+    **dict.fromkeys(("join", "span", "cup", "vee", "outer"), (" \\/ ", "the join")),
+}
+_BETWEEN = {
+    **dict.fromkeys(("det", "bracket", "determinant", "volume"), ("[{}]", "a bracket")),
+    **dict.fromkeys(("superbracket", "pure"), ("[[{}]]", "the superbracket")),
+}
+"""Functions of other notations, and how their values are written."""
 _LAST_WORD = re.compile(r"(?<![A-Za-z0-9_'])[A-Za-z][A-Za-z0-9_']*\Z")
 _LONGEST = 30  # characters of a word that may be a relation misspelt
 
@@ -73,6 +83,48 @@ def syntax_fault(found: object, text: str, literals: Mapping[str, str]) -> Synta
     elif hint is None and "RSQB" in accepted and _unclosed(text[: span.start], "[]"):
         hint = "a bracket is not closed"
     return SyntaxFault(f"{what}; expected {_expected(accepted, literals)}", span=span, hint=hint)
+
+
+def call_hint(text: str, at: int) -> str | None:
+    """How a function of another notation is written whose name or arguments stand at a place: meet(ab, cde)."""
+    for found in _CALL.finditer(text, 0, at + 40):
+        word, begin = found[1].lower(), found.end()
+        if found.start() > at or word not in (*_INFIX, *_BETWEEN):
+            continue
+        end = _closing(text, begin)
+        if at > end:
+            continue
+        arguments = [a.strip() for a in _apart(text[begin:end])]
+        if word in _BETWEEN:
+            form, what = _BETWEEN[word]
+            return f"{what} is written {form.format(', '.join(arguments) if all(arguments) else '…')}"
+        operator, what = _INFIX[word]
+        shown = [a if a.isalnum() else f"({a})" for a in arguments]
+        written = operator.join(shown) if len(arguments) > 1 and all(arguments) else operator.strip()
+        return f"{what} is an operator between its parts: {written}"
+    return None
+
+
+def _closing(text: str, begin: int) -> int:
+    """Where the parenthesis is closed that is open at `begin`, or the end of the text."""
+    depth = 1
+    for i in range(begin, len(text)):
+        depth += (text[i] == "(") - (text[i] == ")")
+        if not depth:
+            return i
+    return len(text)
+
+
+def _apart(arguments: str) -> list[str]:
+    """Arguments between commas that stand in no parenthesis or bracket."""
+    parts, depth = [""], 0
+    for c in arguments:
+        depth += (c in "([") - (c in ")]")
+        if c == "," and not depth:
+            parts.append("")
+        else:
+            parts[-1] += c
+    return parts
 
 
 def _misspelt(text: str, at: int, literals: Mapping[str, str]) -> str | None:

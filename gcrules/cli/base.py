@@ -136,7 +136,22 @@ class ExpressionCommand(Command):
                     options += [value for value in [next(words, None)] if value is not None]
             else:
                 rest.append(word)
-        return super().parse_args(ctx, [*options, "--", *rest])
+        try:
+            return super().parse_args(ctx, [*options, "--", *rest])
+        except click.NoSuchOption as fault:
+            others = _having(ctx, fault.option_name)
+            if not others:
+                raise
+            where = f"{fault.option_name} is an option of {', '.join(others)}, not of {ctx.info_name}."
+            raise click.UsageError(where, ctx) from None
+
+
+def _having(ctx: click.Context, option: str) -> list[str]:
+    """The other commands that have an option of this name."""
+    group = ctx.parent.command if ctx.parent else None
+    names = list(group.table) if isinstance(group, LazyGroup) else []
+    found = ((n, group.get_command(ctx, n)) for n in names if n != ctx.info_name) if group else ()  # type: ignore[attr-defined]
+    return [n for n, c in found if c and any(option in p.opts for p in c.params)]
 
 
 _LONG_OPTION = re.compile(r"--[a-z][a-z-]+(=.*)?", re.DOTALL)

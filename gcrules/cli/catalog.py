@@ -19,6 +19,9 @@ from gcrules.condition import Certificate, Condition
 from gcrules.errors import InputError
 from gcrules.legs import Leg, Structure, legs_text
 from gcrules.plugins import load_rules
+from gcrules.render.catalog_index import degrees_text
+from gcrules.rules.oracle import Oracle
+from gcrules.rules.words import sentence
 from gcrules.yamlfile import near
 
 if TYPE_CHECKING:
@@ -183,7 +186,7 @@ class _Class:
         lines = [
             f"class      {e.id}" + (f", {e.name}" if e.name else ""),
             f"legs       {legs_text(e.legs)}",
-            f"degrees    base {_numbers(e.degrees[0])}; platform {_numbers(e.degrees[1])}",
+            f"degrees    {degrees_text(e, 'base {}; platform {}')}",
             f"terms      {', '.join(f'{n} in the {form}-term form' for form, n in e.terms.items())}",
             f"factors    {' '.join('[' + ''.join(f) + ']' for f in e.factors) or 'none'}",
             f"group      {e.group or 'none'}",
@@ -201,7 +204,8 @@ def _sentence(entry: Entry, reading: Reading) -> str:
     if reading.statement is not None:
         return reading.statement.translate({ord("{"): None, ord("}"): None})
     a = analyze(entry.structure)
-    return next((c.statement for c in (a.condition, *a.readings) if c.kind == reading.kind), "")
+    found = next((c.statement for c in (a.condition, *a.readings) if c.kind == reading.kind), "")
+    return found or sentence(reading.expression, entry.structure, Oracle(entry.structure), reading.cofactor)
 
 
 @dataclass(frozen=True)
@@ -220,10 +224,6 @@ class _List:
 def _row(e: Entry) -> tuple[str, ...]:
     terms = (str(e.terms.get(form, "")) for form in (24, 16))
     return (e.id, legs_text(e.legs), *terms, e.group or "-", e.condition.kind)
-
-
-def _numbers(values: tuple[int, ...]) -> str:
-    return " ".join(map(str, values))
 
 
 @dataclass(frozen=True)

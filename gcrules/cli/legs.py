@@ -158,10 +158,34 @@ def report(
     """
     from gcrules.render.report import report as rendered  # not needed by analyze
 
+    _check_page(path)
     others = order or recheck or assumptions or catalogs or space != _SPACE
     found: Analysis | RobotAnalysis | None = _of_joints(legs, choice, search, others)
     found = found or _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
     write_file(path, rendered(found, interactive=interactive))
+
+
+_OTHER_FORMATS = {
+    **{f".{e}": "print the page from a browser for a PDF" for e in ("pdf", "ps", "eps")},
+    **{f".{e}": f"`gcrules analyze … --figure FILE.{e}` draws a figure" for e in ("svg",)},
+    **{f".{e}": "take the picture of the page in a browser" for e in ("png", "jpg", "jpeg", "gif", "webp")},
+    **{f".{e}": "`gcrules analyze … --json` prints the data" for e in ("json", "yaml", "yml", "csv", "xml", "toml")},
+    **{f".{e}": "`gcrules analyze … --latex` prints LaTeX" for e in ("tex", "latex")},
+    **{f".{e}": "`gcrules analyze …` prints text" for e in ("md", "txt", "rst", "doc", "docx", "odt", "rtf")},
+    **{f".{e}": "a file of this kind would not open" for e in ("zip", "gz", "ipynb", "py", "gca", "xls", "xlsx")},
+}
+"""Endings of files that are no pages, and what makes such a file, or comes near it."""
+
+
+def _check_page(path: str) -> None:
+    """Raises InputError for a name that is known to stand for another format than HTML."""
+    ending = os.path.splitext(path)[1].lower()
+    if ending in _OTHER_FORMATS:
+        page = os.path.splitext(path)[0] + ".html"
+        raise InputError(
+            f"a report is a page in HTML, and {path} is the name of another kind of file",
+            hint=f"write {page}; {_OTHER_FORMATS[ending]}",
+        )
 
 
 def _of_joints(words: tuple[str, ...], choice: Choice, search: float, others: object) -> RobotAnalysis | None:
@@ -175,7 +199,11 @@ def _of_joints(words: tuple[str, ...], choice: Choice, search: float, others: ob
     if others or choice.words or choice.without:
         raise click.UsageError("A robot of joints takes --search, --plugins and the options of output only.")
     with working("analysing"):
-        return robot.analyze(search=search)
+        found = robot.analyze(search=search)
+        remark = robot.home_remark(found)
+    if remark:
+        click.echo(f"warning: {remark}", err=True)
+    return found
 
 
 def _robot(words: tuple[str, ...], folders: tuple[str, ...]) -> Robot | None:

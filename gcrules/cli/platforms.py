@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import click
 
 from gcrules.cli.files import read_stdin
-from gcrules.errors import FileError
+from gcrules.errors import FileError, InputError
 from gcrules.robots.as_platform import as_platform
 from gcrules.robots.geometry import Platform, load_platform, parse_platform
 from gcrules.robots.model import Robot
@@ -43,6 +44,8 @@ def read_either(file: str) -> Platform | Robot:
             return Robot.parse(text, "<stdin>")
         return _warned(parse_platform(text, "<stdin>"))
     path = Path(file)
+    if re.search(r"[\s,]", file) and not path.exists():
+        raise _without_coordinates(file)
     if not path.suffix and len(path.parts) == 1 and not path.exists():
         return Robot.load(file)
     try:
@@ -50,6 +53,15 @@ def read_either(file: str) -> Platform | Robot:
     except FileError:  # said again, and better, by the reader of platforms
         robot = False
     return Robot.load(file) if robot else _warned(load_platform(file))
+
+
+def _without_coordinates(legs: str) -> InputError:
+    """The fault of legs, or other words, where joints need places."""
+    return InputError(
+        f"{legs[:60]!r} names no file and no robot; legs alone have no coordinates",
+        hint='give a geometry file, legs and coordinates as in examples/octahedral.yaml; `gcrules studio "LEGS"` writes'
+        ' one under "Take away". Without coordinates `gcrules analyze "LEGS"` gives the condition',
+    )
 
 
 def _warned(platform: Platform) -> Platform:

@@ -121,6 +121,8 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
             f"{found.id}: mobility {analysis.structure.mobility}, {home},"
             f" {analysis.members} members and {analysis.met} singular members checked{said}"
         )
+        if remark := found.home_remark(analysis):
+            click.echo(f"  warning: {remark}")
         for note in notes(found):
             click.echo(f"  note: {note}")
     ctx.exit(code)
@@ -140,7 +142,11 @@ def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Out
     gcrules robot analyze my-robot/robot.yaml --json
     """
     with working("analysing"):
-        found = Robot.load(name, plugins=folders).analyze(search=search)
+        read = Robot.load(name, plugins=folders)
+        found = read.analyze(search=search)
+        remark = read.home_remark(found)
+    if remark:
+        click.echo(f"warning: {remark}", err=True)
     out.show(found)
 
 

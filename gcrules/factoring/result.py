@@ -31,11 +31,10 @@ class Family:
     seconds: float = field(default=0.0, compare=False, repr=False)
 
     def searched(self) -> str:
-        """What was tested and how long it took, in words."""
-        time = "under 1 s" if self.seconds < 1 else f"{self.seconds:.0f} s"
+        """What was tested, in words; the time is in `to_json` only, for it differs from run to run."""
         if self.extensors:
-            return f"{self.size:,} expressions made of {self.extensors:,} extensors, {time}"
-        return f"{self.size:,} meets of atomic extensors, {time}" if self.size else time
+            return f"{self.size:,} expressions made of {self.extensors:,} extensors"
+        return f"{self.size:,} meets of atomic extensors" if self.size else "nothing; no search was needed"
 
     def to_json(self) -> dict[str, Any]:
         """Without the time, so that equal answers are equal texts."""

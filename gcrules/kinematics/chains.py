@@ -22,6 +22,7 @@ from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.kinematics.rigid import Floats, carried, exponential
 from gcrules.robots.limbs import JointText, LimbText
+from gcrules.rules.listing import listed
 from gcrules.screws import JOINTS
 
 __all__ = ["SHAPES", "Chain", "Motion", "Shape", "chain_of", "geometry_of"]
@@ -176,7 +177,7 @@ def geometry_of(joint: JointText, values: Values) -> dict[str, Any]:
         if form == "direction":
             size = float(np.linalg.norm(vector))
             if size <= 1e-12 * max(1e-300, *(float(np.abs(values[n]).max()) for _, n in arg)):
-                raise InputError(f"the {part} of {joint} has no direction here: {' and '.join(joint.names)} coincide")
+                raise InputError(f"the {part} of {joint} has no direction here: {listed(joint.names)} coincide")
             vector = vector if part == "bars" else vector / size
         found[part] = vector
     if joint.kind == "Pa":

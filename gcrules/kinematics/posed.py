@@ -38,7 +38,7 @@ from gcrules.numeric.pose import Pose, exact
 from gcrules.numeric.threshold import DEFAULT, Threshold, degrees, parse_threshold
 from gcrules.numeric.verdict import decide
 from gcrules.robots.robot_analysis import RobotAnalysis
-from gcrules.rules.listing import listed
+from gcrules.rules.listing import agreeing
 
 __all__ = ["SINGULAR", "first_singular_pose", "here", "posed"]
 
@@ -172,7 +172,8 @@ def _verdict(m: Mechanism, near: Closeness, own: Sequence[float], limit: Thresho
         return word, "σ is 0 within rounding: the wrenches of all limbs do not hold the platform."
     lost = [limb.name for limb, c in zip(m.robot.limbs, own, strict=True) if c <= SINGULAR]
     if lost:
-        return "singular", f"{' and '.join(lost)} is singular by itself: its own twists depend on each other."
+        verbs = "is singular by itself: its own twists", "are singular by themselves: the twists of each"
+        return "singular", f"{agreeing(lost, *verbs)} depend on each other."
     words = "the limbs' own singularities apart, there is no singular configuration before the wrenches of some limb"
     words += f" have turned by {degrees(turn)} relative to the platform"
     if word == "regular":
@@ -223,5 +224,6 @@ def _mode(m: Mechanism, analysis: RobotAnalysis, values: Sequence[Factor], solut
         if f.live and min(v.value for v in seen) < -_NEAR_ZERO and max(v.value for v in seen) > _NEAR_ZERO
     ]
     if crossed:
-        return f"the way from home crosses a singular configuration: {listed(crossed)} changes its sign on it"
+        signs = agreeing(crossed, "changes its sign", "change their signs")
+        return f"the way from home crosses a singular configuration: {signs} on it"
     return "that of home: no factor changes its sign at the steps from there" if values else "that of home, continued"

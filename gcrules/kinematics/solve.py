@@ -23,7 +23,7 @@ from gcrules.kinematics.riders import disagreement, moved, off_relations
 from gcrules.kinematics.rigid import Floats, exponential, inverse, logarithm, rotation_vector
 from gcrules.kinematics.stops import stopped
 from gcrules.kinematics.wanted import Wanted
-from gcrules.rules.listing import listed
+from gcrules.rules.listing import agreeing, listed
 
 __all__ = ["Course", "Solution", "check_wanted", "free_coordinates", "goal", "solve"]
 
@@ -254,7 +254,7 @@ def check_wanted(m: Mechanism, wanted: Wanted) -> None:
             hint="ask for coordinates of the pose instead, or give another home",
         )
     raise InputError(
-        f"{listed(wanted.names)} do not determine the pose of {m.robot.id} near home",
+        f"{agreeing(wanted.names, 'does', 'do')} not determine the pose of {m.robot.id} near home",
         hint=f"independent there are, for example, {listed(free_coordinates(m))}",
     )
 

@@ -7,7 +7,7 @@ from gcrules.kinematics.closeness import closeness, limb_closeness
 from gcrules.kinematics.coordinates import SHIFTS, coordinates
 from gcrules.kinematics.mechanism import Configuration, Mechanism
 from gcrules.kinematics.wanted import Wanted
-from gcrules.rules.listing import listed
+from gcrules.rules.listing import agreeing
 
 __all__ = ["stopped"]
 
@@ -55,5 +55,5 @@ def _reason(m: Mechanism, here: Configuration, wanted: Wanted, told: float, why:
     if part <= _LOST:
         return f"{words}: closeness {100 * part:.1g}% of that at home"
     if told <= _LOST:
-        return f"{listed(wanted.names)} hardly determine the pose any more"
+        return f"{agreeing(wanted.names, 'hardly determines', 'hardly determine')} the pose any more"
     return why

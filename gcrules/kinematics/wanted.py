@@ -15,6 +15,7 @@ from gcrules.kinematics.coordinates import ANGLES, COORDINATES, SHIFTS, TURNS, V
 from gcrules.kinematics.mechanism import Actuator, Mechanism
 from gcrules.kinematics.rigid import Floats
 from gcrules.numeric.pose import Pose, check_unit, exact, parse_pose, read_number
+from gcrules.robots.robot_text import RobotText
 from gcrules.yamlfile import near
 
 __all__ = ["Wanted", "read_actuators", "read_pose", "wanted_actuators", "wanted_coordinates", "wanted_pose"]
@@ -73,7 +74,7 @@ def wanted_coordinates(m: Mechanism, given: Mapping[str, Any], text: str = "") -
     flat = [n for n in given if m.robot.family.plane and n not in ("x", "y", "yaw", "rz")]
     if flat:
         raise InputError(f"{flat[0]} is fixed: the robot moves in the plane z = 0", hint="take x, y and yaw")
-    _count(given, mobility, "coordinate", "the others follow from them")
+    _count(given, mobility, "coordinate", f"the others follow from them: {_example(given, m.robot)}")
     values = _numbers(given)
     _check_turn(dict(zip(given, values, strict=True)))
     return Wanted(tuple(given), values, False, None, text or _shown(given))
@@ -115,6 +116,18 @@ def _count(given: Any, needed: int, what: str, hint: str) -> None:
         raise InputError(f"too {word} {what}s: {len(given)}, and {beside} {needed}", hint=f"give {needed}; {hint}")
 
 
+def _example(given: Mapping[str, Any], robot: RobotText) -> str:
+    """As many coordinates as the robot has freedoms, those given among them where they are too few."""
+    order = ("x", "y", "yaw") if robot.family.plane else ("z", "roll", "pitch", "x", "y", "yaw")
+    if any(n in VECTOR for n in given):
+        order = ("z", "rx", "ry", "x", "y", "rz")
+    known = list(given)[: robot.mobility]
+    more = [n for n in order if n not in given][: robot.mobility - len(known)]
+    values = {**{n: float(exact(given[n], n)) for n in known}, **dict.fromkeys(more, 0.0)}
+    words = (f"{n}={math.degrees(v):.6g}deg" if n in ANGLES else f"{n}={v:.6g}" for n, v in values.items())
+    return f'"{", ".join(words)}"'
+
+
 def _numbers(given: Mapping[str, Any]) -> Floats:
     return np.array([float(exact(v, name)) for name, v in given.items()])
 
@@ -141,6 +154,8 @@ def _named(text: str, option: str, angles: Mapping[str, bool], what: str) -> dic
             if match is None:
                 raise InputError(f"{part.strip()[:40]!r} gives no value to a name", hint="write z=0.2, roll=5deg")
             name, value = match.groups()
+            if "=" in value:
+                raise InputError("two values without a comma between them", hint="write z=0.2, roll=5deg")
             _known({name: value}, tuple(angles), what)
             if name in found:
                 raise InputError(f"{name} is given twice")

@@ -105,10 +105,10 @@ class Form:
 
     def latex(self) -> str:
         """A sum; a long one is `aligned`."""
+        from gcrules.render.latex import latex_name  # needed for LaTeX only
 
         def factor(name: str, n: int) -> str:
-            letter = f"{name[0]}_{{{name[1:]}}}" if len(name) > 1 else name
-            return letter if n == 1 else f"{letter}^{{{n}}}"
+            return latex_name(name) if n == 1 else f"{latex_name(name)}^{{{n}}}"
 
         terms = [
             (c, " ".join(factor(v, n) for v, n in zip(self.variables, e, strict=True) if n), r"\,")

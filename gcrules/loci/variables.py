@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.hints import run_together
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.numeric.pose import Pose, exact, parse_pose, read_number
@@ -110,7 +111,9 @@ def _turning(rotation: str) -> tuple[str, ...]:
 
 def _known(name: str, names: Sequence[str]) -> str:
     if name not in names:
-        hint = near(name, names) or f"the variables are {', '.join(names)}"
+        apart = run_together(name, names)
+        known = f"the variables are {', '.join(names)}"
+        hint = f'separate them: "{", ".join(apart)}"; {known}' if apart else near(name, names) or known
         raise InputError(f"{name[:40]!r} is no variable of a pose", hint=hint)
     return name
 

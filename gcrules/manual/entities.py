@@ -13,6 +13,7 @@ from gcrules.manual.evidence import bracket_divides, dividing_brackets, flat
 from gcrules.manual.left_over import left_over_plane
 from gcrules.manual.outcome import Outcome, confirmed, refused
 from gcrules.manual.words import Words
+from gcrules.rules.listing import agreeing, listed
 
 __all__ = ["propose_line", "propose_plane", "propose_tetrahedron"]
 
@@ -87,7 +88,7 @@ def _broken(board: Board, row: Row) -> Outcome | None:
         if not lacking:
             return None
         takers = [r for r in board.taken if set(r) & set(lacking)]
-        by = " and ".join(board.label(r) for r in takers)
+        by = listed([board.label(r) for r in takers])
         points = ", ".join(board.named(tuple(lacking)))
         return refused("points-taken", f"{points}: taken already by {by}", **data, by=[board.named(r) for r in takers])
     monomial, _ = board.terms[number - 1]
@@ -95,16 +96,16 @@ def _broken(board: Board, row: Row) -> Outcome | None:
     data |= {"term": number, "brackets": [board.named(b) for b in monomial]}
     holding = [b for b in monomial if set(row) <= set(b)]
     if not holding:
-        what = f"[{board.label(row)}]" if len(row) == 4 else f"bracket with {_listed(board.named(row))}"
+        what = f"[{board.label(row)}]" if len(row) == 4 else f"bracket with {listed(board.named(row))}"
         return refused("apart", f"{term}, has no {what}", **data)
     if not board.free:
         return refused("bracket-taken", f"{term}: each of its brackets has an entity already", **data, by=[])
     takers = [r for r in board.entities if any(set(r) <= set(b) for b in holding)]
-    brackets = " and ".join(dict.fromkeys(f"[{board.label(b)}]" for b in holding))
-    only = f"only {brackets} holds" if len(holding) == 1 else f"only {brackets} hold"
-    by = " and ".join(board.entity_text(r) for r in takers)
-    have = "has" if len(takers) == 1 else "have"
-    said = f"{term}: {only} {_listed(board.named(row))}, and {by} {have} taken {'it' if len(holding) == 1 else 'them'}"
+    brackets = [f"[{board.label(b)}]" for b in dict.fromkeys(holding)]
+    only = agreeing(brackets, "holds", "hold")
+    by = agreeing([board.entity_text(r) for r in takers], "has", "have")
+    it = "it" if len(brackets) == 1 else "them"
+    said = f"{term}: only {only} {listed(board.named(row))}, and {by} taken {it}"
     return refused("bracket-taken", said, **data, by=[board.named(r) for r in takers])
 
 
@@ -129,7 +130,3 @@ def _no_tetrahedron(board: Board, row: Row, label: str, fault: Outcome) -> Outco
         said.append(f"at these points its four points lie in a plane, but the superbracket is {seen.superbracket}")
         data |= {"points": seen.points, "superbracket": seen.superbracket}
     return refused("no-factor", *said, **data)
-
-
-def _listed(names: tuple[str, ...]) -> str:
-    return f"{', '.join(names[:-1])} and {names[-1]}"

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.hints import run_together
 from gcrules.errors import GcrulesError, InputError, LimitReached, Span
 from gcrules.numeric.pose import check_unit, read_number
 from gcrules.numeric.turns import check_sequence
@@ -160,7 +161,9 @@ def parse_axis(text: str, unit: str = "") -> Axis:
 
 def _axis(words: list[str], unit: str) -> Axis:
     if not 2 <= len(words) <= 3:
-        raise InputError("this is no coordinate with its range", hint=_FORM)
+        apart = run_together(words[0], (*TRANSLATION, *VECTOR, *TILT)) if words else None
+        more = f", one --over for each of {' and '.join(apart)}" if apart else ""
+        raise InputError("this is no coordinate with its range", hint=f"{_FORM}{more}; the coordinates are {_NAMES}")
     name, bounds = words[:2]
     angle = name not in TRANSLATION
     euler = _EULER.fullmatch(name)

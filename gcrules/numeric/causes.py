@@ -13,6 +13,7 @@ from gcrules.numeric.extensors import Points as Arrays
 from gcrules.numeric.extensors import normalised
 from gcrules.numeric.incidence import common_point, factors, vanishing
 from gcrules.numeric.readings import NEAR_ZERO
+from gcrules.rules.listing import listed, of_kind
 
 __all__ = ["causes", "near_causes", "nearest_cause"]
 
@@ -66,13 +67,11 @@ def _words(part: Expr, condition: Condition, names: tuple[str, ...]) -> Iterator
         corners = " ".join(text(p, names=names) for p in part.children)
         yield f"the tetrahedron {corners} is flat: its four points lie in one plane"
     elif isinstance(part, Meet):
-        listed = []
-        for word, step in (("plane", 3), ("line", 2), ("point", 1)):
-            found = [text(e, unicode=True, names=names) for e in part.children if e.step == step]
-            if found:
-                last = f" and {found[-1]}" if len(found) > 1 else found[0]
-                listed.append(f"the {word}{'s' * (len(found) > 1)} {', '.join(found[:-1])}{last}")
-        yield f"{' and '.join(listed)} meet in a point"
+        kinds = (
+            of_kind(word, [text(e, unicode=True, names=names) for e in part.children if e.step == step])
+            for word, step in (("plane", 3), ("line", 2), ("point", 1))
+        )
+        yield f"{listed([some for some in kinds if some])} meet in a point"
     elif condition.lines:
         p, q = (f"{name} = {text(line, unicode=True, names=names)}" for name, line in condition.lines[:2])
         yield f"the two remaining legs allow the turns about {p} and {q} in the same ratio"

@@ -184,7 +184,9 @@ def _part(words: list[str], unit: str) -> tuple[str, tuple[Any, ...]]:
         check_sequence(sequence)
         degrees = _angle_unit(words)
         return key, (from_euler(sequence, _numbers(words, 3, "a set of Euler angles"), degrees=degrees),)
-    raise InputError(f"{key[:40]!r} is no part of a pose", hint=near(key, (*_TURNS, "translation")) or _FORMS)
+    named = f"{_FORMS}; coordinates by their names are for robots that are described by their joints"
+    hint = named if "=" in key else near(key, (*_TURNS, "translation")) or _FORMS
+    raise InputError(f"{key[:40]!r} is no part of a pose", hint=hint)
 
 
 def check_unit(word: str, unit: str) -> None:

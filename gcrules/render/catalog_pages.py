@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from importlib.resources import files
 from itertools import combinations
@@ -21,7 +21,7 @@ from gcrules.catalog import SHIPPED, Catalog, Entry
 from gcrules.condition import Condition
 from gcrules.legs import Structure, leg_text, legs_text
 from gcrules.numeric.worked import WorkedPose
-from gcrules.render.catalog_index import GROUP_NAMES, HEAD, index_page, owner_name
+from gcrules.render.catalog_index import GROUP_NAMES, HEAD, degrees_text, index_page, owner_name
 from gcrules.render.figures import graph_figure, incidence_in_words, robot_figure, thumbnail
 from gcrules.render.markdown import block, inline, reference
 from gcrules.render.page_names import page_names
@@ -50,16 +50,20 @@ def catalog_pages(
     bibliography: Mapping[str, str],
     catalogs: Sequence[str | PathLike[str]] = (),
     strategy: Strategy | None = None,
+    *,
+    tell: Callable[[str], None] | None = None,
 ) -> dict[str, str]:
     """File names (relative to the folder of the pages) and contents.
 
     `bibliography` gives a line for each source; `catalogs` names the files that the catalog was loaded from besides the
-    shipped one, `strategy` the rules that run, for the analysis.
+    shipped one, `strategy` the rules that run, for the analysis; `tell` is told how far it is.
     """
     names = page_names(e.id for e in catalog.entries)
     links = neighbours(catalog)
     pages: dict[str, str] = {}
-    for entry in catalog.entries:
+    for number, entry in enumerate(catalog.entries, 1):
+        if tell is not None:
+            tell(f"{entry.id}, {number} of {len(catalog.entries)}")
         a = analyze(entry.structure, catalogs=catalogs, recheck=True, strategy=strategy)
         poses = _worked(a)
         at = {word: _cartesian(pose) for word, pose in poses.items()}
@@ -164,7 +168,7 @@ def _page(
         *([f"The robot is drawn{pose}.", ""] if pose else []),
         *_singular(a, poses, name, alt),
         f"* Legs: {legs_text(entry.legs)}",
-        f"* Legs at the base joints {_numbers(entry.degrees[0])}, at the platform joints {_numbers(entry.degrees[1])}",
+        f"* Legs at the {degrees_text(entry, 'base joints {}, at the platform joints {}')}",
         f"* Group: {_group(entry, a)}",
         f"* Status: {_status(entry)}",
         *([f"* Note: {inline(entry.note)}"] if entry.note else []),
@@ -330,7 +334,3 @@ def _sources(entry: Entry, bibliography: Mapping[str, str]) -> list[str]:
         return ["## Sources", "", "Derived here." if entry.owner == SHIPPED else "None given.", ""]
     known = (bibliography.get(key) or reference(key) for key in entry.sources)
     return ["## Sources", "", *(f"* {line}" for line in known), ""]
-
-
-def _numbers(values: tuple[int, ...]) -> str:
-    return " ".join(map(str, values))

@@ -22,7 +22,8 @@ from textwrap import wrap
 
 from gcrules.algebra.expr import Expr, Sum
 from gcrules.algebra.text import text
-from gcrules.render.latex import latex, latex_lines, latex_words
+from gcrules.render.latex import latex, latex_lines
+from gcrules.render.latex_text import latex_words
 from gcrules.rules.derivation import Derivation
 
 __all__ = ["as_align", "as_aligned", "as_text", "ascii_words", "reasons"]

@@ -20,6 +20,7 @@ from gcrules.render.drawing import Drawing, beside, scaled, without_text
 from gcrules.render.graph import draw_graph
 from gcrules.render.sample import sample_coordinates
 from gcrules.render.scene import draw_platform
+from gcrules.rules.listing import listed, of_kind
 
 __all__ = [
     "distinct_entities",
@@ -196,7 +197,7 @@ def incidence_in_words(a: Analysis, at: Coordinates) -> str:
     zero = vanishing(a.condition.expression, homogeneous)
     found = [_zero_in_words(a, f, homogeneous) for f in zero if isinstance(f, (Bracket, Meet))]
     if found:
-        return " and ".join(found) + "."
+        return f"{listed(found)}."
     motions = free_motions(a.structure.legs, homogeneous)
     if len(motions) != 1:
         return "the six legs belong to more than one linear complex."
@@ -221,25 +222,19 @@ def _zero_in_words(a: Analysis, factor: Expr, at: Coordinates) -> str:
         return f"the tetrahedron {text(join(*factor.children), unicode=True, names=names)} is flat"
     lines = {str(e): name for name, e in named_lines(a)}
     parts = [
-        _listed(
+        of_kind(
             word, [lines.get(str(e)) or text(e, unicode=True, names=names) for e in factor.children if e.step == step]
         )
         for step, word in ((3, "plane"), (2, "line"), (1, "point"))
     ]
-    listed = " and ".join(part for part in parts if part)
+    together = listed([part for part in parts if part])
     point = common_point(factor, at)
     if point is None:
-        return f"{listed} have more than one point in common"
+        return f"{together} have more than one point in common"
     if not point[3]:
-        return f"{listed} meet at infinity, in the direction {_tuple(point[:3])}"
+        return f"{together} meet at infinity, in the direction {_tuple(point[:3])}"
     place = tuple(c / point[3] for c in point[:3])
-    return f"{listed} meet in the point {_mark_names(a, at)[str(factor)]} = {_tuple(place)}"
-
-
-def _listed(word: str, names: Sequence[str]) -> str:
-    if len(names) < 2:
-        return f"the {word} {names[0]}" if names else ""
-    return f"the {word}s {', '.join(names[:-1])} and {names[-1]}"
+    return f"{together} meet in the point {_mark_names(a, at)[str(factor)]} = {_tuple(place)}"
 
 
 def _tuple(numbers: Sequence[Fraction]) -> str:

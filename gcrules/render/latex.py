@@ -14,7 +14,7 @@ from fractions import Fraction
 from gcrules.algebra.expr import Expr
 from gcrules.render.notation import Digits, Mark, Name, Raised, Sign, Term, signs, split_name, terms
 
-__all__ = ["latex", "latex_aligned", "latex_lines", "latex_name", "latex_words"]
+__all__ = ["latex", "latex_aligned", "latex_lines", "latex_name"]
 
 _MARKS = {
     "∨": r" \vee ",
@@ -124,26 +124,3 @@ def _sign_width(sign: Sign) -> int:
             return _width(base) + 1
         case Mark(sign=mark):
             return 3 if mark in "∨∧+−" else 1
-
-
-_WORDS = {
-    "\\": "\\textbackslash{}",
-    "{": "\\{",
-    "}": "\\}",
-    "_": "\\_",
-    "^": "\\^{}",
-    "&": "\\&",
-    "#": "\\#",
-    "%": "\\%",
-    "$": "\\$",
-    "→": "$\\to$",
-    "∧": "$\\wedge$",
-    "∨": "$\\vee$",
-    "−": "$-$",
-    "·": "$\\cdot$",
-}
-
-
-def latex_words(words: str) -> str:
-    """Running text with the characters escaped that LaTeX reads as commands."""
-    return "".join(_WORDS.get(c, c) for c in words)

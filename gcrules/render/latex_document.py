@@ -5,7 +5,8 @@ from __future__ import annotations
 from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
 from gcrules.render.derivation import as_align
-from gcrules.render.latex import latex, latex_lines, latex_words
+from gcrules.render.latex import latex, latex_lines
+from gcrules.render.latex_text import latex_document, latex_words
 from gcrules.render.stages import Fact, Formula, Item, stages
 
 __all__ = ["as_latex"]
@@ -23,15 +24,7 @@ def as_latex(a: Analysis, *, full: bool = False) -> str:
         body += map(_item, stage.items)
     if full:
         body += ["\\section*{Derivation}", as_align(a.unfolded())]
-    preamble = [
-        "\\documentclass{article}",
-        "\\usepackage[T1]{fontenc}",
-        "\\usepackage[utf8]{inputenc}",
-        "\\usepackage{amsmath}",
-        "\\allowdisplaybreaks",
-        "\\setlength{\\parindent}{0pt}",
-    ]
-    return "\n".join([*preamble, "\\begin{document}", *body, "\\end{document}", ""])
+    return latex_document(body)
 
 
 def _item(item: Item) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 
 from gcrules.core.floats import decimal
 from gcrules.numeric.incidence import factors
@@ -12,6 +11,7 @@ from gcrules.numeric.nearest_pose import NearestPose
 from gcrules.numeric.pose import Pose
 from gcrules.numeric.report import PoseReport
 from gcrules.numeric.threshold import degrees
+from gcrules.render.latex_text import latex_quantity
 from gcrules.render.tables import ASCII, columns, table, wrapped
 
 __all__ = ["as_latex", "as_text"]
@@ -190,31 +190,21 @@ def _small(x: float) -> str:
 def as_latex(r: PoseReport) -> str:
     """A tabular of the numbers; needs no package."""
     u = r.rig.unit
-    unit = f"\\,\\mathrm{{{u}}}" if u else ""
     rows = [
         ("verdict", r.verdict),
-        ("closeness $\\sigma$", _tex(r.closeness)),
-        ("superbracket", _tex(r.superbracket, f"\\,\\mathrm{{{u}}}^9" if u else "")),
-        ("smallest singular value", _tex(r.smallest_singular_value)),
-        ("condition number", _tex(r.condition_number)),
-        ("characteristic length", _tex(r.radius, unit)),
+        ("closeness $\\sigma$", latex_quantity(r.closeness)),
+        ("superbracket", latex_quantity(r.superbracket, u, 9)),
+        ("smallest singular value", latex_quantity(r.smallest_singular_value)),
+        ("condition number", latex_quantity(r.condition_number)),
+        ("characteristic length", latex_quantity(r.radius, u)),
     ]
     for n in r.nearest:
         name = f"nearest singular pose, {n.kind}"
         if n.pose is None:
             rows.append((name, "none" if n.never else "none found"))
         elif n.kind == "rotation":
-            rows.append((name, _tex(math.degrees(n.distance), "^\\circ")))
+            rows.append((name, latex_quantity(math.degrees(n.distance), "deg")))
         else:
-            rows.append((name, _tex(n.distance, unit)))
+            rows.append((name, latex_quantity(n.distance, u)))
     body = "\n".join(f"  {name} & {value} \\\\" for name, value in rows)
     return f"\\begin{{tabular}}{{ll}}\n{body}\n\\end{{tabular}}"
-
-
-def _tex(x: float | Fraction, unit: str = "") -> str:
-    if x == math.inf:
-        return "$\\infty$"
-    digits, _, power = (decimal(x, 4) if isinstance(x, Fraction) else f"{x:.4g}").partition("e")
-    if power:
-        digits += f" \\cdot 10^{{{int(power)}}}"
-    return f"${digits}{unit}$"

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from gcrules.kinematics.coordinates import SHIFTS, TURNS
 from gcrules.kinematics.report import RobotPose
 from gcrules.numeric.threshold import degrees
+from gcrules.render.latex import latex_name
+from gcrules.render.latex_text import latex_quantity
 from gcrules.render.tables import ASCII, columns, table, wrapped
 
 __all__ = ["as_latex", "as_text"]
@@ -121,20 +123,11 @@ def as_latex(r: RobotPose) -> str:
     """A tabular of the numbers; needs no package."""
     rows = [
         ("verdict", r.verdict),
-        ("closeness $\\sigma$", _tex(r.closeness)),
-        ("smallest singular value", _tex(r.jacobian.smallest_singular_value)),
-        ("condition number", _tex(r.jacobian.condition_number)),
-        ("characteristic length", _tex(r.jacobian.length)),
-        *((f"${a.name[0]}_{{{a.name[1:]}}}$", _tex(v, "\\,\\mathrm{rad}" if a.angle else "")) for a, v in r.actuators),
+        ("closeness $\\sigma$", latex_quantity(r.closeness)),
+        ("smallest singular value", latex_quantity(r.jacobian.smallest_singular_value)),
+        ("condition number", latex_quantity(r.jacobian.condition_number)),
+        ("characteristic length", latex_quantity(r.jacobian.length)),
+        *((f"${latex_name(a.name)}$", latex_quantity(v, "rad" if a.angle else "")) for a, v in r.actuators),
     ]
     body = "\n".join(f"  {name} & {value} \\\\" for name, value in rows)
     return f"\\begin{{tabular}}{{ll}}\n{body}\n\\end{{tabular}}"
-
-
-def _tex(x: float, unit: str = "") -> str:
-    if not math.isfinite(x):
-        return "$\\infty$" if math.isinf(x) else "not defined"
-    digits, _, power = f"{x:.4g}".partition("e")
-    if power:
-        digits += f" \\cdot 10^{{{int(power)}}}"
-    return f"${digits}{unit}$"

@@ -26,6 +26,7 @@ from gcrules.repl.commands import HANDLERS, Request
 from gcrules.repl.reading import (
     Piece,
     Source,
+    bare_command,
     first_word,
     is_blank,
     pieces,
@@ -89,6 +90,10 @@ class Interpreter:
         if called is not None:
             yield from self._command(piece, filename, *called)
             return
+        bare = bare_command(text)
+        if bare and not self._declared(text):
+            yield from HANDLERS[bare](self, Request(command(bare), "", Source.of("", filename, piece.line)))
+            return
         source = Source.of(text, filename, piece.line)
         if first_word(text) in STATEMENTS:
             yield from self.run(source)
@@ -96,6 +101,11 @@ class Interpreter:
             yield from self.equation(source)
         else:
             yield from self.shown(self.expression(source), source)
+
+    def _declared(self, text: str) -> bool:
+        """Whether a word is the name of a point or of something that was named by `let`."""
+        at = self.state.context
+        return text.strip() in (*at.points, *at.ideal, *at.bound)
 
     def _command(self, piece: Piece, filename: str, name: str, at: int) -> Answers:
         source = Source.of(piece.text, filename, piece.line, skip=at)

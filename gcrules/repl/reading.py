@@ -23,6 +23,7 @@ __all__ = [
     "Piece",
     "Source",
     "as_typed",
+    "bare_command",
     "first_word",
     "is_blank",
     "pieces",
@@ -34,6 +35,8 @@ __all__ = [
 
 _FIRST_WORD = re.compile(r"(?:\s|#[^\n]*(?:\n|$))*([A-Za-z][A-Za-z0-9_']*)?")
 _COMMAND = re.compile(r"\s*:([A-Za-z?]*)[ \t]*")
+_MEANINGS = {"help": "help", "?": "help", "quit": "quit", "exit": "quit", "bye": "quit"}
+_BARE = re.compile(r"\s*(help|\?|quit|exit|bye)\s*(?:\(\s*\))?\s*;?\s*", re.IGNORECASE)
 _BLANK = re.compile(r"(?:\s|#[^\n]*(?:\n|$))*")
 _RESULT = re.compile(r'"[^"\n]*"|#[^\n]*|(%+)')
 _NAME = "last__"  # the results, as names that cannot be points side by side
@@ -69,6 +72,12 @@ def split_command(text: str) -> tuple[str, int] | None:
     """The name of a command and where its argument begins, or None for anything else."""
     found = _COMMAND.match(text)
     return (found[1], found.end()) if found else None
+
+
+def bare_command(text: str) -> str:
+    """The name of the command that words without a colon stand for at most prompts: help, quit, exit, ?; else empty."""
+    found = _BARE.fullmatch(text)
+    return _MEANINGS[found[1].lower()] if found else ""
 
 
 def unfinished(text: str) -> bool:

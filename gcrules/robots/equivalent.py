@@ -13,7 +13,7 @@ from gcrules.robots.limbs import LimbText
 from gcrules.robots.names import Sample, directions, key, samples
 from gcrules.robots.relations import AXES, Term, Values, Vector, combined
 from gcrules.robots.wrenches import PLANAR, LimbWrenches, Line, limb_wrenches, reciprocal_to
-from gcrules.screws import RESIDUES
+from gcrules.screws import RESIDUES, Field
 from gcrules.screws.field import Row
 
 __all__ = ["FRAME", "Equivalent", "equivalent"]
@@ -57,16 +57,16 @@ class Equivalent:
         """Derived directions with what they are in words: u × v."""
         return tuple((n, f"{_words(u)} × {_words(v)}") for n, u, v in self.derived)
 
-    def points(self, family: Family, values: Values) -> dict[str, Row]:
-        """Homogeneous coordinates of all points at a member modulo the prime, derived ones among them."""
-        made = self.derived_at(values)
+    def points(self, family: Family, values: Values, field: Field = RESIDUES) -> dict[str, Row]:
+        """Homogeneous coordinates of all points at a member in this field, derived ones among them."""
+        made = self.derived_at(values, field)
         return family.homogeneous(values) | {n: (*v, 0) for n, v in made.items()}
 
-    def derived_at(self, values: Values) -> dict[str, Vector]:
-        """The derived directions at a member modulo the prime."""
+    def derived_at(self, values: Values, field: Field = RESIDUES) -> dict[str, Vector]:
+        """The derived directions at a member in this field."""
         known = dict(values)
         for name, u, v in self.derived:
-            known[name] = RESIDUES.cross(*(combined(t, known, RESIDUES) for t in (u, v)))
+            known[name] = field.cross(*(combined(t, known, field) for t in (u, v)))
         return {n: known[n] for n, _, _ in self.derived}
 
     def to_json(self) -> dict[str, object]:

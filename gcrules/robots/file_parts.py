@@ -78,7 +78,7 @@ def read_facts(node: Node, family: Family, copies: int) -> Iterator[tuple[Node, 
 def read_home(node: Node, family: Family) -> dict[str, tuple[Fraction, Fraction, Fraction]]:
     found = {}
     for key, value in node.entries():
-        numbers = [n.rational() for n in value.sequence(3)]
+        numbers = [n.rational("lengths are all in one unit, which the file does not name") for n in value.sequence(3)]
         if key.text not in family.sorts or key.text in AXES:
             key.fault(f"{key.text[:20]} is not defined", near(key.text, family.sorts))
         elif len(numbers) == 3 and None not in numbers:

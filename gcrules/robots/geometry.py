@@ -29,6 +29,7 @@ from gcrules.yamlfile import Document, Node, near
 
 __all__ = ["UNITS", "Platform", "load_platform", "parse_platform"]
 
+_UNIT_ONCE = "the unit stands once in the file, as  units: {}"
 UNITS = ("m", "dm", "cm", "mm", "um", "in", "ft")
 """Units of length that a file may name."""
 
@@ -110,7 +111,7 @@ def _points(node: Node) -> _Points:
             key.fault(
                 f"{key.text[:_MAX_NAME]!r} is no name of a point", "a letter, then letters, digits or primes: a, S1, A'"
             )
-        numbers = [item.rational() for item in value.sequence(length=3)]
+        numbers = [item.rational(_UNIT_ONCE) for item in value.sequence(length=3)]
         x, y, z = numbers if len(numbers) == 3 else (None, None, None)
         found[key.text] = key, None if x is None or y is None or z is None else (x, y, z)
     if node.kind == "mapping" and not found:

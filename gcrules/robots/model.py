@@ -9,6 +9,7 @@ from functools import cached_property
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
+from gcrules.errors import InputError
 from gcrules.numeric.pose import exact
 from gcrules.robots.discovery import find_robot
 from gcrules.robots.robot_analysis import RobotAnalysis, analyze_robot
@@ -93,6 +94,20 @@ class Robot(RobotText):
         from gcrules.kinematics.posed import first_singular_pose  # numpy, for numbers only
 
         return first_singular_pose(self._mechanism, lambda: self._analysis, towards, actuators, threshold=threshold)
+
+    def home_remark(self, analysis: RobotAnalysis | None = None) -> str:
+        """That home is singular, or nearly so, with cause and motion; nothing of a regular home, of none, or of one
+        that cannot be moved. The `analysis` is made where it is not given.
+        """
+        from gcrules.kinematics.posed import posed  # numpy, for numbers only
+        from gcrules.kinematics.remark import remark
+
+        if self.home is None:
+            return ""
+        try:
+            return remark(posed(self._mechanism, lambda: analysis or self._analysis, None, None))
+        except InputError:
+            return ""
 
     @cached_property
     def _mechanism(self) -> Mechanism:

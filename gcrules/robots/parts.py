@@ -10,10 +10,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import combinations_with_replacement
+from fractions import Fraction
+from itertools import combinations_with_replacement, count, islice
 
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Expr, points_of
+from gcrules.condition import ONE
 from gcrules.core.budget import checkpoint
 from gcrules.errors import GcrulesError
 from gcrules.robots.equivalent import Equivalent
@@ -22,7 +24,7 @@ from gcrules.robots.limbs import LimbText
 from gcrules.robots.relations import Term, Values, combined
 from gcrules.robots.singular import PRIME, interpolated, roots
 from gcrules.robots.wrenches import PLANAR
-from gcrules.screws import RESIDUES, Field, reciprocal
+from gcrules.screws import RATIONALS, RESIDUES, Field, reciprocal
 from gcrules.screws.field import Row
 
 __all__ = [
@@ -33,6 +35,7 @@ __all__ = [
     "Ranks",
     "Told",
     "at_member",
+    "constant",
     "not_told",
     "paths",
     "ranks",
@@ -132,12 +135,33 @@ def ranks(family: Family, limbs: Sequence[LimbText], values: Values, field: Fiel
     )
 
 
-def at_member(family: Family, structure: Equivalent, values: Values) -> Evaluator:
-    """Values of expressions in the structure's points at a member; in the plane points are (x, y, w)."""
-    points: Mapping[str, Row] = structure.points(family, values)
+def at_member(family: Family, structure: Equivalent, values: Values, field: Field = RESIDUES) -> Evaluator:
+    """Values of expressions in the structure's points at a member, modulo the prime or rational; in the plane points
+    are (x, y, w).
+    """
+    points: Mapping[str, Row] = structure.points(family, values, field)
     if family.plane:
         points = {n: (p[0], p[1], p[3]) for n, p in points.items()}
-    return Evaluator(points, 3 if family.plane else 4, PRIME)
+    return Evaluator(points, 3 if family.plane else 4, PRIME if field is RESIDUES else None)
+
+
+def constant(
+    family: Family, structure: Equivalent, e: Expr, over: Expr, members: Sequence[Evaluator]
+) -> Fraction | None:
+    """The number c with e = c · over in the whole family, or None where there is none.
+
+    It holds at all `members`, which are modulo the prime; its value is read off at members with rational coordinates,
+    for a residue does not tell which fraction it stands for, and must agree with those.
+    """
+    (p, q), *others = [(one.value(e)[0], one.value(over)[0]) for one in members]
+    if not p or not q or any((p * s - q * r) % PRIME for r, s in others):
+        return None
+    drawn = (family.member(("constant", n), RATIONALS) for n in count())
+    exact = (at_member(family, structure, values, RATIONALS) for values in drawn)
+    values = ((Fraction(one.value(e)[0]), one.value(over)[0]) for one in exact)
+    found = set(islice((r / s for r, s in values if s), 3))
+    c = found.pop()
+    return c if not found and (c.numerator * q - c.denominator * p) % PRIME == 0 else None
 
 
 def superbracket_at(family: Family, structure: Equivalent, superbracket: Expr) -> Callable[[Values], int]:
@@ -272,10 +296,11 @@ def never(family: Family, limbs: Sequence[LimbText], structure: Equivalent, e: E
     Found at exact random members, error below 1e-15; "" where no reason is found, which proves nothing.
     """
     at = [family.member(seed) for seed in _NEVER_SEEDS]
-    numbers = [int(at_member(family, structure, m).value(e)[0]) for m in at]
+    members = [at_member(family, structure, m) for m in at]
+    numbers = [int(one.value(e)[0]) for one in members]
     if all(n == numbers[0] for n in numbers) and numbers[0]:
-        n = numbers[0] if numbers[0] < PRIME // 2 else numbers[0] - PRIME
-        return f"it is {n} in every configuration"
+        c = constant(family, structure, e, ONE, members)
+        return f"it is {c} in every configuration" if c is not None else ""
     if not all(numbers):
         return ""
     terms: list[Term] = list(dict.fromkeys(d for limb in limbs for j in limb.joints for d in j.directions))

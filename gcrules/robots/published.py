@@ -5,14 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.expr import points_of
 from gcrules.algebra.straighten import straighten
 from gcrules.algebra.syntax import Context, parse
 from gcrules.analysis import Analysis
 from gcrules.errors import GcrulesError, InputError
 from gcrules.robots.equivalent import Equivalent
-from gcrules.robots.parts import at_member
+from gcrules.robots.parts import at_member, constant
 from gcrules.robots.robot_text import RobotText
 
 __all__ = ["MEMBERS", "Published", "published"]
@@ -40,19 +39,17 @@ def published(robot: RobotText, structure: Equivalent, found: Analysis) -> Publi
         if unknown:
             raise InputError(f"{unknown[0]} is not defined")
         at = [at_member(robot.family, structure, robot.family.member(("published", n))) for n in range(MEMBERS)]
-        pairs = [(one.value(found.structure.superbracket)[0], one.value(e)[0]) for one in at]
     except GcrulesError as fault:
         raise InputError(
             f"the published condition: {fault.message}", hint=fault.hint, filename=robot.filename
         ) from None
-    p, q = pairs[0]
-    if not p or not q or any((p * s - q * r) % PRIME for r, s in pairs):
+    superbracket = found.structure.superbracket
+    c = constant(robot.family, structure, superbracket, e, at)
+    if c is None:
         return Published(robot.condition, "refuted", "it is no multiple of the superbracket at exact random members")
-    c = p * pow(q, -1, PRIME) % PRIME
-    c = c - PRIME if c > PRIME // 2 else c
     held = f"the superbracket is {c} times it"
     try:
-        difference = ex.sub(found.structure.superbracket, ex.mul(ex.Number(c), e))
+        difference = ex.sub(ex.mul(ex.Number(c.denominator), superbracket), ex.mul(ex.Number(c.numerator), e))
         if not straighten(difference, ideal=structure.ideal):
             return Published(robot.condition, "proved", f"{held}: both sides have the same normal form")
     except GcrulesError:

@@ -162,19 +162,10 @@ def _wrapped(words: str, indent: int = 0) -> list[str]:
 
 def as_latex(a: RobotAnalysis) -> str:
     """A document with the limbs, the identity of the lines, the factors and the statement."""
-    from gcrules.render.latex import latex_words as words  # needed for LaTeX only
+    from gcrules.render.latex_text import latex_document  # needed for LaTeX only
+    from gcrules.render.latex_text import latex_words as words
 
-    out = [
-        r"\documentclass{article}",
-        r"\usepackage[T1]{fontenc}",
-        r"\usepackage[utf8]{inputenc}",
-        r"\usepackage{amsmath}",
-        r"\setlength{\parindent}{0pt}",
-        r"\begin{document}",
-        r"\sloppy",
-        rf"\section*{{{words(a.robot.title)}}}",
-        words(a.statement),
-    ]
+    out = [rf"\section*{{{words(a.robot.title)}}}", words(a.statement)]
     if a.structure.limbs:
         out += [r"\subsection*{Limbs}", *(rf"{words(_limb(limb))}\par" for limb in a.structure.limbs)]
     if a.wrenches:
@@ -188,7 +179,7 @@ def as_latex(a: RobotAnalysis) -> str:
     if a.common is not None and a.lines is not None:
         out += [rf"\subsection*{{All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines}}"]
         out += [rf"{words(line)}\par" for line in _common(a.common, a.lines.structure.names, True)]
-    return "\n".join([*out, r"\subsection*{Certificate}", words(a.certificate), r"\end{document}"])
+    return latex_document([*out, r"\subsection*{Certificate}", words(a.certificate)])
 
 
 def _told(part: Part) -> str:

@@ -1,16 +1,30 @@
-"""Lists in sentences."""
+r"""Lists in sentences, and the verbs that agree with them."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-__all__ = ["listed", "together"]
+__all__ = ["agreeing", "listed", "of_kind", "together"]
 
 
 def listed(names: Sequence[str]) -> str:
     """ "ab, cd and ef", each name once."""
     names = list(dict.fromkeys(names))
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def agreeing(names: Sequence[str], one: str, several: str) -> str:
+    """A list with its verb: `one` is what is said of one of them, `several` of more.
+
+    >>> agreeing(["leg 1"], "is", "are"), agreeing(["leg 1", "leg 2", "leg 3"], "is", "are")
+    ('leg 1 is', 'leg 1, leg 2 and leg 3 are')
+    """
+    return f"{listed(names)} {one if len(dict.fromkeys(names)) == 1 else several}"
+
+
+def of_kind(kind: str, names: Sequence[str]) -> str:
+    """ "the plane abc", "the planes abc and bcd"; nothing of nothing."""
+    return f"the {kind}{'s' * (len(dict.fromkeys(names)) > 1)} {listed(names)}" if names else ""
 
 
 def together(items: Sequence[str]) -> str:
@@ -23,5 +37,4 @@ def together(items: Sequence[str]) -> str:
             kinds.setdefault(kind, []).append(name)
         else:
             others.append(item)
-    found = [f"the {kind}{'s' * (len(names) > 1)} {listed(names)}" for kind, names in kinds.items()]
-    return listed([*found, *others])
+    return listed([*(of_kind(kind, names) for kind, names in kinds.items()), *others])

@@ -1,0 +1,139 @@
+"""What is said of a home configuration that is singular, of published conditions, and in which number verbs stand."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from commands import assert_refused
+
+import gcrules as gc
+from gcrules.cli import cli
+from gcrules.plugins import shipped_folder
+from gcrules.robots.discovery import robots
+from gcrules.rules.listing import agreeing, listed, of_kind
+
+ROBOTS = [one.id for one in robots(())]
+
+
+def shipped(name: str) -> str:
+    folder = shipped_folder()
+    assert folder is not None
+    return (folder / name / "robot.yaml").read_text(encoding="utf-8")
+
+
+def changed(name: str, places: Mapping[str, str]) -> str:
+    """The text of a robot's file with other coordinates at home."""
+    lines = shipped(name).splitlines()
+    for point, place in places.items():
+        at = next(i for i, line in enumerate(lines) if line.startswith(f"  {point}: ["))
+        lines[at] = f"  {point}: {place}"
+    return "\n".join(lines) + "\n"
+
+
+STRAIGHT = {"B1": "[2, 3/2, 0]", "B2": "[8, 3/2, 0]", "B3": "[5, 7, 0]"}
+FLAT = {"S1": "[1, 0, 0]", "S2": "[-1/2, 1, 0]", "S3": "[-1/2, -1, 0]"}
+NEARLY_FLAT = {n: place.replace("0]", "0.001]") for n, place in FLAT.items()}
+
+HOMES = {
+    "flat": ("3-rps", FLAT, "home is singular: the planes of leg 1", "the platform gains 3 independent motions"),
+    "nearly": ("3-rps", NEARLY_FLAT, "home is close to singular (closeness 0.0006", "nearly: the planes of leg 1"),
+    "one leg": (
+        "3-rrr",
+        {n: STRAIGHT[n] for n in ("B1",)},
+        "home is singular: leg 1 is singular by itself: its own twists depend on each other",
+        "",
+    ),
+    "two legs": (
+        "3-rrr",
+        {n: STRAIGHT[n] for n in ("B1", "B2")},
+        "leg 1 and leg 2 are singular by themselves: the twists of each depend on each other",
+        "",
+    ),
+    "three legs": (
+        "3-rrr",
+        STRAIGHT | {"B3": "[11/2, 7, 0]", "C3": "[6, 5, 0]"},
+        "leg 1, leg 2 and leg 3 are singular by themselves",
+        "",
+    ),
+    "one motion": (
+        "3-rrr",
+        STRAIGHT,
+        "home is singular: the lines B1C1, B2C2 and B3C3 meet in a point",
+        "; the platform can turn about the line through (5, 3.75, 0) along (0, 0, 1), which no limb resists",
+    ),
+}
+
+
+@pytest.mark.parametrize(("name", "places", "says", "more"), HOMES.values(), ids=HOMES)
+def test_a_singular_home_is_said_to_be_one(
+    name: str, places: Mapping[str, str], says: str, more: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "robot.yaml"
+    path.write_text(changed(name, places), encoding="utf-8")
+    remark = gc.Robot.load(path).home_remark()
+    assert says in remark
+    assert more in remark
+    checked = CliRunner().invoke(cli, ["robot", "check", str(path)])
+    assert checked.exit_code == 0, checked.output
+    assert f"  warning: {remark}\n" in checked.stdout
+    for command in (["robot", "analyze"], ["analyze"]):
+        done = CliRunner().invoke(cli, [*command, str(path), "--json"])
+        assert done.exit_code == 0
+        assert done.stderr == f"warning: {remark}\n"
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_shipped_homes_are_regular(name: str) -> None:
+    assert gc.Robot.load(name).home_remark() == ""
+
+
+# --- published conditions -------------------------------------------------------------------------------------------
+
+BRACKETS = "[S1A1B1C1] [S1S3A3B3] [S1S3S2A2]"
+FACTORS = ["1", "-1", "2", "1/2", "-1/2", "-3/7", "1/3", "2000000000001", "1/2000000000001", "-22/7"]
+
+
+@pytest.mark.parametrize("factor", FACTORS)
+def test_the_factor_of_a_published_condition(factor: str) -> None:
+    text = shipped("gallardo-4dof").replace(f'"{BRACKETS}"', f'"{factor} {BRACKETS}"')
+    published = gc.Robot.parse(text).analyze().published
+    assert published is not None
+    assert published.verdict == "proved"
+    assert (
+        published.detail == f"the superbracket is {1 / Fraction(factor)} times it: both sides have the same normal form"
+    )
+
+
+def test_at_half() -> None:
+    superbracket = gc.Robot.load("3-rps").analyze().lines
+    assert superbracket is not None
+    text = f'{shipped("3-rps")}condition: "-2 {superbracket.structure.superbracket}"\n'
+    published = gc.Robot.parse(text).analyze().published
+    assert published is not None
+    assert published.detail.startswith("the superbracket is -1/2 times it")
+
+
+# --- lists and verbs ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("names", "said"),
+    [(["a"], "a is"), (["a", "a"], "a is"), (["a", "b"], "a and b are"), (["a", "b", "c"], "a, b and c are")],
+)
+def test_verbs_agree_with_lists(names: list[str], said: str) -> None:
+    assert agreeing(names, "is", "are") == said
+    assert listed(names) == said.rpartition(" ")[0]
+
+
+@pytest.mark.parametrize(("names", "said"), [([], ""), (["a"], "the plane a"), (["a", "b"], "the planes a and b")])
+def test_kinds(names: list[str], said: str) -> None:
+    assert of_kind("plane", names) == said
+
+
+def test_coordinates_that_do_not_determine_the_pose() -> None:
+    done = CliRunner().invoke(cli, ["robot", "pose", "3-rps", "--at", "yaw=1deg, x=0, y=0"])
+    assert_refused(done, 2, "yaw, x and y do not determine the pose of 3-rps near home")
