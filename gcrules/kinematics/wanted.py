@@ -14,7 +14,7 @@ from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.kinematics.coordinates import ANGLES, COORDINATES, SHIFTS, TURNS, VECTOR
 from gcrules.kinematics.mechanism import Actuator, Mechanism
 from gcrules.kinematics.rigid import Floats
-from gcrules.numeric.pose import Pose, check_unit, exact, parse_pose, read_number
+from gcrules.numeric.pose import Pose, check_unit, exact_float, parse_pose, read_number
 from gcrules.yamlfile import near
 
 __all__ = ["Wanted", "read_actuators", "read_pose", "wanted_actuators", "wanted_coordinates", "wanted_pose"]
@@ -116,7 +116,7 @@ def _count(given: Any, needed: int, what: str, hint: str) -> None:
 
 
 def _numbers(given: Mapping[str, Any]) -> Floats:
-    return np.array([float(exact(v, name)) for name, v in given.items()])
+    return np.array([exact_float(v, name) for name, v in given.items()])
 
 
 def _shown(given: Mapping[str, Any], angles: frozenset[str] = ANGLES) -> str:

@@ -15,12 +15,12 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 from gcrules.errors import FileError, GcrulesError, InputError, LimitReached, Span
 from gcrules.numeric.pose import Pose, check_unit, read_number, unit_note
 from gcrules.numeric.turns import IDENTITY, Quaternion, check_sequence, from_euler, from_vector
+from gcrules.yamlfile import read_text
 
 __all__ = ["MAX_BYTES", "MAX_POSES", "load_poses", "read_poses"]
 
@@ -58,17 +58,7 @@ class _Columns:
 
 def load_poses(path: str, unit: str = "") -> tuple[tuple[Pose, ...], tuple[str, ...]]:
     """Read a file, as `read_poses`. Raises FileError where it cannot be read."""
-    try:
-        with Path(path).open("rb") as file:
-            data = file.read(MAX_BYTES + 1)
-    except OSError as fault:
-        raise FileError(f"cannot be read: {fault.strerror or fault}", filename=path) from None
-    if len(data) > MAX_BYTES:
-        raise FileError(f"the file is larger than {MAX_BYTES:,} bytes", filename=path)
-    try:
-        return read_poses(data.decode("utf-8-sig"), unit, path)
-    except UnicodeDecodeError as fault:
-        raise FileError(f"this is not text in UTF-8 (byte {fault.start + 1})", filename=path) from None
+    return read_poses(read_text(path, limit=MAX_BYTES), unit, path)
 
 
 def read_poses(text: str, unit: str = "", filename: str = "<input>") -> tuple[tuple[Pose, ...], tuple[str, ...]]:
