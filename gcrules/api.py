@@ -18,22 +18,27 @@ from gcrules.algebra.shortest import SuperbracketForm, shortest_forms, superbrac
 from gcrules.algebra.space import Space
 from gcrules.algebra.statements import parse_assumption
 from gcrules.algebra.straighten import straighten as _straighten
-from gcrules.algebra.syntax import Context, parse, parse_equation
+from gcrules.algebra.syntax import Context, parse_equation
+from gcrules.algebra.syntax import parse as _parse
 from gcrules.algebra.text import Names, split_names
-from gcrules.analysis import Analysis, analyze
+from gcrules.analysis import Analysis
+from gcrules.analysis import analyze as _analyze
 from gcrules.condition import Condition
 from gcrules.core.budget import within
 from gcrules.core.seeds import repeated
 from gcrules.errors import GcrulesError, InputError, LimitReached, StepError, SyntaxFault
 from gcrules.factoring.limits import MAX_EXTENSORS, SECONDS
 from gcrules.factoring.result import Factorization
+from gcrules.kinds import public
 from gcrules.legs import Structure, read_legs, read_order
-from gcrules.notebook import view
-from gcrules.plugins import Plugin, load_rules
-from gcrules.render.report import report
+from gcrules.notebook import view as _view
+from gcrules.plugins import Plugin
+from gcrules.plugins import load_rules as _load_rules
+from gcrules.render.report import report as _report
 from gcrules.rewriting import Rewriting
 from gcrules.rewriting import rewrite as _rewrite
-from gcrules.robots.geometry import Platform, load_platform
+from gcrules.robots.geometry import Platform
+from gcrules.robots.geometry import load_platform as _load_platform
 from gcrules.robots.model import Robot
 from gcrules.robots.robot_analysis import RobotAnalysis
 from gcrules.rules.library import Library
@@ -42,7 +47,8 @@ from gcrules.rules.strategy import Strategy
 from gcrules.shortening.limits import MAX_MONOMIALS
 from gcrules.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
 from gcrules.shortening.result import Shortening
-from gcrules.turning import Transversals, transversals
+from gcrules.turning import Transversals
+from gcrules.turning import transversals as _transversals
 
 if TYPE_CHECKING:  # they load numpy
     from gcrules.compiling.compiled import CompiledCondition
@@ -100,12 +106,21 @@ __all__ = [
     "within",
 ]
 
+analyze = public(_analyze)
+load_platform = public(_load_platform)
+load_rules = public(_load_rules)
+parse = public(_parse)
+report = public(_report)
+transversals = public(_transversals)
+view = public(_view)
+
 
 def _expression(e: str | Expr, rank: int | None, points: Names, ideal: Names) -> Expr:
     context = Context(rank or 4, split_names(points), split_names(ideal))
-    return e if isinstance(e, Expr) else parse(e, context=context)
+    return e if isinstance(e, Expr) else _parse(e, context=context)
 
 
+@public
 def expand(
     e: str | Expr,
     *,
@@ -124,6 +139,7 @@ def expand(
     return _expand(expression, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit)
 
 
+@public
 def straighten(
     e: str | Expr | BracketPolynomial | ExtensorPolynomial,
     *,
@@ -139,6 +155,7 @@ def straighten(
     return _straighten(expression, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit)
 
 
+@public
 def factor(
     e: str | Expr | BracketPolynomial | ExtensorPolynomial,
     *,
@@ -172,6 +189,7 @@ def factor(
     )
 
 
+@public
 def shorten(
     e: str | Expr | BracketPolynomial | ExtensorPolynomial,
     *,
@@ -196,6 +214,7 @@ def shorten(
     )
 
 
+@public
 def prove(
     claim: str | Expr,
     right: str | Expr | None = None,
@@ -218,14 +237,15 @@ def prove(
         at = parse_assumption(written, at)
     if right is None:
         if isinstance(claim, Expr):
-            raise TypeError("prove needs a claim LHS == RHS as text, or two expressions")
+            raise InputError("one expression is no claim", hint='gc.prove(left, right), or "LHS == RHS" as text')
         sides = parse_equation(claim, context=at)
     else:
-        left, other = (e if isinstance(e, Expr) else parse(e, context=at) for e in (claim, right))
+        left, other = (e if isinstance(e, Expr) else _parse(e, context=at) for e in (claim, right))
         sides = left, other
     return _prove(*sides, points=at.points, ideal=at.ideal, rank=written_in, given=at.given, limit=limit)
 
 
+@public
 def rewrite(
     e: str | Expr,
     rules: Iterable[str | RewriteRule],
@@ -252,18 +272,20 @@ def _rewriting_rules(rules: Iterable[str | RewriteRule]) -> list[RewriteRule]:
         elif rule.endswith(".gca"):
             found += Plugin(files=(rule,)).identities()
         else:
-            named = load_rules()[rule]
+            named = _load_rules()[rule]
             if not isinstance(named, RewriteRule):
                 raise InputError(f"the rule {rule} recognises entities; it rewrites no expressions")
             found.append(named)
     return found
 
 
+@public
 def evaluate(e: str | Expr, points: dict[str, Any], *, rank: int | None = None, modulus: int | None = None) -> Any:
     """The value of an expression at points given by homogeneous coordinates (exact numbers, or arrays of floats)."""
     return _evaluate(_expression(e, rank, tuple(points), ()), points, modulus=modulus)
 
 
+@public
 def pose(
     robot: Platform | Analysis | str | PathLike[str],
     at: Any = None,
@@ -303,6 +325,7 @@ def pose(
     )
 
 
+@public
 def path(
     robot: Platform | Analysis | str | PathLike[str],
     poses: str | PathLike[str] | Sequence[Any],
@@ -324,6 +347,7 @@ def path(
     return along(robot, poses, samples=samples, about=about, threshold=threshold)
 
 
+@public
 def locus(
     robot: Platform | Analysis | str | PathLike[str],
     over: str | Sequence[str] | None = None,
@@ -349,6 +373,7 @@ def locus(
     return computed(robot, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
 
 
+@public
 def compiled(
     robot: Platform | Analysis | str | PathLike[str],
     expression: str | Expr | None = None,
@@ -369,6 +394,7 @@ def compiled(
     return made(robot, expression, about=about, engine=engine)
 
 
+@public
 def singular_map(
     robot: Platform | Analysis | str | PathLike[str],
     over: Sequence[Any],
@@ -406,6 +432,7 @@ def singular_map(
     )
 
 
+@public
 def superbracket(
     legs: str | Iterable[str | Sequence[str]],
     *,
@@ -420,6 +447,7 @@ def superbracket(
     return superbracket_form(structure.legs, chosen, form, points=structure.points, ideal=structure.ideal)
 
 
+@public
 def shortest(legs: str | Iterable[str | Sequence[str]], *, points: Names = (), ideal: Names = ()) -> SuperbracketForm:
     """The shortest superbracket over all 720 orders and both forms."""
     structure = read_legs(legs, points=points, ideal=ideal)

@@ -22,6 +22,7 @@ from types import ModuleType
 from typing import Any, TypeVar
 
 from gcrules.algebra.expr import Expr, Point, add, bracket, join, meet, mul, sub
+from gcrules.core.arguments import FILE, TEXT, instance, listed, read
 from gcrules.errors import FileError
 from gcrules.legs import leg_text
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES, TETRAHEDRA
@@ -71,6 +72,10 @@ def points(names: Iterable[str]) -> list[Expr]:
     return [Point(n) for n in names]
 
 
+_RULES = listed("a sequence of rules", instance("", Rule))
+_FILES = listed("a sequence of names of files", FILE)
+
+
 @dataclass(frozen=True)
 class Plugin:
     """One pack of rules: `rules` are rules as values, `files` are `.gca` files of identities.
@@ -81,6 +86,10 @@ class Plugin:
     rules: tuple[Rule, ...] = ()
     files: tuple[str | PathLike[str], ...] = ()
     owner: str = ""
+
+    def __post_init__(self) -> None:
+        for name, kind in (("rules", _RULES), ("files", _FILES), ("owner", TEXT)):
+            object.__setattr__(self, name, read(kind, getattr(self, name), f"gc.Plugin: `{name}`"))
 
     def identities(self, *, proved: bool = True) -> Iterator[Identity]:
         """The rules of the files, each proved unless `proved` is False. Raises InputError with place."""

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib.resources import files
-from math import isfinite
+from math import hypot, isfinite
 from typing import Any
 
 import anywidget
 import traitlets
 
 from gcrules.analysis import Analysis
+from gcrules.core.arguments import described
 from gcrules.errors import InputError
 from gcrules.numeric.pose import Pose, parse_pose
 from gcrules.numeric.report import PoseReport
@@ -84,10 +85,10 @@ def _read(value: Any, unit: str) -> dict[str, list[float]]:
         return {"translation": list(map(float, value.translation)), "quaternion": list(value.unit_quaternion)}
     try:
         found = {key: [float(c) for c in value[key]] for key in ("translation", "quaternion")}
-    except (TypeError, KeyError, ValueError):
-        raise InputError(f"{str(value)[:60]!r} is no pose", hint='write "10 0 5; euler zyx 30 0 0 deg"') from None
+    except (TypeError, KeyError, IndexError, ValueError, OverflowError):
+        raise InputError(f"{described(value)} is no pose", hint='write "10 0 5; euler zyx 30 0 0 deg"') from None
     numbers = [c for cs in found.values() for c in cs]
-    size = sum(c * c for c in found["quaternion"]) ** 0.5
+    size = hypot(*found["quaternion"])
     if len(found["translation"]) != 3 or len(numbers) != 7 or not size or not all(map(isfinite, numbers)):
         raise InputError("a pose has three finite numbers as translation and four, not all 0, as quaternion")
     return {**found, "quaternion": [c / size for c in found["quaternion"]]}

@@ -570,7 +570,7 @@ def test_the_example_of_a_table(robot: str, root: Any) -> None:
         ((), 2, "either by --poses"),
         (("--at", "0 0 0"), 2, "two poses or more, found 1"),
         (("--at", "0 0 0", "--poses", "x.csv"), 2, "either by --poses"),
-        (("--poses", "no-such.csv"), 2, "no-such.csv: cannot be read"),
+        (("--poses", "no-such.csv"), 2, "no-such.csv: there is no such file"),
         (("--at", "0 0 0", "--at", "0 0 nan"), 2, "--at:1:1"),
         (("--at", "0 0 0", "--at", "0 0 1; euler zyx 1 2 3"), 2, "angles without a unit"),
         (("--at", "0 0 0", "--at", "0 0 1 m"), 2, "mixed units"),

@@ -11,8 +11,13 @@ from __future__ import annotations
 import math
 from decimal import Context, Decimal
 from fractions import Fraction
+from numbers import Real
+from typing import Any
 
-__all__ = ["as_float", "decimal"]
+from gcrules.core.arguments import described, is_truth
+from gcrules.errors import InputError
+
+__all__ = ["as_float", "decimal", "exact", "exact_float"]
 
 _WIDE = Context(prec=30, Emax=999_999, Emin=-999_999)
 
@@ -34,3 +39,31 @@ def decimal(number: Fraction | int, digits: int = 6) -> str:
     quotient = _WIDE.divide(Decimal(exact.numerator), Decimal(exact.denominator))
     mantissa, _, exponent = f"{quotient:.{digits - 1}e}".partition("e")
     return f"{mantissa.rstrip('0').rstrip('.')}e{exponent}"
+
+
+def exact(value: Any, what: str = "this") -> Fraction:
+    """A finite number as written: a float counts as the shortest decimal that it stands for (0.1 is 1/10).
+
+    Raises InputError for NaN, infinity and what is no number.
+    """
+    if isinstance(value, (int, Fraction)) and not isinstance(value, bool):
+        return Fraction(value)
+    try:
+        if is_truth(value) or not hasattr(value, "__float__") or not isinstance(value, (Real, Decimal)):
+            raise TypeError
+        number = float(value)
+    except (TypeError, ValueError):
+        raise InputError(f"{what} is {described(value)}, expected a number") from None
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise InputError(f"{what} is {number}, expected a finite number")
+    return Fraction(repr(number))
+
+
+def exact_float(value: Any, what: str = "this") -> float:
+    """The same as a float. Raises InputError for numbers beyond floats too."""
+    found = as_float(exact(value, what))
+    if not math.isfinite(found):
+        raise InputError(f"{what} is {decimal(exact(value))}, expected a number that floats can hold")
+    return found

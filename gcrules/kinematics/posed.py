@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from gcrules.core.arguments import described
 from gcrules.errors import InputError
 from gcrules.kinematics.balance import limb_numbers
 from gcrules.kinematics.closeness import Closeness, closeness, limb_closeness
@@ -94,7 +95,7 @@ def _at_home(m: Mechanism) -> Solution:
 def limit_of(threshold: str | Threshold) -> Threshold:
     """The threshold, an angle. Raises InputError for a length."""
     if not isinstance(threshold, (str, Threshold)):
-        raise InputError(f"the threshold {threshold!r} has no unit", hint='write threshold="2 deg"')
+        raise InputError(f"the threshold {described(threshold)} has no unit", hint='write threshold="2 deg"')
     limit = parse_threshold(threshold) if isinstance(threshold, str) else threshold
     if limit.angle is None:
         raise InputError(

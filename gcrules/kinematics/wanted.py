@@ -14,7 +14,7 @@ from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.kinematics.coordinates import ANGLES, COORDINATES, SHIFTS, TURNS, VECTOR
 from gcrules.kinematics.mechanism import Actuator, Mechanism
 from gcrules.kinematics.rigid import Floats
-from gcrules.numeric.pose import Pose, check_unit, exact, parse_pose, read_number
+from gcrules.numeric.pose import Pose, check_unit, exact, exact_float, parse_pose, read_number
 from gcrules.robots.robot_text import RobotText
 from gcrules.yamlfile import near
 
@@ -129,7 +129,7 @@ def _example(given: Mapping[str, Any], robot: RobotText) -> str:
 
 
 def _numbers(given: Mapping[str, Any]) -> Floats:
-    return np.array([float(exact(v, name)) for name, v in given.items()])
+    return np.array([exact_float(v, name) for name, v in given.items()])
 
 
 def _shown(given: Mapping[str, Any], angles: frozenset[str] = ANGLES) -> str:

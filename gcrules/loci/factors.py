@@ -9,10 +9,12 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
+from gcrules.numeric.cubic import FACTORED_BITS, bits
 
 __all__ = ["MAX_TERMS", "Candidate", "divided", "factored", "primitive"]
 
@@ -101,6 +103,12 @@ def _irreducible(p: Any, limit: int) -> Iterator[tuple[Any, int]]:
         raise LimitReached(
             f"a factor of {len(p)} terms may be reducible (on a line: degrees {', '.join(map(str, on_lines))})",
             hint=f"search for its factors with --limit {len(p)}, which may take very long",
+        )
+    long = bits(Fraction(int(c.numerator), int(c.denominator)) for c in p.coeffs())
+    if long > FACTORED_BITS:
+        raise LimitReached(
+            f"a factor with numbers of {long:,} bits may be reducible; at most {FACTORED_BITS:,} are searched",
+            hint="give coordinates and poses with fewer digits",
         )
     yield from p.factor_list()[1]
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from gcrules import __version__
 from gcrules.condition import Condition
+from gcrules.core.arguments import FILE, TEXT, checked, each
 from gcrules.errors import EngineFault, InputError, LimitReached
 from gcrules.frozen import HoldsArrays
 from gcrules.mapping.grid import Grid
@@ -114,6 +115,7 @@ class SingularMap(HoldsArrays):
             raise EngineFault(f"chunk {n} of the map is gone")
         return chunk
 
+    @checked("map.values", name=TEXT)
     def values(self, name: str) -> NDArray[Any]:
         """One array over the whole grid. Raises LimitReached where it is too large to be in memory."""
         if name not in self.arrays:
@@ -226,6 +228,7 @@ class SingularMap(HoldsArrays):
 
         return dataset(self)
 
+    @checked("map.save", paths=each(FILE))
     def save(self, *paths: str) -> None:
         """Write files; the suffix says of what kind: .nc, .svg, .pdf, .png, .ply, .glb, .json."""
         from gcrules.mapping.outputs import save

@@ -22,7 +22,7 @@ from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.mapping.axes import TRANSLATION
 from gcrules.mapping.grid import Grid
-from gcrules.numeric.cubic import superbracket_at, translation_polynomial
+from gcrules.numeric.cubic import FACTORED_BITS, bits, superbracket_at, translation_polynomial
 from gcrules.numeric.pose import Pose
 
 __all__ = ["MEMBERS", "Factor", "Polynomial", "factors", "middle", "slice_polynomial", "vanishes"]
@@ -152,16 +152,18 @@ def vanishes(g: Grid) -> bool:
 
 
 def factors(g: Grid) -> tuple[Factor, ...]:
-    """The irreducible factors other than constants; none for the zero polynomial too (see `slice_polynomial`)."""
+    """The irreducible factors other than constants; none for the zero polynomial too (see `slice_polynomial`).
+
+    A polynomial with numbers too long to be factored is one factor as a whole.
+    """
     import sympy  # large, and needed here only
 
     p = slice_polynomial(g)
     if not p:
         return ()
     symbols = sympy.symbols([a.name for a in g.axes])
-    _, listed = sympy.Poly(
-        {e: sympy.Rational(c.numerator, c.denominator) for e, c in p.items()}, *symbols
-    ).factor_list()
+    whole = sympy.Poly({e: sympy.Rational(c.numerator, c.denominator) for e, c in p.items()}, *symbols)
+    listed = [(whole, 1)] if bits(p.values()) > FACTORED_BITS else whole.factor_list()[1]
     found = []
     for q, multiplicity in listed:
         exact = {tuple(e): Fraction(int(c.p), int(c.q)) for e, c in q.terms()}

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gcrules.errors import InputError
 from gcrules.numeric.pose import SILENT, UNIT_TOLERANCE, Pose
-from gcrules.numeric.turns import check_sequence
+from gcrules.numeric.turns import MANY, check_sequence, too_many_turns
 
 __all__ = ["from_poses", "from_vectors", "matrices", "normalised_note", "read_arrays", "real_numbers"]
 
@@ -41,16 +41,16 @@ def read_arrays(
     shift = np.zeros((1, 3)) if translations is None else _rows(translations, 3, "translations")
     if quaternions is not None:
         turns = _rows(quaternions, 4, "quaternions")
-        sizes = np.linalg.norm(turns, axis=1)
+        sizes = _lengths(turns)
         off = np.abs(sizes - 1) > UNIT_TOLERANCE
         if off.any():
             n = int(np.argmax(off))
             raise InputError(f"quaternion {n} has length {sizes[n]:.6g}, expected 1 (within {UNIT_TOLERANCE:g})")
     elif rotation_vectors is not None:
-        vectors = _rows(rotation_vectors, 3, "rotation vectors")
+        vectors = _angles(rotation_vectors, "rotation vectors")
         turns = from_vectors(np.radians(vectors) if degrees else vectors)
     elif euler is not None:
-        angles = _rows(euler[1], 3, "Euler angles")
+        angles = _angles(euler[1], "Euler angles")
         turns = _from_euler(euler[0], np.radians(angles) if degrees else angles)
     else:
         turns = np.array([[1.0, 0.0, 0.0, 0.0]])
@@ -64,7 +64,7 @@ def read_arrays(
 
 def normalised_note(quaternions: Any) -> tuple[str, ...]:
     """Says how many quaternions of an array that `read_arrays` takes were normalised, if any."""
-    off = np.abs(np.linalg.norm(_rows(quaternions, 4, "quaternions"), axis=1) - 1)
+    off = np.abs(_lengths(_rows(quaternions, 4, "quaternions")) - 1)
     count = int((off > SILENT).sum())
     return (f"quaternions normalised: {count}, off from length 1 by up to {off.max():.2g}",) if count else ()
 
@@ -106,6 +106,19 @@ def _rows(given: Any, width: int, what: str) -> Floats:
     if not np.isfinite(found).all():
         n = int(np.argmax(~np.isfinite(found).all(axis=1)))
         raise InputError(f"{what}: row {n} is not finite: {found[n].tolist()}")
+    return found
+
+
+def _lengths(rows: Floats) -> Floats:
+    """Of quaternions; infinite where a square is too large for floats."""
+    with np.errstate(over="ignore"):
+        return np.asarray(np.linalg.norm(rows, axis=1))
+
+
+def _angles(given: Any, what: str) -> Floats:
+    found = _rows(given, 3, what)
+    if np.abs(found).max(initial=0.0) > MANY:
+        raise too_many_turns()
     return found
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from gcrules.errors import InputError
 from gcrules.numeric.closeness import ROUNDING
-from gcrules.numeric.pose import Pose, exact, parse_pose, unit_note
+from gcrules.numeric.pose import Pose, exact, exact_float, parse_pose, unit_note
 from gcrules.numeric.rig import Rig
 from gcrules.numeric.threshold import parse_length
 from gcrules.numeric.turns import IDENTITY, from_euler, from_vector
@@ -18,15 +18,20 @@ from gcrules.numeric.turns import IDENTITY, from_euler, from_vector
 __all__ = ["centre_of", "known_accuracy", "one_pose"]
 
 
+_COARSE = 1e6
+
+
 def known_accuracy(given: str | float | None, moving: Rig) -> float:
     """The length up to which the joints' places are known; that of the rounding of floats where none is given."""
     if given is None:
         return ROUNDING * moving.size
-    if isinstance(given, str):
-        return max(parse_length(given, moving.unit), ROUNDING * moving.size)
-    length = float(exact(given, "the accuracy"))
+    length = parse_length(given, moving.unit) if isinstance(given, str) else exact_float(given, "the accuracy")
     if length < 0:
         raise InputError(f"the accuracy {length} is negative")
+    if length > _COARSE * moving.size:
+        raise InputError(
+            f"the accuracy {length:.3g} is more than {_COARSE:g} times the robot's size", hint="check the unit"
+        )
     return max(length, ROUNDING * moving.size)
 
 
@@ -37,7 +42,7 @@ def centre_of(about: str | Sequence[Any]) -> str | tuple[Fraction, ...]:
 
 def _three(numbers: Any, what: str) -> Sequence[Any]:
     """Three entries. Raises InputError for another number of them."""
-    found = list(numbers) if hasattr(numbers, "__iter__") else [numbers]
+    found = list(numbers) if np.ndim(numbers) else [numbers]
     if len(found) != 3:
         raise InputError(f"{what} has 3 numbers, found {len(found)}")
     return found

@@ -8,7 +8,7 @@ the part of degree 3 is zero. The total is at most 1 + 2 = 3. Derived here.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
@@ -19,7 +19,9 @@ from gcrules.legs import Leg
 
 __all__ = [
     "EXPONENTS",
+    "FACTORED_BITS",
     "Cubic",
+    "bits",
     "determinant",
     "interpolated",
     "superbracket_at",
@@ -32,6 +34,17 @@ Points = Mapping[str, Sequence[Fraction]]
 
 EXPONENTS: tuple[Exponents, ...] = tuple(e for e in product(range(4), repeat=3) if sum(e) <= 3)  # type: ignore[misc]
 """The twenty monomials of degree ≤ 3, which are as many places where one is determined by its values."""
+
+FACTORED_BITS = 3_000
+"""Polynomials with longer coefficients are not parted into factors: the primes for that are sought for minutes."""
+
+
+def bits(numbers: Iterable[Fraction]) -> int:
+    """The length of the longest of these rational numbers, brought to whole numbers in the same ratios."""
+    listed = [Fraction(c) for c in numbers]
+    common = lcm(*(c.denominator for c in listed))
+    return max((int(c * common).bit_length() for c in listed), default=0)
+
 
 _FALLING = ((1,), (0, 1), (0, Fraction(-1, 2), Fraction(1, 2)), (0, Fraction(1, 3), Fraction(-1, 2), Fraction(1, 6)))
 

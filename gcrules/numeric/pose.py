@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.floats import as_float, exact, exact_float
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.numeric.turns import (
     IDENTITY,
@@ -30,7 +31,7 @@ from gcrules.numeric.turns import (
 from gcrules.robots.geometry import UNITS
 from gcrules.yamlfile import near
 
-__all__ = ["SILENT", "UNIT_TOLERANCE", "Pose", "exact", "parse_pose", "read_number", "unit_note"]
+__all__ = ["SILENT", "UNIT_TOLERANCE", "Pose", "exact", "exact_float", "parse_pose", "read_number", "unit_note"]
 
 UNIT_TOLERANCE = 1e-3
 """How far the length of a quaternion may be from 1; it is then normalised, and the answer says so."""
@@ -103,27 +104,9 @@ def _plain(numbers: Sequence[Fraction | float]) -> str:
     return " ".join(repr(float(c) + 0.0).removesuffix(".0") for c in numbers)
 
 
-def exact(value: Any, what: str = "this") -> Fraction:
-    """A finite number as written: a float counts as the shortest decimal that it stands for (0.1 is 1/10).
-
-    Raises InputError for NaN, infinity and what is no number.
-    """
-    if isinstance(value, (int, Fraction)) and not isinstance(value, bool):
-        return Fraction(value)
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        raise InputError(f"{what} is {str(value)[:40]!r}, expected a number") from None
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
-        raise InputError(f"{what} is {number}, expected a finite number")
-    return Fraction(repr(number))
-
-
 def unit_note(quaternion: Sequence[Fraction]) -> str | None:
     """None for a quaternion of length 1, a note if it is nearly so. Raises InputError beyond `UNIT_TOLERANCE`."""
-    size = math.sqrt(float(sum(c * c for c in quaternion)))
+    size = math.sqrt(as_float(sum((c * c for c in quaternion), Fraction(0))))
     if abs(size - 1) > UNIT_TOLERANCE:
         raise InputError(
             f"the quaternion has length {size:.6g}, expected 1 (within {UNIT_TOLERANCE:g})",

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
+from gcrules.core.arguments import described
 from gcrules.errors import InputError
 from gcrules.numeric.pose import check_unit, read_number
 
@@ -48,7 +49,7 @@ def threshold_of(given: str | Threshold, unit: str = "") -> Threshold:
     if isinstance(given, Threshold):
         return given
     if not isinstance(given, str):
-        raise InputError(f"the threshold {given!r} has no unit", hint='write threshold="2 deg" or "5 mm"')
+        raise InputError(f"the threshold {described(given)} has no unit", hint='write threshold="2 deg" or "5 mm"')
     return parse_threshold(given, unit)
 
 

@@ -15,6 +15,7 @@ from gcrules.errors import InputError
 
 __all__ = [
     "IDENTITY",
+    "MANY",
     "Matrix",
     "Quaternion",
     "about_axis",
@@ -24,6 +25,7 @@ __all__ = [
     "product",
     "rotation",
     "short",
+    "too_many_turns",
     "unscaled",
 ]
 
@@ -33,6 +35,7 @@ Matrix = tuple[Vector, Vector, Vector]
 
 IDENTITY: Quaternion = (Fraction(1), Fraction(0), Fraction(0), Fraction(0))
 
+MANY = 10**9  # the largest angle, in degrees or radians: of more a float leaves no digits within one turn
 _LONG = 64  # bits of a denominator above which a quaternion is rounded to floats (error below 2⁻⁵² of its length)
 
 
@@ -72,10 +75,17 @@ def about_axis(axis: int, angle: Fraction, *, degrees: bool) -> Quaternion:
         c, s = ((1, 0), (1, 1), (0, 1), (-1, 1))[int(quarters) % 4]  # of half the angle, up to a common factor
         cosine, sine = Fraction(c), Fraction(s)
     else:
+        if abs(angle) > MANY:
+            raise too_many_turns()
         least = angle - 720 * round(angle / 720)  # opposite angles stay so: their turns cancel exactly
         half = math.radians(float(least)) / 2 if degrees else float(angle) / 2
         cosine, sine = Fraction(math.cos(half)), Fraction(math.sin(half))
     return (cosine, *(sine if i == axis else Fraction(0) for i in range(3)))  # type: ignore[return-value]
+
+
+def too_many_turns() -> InputError:
+    """The fault of an angle of which a float does not know where it ends."""
+    return InputError(f"an angle is larger than {MANY:g}", hint="give the turn without whole revolutions")
 
 
 def check_sequence(sequence: str) -> None:
@@ -109,7 +119,11 @@ def from_vector(vector: Sequence[Fraction], *, degrees: bool) -> Quaternion:
         return IDENTITY
     if len(along) == 1:
         return short(about_axis(along[0], vector[along[0]], degrees=degrees))
+    if max(map(abs, vector)) > MANY:
+        raise too_many_turns()
     size = math.hypot(*map(float, vector))
+    if not size:
+        return IDENTITY  # too short for floats
     half = math.fmod(math.radians(size) if degrees else size, 4 * math.pi) / 2
     sine = math.sin(half) / size
     return Fraction(math.cos(half)), *(Fraction(float(c) * sine) for c in vector)  # type: ignore[return-value]

@@ -23,6 +23,9 @@ from os import PathLike
 from pathlib import PurePath
 
 from gcrules.algebra.text import SHORT_NAME
+from gcrules.core.arguments import ROW, TEXT, described, listed, mapping, read
+from gcrules.core.floats import exact
+from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.legs import leg_text
 from gcrules.yamlfile import Document, Node, near
@@ -37,6 +40,10 @@ Vector = tuple[Fraction, Fraction, Fraction]
 
 _NAME = re.compile(r"[A-Za-z](?:[A-Za-z0-9_]*[A-Za-z0-9])?'*")
 _MAX_NAME = 40
+
+
+_LEGS = listed("a sequence of pairs of names", listed("", TEXT))
+_POINTS = mapping("a mapping from names to places of three numbers", ROW)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +64,15 @@ class Platform:
     warnings: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "points", FrozenMap(self.points))
+        object.__setattr__(self, "legs", read(_LEGS, self.legs, "gc.Platform: `legs`"))
+        points = read(_POINTS, self.points, "gc.Platform: `points`")
+        for name, place in points.items():
+            if len(place) != 3:
+                raise InputError(f"gc.Platform: the point {described(name)} has {len(place)} coordinates, expected 3")
+        found = {n: tuple(exact(c, f"a coordinate of {n}") for c in place) for n, place in points.items()}
+        object.__setattr__(self, "points", FrozenMap(found))
+        for name in ("title", "note", "units", "source", "filename"):
+            read(TEXT, getattr(self, name), f"gc.Platform: `{name}`")
 
     def homogeneous(self) -> dict[str, tuple[Fraction, Fraction, Fraction, Fraction]]:
         """The points as (x, y, z, 1), as `evaluate` takes them."""

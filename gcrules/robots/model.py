@@ -9,8 +9,24 @@ from functools import cached_property
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
+from gcrules.core.arguments import (
+    ANYTHING,
+    DURATION,
+    FILE,
+    FLAG,
+    NUMBER,
+    ROW,
+    TEXT,
+    checked,
+    each,
+    either,
+    instance,
+    listed,
+    mapping,
+    optional,
+)
 from gcrules.errors import InputError
-from gcrules.numeric.pose import exact
+from gcrules.numeric.pose import Pose, exact_float
 from gcrules.robots.discovery import find_robot
 from gcrules.robots.robot_analysis import RobotAnalysis, analyze_robot
 from gcrules.robots.robot_file import load_robot, parse_robot
@@ -23,12 +39,23 @@ if TYPE_CHECKING:
 
 __all__ = ["Robot"]
 
+_NAMED = mapping("", ANYTHING)
+_AT = either(
+    "a pose: text, a mapping from coordinates to numbers, a Pose or three numbers",
+    TEXT,
+    instance("", Pose),
+    _NAMED,
+    ROW,
+)
+_ACTUATORS = either("amounts of the actuators: text, a mapping or numbers", TEXT, _NAMED, ROW)
+
 
 @dataclass(frozen=True, repr=False)
 class Robot(RobotText):
     """A robot that can be analysed; made by `Robot.load` or `Robot.parse`."""
 
     @classmethod
+    @checked("gc.Robot.load", name=FILE, plugins=listed("names of folders", FILE, alone=True))
     def load(cls, name: str | PathLike[str], *, plugins: Iterable[str | PathLike[str]] = ()) -> Robot:
         """The robot of this id, or of a robot file; `plugins` are further folders of plugins.
 
@@ -38,6 +65,7 @@ class Robot(RobotText):
         return cls._of(load_robot(found.path, found.owner))
 
     @classmethod
+    @checked("gc.Robot.parse", text=TEXT, filename=TEXT)
     def parse(cls, text: str, filename: str = "<input>") -> Robot:
         """The robot that the text of a robot file describes. Raises FileError with all its faults."""
         return cls._of(parse_robot(text, filename))
@@ -46,10 +74,12 @@ class Robot(RobotText):
     def _of(cls, text: RobotText) -> Robot:
         return cls(**{f.name: getattr(text, f.name) for f in fields(text)})
 
+    @checked("robot.analyze", search=DURATION)
     def analyze(self, *, search: float = SECONDS) -> RobotAnalysis:
         """When and why the robot is singular; `search` as for `gcrules.analyze`."""
         return analyze_robot(self, search=search)
 
+    @checked("robot.pose", at=optional(_AT), actuators=optional(_ACTUATORS))
     def pose(
         self,
         at: Any = None,
@@ -69,17 +99,20 @@ class Robot(RobotText):
 
         return posed(self._mechanism, lambda: self._analysis, at, actuators, threshold=threshold)
 
+    @checked("robot.at", degrees=FLAG, coordinates=each(NUMBER))
     def at(self, *, degrees: bool = False, threshold: Any = "0.5 deg", **coordinates: float) -> RobotPose:
         """The numbers in the pose with these coordinates: `.at(z=0.2, roll=5, pitch=0, degrees=True)`; see `pose`."""
         lengths = ("x", "y", "z")
         scale = math.pi / 180 if degrees else 1
-        given = {n: v if n in lengths else float(exact(v, n)) * scale for n, v in coordinates.items()}
+        given = {n: v if n in lengths else exact_float(v, n) * scale for n, v in coordinates.items()}
         return self.pose(given, threshold=threshold)
 
+    @checked("robot.poses", ats=listed("a sequence of poses", optional(_AT)))
     def poses(self, ats: Iterable[Any], *, threshold: Any = "0.5 deg") -> tuple[RobotPose, ...]:
         """The numbers in each of these poses, which are as for `pose`."""
         return tuple(self.pose(at, threshold=threshold) for at in ats)
 
+    @checked("robot.singular", towards=optional(_AT), actuators=optional(_ACTUATORS))
     def singular(
         self,
         towards: Any = None,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
+from gcrules.core.arguments import TEXT, TEXTS, checked, instance, listed, optional, read
 from gcrules.errors import InputError
 from gcrules.rules.couples import FORCES_AND_COUPLES
 from gcrules.rules.elementary import ELEMENTARY
@@ -17,6 +18,8 @@ from gcrules.yamlfile import near
 
 __all__ = ["ENGINE", "Library"]
 
+_RULES = listed("a sequence of rules", instance("", Rule))
+
 
 @dataclass(frozen=True)
 class Library:
@@ -25,6 +28,7 @@ class Library:
     rules: tuple[Rule, ...]
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "rules", read(_RULES, self.rules, "gc.Library: `rules`"))
         known: dict[str, Rule] = {}
         for rule in self.rules:
             other = known.setdefault(rule.id, rule)
@@ -39,12 +43,14 @@ class Library:
 
     def __getitem__(self, rule_id: str) -> Rule:
         """Raises InputError, with a suggestion, for an id that is not there."""
+        rule_id = read(TEXT, rule_id, "the name of a rule")
         for rule in self.rules:
             if rule.id == rule_id:
                 return rule
         hint = near(rule_id, [r.id for r in self.rules])
         raise InputError(f"there is no rule {rule_id}", hint=hint or "gcrules rules list shows them")
 
+    @checked("library.plus", rules=_RULES)
     def plus(self, rules: Iterable[Rule]) -> Library:
         """The library with more rules behind its own; those that nobody brought are the user's. Raises InputError where
         ids clash.
@@ -53,6 +59,7 @@ class Library:
         own = (replace(r, outside=True) if r.owner == SHIPPED and id(r) not in known else r for r in rules)
         return Library((*self.rules, *own))
 
+    @checked("library.strategy", ids=optional(TEXTS), without=TEXTS)
     def strategy(self, ids: Iterable[str] | None = None, without: Iterable[str] = ()) -> Strategy:
         """The rules named, in that order, each incidence rule bringing the entity rules that it uses.
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from gcrules.algebra.shortest import SuperbracketForm
 from gcrules.algebra.space import Space
+from gcrules.core.arguments import TEXTS, instance, listed, read
 from gcrules.core.budget import checkpoint
 from gcrules.errors import InputError, LimitReached
 from gcrules.legs import Structure
@@ -30,6 +31,9 @@ FORMS = {"superbracket": 24, "superbracket-16": 16}
 """Rules that an analysis asks for by name, and the number of terms of both forms of the superbracket."""
 
 
+_RULES = listed("a sequence of rules", instance("", Rule))
+
+
 @dataclass(frozen=True)
 class Strategy:
     """Rules in the order in which they run; equal strategies have the same rules in the same order.
@@ -39,6 +43,9 @@ class Strategy:
     """
 
     rules: tuple[Rule, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "rules", read(_RULES, self.rules, "gc.Strategy: `rules`"))
 
     @property
     def ids(self) -> tuple[str, ...]:
@@ -65,7 +72,7 @@ class Strategy:
 
     def without(self, ids: Iterable[str]) -> Strategy:
         """The strategy less the rules named. Raises InputError for an id that is not in it."""
-        left_out = set(ids)
+        left_out = set(read(TEXTS, ids, "the rules to leave out"))
         for name in left_out - set(self.ids):
             raise InputError(f"the rule {name} is not in the strategy", hint=f"it has {', '.join(self.ids)}")
         if left_out.issuperset(FORMS):
