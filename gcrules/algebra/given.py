@@ -14,55 +14,178 @@ True
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from itertools import islice
+from itertools import combinations, islice
 
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.construction import Construction, Step, Within, coordinates, step_on
 from gcrules.algebra.elimination import Turn, orders
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import Expr, Meet, Point, points_of
+from gcrules.algebra.expr import Expr, Meet, Point, points_of, subexpressions
 from gcrules.algebra.incidences import Condition, Facts, equations, fault
+from gcrules.algebra.kinds import Alternative, Task, alternatives, flats
 from gcrules.algebra.nonzero import assumed, fewest
 from gcrules.algebra.roads import ROADS, understood
 from gcrules.algebra.space import Assumption, Space
 from gcrules.errors import InputError
 
-__all__ = ["equations", "holds", "resolve"]
+__all__ = ["Kind", "equations", "holds", "kinds", "resolve"]
 
 MAX_ORDERS = 200  # orders of a group that are tried
 _ENOUGH = 500  # conditions of the constructions among which the simplest is chosen
+_APART = "the kinds of positions that are allowed cannot be told apart"
 _NAME_IT = "name the common point: given incident(p, X), incident(p, Y)"
 
 
-def resolve(space: Space, names: Iterable[str] = ()) -> Construction:
-    """A construction of all points (those named, and those of the assumptions) that satisfies what is given.
+@dataclass(frozen=True)
+class Kind:
+    """The positions at which the scalars of `where` vanish beside what is given, by their construction."""
 
-    Where assumptions allow several kinds of positions (components), the construction reaches one of them, and
-    `nonzero` tells which: it leaves out positions at which one of these extensors vanishes, and no others.
+    where: tuple[Expr, ...]
+    construction: Construction
+
+
+def kinds(space: Space, names: Iterable[str] = ()) -> tuple[Kind, ...]:
+    """The kinds of positions that the assumptions allow, each with a construction of all points (those named, and
+    those of the assumptions). A position that satisfies the assumptions is of one of these kinds, or an extensor of
+    the `nonzero` of one of the constructions vanishes there.
+
     Raises InputError for assumptions that are not resolved, with the place of one of them.
     """
     used = (*names, *(n for a in space.given for e in a.args for n in points_of(e)))
     order = tableau_order(used, space.points, space.ideal)
-    return _resolved(space.rank, order, tuple(n for n in order if n in space.ideal), space.given)
+    return _kinds(space.rank, order, tuple(n for n in order if n in space.ideal), space.given)
+
+
+def resolve(space: Space, names: Iterable[str] = ()) -> Construction:
+    """One construction of all points that satisfies what is given, as for `kinds`.
+
+    Where assumptions allow several kinds of positions, the construction reaches one of them, and `nonzero` tells
+    which: it leaves out positions at which one of these extensors vanishes, and no others.
+    """
+    found = kinds(space, names)
+    for kind in found:
+        nonzero = _without(kind.construction, [other.where for other in found if other is not kind])
+        if nonzero is not None:
+            return replace(kind.construction, nonzero=nonzero)
+    raise fault(space.given[-1], _APART)
 
 
 @lru_cache(maxsize=64)
-def _resolved(
+def _kinds(
     rank: int, points: tuple[str, ...], ideal: tuple[str, ...], given: tuple[Assumption, ...]
-) -> Construction:
+) -> tuple[Kind, ...]:
     if not given:
-        return Construction(rank, points, ideal, points=points)
+        return (Kind((), Construction(rank, points, ideal, points=points)),)
     wanted = tuple(e for a in given for e in understood(a, lambda a: equations(a, rank)))
+    extensors = _lines_and_planes(given)
+    task = Task(rank, points, ideal, lambda some: _constructed(rank, points, ideal, some, wanted, ()))
+    ways = alternatives(given, task)
+    meets = _meets(given, rank, points, ideal)
+    failed: dict[Alternative, InputError] = {}
+    found: dict[Alternative, Construction] = {}
+    for way in ways:
+        for named in dict.fromkeys(((*extensors, *meets), extensors)):
+            try:
+                found[way] = _constructed(rank, points, ideal, way.given, wanted, named)
+                break
+            except InputError as fault:
+                failed[way] = fault
+    if not found:
+        raise failed[ways[0]]
+    if len(found) > 1:
+        found = _least_collapsed(found, (*extensors, *meets, *flats(given, rank)))
+    made = [(way, c) for way, c in found.items() if not _within_another(way, c, found)]
+    missed = [way.where for way in ways if way not in found]
+    told = []
+    for way, c in made:
+        nonzero = _without(replace(c, nonzero=fewest((*c.nonzero, *way.nonzero))), missed)
+        if nonzero is None:
+            raise next((failed[w] for w in ways if w in failed), fault(given[-1], _APART))
+        told.append(Kind(way.where if len(made) > 1 else (), replace(c, nonzero=nonzero)))
+    return tuple(sorted(told, key=lambda k: [str(e) for e in k.where]))
+
+
+def _least_collapsed(
+    found: Mapping[Alternative, Construction], named: Iterable[Expr]
+) -> dict[Alternative, Construction]:
+    """Without those in which more of what the assumptions name collapses than in another one: extensors that vanish,
+    lines or planes that coincide.
+    """
+    named = tuple(dict.fromkeys(named))
+    collapsed: dict[Alternative, set[tuple[Expr, ...]]] = {}
+    for way, c in found.items():
+        at = Evaluator(c.random_points(8), c.rank, PRIME)
+        values = {e: at.value(e) for e in named}
+        collapsed[way] = {(e,) for e in named if not any(values[e])} | {
+            (e, other) for e, other in combinations(named, 2) if e.step == other.step and _parallel(values[e], values[other])
+        }
+    return {way: c for way, c in found.items() if not any(other < collapsed[way] for other in collapsed.values())}
+
+
+def _within_another(way: Alternative, c: Construction, found: Mapping[Alternative, Construction]) -> bool:
+    """Whether what a construction reaches is reached by another one too, or by an earlier one as well."""
+    for other, larger in found.items():
+        if other is way:
+            continue
+        inside = all(map(c.vanishes, other.where)) and not any(map(c.vanishes, (*larger.nonzero, *other.nonzero)))
+        if inside and (
+            list(found).index(other) < list(found).index(way)
+            or not (
+                all(map(larger.vanishes, way.where)) and not any(map(larger.vanishes, (*c.nonzero, *way.nonzero)))
+            )
+        ):
+            return True
+    return False
+
+
+def _without(c: Construction, others: Iterable[Sequence[Expr]]) -> tuple[Expr, ...] | None:
+    """What must not vanish so that of these other kinds nothing is met; None where that would exclude this one too."""
+    nonzero = list(c.nonzero)
+    for where in others:
+        told = next((e for e in where if not c.vanishes(e)), None)
+        if told is None:
+            return None
+        nonzero.append(told)
+    return fewest(nonzero)
+
+
+def _lines_and_planes(given: Iterable[Assumption]) -> tuple[Expr, ...]:
+    """The extensors that assumptions speak of: they are taken to be what they are called."""
+    named = (e for a in given if a.kind in ("incident", "concurrent") for e in a.args if e.step > 1)
+    return tuple(dict.fromkeys(named))
+
+
+def _meets(
+    given: Iterable[Assumption], rank: int, points: tuple[str, ...], ideal: tuple[str, ...]
+) -> tuple[Expr, ...]:
+    """The points and lines that assumptions name as meets, but for those that are always zero."""
+    named = (e for a in given if a.kind != "zero" for arg in a.args for e in subexpressions(arg))
+    free = Construction(rank, points, ideal)
+    return tuple(e for e in dict.fromkeys(named) if isinstance(e, Meet) and e.step and not free.vanishes(e))
+
+
+@lru_cache(maxsize=256)
+def _constructed(
+    rank: int,
+    points: tuple[str, ...],
+    ideal: tuple[str, ...],
+    given: tuple[Assumption, ...],
+    wanted: tuple[Expr, ...],
+    extensors: tuple[Expr, ...],
+) -> Construction:
+    """A construction of what is given. Raises InputError where there is none."""
+    if not given:
+        return Construction(rank, points, ideal, equations=wanted, points=points, extensors=extensors)
     failure: _Failure | None = None
     for road in ROADS:
         try:
             found = road(given, rank)
             if found is not None:
-                return _Builder(rank, points, ideal, given, found, wanted).construction()
+                return _Builder(rank, points, ideal, given, found, wanted, extensors).construction()
         except _Failure as failed:
             failure = failed if failure is None or failed.depth > failure.depth else failure
         except InputError:
@@ -79,8 +202,10 @@ def holds(assumption: Assumption, space: Space, *, limit: int = MAX_TERMS) -> bo
     without assumptions, everywhere. Raises InputError as `resolve` does, LimitReached beyond `limit` terms.
     """
     wanted = equations(assumption, space.rank)
-    construction = resolve(space, points_of(*wanted))
-    return all(construction.vanishes(e) for e in wanted) and all(construction.is_zero(e, limit=limit) for e in wanted)
+    found = [kind.construction for kind in kinds(space, points_of(*wanted))]
+    return all(c.vanishes(e) for e in wanted for c in found) and all(
+        c.is_zero(e, limit=limit) for e in wanted for c in found
+    )
 
 
 # --- construction --------------------------------------------------------------------------------------------------
@@ -105,10 +230,10 @@ class _Builder:
         given: tuple[Assumption, ...],
         found: list[Facts],
         wanted: tuple[Expr, ...],
+        extensors: tuple[Expr, ...],
     ) -> None:
         self.rank, self.points, self.ideal, self.given, self.wanted = rank, points, ideal, given, wanted
-        named = (e for a in given if a.kind in ("incident", "concurrent") for e in a.args if e.step > 1)
-        self.extensors = tuple(dict.fromkeys(named))
+        self.extensors = extensors
         self.helpers = {h.name: h for f in found for h in f.helpers}
         self.nonzero = tuple(dict.fromkeys(e for f in found for e in f.nonzero))
         place = {n: i for i, n in enumerate((*points, *self.helpers))}

@@ -14,7 +14,7 @@ refuted
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
@@ -24,21 +24,40 @@ from gcrules.algebra.construction import Construction
 from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, ZERO, Expr, common_rank, neg, points_of, sub
-from gcrules.algebra.given import resolve
-from gcrules.algebra.nonzero import words
+from gcrules.algebra.given import kinds
+from gcrules.algebra.nonzero import fewest, words
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straighten import is_zero
 from gcrules.algebra.text import text
 from gcrules.errors import LimitReached, StepError
 from gcrules.frozen import FrozenMap
 
-__all__ = ["Proof", "prove"]
+__all__ = ["KindVerdict", "Proof", "prove"]
 
 _SAMPLES = 3
 _TRIES = 400  # small positions that are tried
 _BETTER = 60  # among these a counterexample is sought whose points all differ
 _EQUAL = f"; equal at {_SAMPLES} exact random points modulo a prime near 2**61 (error below 1e-30)"
+_DO = ("does", "do")
 _SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
+
+
+@dataclass(frozen=True)
+class KindVerdict:
+    """The verdict for one kind of positions, at which the scalars of `where` vanish (texts of the language)."""
+
+    where: tuple[str, ...]
+    verdict: str
+    assumed: tuple[str, ...] = ()
+
+    def to_json(self) -> dict[str, Any]:
+        """`{where, verdict, assumed}`."""
+        return {"where": list(self.where), "verdict": self.verdict, "assumed": list(self.assumed)}
+
+    def __str__(self) -> str:
+        where = " and ".join(f"{e} == 0" for e in self.where)
+        condition = f", where {' and '.join(self.assumed)} {_DO[len(self.assumed) > 1]} not vanish"
+        return f"where {where}: {self.verdict}{condition if self.assumed else ''}"
 
 
 @dataclass(frozen=True)
@@ -49,6 +68,8 @@ class Proof:
     coordinates at which the sides, `values`, differ) or "undecided" (`reason` names the limit and what is known).
     `assumed` lists, as text of the language, what was assumed not to vanish: a claim that is proved holds wherever its
     assumptions hold and none of these is zero. Without assumptions that is everywhere; a refutation assumes nothing.
+    Where assumptions allow several kinds of positions, `kinds` holds the verdict for each; proved is what is proved for
+    all of them, refuted what is refuted for one.
     """
 
     left: Expr
@@ -60,6 +81,7 @@ class Proof:
     values: tuple[Any, Any] | None = None
     assumed: tuple[str, ...] = ()
     meanings: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    kinds: tuple[KindVerdict, ...] = ()
 
     def __post_init__(self) -> None:
         if self.counterexample is not None:
@@ -71,7 +93,7 @@ class Proof:
         return self.verdict == "proved"
 
     def to_json(self) -> dict[str, Any]:
-        """`{verdict, method, reason, counterexample {point: coordinates}, values [left, right], assumed}`."""
+        """`{verdict, method, reason, counterexample {point: coordinates}, values [left, right], assumed, kinds}`."""
         points = {n: _plain(c) for n, c in self.counterexample.items()} if self.counterexample is not None else None
         values = [_plain(v) for v in self.values] if self.values else None
         return {
@@ -81,6 +103,7 @@ class Proof:
             "counterexample": points,
             "values": values,
             "assumed": list(self.assumed),
+            "kinds": [k.to_json() for k in self.kinds],
         }
 
     def text(self, *, unicode: bool = False) -> str:
@@ -93,10 +116,15 @@ class Proof:
         return "\n".join([*lines, *self.conditions()])
 
     def conditions(self) -> list[str]:
-        """The line that says what was assumed not to vanish, and what that means; none if nothing was."""
+        """The lines that say what was assumed not to vanish, and what that means, and which kinds of positions there
+        are; none if nothing was assumed and there is only one.
+        """
         meanings = self.meanings or [""] * len(self.assumed)
         shown = [f"{e} ({m})" if m else e for e, m in zip(self.assumed, meanings, strict=True)]
-        return [f"  assumed not to vanish: {', '.join(shown)}"] if shown else []
+        lines = [f"  assumed not to vanish: {', '.join(shown)}"] if shown else []
+        if self.kinds:
+            lines += ["  the assumptions allow several kinds of positions", *(f"    {k}" for k in self.kinds)]
+        return lines
 
     def latex(self) -> str:
         """The sides with the sign that the verdict calls for, without dollar signs."""
@@ -149,28 +177,52 @@ def prove(
 
 
 def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, limit: int) -> Proof:
-    construction = resolve(space, points_of(left, right))
-    assumed = tuple(text(e, names=space.declared()) for e in construction.nonzero)
-    meanings = tuple(words(e, space.declared()) for e in construction.nonzero)
+    found = kinds(space, points_of(left, right))
+    names = space.declared()
+    proofs = [_at_one_kind(left, right, difference, kind.construction, names, limit) for kind in found]
+    if len(proofs) == 1:
+        return proofs[0]
+    told = tuple(
+        KindVerdict(tuple(text(e, names=names) for e in kind.where), p.verdict, p.assumed)
+        for kind, p in zip(found, proofs, strict=True)
+    )
+    worst = next((p for v in ("refuted", "undecided") for p in proofs if p.verdict == v), None)
+    if worst is not None:
+        return replace(worst, assumed=(), meanings=(), kinds=told)
+    assumed = fewest(e for kind in found for e in kind.construction.nonzero)
+    return replace(proofs[0], **_in_words(assumed, names), kinds=told)
+
+
+def _in_words(assumed: Iterable[Expr], names: Sequence[str]) -> dict[str, tuple[str, ...]]:
+    found = tuple(assumed)
+    return {
+        "assumed": tuple(text(e, names=names) for e in found),
+        "meanings": tuple(words(e, names) for e in found),
+    }
+
+
+def _at_one_kind(
+    left: Expr, right: Expr, difference: Expr, construction: Construction, names: Sequence[str], limit: int
+) -> Proof:
+    said = _in_words(construction.nonzero, names)
     known = ""
     try:
         if not construction.vanishes(difference, samples=_SAMPLES):
-            return _refuted_under(left, right, construction)
+            return _refuted_under(left, right, difference, construction)
         known = _EQUAL.replace("points", "points that satisfy the assumptions")
         if not construction.is_zero(difference, limit=limit):
-            return _refuted_under(left, right, construction)
+            return _refuted_under(left, right, difference, construction)
     except LimitReached as limited:
-        reason = _reason(limited, known)
-        return Proof(left, right, "undecided", "random-points", reason, assumed=assumed, meanings=meanings)
+        return Proof(left, right, "undecided", "random-points", _reason(limited, known), **said)
     reason = "both sides have the same normal form at the points that satisfy the assumptions"
-    return Proof(left, right, "proved", "normal-form", reason, assumed=assumed, meanings=meanings)
+    return Proof(left, right, "proved", "normal-form", reason, **said)
 
 
 def _reason(limited: LimitReached, known: str) -> str:
     return limited.message + known + (f"; {limited.hint}" if limited.hint else "")
 
 
-def _refuted_under(left: Expr, right: Expr, construction: Construction) -> Proof:
+def _refuted_under(left: Expr, right: Expr, difference: Expr, construction: Construction) -> Proof:
     """Small exact coordinates that satisfy the assumptions, at which the sides differ; best if no two points agree."""
     best: tuple[bool, Mapping[str, Any], tuple[Any, Any]] | None = None
     for seed in range(_TRIES):
