@@ -82,18 +82,19 @@ def _kinds(
         return (Kind((), Construction(rank, points, ideal, points=points)),)
     wanted = tuple(e for a in given for e in understood(a, lambda a: equations(a, rank)))
     extensors = _lines_and_planes(given)
-    task = Task(rank, points, ideal, lambda some: _constructed(rank, points, ideal, some, wanted, ()))
+    task = Task(rank, points, ideal, lambda some: _constructed(rank, points, ideal, some, wanted))
     ways = alternatives(given, task)
     meets = _meets(given, rank, points, ideal)
     failed: dict[Alternative, InputError] = {}
     found: dict[Alternative, Construction] = {}
     for way in ways:
-        for named in dict.fromkeys(((*extensors, *meets), extensors)):
-            try:
-                found[way] = _constructed(rank, points, ideal, way.given, wanted, named)
-                break
-            except InputError as fault:
-                failed[way] = fault
+        if way.fault is not None:
+            failed[way] = way.fault
+            continue
+        try:
+            found[way] = _constructed(rank, points, ideal, way.given, wanted, extensors, meets)
+        except InputError as failure:
+            failed[way] = failure
     if not found:
         raise failed[ways[0]]
     if len(found) > 1:
@@ -168,16 +169,36 @@ def _meets(
     return tuple(e for e in dict.fromkeys(named) if isinstance(e, Meet) and e.step and not free.vanishes(e))
 
 
-@lru_cache(maxsize=256)
 def _constructed(
     rank: int,
     points: tuple[str, ...],
     ideal: tuple[str, ...],
     given: tuple[Assumption, ...],
     wanted: tuple[Expr, ...],
-    extensors: tuple[Expr, ...],
+    extensors: tuple[Expr, ...] = (),
+    meets: tuple[Expr, ...] = (),
 ) -> Construction:
-    """A construction of what is given. Raises InputError where there is none."""
+    """A construction of what is given, at which no extensor vanishes, and no meet unless there is no other.
+
+    Raises InputError where there is none.
+    """
+    found = _attempted(rank, points, ideal, given, wanted, extensors, meets)
+    if isinstance(found, _Failure):
+        # Equal assumptions may have been written at another place, where the failure was known before.
+        raise fault(next((a for a in given if a == found.cause), found.cause), found.why, found.hint)
+    return found
+
+
+@lru_cache(maxsize=256)
+def _attempted(
+    rank: int,
+    points: tuple[str, ...],
+    ideal: tuple[str, ...],
+    given: tuple[Assumption, ...],
+    wanted: tuple[Expr, ...],
+    extensors: tuple[Expr, ...],
+    meets: tuple[Expr, ...],
+) -> Construction | _Failure:
     if not given:
         return Construction(rank, points, ideal, equations=wanted, points=points, extensors=extensors)
     failure: _Failure | None = None
@@ -185,14 +206,14 @@ def _constructed(
         try:
             found = road(given, rank)
             if found is not None:
-                return _Builder(rank, points, ideal, given, found, wanted, extensors).construction()
+                return _Builder(rank, points, ideal, given, found, wanted, extensors, meets).construction()
         except _Failure as failed:
             failure = failed if failure is None or failed.depth > failure.depth else failure
         except InputError:
             if failure is None:
                 raise
     assert failure is not None
-    raise fault(failure.cause, failure.why, failure.hint)
+    return failure
 
 
 def holds(assumption: Assumption, space: Space, *, limit: int = MAX_TERMS) -> bool:
@@ -231,9 +252,10 @@ class _Builder:
         found: list[Facts],
         wanted: tuple[Expr, ...],
         extensors: tuple[Expr, ...],
+        meets: tuple[Expr, ...],
     ) -> None:
         self.rank, self.points, self.ideal, self.given, self.wanted = rank, points, ideal, given, wanted
-        self.extensors = extensors
+        self.extensors, self.meets = extensors, meets
         self.helpers = {h.name: h for f in found for h in f.helpers}
         self.nonzero = tuple(dict.fromkeys(e for f in found for e in f.nonzero))
         place = {n: i for i, n in enumerate((*points, *self.helpers))}
@@ -254,10 +276,11 @@ class _Builder:
         # What fails in one order mostly fails in others, so orders with the same turn come in the second round only.
         barren: set[Turn] = set()
         worst: _Failure | None = None
+        best: Construction | None = None
         for left_out in (barren, ()):
             order, late = (*self.points, *self.helpers), (*self.helpers, *self.ideal)
             for group in orders(self.conditions, order, late, self.rank, left_out):
-                found: list[Construction] = []
+                found = [] if best is None else [best]
                 for turns in islice(group, MAX_ORDERS):
                     try:
                         found.append(self._attempt(turns))
@@ -266,8 +289,11 @@ class _Builder:
                         worst = failed if worst is None or failed.depth > worst.depth else worst
                     if len(found) * len(self.conditions) > _ENOUGH:
                         break
-                if found:
-                    return min(found, key=_cost)
+                best = min(found, key=lambda c: (-len(c.extensors), _cost(c)), default=None)
+                if best is not None and len(best.extensors) == len(self.extensors) + len(self.meets):
+                    return best
+        if best is not None:
+            return best
         raise worst or self._no_order()
 
     def _no_order(self) -> _Failure:
@@ -386,7 +412,8 @@ class _State:
         for e in (*nonzero, *b.extensors):
             if self.zero(e):
                 raise _Failure(len(self.steps), cause, f"together with the others it makes {e} zero", _NAME_IT)
-        return Construction(b.rank, free, b.ideal, tuple(self.steps), fewest(nonzero), b.wanted, b.points, b.extensors)
+        extensors = (*b.extensors, *(e for e in b.meets if not self.zero(e)))
+        return Construction(b.rank, free, b.ideal, tuple(self.steps), fewest(nonzero), b.wanted, b.points, extensors)
 
 
 def _parallel(a: Sequence[int], b: Sequence[int]) -> bool:

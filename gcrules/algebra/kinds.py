@@ -16,7 +16,7 @@ product in disguise: [bcd][abe] - [abd][bce] = [abc][bde].
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import combinations
 from math import comb
@@ -64,6 +64,7 @@ class Alternative:
     given: tuple[Assumption, ...]
     where: tuple[Expr, ...] = ()
     nonzero: tuple[Expr, ...] = ()
+    fault: InputError | None = field(default=None, compare=False)  # why there are no such positions, where that is known
 
 
 @dataclass(frozen=True)
@@ -86,9 +87,13 @@ def alternatives(given: Sequence[Assumption], task: Task) -> list[Alternative]:
         if not waiting:
             return list(done.values())
         at = waiting.pop()
-        further = list(_next(at, task))
+        failure: InputError | None = None
+        try:
+            further = list(_next(at, task))
+        except InputError as raised:
+            further, failure = [at], raised
         if further == [at]:
-            found = Alternative((*at.plain, *_whole(at.scalars, pieces)), at.where, at.nonzero)
+            found = Alternative((*at.plain, *_whole(at.scalars, pieces)), at.where, at.nonzero, failure)
             done.setdefault(frozenset(map(str, found.given)), found)
         waiting += [] if further == [at] else further
         if len(done) + len(waiting) > MAX_KINDS:
@@ -148,33 +153,31 @@ def _of_points(e: Expr) -> bool:
 
 
 def _next(at: _Open, task: Task) -> Iterator[_Open]:
-    """What comes of the first scalar that can be taken apart; the same again if there is none."""
-    if at.scalars:
-        try:
-            base = task.construct(at.plain)
-        except (InputError, LimitReached):
-            base = None
-        if base is not None:
-            together = _solved(at, task)
-            if together is not None:
-                yield together
-                return
-            for i, a in enumerate(at.scalars):
-                found = _parts(a, base, task)
-                if found is None:
-                    continue
-                parts, nonzero = found
-                others = replace(
-                    at,
-                    scalars=(*at.scalars[:i], *at.scalars[i + 1 :]),
-                    nonzero=tuple(dict.fromkeys((*at.nonzero, *nonzero))),
-                )
-                if not parts:
-                    yield others
-                for part in parts:
-                    where = (*at.where, part) if len(parts) > 1 else at.where
-                    yield replace(_with(others, part, a), where=tuple(dict.fromkeys(where)))
-                return
+    """What comes of the first scalar that can be taken apart; the same again if there is none.
+
+    Raises InputError where the plain assumptions alone cannot be satisfied.
+    """
+    together = _solved(at, task)
+    if together is not None:
+        yield together
+        return
+    base = task.construct(at.plain) if at.scalars else None
+    for i, a in enumerate(at.scalars):
+        found = _parts(a, base, task) if base is not None else None
+        if found is None:
+            continue
+        parts, nonzero = found
+        others = replace(
+            at,
+            scalars=(*at.scalars[:i], *at.scalars[i + 1 :]),
+            nonzero=tuple(dict.fromkeys((*at.nonzero, *nonzero))),
+        )
+        if not parts:
+            yield others
+        for part in parts:
+            where = (*at.where, part) if len(parts) > 1 else at.where
+            yield replace(_with(others, part, a), where=tuple(dict.fromkeys(where)))
+        return
     yield at
 
 
