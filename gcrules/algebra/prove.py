@@ -29,6 +29,7 @@ from gcrules.algebra.nonzero import fewest, words
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straighten import is_zero
 from gcrules.algebra.text import text
+from gcrules.algebra.weights import unit_weights
 from gcrules.errors import LimitReached, StepError
 from gcrules.frozen import FrozenMap
 
@@ -38,6 +39,9 @@ _SAMPLES = 3
 _TRIES = 400  # small positions that are tried
 _BETTER = 60  # among these a counterexample is sought whose points all differ
 _EQUAL = f"; equal at {_SAMPLES} exact random points modulo a prime near 2**61 (error below 1e-30)"
+_SATISFYING = ", which satisfy the assumptions"
+_ANY_WEIGHT = ", of any weight); they are equal wherever every finite point has last coordinate 1"
+_VERDICTS = ("refuted", "undecided", "proved")
 _DO = ("does", "do")
 _SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
 
@@ -69,7 +73,8 @@ class Proof:
     `assumed` lists, as text of the language, what was assumed not to vanish: a claim that is proved holds wherever its
     assumptions hold and none of these is zero. Without assumptions that is everywhere; a refutation assumes nothing.
     Where assumptions allow several kinds of positions, `kinds` holds the verdict for each; proved is what is proved for
-    all of them, refuted what is refuted for one.
+    all of them, refuted what is refuted for one. A claim is about all homogeneous coordinates of its points;
+    `unit_weights` says that one that is refuted holds nevertheless wherever the finite points have last coordinate 1.
     """
 
     left: Expr
@@ -82,6 +87,7 @@ class Proof:
     assumed: tuple[str, ...] = ()
     meanings: tuple[str, ...] = field(default=(), compare=False, repr=False)
     kinds: tuple[KindVerdict, ...] = ()
+    unit_weights: bool = False
 
     def __post_init__(self) -> None:
         if self.counterexample is not None:
@@ -93,7 +99,9 @@ class Proof:
         return self.verdict == "proved"
 
     def to_json(self) -> dict[str, Any]:
-        """`{verdict, method, reason, counterexample {point: coordinates}, values [left, right], assumed, kinds}`."""
+        """`{verdict, method, reason, counterexample {point: coordinates}, values [left, right], assumed, kinds,
+        unit_weights}`.
+        """
         points = {n: _plain(c) for n, c in self.counterexample.items()} if self.counterexample is not None else None
         values = [_plain(v) for v in self.values] if self.values else None
         return {
@@ -104,6 +112,7 @@ class Proof:
             "values": values,
             "assumed": list(self.assumed),
             "kinds": [k.to_json() for k in self.kinds],
+            "unit_weights": self.unit_weights,
         }
 
     def text(self, *, unicode: bool = False) -> str:
@@ -166,11 +175,11 @@ def prove(
     known = ""
     try:
         if not vanishes(difference, rank=rank, ideal=at_infinity, samples=_SAMPLES):
-            return _refuted(left, right, rank, at_infinity)
+            return _refuted(left, right, difference, rank, at_infinity, limit)
         known = _EQUAL
         if not is_zero(difference, points=points, ideal=at_infinity, rank=rank, limit=limit):
             # The coefficients of the difference are multiples of that prime.
-            return _refuted(left, right, rank, at_infinity)
+            return _refuted(left, right, difference, rank, at_infinity, limit)
     except LimitReached as limited:
         return Proof(left, right, "undecided", "random-points", _reason(limited, known))
     return Proof(left, right, "proved", "normal-form", "both sides have the same normal form of standard tableaux")
@@ -186,8 +195,8 @@ def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, 
         KindVerdict(tuple(text(e, names=names) for e in kind.where), p.verdict, p.assumed)
         for kind, p in zip(found, proofs, strict=True)
     )
-    worst = next((p for v in ("refuted", "undecided") for p in proofs if p.verdict == v), None)
-    if worst is not None:
+    worst = min(proofs, key=lambda p: (_VERDICTS.index(p.verdict), p.unit_weights))
+    if not worst.proved:
         return replace(worst, assumed=(), meanings=(), kinds=told)
     assumed = fewest(e for kind in found for e in kind.construction.nonzero)
     return replace(proofs[0], **_in_words(assumed, names), kinds=told)
@@ -208,10 +217,10 @@ def _at_one_kind(
     known = ""
     try:
         if not construction.vanishes(difference, samples=_SAMPLES):
-            return _refuted_under(left, right, difference, construction)
+            return _refuted_under(left, right, difference, construction, limit)
         known = _EQUAL.replace("points", "points that satisfy the assumptions")
         if not construction.is_zero(difference, limit=limit):
-            return _refuted_under(left, right, difference, construction)
+            return _refuted_under(left, right, difference, construction, limit)
     except LimitReached as limited:
         return Proof(left, right, "undecided", "random-points", _reason(limited, known), **said)
     reason = "both sides have the same normal form at the points that satisfy the assumptions"
@@ -222,7 +231,9 @@ def _reason(limited: LimitReached, known: str) -> str:
     return limited.message + known + (f"; {limited.hint}" if limited.hint else "")
 
 
-def _refuted_under(left: Expr, right: Expr, difference: Expr, construction: Construction) -> Proof:
+def _refuted_under(
+    left: Expr, right: Expr, difference: Expr, construction: Construction, limit: int, which: str = _SATISFYING
+) -> Proof:
     """Small exact coordinates that satisfy the assumptions, at which the sides differ; best if no two points agree."""
     best: tuple[bool, Mapping[str, Any], tuple[Any, Any]] | None = None
     for seed in range(_TRIES):
@@ -236,9 +247,19 @@ def _refuted_under(left: Expr, right: Expr, difference: Expr, construction: Cons
             break
     if best is None:
         raise LimitReached("the sides differ modulo a prime, but no small coordinates that show it were found")
-    reason = "the sides differ at these points, which satisfy the assumptions (homogeneous coordinates)"
     shown = {n: best[1][n] for n in tableau_order(best[1], construction.points, construction.ideal)}
-    return Proof(left, right, "refuted", "counterexample", reason, shown, best[2])
+    units = any(value[-1] not in (0, 1) for value in shown.values()) and _at_unit_weights(
+        difference, construction, limit
+    )
+    reason = f"the sides differ at these points{which} (homogeneous coordinates{_ANY_WEIGHT if units else ')'}"
+    return Proof(left, right, "refuted", "counterexample", reason, shown, best[2], unit_weights=units)
+
+
+def _at_unit_weights(difference: Expr, construction: Construction, limit: int) -> bool:
+    try:
+        return unit_weights(difference, construction, limit=limit)
+    except LimitReached:
+        return False
 
 
 def _all_differ(points: Mapping[str, Sequence[Any]]) -> bool:
@@ -248,15 +269,20 @@ def _all_differ(points: Mapping[str, Sequence[Any]]) -> bool:
     )
 
 
-def _refuted(left: Expr, right: Expr, rank: int, ideal: tuple[str, ...]) -> Proof:
-    """Small whole coordinates at which the sides differ; wider ranges are tried if the first ones do not separate."""
+def _refuted(left: Expr, right: Expr, difference: Expr, rank: int, ideal: tuple[str, ...], limit: int) -> Proof:
+    """Small whole coordinates at which the sides differ; wider ranges are tried if the first ones do not separate, then
+    other last coordinates than 1.
+    """
+    names = points_of(left, right)
     for seed in range(200):
-        found = random_rational_points(points_of(left, right), rank=rank, ideal=ideal, seed=seed, size=1 + seed // 4)
+        found = random_rational_points(names, rank=rank, ideal=ideal, seed=seed, size=1 + seed // 4)
         values = evaluate(left, found), evaluate(right, found)
         if _differ(*values):
             reason = "the sides differ at these points (homogeneous coordinates)"
             return Proof(left, right, "refuted", "counterexample", reason, found, values)
-    raise LimitReached("the sides differ modulo a prime, but no small whole coordinates that show it were found")
+    at_infinity = tuple(n for n in names if n in ideal)
+    anywhere = Construction(rank, tableau_order(names, (), at_infinity), at_infinity, points=names)
+    return _refuted_under(left, right, difference, anywhere, limit, which="")
 
 
 def _differ(left: Any, right: Any) -> bool:
