@@ -92,7 +92,7 @@ def _kinds(
             failed[way] = way.fault
             continue
         try:
-            found[way] = _constructed(rank, points, ideal, way.given, wanted, extensors, meets)
+            found[way] = _constructed(rank, points, ideal, way.given, wanted, (*extensors, *way.nonzero), meets)
         except InputError as failure:
             failed[way] = failure
     if not found:
