@@ -28,7 +28,7 @@ from gcrules.algebra.expr import Expr, Meet, Point, points_of, subexpressions
 from gcrules.algebra.incidences import Condition, Facts, equations, fault
 from gcrules.algebra.kinds import Alternative, Task, alternatives, flats
 from gcrules.algebra.nonzero import assumed, fewest
-from gcrules.algebra.roads import ROADS, understood
+from gcrules.algebra.roads import ROADS, on_pascal_line, understood
 from gcrules.algebra.space import Assumption, Space
 from gcrules.errors import InputError
 
@@ -206,7 +206,8 @@ def _attempted(
         try:
             found = road(given, rank)
             if found is not None:
-                return _Builder(rank, points, ideal, given, found, wanted, extensors, meets).construction()
+                made = _Builder(rank, points, ideal, given, found, wanted, extensors, meets).construction()
+                return replace(made, nonzero=()) if _one_conic(given, rank, ideal) else made
         except _Failure as failed:
             failure = failed if failure is None or failed.depth > failure.depth else failure
         except InputError:
@@ -214,6 +215,15 @@ def _attempted(
                 raise
     assert failure is not None
     return failure
+
+
+def _one_conic(given: Sequence[Assumption], rank: int, ideal: tuple[str, ...]) -> bool:
+    """Whether all that is given is that six finite points lie on a conic.
+
+    Such positions are an irreducible hypersurface, in which those that are reached are dense, so that an identity that
+    holds on them holds everywhere.
+    """
+    return len(given) == 1 and not ideal and on_pascal_line(given[0], rank) is not given[0]
 
 
 def holds(assumption: Assumption, space: Space, *, limit: int = MAX_TERMS) -> bool:
