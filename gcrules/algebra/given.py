@@ -36,6 +36,7 @@ __all__ = ["Kind", "equations", "holds", "kinds", "resolve"]
 
 MAX_ORDERS = 200  # orders of a group that are tried
 _ENOUGH = 500  # conditions of the constructions among which the simplest is chosen
+_TRIED = "no construction that was tried satisfies it; in the one that came farthest,"
 _APART = "the kinds of positions that are allowed cannot be told apart"
 _NAME_IT = "name the common point: given incident(p, X), incident(p, Y)"
 
@@ -185,7 +186,8 @@ def _constructed(
     found = _attempted(rank, points, ideal, given, wanted, extensors, meets)
     if isinstance(found, _Failure):
         # Equal assumptions may have been written at another place, where the failure was known before.
-        raise fault(next((a for a in given if a == found.cause), found.cause), found.why, found.hint)
+        cause = next((a for a in given if a == found.cause), found.cause)
+        raise fault(cause, f"{_TRIED} {found.why}" if found.tried else found.why, found.hint)
     return found
 
 
@@ -245,9 +247,11 @@ def holds(assumption: Assumption, space: Space, *, limit: int = MAX_TERMS) -> bo
 class _Failure(Exception):
     """An order of construction that leads nowhere: at which assumption, and why."""
 
-    def __init__(self, depth: int, cause: Assumption, why: str, hint: str | None = None) -> None:
+    def __init__(
+        self, depth: int, cause: Assumption, why: str, hint: str | None = None, *, tried: bool = True
+    ) -> None:
         super().__init__(why)
-        self.depth, self.cause, self.why, self.hint = depth, cause, why, hint
+        self.depth, self.cause, self.why, self.hint, self.tried = depth, cause, why, hint, tried
 
 
 class _Builder:
@@ -311,9 +315,8 @@ class _Builder:
         why = "no point of it can be constructed from the others"
         if not stuck.within:
             why = "it is not linear in any of its points"
-        return _Failure(
-            0, stuck.cause, why, "name the points that it is about, and say on which lines and planes they lie"
-        )
+        hint = "name the points that it is about, and say on which lines and planes they lie"
+        return _Failure(0, stuck.cause, why, hint, tried=False)
 
     def _attempt(self, turns: list[Turn]) -> Construction:
         constructed = {n for n, _ in turns}
@@ -356,15 +359,15 @@ class _State:
                 within = smaller
                 used.append(c)
         if within is None:
-            raise _Failure(depth, conditions[0].cause, f"the other assumptions leave nothing on which {name} could lie")
+            raise _Failure(depth, conditions[0].cause, f"nothing is left on which {name} could lie")
         step = step_on(within, rank, exact=used[0].exact)
         self.put(step)
         for c in conditions:
             if not self.zero(c.equation):
                 why = (
-                    f"together with the others it asks too much of the point {name}"
+                    f"it asks too much of the point {name}"
                     if name in c.within
-                    else "it is not linear in the points that the others leave, nor does it follow from them"
+                    else "it is not linear in a point that the others leave, nor does it follow from them"
                 )
                 raise _Failure(depth, c.cause, why, "leave out an assumption, or name more points")
         self.check(depth, step, used)
@@ -397,7 +400,7 @@ class _State:
         """Points stay what they are: not zero, at infinity or not as declared, and different from the others."""
         b, value, cause = self.builder, self.values[step.name], used[-1].cause
         if not any(value):
-            raise _Failure(depth, cause, f"it leaves no place for the point {step.name}")
+            raise _Failure(depth, cause, f"no place is left for the point {step.name}")
         if step.name in b.helpers:
             return
         if step.name in b.ideal and value[-1]:
@@ -411,7 +414,7 @@ class _State:
         for other, there in self.values.items():
             if other != step.name and ":" not in other and _parallel(value, there):
                 hint = "say so with == if that is meant"
-                why = f"with the others it makes {other} and {step.name} one point"
+                why = f"{other} and {step.name} would be one point"
                 raise _Failure(depth, cause, why, hint)
 
     def construction(self, free: tuple[str, ...]) -> Construction:
@@ -421,7 +424,7 @@ class _State:
             raise _Failure(len(self.steps), cause, "the common point of the lines needs a name", _NAME_IT)
         for e in (*nonzero, *b.extensors):
             if self.zero(e):
-                raise _Failure(len(self.steps), cause, f"together with the others it makes {e} zero", _NAME_IT)
+                raise _Failure(len(self.steps), cause, f"{e} would be zero", _NAME_IT)
         extensors = (*b.extensors, *(e for e in b.meets if not self.zero(e)))
         return Construction(b.rank, free, b.ideal, tuple(self.steps), fewest(nonzero), b.wanted, b.points, extensors)
 

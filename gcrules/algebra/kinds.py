@@ -157,6 +157,13 @@ def _next(at: _Open, task: Task) -> Iterator[_Open]:
 
     Raises InputError where the plain assumptions alone cannot be satisfied.
     """
+    for a in at.plain:
+        if (ways := _through_a_corner(a, task.rank)) is not None:
+            for e, some in ways:
+                plain = dict.fromkeys(x for x in (*at.plain, *some) if x != a)
+                where = at.where if e == ex.ZERO else tuple(dict.fromkeys((*at.where, e)))
+                yield replace(at, plain=tuple(plain), where=where)
+            return
     together = _solved(at, task)
     if together is not None:
         yield together
@@ -179,6 +186,29 @@ def _next(at: _Open, task: Task) -> Iterator[_Open]:
             yield replace(_with(others, part, a), where=tuple(dict.fromkeys(where)))
         return
     yield at
+
+
+def _through_a_corner(a: Assumption, rank: int) -> list[tuple[Expr, list[Assumption]]] | None:
+    """Lines through one point, two of which have a point b in common: b is that point, or both are one line.
+
+    Each with what vanishes then, and what is to be assumed in its place. In the plane scalars tell the same.
+    """
+    if a.kind != "concurrent" or rank < 4 or not all(of_points(e) and e.step == 2 for e in a.args):
+        return None
+    for one, other in combinations(dict.fromkeys(a.args), 2):
+        common = [p for p in one.children if p in other.children]
+        if len(common) == 1 and len(a.args) > 2:
+            (b,) = common
+            rest = [e for e in dict.fromkeys(a.args) if e not in (one, other)]
+            aside = [e for e in rest if b not in e.children]
+            if not aside:
+                return [(ex.ZERO, [])]  # all of them pass through b
+            ends = [p for p in (*one.children, *other.children) if p != b]
+            through = [Assumption("incident", (b, e), f"incident({b}, {e})", a.place) for e in aside]
+            line = Assumption("collinear", (b, *ends), f"collinear({b}, {ends[0]}, {ends[1]})", a.place)
+            again = Assumption("concurrent", (one, *rest), f"concurrent({', '.join(map(str, (one, *rest)))})", a.place)
+            return [(ex.join(b, aside[0], rank=rank), through), (ex.join(b, *ends, rank=rank), [line, again])]
+    return None
 
 
 def _with(at: _Open, scalar: Expr, cause: Assumption) -> _Open:
