@@ -276,7 +276,10 @@ def _without_zeros(e: Expr, base: Construction, task: Task) -> BracketPolynomial
         return _normal(left)
     names = [tuple(left.points[i] for i in row) for row in combinations(used, task.rank)]
     zeros = [row for row in names if _is_zero(Bracket(tuple(map(Point, row))), base)]
-    left = _normal(_dropped(left, zeros))
+    left = _dropped(left, zeros)
+    if len(left) == 1:
+        return left  # as it is written, whatever the order of the points
+    left = _normal(left)
     for row in zeros:
         order = tuple(dict.fromkeys((*left.points[: left.ideal], *row, *left.points)))
         moved = _normal(_dropped(_normal(left.over(order, left.ideal)), zeros))
