@@ -24,7 +24,7 @@ from gcrules.algebra.construction import Construction, Step, Within, coordinates
 from gcrules.algebra.elimination import Turn, orders
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import Expr, Meet, Point, points_of, subexpressions
+from gcrules.algebra.expr import Expr, Meet, Point, join, points_of, subexpressions
 from gcrules.algebra.incidences import Condition, Facts, equations, fault
 from gcrules.algebra.kinds import Alternative, Task, alternatives, flats
 from gcrules.algebra.nonzero import assumed, fewest
@@ -117,15 +117,20 @@ def _least_collapsed(
     """Without those in which more of what the assumptions name collapses than in another one: extensors that vanish,
     lines or planes that coincide.
     """
-    named = tuple(dict.fromkeys(named))
-    collapsed: dict[Alternative, set[tuple[Expr, ...]]] = {}
-    for way, c in found.items():
-        at = Evaluator(c.random_points(8), c.rank, PRIME)
-        values = {e: at.value(e) for e in named}
-        collapsed[way] = {(e,) for e in named if not any(values[e])} | {
-            (e, other) for e, other in combinations(named, 2) if e.step == other.step and _parallel(values[e], values[other])
-        }
+    named = tuple(named)
+    collapsed = {way: _collapsed(c, named) for way, c in found.items()}
     return {way: c for way, c in found.items() if not any(other < collapsed[way] for other in collapsed.values())}
+
+
+def _collapsed(c: Construction, named: Iterable[Expr]) -> set[tuple[Expr, ...]]:
+    """The extensors that vanish, and the pairs of them that coincide, wherever the construction leads."""
+    at = Evaluator(c.random_points(8), c.rank, PRIME)
+    values = {e: at.value(e) for e in named}
+    return {(e,) for e in values if not any(values[e])} | {
+        (e, other)
+        for e, other in combinations(values, 2)
+        if e.step == other.step and _parallel(values[e], values[other])
+    }
 
 
 def _within_another(way: Alternative, c: Construction, found: Mapping[Alternative, Construction]) -> bool:
@@ -136,9 +141,7 @@ def _within_another(way: Alternative, c: Construction, found: Mapping[Alternativ
         inside = all(map(c.vanishes, other.where)) and not any(map(c.vanishes, (*larger.nonzero, *other.nonzero)))
         if inside and (
             list(found).index(other) < list(found).index(way)
-            or not (
-                all(map(larger.vanishes, way.where)) and not any(map(larger.vanishes, (*c.nonzero, *way.nonzero)))
-            )
+            or not (all(map(larger.vanishes, way.where)) and not any(map(larger.vanishes, (*c.nonzero, *way.nonzero))))
         ):
             return True
     return False
@@ -161,9 +164,7 @@ def _lines_and_planes(given: Iterable[Assumption]) -> tuple[Expr, ...]:
     return tuple(dict.fromkeys(named))
 
 
-def _meets(
-    given: Iterable[Assumption], rank: int, points: tuple[str, ...], ideal: tuple[str, ...]
-) -> tuple[Expr, ...]:
+def _meets(given: Iterable[Assumption], rank: int, points: tuple[str, ...], ideal: tuple[str, ...]) -> tuple[Expr, ...]:
     """The points and lines that assumptions name as meets, but for those that are always zero."""
     named = (e for a in given if a.kind != "zero" for arg in a.args for e in subexpressions(arg))
     free = Construction(rank, points, ideal)
@@ -247,9 +248,7 @@ def holds(assumption: Assumption, space: Space, *, limit: int = MAX_TERMS) -> bo
 class _Failure(Exception):
     """An order of construction that leads nowhere: at which assumption, and why."""
 
-    def __init__(
-        self, depth: int, cause: Assumption, why: str, hint: str | None = None, *, tried: bool = True
-    ) -> None:
+    def __init__(self, depth: int, cause: Assumption, why: str, hint: str | None = None, *, tried: bool = True) -> None:
         super().__init__(why)
         self.depth, self.cause, self.why, self.hint, self.tried = depth, cause, why, hint, tried
 
@@ -270,6 +269,8 @@ class _Builder:
     ) -> None:
         self.rank, self.points, self.ideal, self.given, self.wanted = rank, points, ideal, given, wanted
         self.extensors, self.meets = extensors, meets
+        written = (a for a in given if a.kind not in ("collinear", "coplanar"))
+        self.named = (*extensors, *meets, *flats(written, rank))
         self.helpers = {h.name: h for f in found for h in f.helpers}
         self.nonzero = tuple(dict.fromkeys(e for f in found for e in f.nonzero))
         place = {n: i for i, n in enumerate((*points, *self.helpers))}
@@ -284,6 +285,13 @@ class _Builder:
         names = [*self.points, *self.helpers]
         points = random_rational_points(names, rank=self.rank, ideal=self.ideal, seed=3, size=PRIME)
         return not any(Evaluator(points, self.rank).value(c.equation))
+
+    def always_on(self, within: Expr, name: str) -> bool:
+        r"""Whether an extensor of step 1 is a multiple of a point whatever is assumed, as ab /\ ac is of a."""
+        if within.step > 1:
+            return False
+        e = join(within, Point(name), rank=self.rank)
+        return Construction(self.rank, points_of(e), self.ideal).vanishes(e)
 
     def construction(self) -> Construction:
         """Raises _Failure where none of the orders tried works."""
@@ -303,7 +311,9 @@ class _Builder:
                         worst = failed if worst is None or failed.depth > worst.depth else worst
                     if len(found) * len(self.conditions) > _ENOUGH:
                         break
-                best = min(found, key=lambda c: (-len(c.extensors), _cost(c)), default=None)
+                best = min(
+                    found, key=lambda c: (len(_collapsed(c, self.named)), -len(c.extensors), _cost(c)), default=None
+                )
                 if best is not None and len(best.extensors) == len(self.extensors) + len(self.meets):
                     return best
         if best is not None:
@@ -409,10 +419,12 @@ class _State:
         if step.name not in b.ideal and not value[-1]:
             hint = f"declare it with `ideal {step.name}`"
             raise _Failure(depth, cause, f"the finite point {step.name} would have to lie at infinity", hint)
-        if len(used) == 1 and step.within.step == 1:
+        at = b.helpers.get(step.within.name) if isinstance(step.within, Point) else None
+        within = step.within if at is None or at.meet is None else at.meet
+        if used[0].exact or isinstance(within, Point):
             return  # so it was asked for
         for other, there in self.values.items():
-            if other != step.name and ":" not in other and _parallel(value, there):
+            if other != step.name and ":" not in other and _parallel(value, there) and not b.always_on(within, other):
                 hint = "say so with == if that is meant"
                 why = f"{other} and {step.name} would be one point"
                 raise _Failure(depth, cause, why, hint)

@@ -1,7 +1,7 @@
 r"""The kinds of positions that assumptions allow: scalars that vanish are taken apart into what makes them vanish.
 
-A product of brackets vanishes where one of them does, and each of them is a kind of its own, also where a sum is a
-product in disguise: [bcd][abe] - [abd][bce] = [abc][bde].
+A product of brackets vanishes where one of them does, and each of them is a kind of its own, also where it is one for
+other assumptions only, or where a sum is a product in disguise: [bcd][abe] - [abd][bce] = [abc][bde].
 
 >>> from gcrules.algebra.given import kinds
 >>> from gcrules.algebra.statements import parse_assumption
@@ -9,8 +9,8 @@ product in disguise: [bcd][abe] - [abd][bce] = [abc][bde].
 >>> space = parse_assumption("collinear(a, b, d), [bcd][abe] == [abd][bce]", Context(rank=3))
 >>> for kind in kinds(space):
 ...     print(*kind.where, "==", 0)
-[abc] == 0
-[bde] == 0
+[abe] == 0
+[bcd] == 0
 """
 
 from __future__ import annotations
@@ -64,7 +64,9 @@ class Alternative:
     given: tuple[Assumption, ...]
     where: tuple[Expr, ...] = ()
     nonzero: tuple[Expr, ...] = ()
-    fault: InputError | None = field(default=None, compare=False)  # why there are no such positions, where that is known
+    fault: InputError | None = field(
+        default=None, compare=False
+    )  # why there are no such positions, where that is known
 
 
 @dataclass(frozen=True)
@@ -109,10 +111,9 @@ def flats(given: Iterable[Assumption], rank: int) -> Iterator[Expr]:
         if a.kind in ("collinear", "coplanar"):
             some = [p for p in dict.fromkeys(a.args) if isinstance(p, Point)]
             yield from (ex.join(*j, rank=rank) for j in combinations(some, min(rank, _SPAN[a.kind])) if len(j) < rank)
-        if a.kind != "zero":
-            for e in (part for arg in a.args for part in ex.subexpressions(arg)):
-                if 1 < e.step < rank and of_points(e):
-                    yield e
+        for e in (part for arg in a.args for part in ex.subexpressions(arg)):
+            if 1 < e.step < rank and of_points(e) and (a.kind, e) != ("zero", a.args[0]):
+                yield e
 
 
 def _plain(a: Assumption, rank: int) -> bool:
@@ -132,9 +133,7 @@ def _pieces(a: Assumption, rank: int) -> tuple[Assumption, ...]:
     return (a,) if len(wanted) == 1 else tuple(_vanishing(e, a) for e in wanted)
 
 
-def _whole(
-    scalars: Sequence[Assumption], pieces: Mapping[Assumption, tuple[Assumption, ...]]
-) -> Iterator[Assumption]:
+def _whole(scalars: Sequence[Assumption], pieces: Mapping[Assumption, tuple[Assumption, ...]]) -> Iterator[Assumption]:
     """With the assumptions of which no piece was taken apart as they were written."""
     left = dict.fromkeys(scalars)
     for a, some in pieces.items():

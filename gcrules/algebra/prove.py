@@ -199,21 +199,18 @@ def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, 
     if not worst.proved:
         return replace(worst, assumed=(), meanings=(), kinds=told)
     assumed = fewest(e for kind in found for e in kind.construction.nonzero)
-    return replace(proofs[0], **_in_words(assumed, names), kinds=told)
+    return replace(_assuming(proofs[0], assumed, names), kinds=told)
 
 
-def _in_words(assumed: Iterable[Expr], names: Sequence[str]) -> dict[str, tuple[str, ...]]:
-    found = tuple(assumed)
-    return {
-        "assumed": tuple(text(e, names=names) for e in found),
-        "meanings": tuple(words(e, names) for e in found),
-    }
+def _assuming(proof: Proof, nonzero: Iterable[Expr], names: Sequence[str]) -> Proof:
+    found = tuple(nonzero)
+    assumed, meanings = tuple(text(e, names=names) for e in found), tuple(words(e, names) for e in found)
+    return replace(proof, assumed=assumed, meanings=meanings)
 
 
 def _at_one_kind(
     left: Expr, right: Expr, difference: Expr, construction: Construction, names: Sequence[str], limit: int
 ) -> Proof:
-    said = _in_words(construction.nonzero, names)
     known = ""
     try:
         if not construction.vanishes(difference, samples=_SAMPLES):
@@ -222,9 +219,10 @@ def _at_one_kind(
         if not construction.is_zero(difference, limit=limit):
             return _refuted_under(left, right, difference, construction, limit)
     except LimitReached as limited:
-        return Proof(left, right, "undecided", "random-points", _reason(limited, known), **said)
+        undecided = Proof(left, right, "undecided", "random-points", _reason(limited, known))
+        return _assuming(undecided, construction.nonzero, names)
     reason = "both sides have the same normal form at the points that satisfy the assumptions"
-    return Proof(left, right, "proved", "normal-form", reason, **said)
+    return _assuming(Proof(left, right, "proved", "normal-form", reason), construction.nonzero, names)
 
 
 def _reason(limited: LimitReached, known: str) -> str:

@@ -1,7 +1,8 @@
 r"""Roads to a construction: the conditions of all assumptions, as they are written, or brought into another form.
 
 As written, each assumption is read by itself. Where that leads nowhere, assumptions are read together (several points
-on one plane, several equations between the same points), or points that are written as meets get names of their own, as do those of the line of Pascal of a conic.
+on one plane, several equations between the same points), or points that are written as meets get names of their own, as
+do those of the line of Pascal of a conic.
 
 >>> from gcrules.algebra.statements import parse_assumption
 >>> given = parse_assumption("incident(x, abc), incident(y, abc)").given

@@ -65,8 +65,8 @@ def _made_even(poly: BracketPolynomial, at_infinity: list[Point]) -> Iterator[Ex
     """Polynomials that vanish for all weights if this one does with weights 1: powers of the weights are added to its
     terms until each finite point occurs equally often.
 
-    The weight of p is [I p] up to a factor, where I spans the points at infinity. Stretching space by a linear map, or a
-    point at infinity by a number, multiplies a term by a power that its number of brackets, or how often the point
+    The weight of p is [I p] up to a factor, where I spans the points at infinity. Stretching space by a linear map, or
+    a point at infinity by a number, multiplies a term by a power that its number of brackets, or how often the point
     occurs, determines. So terms that differ in these vanish by themselves.
     """
     ideal = set(poly.points[: poly.ideal])
