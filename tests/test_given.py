@@ -720,7 +720,6 @@ def test_names_do_not_matter(case: tuple[int, list[str], str], rng: random.Rando
 
 
 TRIED = [
-    "collinear(a, b, c), [abd] == [abc] + [abe], [abd] == [abe] + 1",
     "ideal i j, collinear(i, a, j)",
     "incident(x, ab), incident(x, cd), incident(y, ac), incident(y, bd), incident(z, ad),incident(z, bc),[xyz]==0",
 ]
@@ -731,6 +730,11 @@ def test_a_refusal_speaks_of_what_was_tried(assumption: str) -> None:
     """That points coincide, say, is known of the constructions that were tried only."""
     with pytest.raises(InputError, match="no construction that was tried satisfies it; in the one that came farthest,"):
         gc.prove("[abc] == 0", rank=3, given=assumption)
+
+
+def test_a_contradiction_is_told_before_anything_is_proved() -> None:
+    with pytest.raises(InputError, match="it contradicts the others: together they say that 1 is 0"):
+        gc.prove("[abc] == 0", rank=3, given="[abd] == [abc], [abd] == [abc] + 1")
 
 
 def test_one_kind_for_those_who_need_one_construction() -> None:

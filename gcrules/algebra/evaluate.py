@@ -263,7 +263,7 @@ def random_points(
 def random_rational_points(
     names: Iterable[str], *, rank: int = 4, ideal: Iterable[str] = (), seed: int = 0, size: int = 9
 ) -> dict[str, tuple[int, ...]]:
-    """Small random whole coordinates, finite points with last coordinate 1 and ideal points with 0; no point is zero."""
+    """Small random whole coordinates, finite points with last coordinate 1, ideal points with 0, and none zero."""
     rng = random.Random(seed)
     at_infinity = set(ideal)
     found = {}

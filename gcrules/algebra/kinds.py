@@ -320,6 +320,8 @@ def _solved(at: _Open, task: Task) -> _Open | None:
         return None
     found = replace(at, scalars=tuple(a for i, a in enumerate(at.scalars) if i not in rows))
     cause = at.scalars[max(rows)]
+    if any(set(terms) == {()} for terms in reduced):
+        raise fault(cause, "it contradicts the others: together they say that 1 is 0")
     for terms in reduced:
         poly = BracketPolynomial(task.rank, _order(task), terms, len(task.ideal))
         found = _with(found, primitive(poly)[1].to_expr(), cause)
