@@ -238,8 +238,8 @@ def _parts(a: Assumption, base: Construction, task: Task) -> tuple[tuple[Expr, .
     nonzero = () if same else base.nonzero
     brackets = [Bracket(tuple(Point(rest.points[i]) for i in row)) for row in dict.fromkeys(rows)]
     remainder = [rest.to_expr()] if any(rest.terms) else []
-    if not brackets and (not remainder or same):
-        return None  # it cannot vanish, or nothing is gained
+    if not brackets:
+        return None  # nothing is gained
     return (*brackets, *remainder), nonzero
 
 
