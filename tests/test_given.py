@@ -8,19 +8,20 @@ from __future__ import annotations
 
 import json
 import random
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, product
 
 import pytest
 from click.testing import CliRunner, Result
-from hypothesis import given, settings
+from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 import gcrules as gc
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME, Evaluator, evaluate
 from gcrules.algebra.expr import Expr, points_of
-from gcrules.algebra.given import equations, holds, resolve
+from gcrules.algebra.given import equations, holds, kinds, resolve
 from gcrules.algebra.prove import Proof, prove
 from gcrules.algebra.space import Assumption
 from gcrules.algebra.statements import parse_assumption, parse_script
@@ -324,10 +325,10 @@ def _assumption(rank: int, draw: st.DrawFn) -> str:
 
 
 @st.composite
-def assumptions(draw: st.DrawFn) -> tuple[int, list[str], str]:
+def assumptions(draw: st.DrawFn, most: int = 4) -> tuple[int, list[str], str]:
     rank = draw(st.sampled_from([3, 3, 4]))
     ideal = draw(st.sampled_from(["", "", "a", "ab", "ef", "cde"]))
-    return rank, [_assumption(rank, draw) for _ in range(draw(st.integers(1, 4)))], ideal
+    return rank, [_assumption(rank, draw) for _ in range(draw(st.integers(1, most)))], ideal
 
 
 def context_of(rank: int, texts: Sequence[str], ideal: str) -> Context | None:
@@ -631,3 +632,120 @@ HOLDS = [
 def test_holds(text: str, assumption: str, expected: bool) -> None:
     at = script_of(text)
     assert holds(one(assumption, at), at) is expected
+
+
+# --- several kinds of positions -----------------------------------------------------------------------------------
+
+CONIC = "[abc][ade][bdf][cef] == [abd][ace][bcf][def]"
+PASCAL = r"[ab /\ de, bc /\ ef, cd /\ fa] == 0"
+KINDS = [
+    # rank, assumptions, claim, verdict, verdicts of the kinds if there are several
+    (3, "[abc][abd] == 0", "[abc] == 0", "refuted", ["proved", "refuted"]),
+    (3, "[abc]**2 [abd]**3 == 0", "[abc][abd] == 0", "proved", ["proved", "proved"]),
+    (3, "[abc]**2 == 0", "[abc] == 0", "proved", []),
+    (3, "concurrent(ab, ac, bc)", "[abc] == 0", "proved", []),
+    (3, "concurrent(ab, ac, bc)", "[abd] == 0", "refuted", []),
+    (3, "collinear(a, b, d), [bcd][abe] == [abd][bce]", "[bde] == 0", "refuted", ["refuted", "proved"]),
+    (3, "[abe][acd] == [abc][aed], collinear(a, b, c)", "[abd] == 0", "refuted", ["proved", "refuted"]),
+    (3, "[abe][acd] == [abc][aed]", "[abd][ace] == 0", "proved", ["proved", "proved"]),
+    (3, "[abd] == [abc], [abd] == 2 [abc]", "[acd] == 0", "proved", []),
+    (3, "collinear(c,d,e), incident(a,be), [bed][bac] == -[bea][bdc]", "[abd] == 0", "proved", []),
+    (3, "collinear(d, b, ce /\\ ae)", "[bde] == 0", "proved", []),
+    (4, "concurrent(be, bd, ca)", "abc == 0", "proved", []),
+    (4, "concurrent(be, bd, ca)", "bde == 0", "refuted", []),
+    (4, "[abcd][abef] == [abce][abdf]", "[abcf][abde] == 0", "proved", ["proved", "proved"]),
+    (3, CONIC, PASCAL, "proved", []),
+    (3, CONIC, r"[ac /\ de, cb /\ ef, bd /\ fa] == 0", "proved", []),
+    (3, f"2 ({CONIC.split(' == ')[0]}) == 2 {CONIC.split(' == ')[1]}", "[abc] == 0", "refuted", []),
+    (3, r"collinear(ab /\ de, bc /\ ef, cd /\ fa)", CONIC, "proved", []),
+    (
+        3,
+        f"{CONIC}, [abc][ade][bdg][ceg] == [abd][ace][bcg][deg]",
+        r"[ab /\ dg, bc /\ fg, cd /\ fa] == 0",
+        "proved",
+        [],
+    ),
+    (3, f"{CONIC}, collinear(a, b, c)", "[def] == 0", "refuted", ["refuted", "refuted", "refuted", "proved"]),
+]
+
+
+@pytest.mark.parametrize(("rank", "assumption", "claim", "verdict", "verdicts"), KINDS)
+def test_kinds(rank: int, assumption: str, claim: str, verdict: str, verdicts: list[str]) -> None:
+    proof = gc.prove(claim, rank=rank, given=assumption)
+    assert proof.verdict == verdict, proof.text()
+    assert sorted(k.verdict for k in proof.kinds) == sorted(verdicts)
+    assert proof.to_json()["kinds"] == [k.to_json() for k in proof.kinds]
+    assert all(str(k) in proof.text() for k in proof.kinds)
+    at = parse_assumption(assumption, Context(rank))
+    if verdict == "refuted":
+        check(proof, at)
+    names = sorted({n for a in at.given for e in a.args for n in points_of(e)} | {*points_of(proof.left, proof.right)})
+    check_kinds(proof, at, names)
+
+
+def check_kinds(proof: Proof, at: Context, names: Sequence[str]) -> None:
+    """Each kind by itself over F_7: what is proved for it holds at its positions, and together they are all."""
+    wanted, difference = everything(at), ex.sub(proof.left, proof.right, rank=at.rank)
+    said = [(k.verdict, k.where, [parse(t, context=at) for t in k.assumed]) for k in proof.kinds]
+    said = said or [(proof.verdict, (), [parse(t, context=at) for t in proof.assumed])]
+    for points in positions(names, at, 7, 11, 4000):
+        if not vanish(wanted, points, at.rank, 7):
+            continue
+        here = [
+            (verdict, assumed)
+            for verdict, where, assumed in said
+            if vanish([parse(t, context=at) for t in where], points, at.rank, 7)
+        ]
+        assert here or any(vanish([e], points, at.rank, 7) for *_, assumed in said for e in assumed), points
+        for verdict, assumed in here:
+            if verdict == "proved" and not any(vanish([e], points, at.rank, 7) for e in assumed):
+                assert vanish([difference], points, at.rank, 7), (proof.text(), points)
+
+
+@settings(max_examples=300, derandomize=True, phases=[Phase.generate])
+@given(assumptions(most=2), st.randoms(use_true_random=False))
+def test_names_do_not_matter(case: tuple[int, list[str], str], rng: random.Random) -> None:
+    """Points renamed and assumptions in another order: the same verdict wherever there is one."""
+    rank, texts, ideal = case
+    other = dict(zip("abcdef", rng.sample("abcdef", 6), strict=True))
+
+    def renamed(text: str) -> str:
+        return re.sub(r"(?:collinear|coplanar|concurrent|incident)\(|[a-f]", lambda m: other.get(m[0], m[0]), text)
+
+    one = context_of(rank, texts, ideal)
+    two = context_of(rank, rng.sample([renamed(t) for t in texts], len(texts)), renamed(ideal))
+    if one is not None and two is not None:
+        claim = f"[{''.join(rng.sample('abcdef', rank))}] == 0"
+        assert decided(claim, one).verdict == decided(renamed(claim), two).verdict
+
+
+TRIED = [
+    "ideal i j, collinear(i, a, j)",
+    "incident(x, ab), incident(x, cd), incident(y, ac), incident(y, bd), incident(z, ad),incident(z, bc),[xyz]==0",
+]
+
+
+@pytest.mark.parametrize("assumption", TRIED)
+def test_a_refusal_speaks_of_what_was_tried(assumption: str) -> None:
+    """That points coincide, say, is known of the constructions that were tried only."""
+    with pytest.raises(InputError, match="no construction that was tried satisfies it; in the one that came farthest,"):
+        gc.prove("[abc] == 0", rank=3, given=assumption)
+
+
+def test_a_contradiction_is_told_before_anything_is_proved() -> None:
+    with pytest.raises(InputError, match="it contradicts the others: together they say that 1 is 0"):
+        gc.prove("[abc] == 0", rank=3, given="[abd] == [abc], [abd] == [abc] + 1")
+
+
+def test_one_kind_for_those_who_need_one_construction() -> None:
+    at = parse_assumption("[abc][abd] == 0", Context(3))
+    found = kinds(at)
+    assert [[str(e) for e in k.where] for k in found] == [["[abc]"], ["[abd]"]]
+    assert "[abd]" in map(str, resolve(at).nonzero)
+    assert not holds(one("collinear(a, b, c)", at), at)
+
+
+def test_too_many_kinds() -> None:
+    product_of_many = "".join(f"[{x}]" for x in map("".join, combinations("abcdefg", 3)))
+    with pytest.raises(InputError, match="kinds of positions"):
+        gc.prove("[abc] == 0", rank=3, given=", ".join([f"{product_of_many} == 0", f"{product_of_many}[abh] == 0"]))

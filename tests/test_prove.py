@@ -78,7 +78,7 @@ def check(proof: Proof, rank: int, ideal: str) -> None:
         points = proof.counterexample
         assert points is not None
         assert set(points) == set(points_of(proof.left, proof.right))
-        assert all(len(c) == rank and c[-1] == (0 if n in set(ideal) else 1) for n, c in points.items())
+        assert all(len(c) == rank and any(c) and (c[-1] == 0) == (n in set(ideal)) for n, c in points.items())
         left, right = evaluate(proof.left, points), evaluate(proof.right, points)
         assert proof.values == (left, right)
         parts = [v if isinstance(v, tuple) else (v,) for v in (left, right)]
@@ -149,3 +149,77 @@ def test_any_expression(case: tuple[int, Expr, str]) -> None:
 
 def _parts(value: object) -> tuple[int, ...]:
     return value if isinstance(value, tuple) else (value,)  # type: ignore[return-value]
+
+
+# --- which weights count --------------------------------------------------------------------------------------------
+
+# Terms in which finite points occur unequally often: false, for the weight of a point is any number.
+WEIGHTS = [
+    # claim, rank, ideal, whether it holds for finite points with last coordinate 1
+    ("[aij] == [bij]", 3, "ij", True),
+    ("[ai] == [bi]", 2, "i", True),
+    (r"[[b \/ i]] == -[i j]", 2, "i", True),
+    ("[aijk] == [bijk]", 4, "ijk", True),
+    ("[abc] == [abd] + [bcd] - [acd]", 3, "", True),
+    ("[ai] b - [bi] a == 0", 2, "i", False),
+    ("[aij] b == [bij] b", 3, "ij", True),
+    ("ab + bc + ca == ac", 3, "", False),
+    ("[abi] == [abj]", 3, "ij", False),
+    ("[ai] == [aj]", 2, "ij", False),
+    (r"[[b \/ i]] == -[i j]", 2, "ij", False),
+    ("[aij] == [aij]**2", 3, "ij", False),
+    ("[aij] == 2 [bij]", 3, "ij", False),
+    ("[aij][bik] == [bij][aik] + [aij]", 3, "ijk", False),
+    ("[aij][bik] == [bij][aik]", 3, "ijk", None),
+    ("[ij] == 0", 2, "ij", None),
+    ("ij == 0", 2, "ij", None),
+    ("[ai][bj] == [aj][bi]", 2, "ij", None),
+    ("[ijk] == 0", 3, "ijk", None),
+    (r"ij /\ kl == 0", 3, "ijkl", None),
+    ("[aijk] b == [bijk] a + [ijkl] c", 4, "ijkl", False),
+]
+
+
+@pytest.mark.parametrize("assumption", ["", "collinear(a, b, z)"], ids=["free", "given"])
+@pytest.mark.parametrize(("claim", "rank", "ideal", "units"), WEIGHTS)
+def test_every_weight_counts(claim: str, rank: int, ideal: str, units: bool | None, assumption: str) -> None:
+    """One convention with and without assumptions, and the answer says where weights 1 would make a difference."""
+    if assumption and rank == 2:
+        assumption = "[az] == [bz]"
+    proof = gc.prove(claim, rank=rank, ideal=" ".join(ideal), given=assumption or ())
+    assert proof.verdict == ("proved" if units is None else "refuted"), proof.text()
+    assert proof.unit_weights is bool(units)
+    assert proof.to_json()["unit_weights"] is bool(units)
+    assert ("every finite point has last coordinate 1" in proof.text()) is bool(units)
+    if proof.counterexample is not None:
+        assert all(any(c) and (c[-1] == 0) == (n in ideal) for n, c in proof.counterexample.items())
+
+
+def _sums_of_brackets(case: tuple[int, int]) -> st.SearchStrategy[tuple[int, str, Expr]]:
+    rank, at_infinity = case
+    names = "ijkl"[:at_infinity] + "abc"
+    row = st.lists(st.sampled_from(names), min_size=rank, max_size=rank, unique=rank <= len(names))
+    term = st.tuples(st.integers(-2, 2), st.lists(row, min_size=1, max_size=2))
+
+    def built(terms: list[tuple[int, list[list[str]]]]) -> Expr:
+        return ex.add(
+            *(ex.mul(ex.Number(c), *(ex.bracket(*map(ex.Point, r), rank=rank) for r in rows)) for c, rows in terms),
+            rank=rank,
+        )
+
+    found = st.lists(term, min_size=1, max_size=3).map(built)
+    return st.tuples(st.just(rank), st.just(names[:at_infinity]), found)
+
+
+@settings(max_examples=120)
+@given(st.tuples(st.integers(2, 4), st.integers(0, 4)).flatmap(_sums_of_brackets))
+def test_sums_with_points_at_infinity_are_decided(case: tuple[int, str, Expr]) -> None:
+    """Against random points: proved if it vanishes with all weights, else refuted; told if it does with weights 1."""
+    rank, ideal, e = case
+    proof = prove(e, ex.ZERO, rank=rank, ideal=ideal)
+    points = random_points(points_of(e), rank=rank, ideal=ideal, seed=91)
+    assert proof.verdict == ("proved" if not evaluate(e, points, modulus=PRIME) else "refuted")
+    check(proof, rank, ideal)
+    if proof.verdict == "refuted":
+        units = {n: c if n in ideal else (*c[:-1], 1) for n, c in points.items()}
+        assert proof.unit_weights == (not evaluate(e, units, modulus=PRIME))

@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import LONG_NAMES, RANKS, SHORT_NAMES, expressions
 
+import gcrules as gc
 from gcrules import errors
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import (
@@ -437,3 +438,39 @@ def test_labels_do_not_count_as_nesting() -> None:
 def test_words_of_statements_are_points_where_no_statement_can_stand() -> None:
     assert parse("[rank]") == bracket("r a n k")
     assert parse("[let x]") == bracket("l e t x")
+
+
+NESTED = [
+    (2, "[[ab] c, d]", "[ab][cd]"),
+    (2, "[c, [ab] d]", "[ab][cd]"),
+    (2, "[[ab] c d]", "[ab][cd]"),
+    (2, "[[ab][cd] e, f]", "[ab][cd][ef]"),
+    (2, "[[[ab] c, d] e, f]", "[ab][cd][ef]"),
+    (2, "[[ab] * c, [cd] * d]", "[ab][cd]**2"),
+    (2, "[[ab]]", "[ab]"),
+    (2, "[[ab]] [cd]", "[ab][cd]"),
+    (2, "[[[ab] cd]]", "[ab][cd]"),
+    (2, "[[ab]**2 c, d]", "[ab]**2 [cd]"),
+    (3, "[[abc] d, ef]", "[abc][def]"),
+    (3, "[[abc] de, f]", "[abc][def]"),
+    (3, "[[[ab, cd, ef]] a, b, c]", r"(ab /\ cd /\ ef) [abc]"),
+    (4, "[[abcd] ef, gh]", "[abcd][efgh]"),
+    (4, "[[abcd] a - [abce] b, c, d, e]", "[abcd][acde] - [abce][bcde]"),
+    (5, "[[abcde] ab, cd, f]", "[abcde][abcdf]"),
+    (6, "[[abcdef] a, bcdef]", "[abcdef]**2"),
+]
+
+
+@pytest.mark.parametrize(("rank", "nested", "product"), NESTED)
+def test_a_bracket_may_begin_with_a_bracket(rank: int, nested: str, product: str) -> None:
+    """[[…]] is a superbracket only where the outer bracket holds nothing but the inner one."""
+    proof = gc.prove(f"{nested} == {product}", rank=rank)
+    assert proof.proved, proof.text()
+    e = parse(nested, rank=rank)
+    assert parse(text(e), rank=rank) == e
+
+
+@pytest.mark.parametrize("source", ["[ [ab] ]", "[([ab])]", "[[ab], c]", "[[ab] c]", "[[ab]", "[[ab] c, d"])
+def test_brackets_inside_brackets_that_are_none(source: str) -> None:
+    with pytest.raises((SyntaxFault, StepError)):
+        parse(source, rank=2)

@@ -292,15 +292,20 @@ def random_points(
 def random_rational_points(
     names: Iterable[str], *, rank: int = 4, ideal: Iterable[str] = (), seed: int = 0, size: int = 9
 ) -> dict[str, tuple[int, ...]]:
-    """Small random whole coordinates, finite points with last coordinate 1 and ideal points with 0.
+    """Small random whole coordinates, finite points with last coordinate 1, ideal points with 0, and none zero.
 
     The same in every run for the same seed, thus to search and to show; what holds there proves nothing.
     """
     rng = random.Random(seed)
     at_infinity = set(ideal)
-    return {
-        name: (*(rng.randint(-size, size) for _ in range(rank - 1)), 0 if name in at_infinity else 1) for name in names
-    }
+    found = {}
+    for name in names:
+        last = 0 if name in at_infinity else 1
+        value: tuple[int, ...] = (0,) * rank
+        while not any(value):
+            value = (*(rng.randint(-size, size) for _ in range(rank - 1)), last)
+        found[name] = value
+    return found
 
 
 def vanishes(e: Expr, *, rank: int = 4, ideal: Iterable[str] = (), samples: int = 2, seed: object = 0) -> bool:

@@ -14,64 +14,221 @@ True
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from itertools import islice
+from itertools import combinations, islice
 
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.construction import Construction, Step, Within, coordinates, step_on
 from gcrules.algebra.elimination import Turn, orders
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import Expr, Meet, Point, points_of
+from gcrules.algebra.expr import Expr, Meet, Point, join, points_of, subexpressions
 from gcrules.algebra.incidences import Condition, Facts, equations, fault
+from gcrules.algebra.kinds import Alternative, Task, alternatives, flats
 from gcrules.algebra.nonzero import assumed, fewest
-from gcrules.algebra.roads import ROADS, understood
+from gcrules.algebra.roads import ROADS, on_pascal_line, understood
 from gcrules.algebra.space import Assumption, Space
 from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import DRAWN, drawn, seed
 from gcrules.errors import InputError
 
-__all__ = ["equations", "holds", "resolve"]
+__all__ = ["Kind", "equations", "holds", "kinds", "resolve"]
 
 MAX_ORDERS = 200  # orders of a group that are tried
 _ENOUGH = 500  # conditions of the constructions among which the simplest is chosen
+_TRIED = "no construction that was tried satisfies it; in the one that came farthest,"
+_APART = "the kinds of positions that are allowed cannot be told apart"
 _NAME_IT = "name the common point: given incident(p, X), incident(p, Y)"
 
 
-def resolve(space: Space, names: Iterable[str] = ()) -> Construction:
-    """A construction of all points (those named, and those of the assumptions) that satisfies what is given.
+@dataclass(frozen=True)
+class Kind:
+    """The positions at which the scalars of `where` vanish beside what is given, by their construction."""
 
-    Where assumptions allow several kinds of positions (components), the construction reaches one of them, and
-    `nonzero` tells which: it leaves out positions at which one of these extensors vanishes, and no others.
+    where: tuple[Expr, ...]
+    construction: Construction
+
+
+def kinds(space: Space, names: Iterable[str] = ()) -> tuple[Kind, ...]:
+    """The kinds of positions that the assumptions allow, each with a construction of all points (those named, and
+    those of the assumptions). A position that satisfies the assumptions is of one of these kinds, or an extensor of
+    the `nonzero` of one of the constructions vanishes there.
+
     Raises InputError for assumptions that are not resolved, with the place of one of them.
     """
     used = (*names, *(n for a in space.given for e in a.args for n in points_of(e)))
     order = tableau_order(used, space.points, space.ideal)
-    return _resolved(space.rank, order, tuple(n for n in order if n in space.ideal), space.given)
+    return _kinds(space.rank, order, tuple(n for n in order if n in space.ideal), space.given)
+
+
+def resolve(space: Space, names: Iterable[str] = ()) -> Construction:
+    """One construction of all points that satisfies what is given, as for `kinds`.
+
+    Where assumptions allow several kinds of positions, the construction reaches one of them, and `nonzero` tells
+    which: it leaves out positions at which one of these extensors vanishes, and no others.
+    """
+    found = kinds(space, names)
+    for kind in found:
+        nonzero = _without(kind.construction, [other.where for other in found if other is not kind])
+        if nonzero is not None:
+            return replace(kind.construction, nonzero=nonzero)
+    raise fault(space.given[-1], _APART)
 
 
 @lru_cache(maxsize=64)
-def _resolved(
+def _kinds(
     rank: int, points: tuple[str, ...], ideal: tuple[str, ...], given: tuple[Assumption, ...]
-) -> Construction:
+) -> tuple[Kind, ...]:
     if not given:
-        return Construction(rank, points, ideal, points=points)
+        return (Kind((), Construction(rank, points, ideal, points=points)),)
     wanted = tuple(e for a in given for e in understood(a, lambda a: equations(a, rank)))
+    extensors = _lines_and_planes(given)
+    task = Task(rank, points, ideal, lambda some: _constructed(rank, points, ideal, some, wanted))
+    ways = alternatives(given, task)
+    meets = _meets(given, rank, points, ideal)
+    failed: dict[Alternative, InputError] = {}
+    found: dict[Alternative, Construction] = {}
+    for way in ways:
+        if way.fault is not None:
+            failed[way] = way.fault
+            continue
+        try:
+            found[way] = _constructed(rank, points, ideal, way.given, wanted, (*extensors, *way.nonzero), meets)
+        except InputError as failure:
+            failed[way] = failure
+    if not found:
+        raise failed[ways[0]]
+    if len(found) > 1:
+        found = _least_collapsed(found, (*extensors, *meets, *flats(given, rank)))
+    made = [(way, c) for way, c in found.items() if not _within_another(way, c, found)]
+    missed = [way.where for way in ways if way not in found]
+    told = []
+    for way, c in made:
+        nonzero = _without(replace(c, nonzero=fewest((*c.nonzero, *way.nonzero))), missed)
+        if nonzero is None:
+            raise next((failed[w] for w in ways if w in failed), fault(given[-1], _APART))
+        told.append(Kind(way.where if len(made) > 1 else (), replace(c, nonzero=nonzero)))
+    return tuple(sorted(told, key=lambda k: [str(e) for e in k.where]))
+
+
+def _least_collapsed(
+    found: Mapping[Alternative, Construction], named: Iterable[Expr]
+) -> dict[Alternative, Construction]:
+    """Without those in which more of what the assumptions name collapses than in another one: extensors that vanish,
+    lines or planes that coincide.
+    """
+    named = tuple(named)
+    collapsed = {way: _collapsed(c, named) for way, c in found.items()}
+    return {way: c for way, c in found.items() if not any(other < collapsed[way] for other in collapsed.values())}
+
+
+def _collapsed(c: Construction, named: Iterable[Expr]) -> set[tuple[Expr, ...]]:
+    """The extensors that vanish, and the pairs of them that coincide, wherever the construction leads."""
+    at = Evaluator(c.random_points(8), c.rank, PRIME)
+    values = {e: at.value(e) for e in named}
+    return {(e,) for e in values if not any(values[e])} | {
+        (e, other)
+        for e, other in combinations(values, 2)
+        if e.step == other.step and _parallel(values[e], values[other])
+    }
+
+
+def _within_another(way: Alternative, c: Construction, found: Mapping[Alternative, Construction]) -> bool:
+    """Whether what a construction reaches is reached by another one too, or by an earlier one as well."""
+    for other, larger in found.items():
+        if other is way:
+            continue
+        inside = all(map(c.vanishes, other.where)) and not any(map(c.vanishes, (*larger.nonzero, *other.nonzero)))
+        if inside and (
+            list(found).index(other) < list(found).index(way)
+            or not (all(map(larger.vanishes, way.where)) and not any(map(larger.vanishes, (*c.nonzero, *way.nonzero))))
+        ):
+            return True
+    return False
+
+
+def _without(c: Construction, others: Iterable[Sequence[Expr]]) -> tuple[Expr, ...] | None:
+    """What must not vanish so that of these other kinds nothing is met; None where that would exclude this one too."""
+    nonzero = list(c.nonzero)
+    for where in others:
+        told = next((e for e in where if not c.vanishes(e)), None)
+        if told is None:
+            return None
+        nonzero.append(told)
+    return fewest(nonzero)
+
+
+def _lines_and_planes(given: Iterable[Assumption]) -> tuple[Expr, ...]:
+    """The extensors that assumptions speak of: they are taken to be what they are called."""
+    named = (e for a in given if a.kind in ("incident", "concurrent") for e in a.args if e.step > 1)
+    return tuple(dict.fromkeys(named))
+
+
+def _meets(given: Iterable[Assumption], rank: int, points: tuple[str, ...], ideal: tuple[str, ...]) -> tuple[Expr, ...]:
+    """The points and lines that assumptions name as meets, but for those that are always zero."""
+    named = (e for a in given if a.kind != "zero" for arg in a.args for e in subexpressions(arg))
+    free = Construction(rank, points, ideal)
+    return tuple(e for e in dict.fromkeys(named) if isinstance(e, Meet) and e.step and not free.vanishes(e))
+
+
+def _constructed(
+    rank: int,
+    points: tuple[str, ...],
+    ideal: tuple[str, ...],
+    given: tuple[Assumption, ...],
+    wanted: tuple[Expr, ...],
+    extensors: tuple[Expr, ...] = (),
+    meets: tuple[Expr, ...] = (),
+) -> Construction:
+    """A construction of what is given, at which no extensor vanishes, and no meet unless there is no other.
+
+    Raises InputError where there is none.
+    """
+    found = _attempted(rank, points, ideal, given, wanted, extensors, meets)
+    if isinstance(found, _Failure):
+        # Equal assumptions may have been written at another place, where the failure was known before.
+        cause = next((a for a in given if a == found.cause), found.cause)
+        raise fault(cause, f"{_TRIED} {found.why}" if found.tried else found.why, found.hint)
+    return found
+
+
+@lru_cache(maxsize=256)
+def _attempted(
+    rank: int,
+    points: tuple[str, ...],
+    ideal: tuple[str, ...],
+    given: tuple[Assumption, ...],
+    wanted: tuple[Expr, ...],
+    extensors: tuple[Expr, ...],
+    meets: tuple[Expr, ...],
+) -> Construction | _Failure:
+    if not given:
+        return Construction(rank, points, ideal, equations=wanted, points=points, extensors=extensors)
     failure: _Failure | None = None
     for road in ROADS:
         try:
             found = road(given, rank)
             if found is not None:
-                return _Builder(rank, points, ideal, given, found, wanted).construction()
+                made = _Builder(rank, points, ideal, given, found, wanted, extensors, meets).construction()
+                return replace(made, nonzero=()) if _one_conic(given, rank, ideal) else made
         except _Failure as failed:
             failure = failed if failure is None or failed.depth > failure.depth else failure
         except InputError:
             if failure is None:
                 raise
     assert failure is not None
-    raise fault(failure.cause, failure.why, failure.hint)
+    return failure
+
+
+def _one_conic(given: Sequence[Assumption], rank: int, ideal: tuple[str, ...]) -> bool:
+    """Whether all that is given is that six finite points lie on a conic.
+
+    Such positions are an irreducible hypersurface, in which those that are reached are dense, so that an identity that
+    holds on them holds everywhere.
+    """
+    return len(given) == 1 and not ideal and on_pascal_line(given[0], rank) is not given[0]
 
 
 def holds(assumption: Assumption, space: Space, *, limit: int = MAX_TERMS) -> bool:
@@ -81,8 +238,10 @@ def holds(assumption: Assumption, space: Space, *, limit: int = MAX_TERMS) -> bo
     without assumptions, everywhere. Raises InputError as `resolve` does, LimitReached beyond `limit` terms.
     """
     wanted = equations(assumption, space.rank)
-    construction = resolve(space, points_of(*wanted))
-    return all(construction.vanishes(e) for e in wanted) and all(construction.is_zero(e, limit=limit) for e in wanted)
+    found = [kind.construction for kind in kinds(space, points_of(*wanted))]
+    return all(c.vanishes(e) for e in wanted for c in found) and all(
+        c.is_zero(e, limit=limit) for e in wanted for c in found
+    )
 
 
 # --- construction --------------------------------------------------------------------------------------------------
@@ -91,9 +250,9 @@ def holds(assumption: Assumption, space: Space, *, limit: int = MAX_TERMS) -> bo
 class _Failure(Exception):
     """An order of construction that leads nowhere: at which assumption, and why."""
 
-    def __init__(self, depth: int, cause: Assumption, why: str, hint: str | None = None) -> None:
+    def __init__(self, depth: int, cause: Assumption, why: str, hint: str | None = None, *, tried: bool = True) -> None:
         super().__init__(why)
-        self.depth, self.cause, self.why, self.hint = depth, cause, why, hint
+        self.depth, self.cause, self.why, self.hint, self.tried = depth, cause, why, hint, tried
 
 
 class _Builder:
@@ -107,10 +266,13 @@ class _Builder:
         given: tuple[Assumption, ...],
         found: list[Facts],
         wanted: tuple[Expr, ...],
+        extensors: tuple[Expr, ...],
+        meets: tuple[Expr, ...],
     ) -> None:
         self.rank, self.points, self.ideal, self.given, self.wanted = rank, points, ideal, given, wanted
-        named = (e for a in given if a.kind in ("incident", "concurrent") for e in a.args if e.step > 1)
-        self.extensors = tuple(dict.fromkeys(named))
+        self.extensors, self.meets = extensors, meets
+        written = (a for a in given if a.kind not in ("collinear", "coplanar"))
+        self.named = (*extensors, *meets, *flats(written, rank))
         self.helpers = {h.name: h for f in found for h in f.helpers}
         self.nonzero = tuple(dict.fromkeys(e for f in found for e in f.nonzero))
         place = {n: i for i, n in enumerate((*points, *self.helpers))}
@@ -127,15 +289,23 @@ class _Builder:
         points = random_rational_points(names, rank=self.rank, ideal=self.ideal, seed=at, size=DRAWN)
         return not any(Evaluator(points, self.rank).value(c.equation))
 
+    def always_on(self, within: Expr, name: str) -> bool:
+        r"""Whether an extensor of step 1 is a multiple of a point whatever is assumed, as ab /\ ac is of a."""
+        if within.step > 1:
+            return False
+        e = join(within, Point(name), rank=self.rank)
+        return Construction(self.rank, points_of(e), self.ideal).vanishes(e)
+
     def construction(self) -> Construction:
         """Raises _Failure where none of the orders tried works."""
         # What fails in one order mostly fails in others, so orders with the same turn come in the second round only.
         barren: set[Turn] = set()
         worst: _Failure | None = None
+        best: Construction | None = None
         for left_out in (barren, ()):
             order, late = (*self.points, *self.helpers), (*self.helpers, *self.ideal)
             for group in orders(self.conditions, order, late, self.rank, left_out):
-                found: list[Construction] = []
+                found = [] if best is None else [best]
                 for turns in islice(group, MAX_ORDERS):
                     checkpoint()
                     try:
@@ -145,8 +315,13 @@ class _Builder:
                         worst = failed if worst is None or failed.depth > worst.depth else worst
                     if len(found) * len(self.conditions) > _ENOUGH:
                         break
-                if found:
-                    return min(found, key=_cost)
+                best = min(
+                    found, key=lambda c: (len(_collapsed(c, self.named)), -len(c.extensors), _cost(c)), default=None
+                )
+                if best is not None and len(best.extensors) == len(self.extensors) + len(self.meets):
+                    return best
+        if best is not None:
+            return best
         raise worst or self._no_order()
 
     def _no_order(self) -> _Failure:
@@ -154,9 +329,8 @@ class _Builder:
         why = "no point of it can be constructed from the others"
         if not stuck.within:
             why = "it is not linear in any of its points"
-        return _Failure(
-            0, stuck.cause, why, "name the points that it is about, and say on which lines and planes they lie"
-        )
+        hint = "name the points that it is about, and say on which lines and planes they lie"
+        return _Failure(0, stuck.cause, why, hint, tried=False)
 
     def _attempt(self, turns: list[Turn]) -> Construction:
         constructed = {n for n, _ in turns}
@@ -200,15 +374,15 @@ class _State:
                 within = smaller
                 used.append(c)
         if within is None:
-            raise _Failure(depth, conditions[0].cause, f"the other assumptions leave nothing on which {name} could lie")
+            raise _Failure(depth, conditions[0].cause, f"nothing is left on which {name} could lie")
         step = step_on(within, rank, exact=used[0].exact)
         self.put(step)
         for c in conditions:
             if not self.zero(c.equation):
                 why = (
-                    f"together with the others it asks too much of the point {name}"
+                    f"it asks too much of the point {name}"
                     if name in c.within
-                    else "it is not linear in the points that the others leave, nor does it follow from them"
+                    else "it is not linear in a point that the others leave, nor does it follow from them"
                 )
                 raise _Failure(depth, c.cause, why, "leave out an assumption, or name more points")
         self.check(depth, step, used)
@@ -241,7 +415,7 @@ class _State:
         """Points stay what they are: not zero, at infinity or not as declared, and different from the others."""
         b, value, cause = self.builder, self.values[step.name], used[-1].cause
         if not any(value):
-            raise _Failure(depth, cause, f"it leaves no place for the point {step.name}")
+            raise _Failure(depth, cause, f"no place is left for the point {step.name}")
         if step.name in b.helpers:
             return
         if step.name in b.ideal and value[-1]:
@@ -250,12 +424,14 @@ class _State:
         if step.name not in b.ideal and not value[-1]:
             hint = f"declare it with `ideal {step.name}`"
             raise _Failure(depth, cause, f"the finite point {step.name} would have to lie at infinity", hint)
-        if len(used) == 1 and step.within.step == 1:
+        at = b.helpers.get(step.within.name) if isinstance(step.within, Point) else None
+        within = step.within if at is None or at.meet is None else at.meet
+        if used[0].exact or isinstance(within, Point):
             return  # so it was asked for
         for other, there in self.values.items():
-            if other != step.name and ":" not in other and _parallel(value, there):
+            if other != step.name and ":" not in other and _parallel(value, there) and not b.always_on(within, other):
                 hint = "say so with == if that is meant"
-                why = f"with the others it makes {other} and {step.name} one point"
+                why = f"{other} and {step.name} would be one point"
                 raise _Failure(depth, cause, why, hint)
 
     def construction(self, free: tuple[str, ...]) -> Construction:
@@ -265,8 +441,9 @@ class _State:
             raise _Failure(len(self.steps), cause, "the common point of the lines needs a name", _NAME_IT)
         for e in (*nonzero, *b.extensors):
             if self.zero(e):
-                raise _Failure(len(self.steps), cause, f"together with the others it makes {e} zero", _NAME_IT)
-        return Construction(b.rank, free, b.ideal, tuple(self.steps), fewest(nonzero), b.wanted, b.points, b.extensors)
+                raise _Failure(len(self.steps), cause, f"{e} would be zero", _NAME_IT)
+        extensors = (*b.extensors, *(e for e in b.meets if not self.zero(e)))
+        return Construction(b.rank, free, b.ideal, tuple(self.steps), fewest(nonzero), b.wanted, b.points, extensors)
 
 
 def _parallel(a: Sequence[int], b: Sequence[int]) -> bool:

@@ -256,17 +256,12 @@ def _concurrences(assumption: Assumption, rank: int) -> Iterable[Expr]:
 
 
 def _one_point(assumption: Assumption, lines: Sequence[Expr], rank: int) -> Facts:
-    """Lines in space through a point q of the first line."""
+    """Lines in space through a point q, which is constructed on one of them."""
     if not all(of_points(line) for line in lines):
         raise fault(assumption, "the lines are not joins of points", "name the point: given incident(p, X), …")
     helper = Helper(f"common:{assumption}", line=lines[0])
     q = Point(helper.name)
-    first = Condition(ex.join(q, lines[0], rank=rank), {q.name: lines[0]}, assumption)
-    others = []
-    for line in lines[1:]:
-        through = on(assumption, q, line, rank)
-        others.append(Condition(through.equation, {n: s for n, s in through.within.items() if n != q.name}, assumption))
-    return Facts((first, *others), helpers=(helper,))
+    return Facts(tuple(on(assumption, q, line, rank) for line in lines), helpers=(helper,))
 
 
 def _zero(assumption: Assumption, rank: int) -> Facts:

@@ -111,7 +111,9 @@ def words(e: Expr, names: Iterable[str] = ()) -> str:
     """What it means that an extensor does not vanish, where there are short words for it."""
     shown = [text(a, names=names) for a in e.children]
     match e:
-        case Join(args=args) if all(isinstance(a, Point) for a in args) and len(args) <= len(_WORDS) + 1:
+        case Join(args=args) | Bracket(args=args) if (
+            all(isinstance(a, Point) for a in args) and len(args) <= len(_WORDS) + 1
+        ):
             return _WORDS[len(args) - 2].format(", ".join(shown[:-1]), shown[-1])
         case Meet() if e.step == 1:
             return f"{', '.join(shown[:-1])} and {shown[-1]} meet in one point"

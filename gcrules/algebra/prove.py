@@ -14,7 +14,7 @@ refuted
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
@@ -25,22 +25,45 @@ from gcrules.algebra.construction import Construction
 from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, ZERO, Expr, common_rank, neg, points_of, sub
-from gcrules.algebra.given import resolve
-from gcrules.algebra.nonzero import words
+from gcrules.algebra.given import kinds
+from gcrules.algebra.nonzero import fewest, words
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straighten import is_zero
 from gcrules.algebra.text import text
+from gcrules.algebra.weights import unit_weights
 from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached, StepError
 from gcrules.frozen import FrozenMap
 
-__all__ = ["Proof", "prove"]
+__all__ = ["KindVerdict", "Proof", "prove"]
 
 _SAMPLES = 3
 _TRIES = 400  # small positions that are tried
 _BETTER = 60  # among these a counterexample is sought whose points all differ
 _EQUAL = f"; equal at {_SAMPLES} exact random points"
+_SATISFYING = ", which satisfy the assumptions"
+_ANY_WEIGHT = ", of any weight); they are equal wherever every finite point has last coordinate 1"
+_VERDICTS = ("refuted", "undecided", "proved")
+_DO = ("does", "do")
 _SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
+
+
+@dataclass(frozen=True)
+class KindVerdict:
+    """The verdict for one kind of positions, at which the scalars of `where` vanish (texts of the language)."""
+
+    where: tuple[str, ...]
+    verdict: str
+    assumed: tuple[str, ...] = ()
+
+    def to_json(self) -> dict[str, Any]:
+        """`{where, verdict, assumed}`."""
+        return {"where": list(self.where), "verdict": self.verdict, "assumed": list(self.assumed)}
+
+    def __str__(self) -> str:
+        where = " and ".join(f"{e} == 0" for e in self.where)
+        condition = f", where {' and '.join(self.assumed)} {_DO[len(self.assumed) > 1]} not vanish"
+        return f"where {where}: {self.verdict}{condition if self.assumed else ''}"
 
 
 @dataclass(frozen=True)
@@ -51,6 +74,9 @@ class Proof:
     coordinates at which the sides, `values`, differ) or "undecided" (`reason` names the limit and what is known).
     `assumed` lists, as text of the language, what was assumed not to vanish: a claim that is proved holds wherever its
     assumptions hold and none of these is zero. Without assumptions that is everywhere; a refutation assumes nothing.
+    Where assumptions allow several kinds of positions, `kinds` holds the verdict for each; proved is what is proved for
+    all of them, refuted what is refuted for one. A claim is about all homogeneous coordinates of its points;
+    `unit_weights` says that one that is refuted holds nevertheless wherever the finite points have last coordinate 1.
     """
 
     left: Expr
@@ -62,6 +88,8 @@ class Proof:
     values: tuple[Any, Any] | None = None
     assumed: tuple[str, ...] = ()
     meanings: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    kinds: tuple[KindVerdict, ...] = ()
+    unit_weights: bool = False
 
     def __post_init__(self) -> None:
         if self.counterexample is not None:
@@ -73,7 +101,9 @@ class Proof:
         return self.verdict == "proved"
 
     def to_json(self) -> dict[str, Any]:
-        """`{verdict, method, reason, counterexample {point: coordinates}, values [left, right], assumed}`."""
+        """`{verdict, method, reason, counterexample {point: coordinates}, values [left, right], assumed, kinds,
+        unit_weights}`.
+        """
         points = {n: _plain(c) for n, c in self.counterexample.items()} if self.counterexample is not None else None
         values = [_plain(v) for v in self.values] if self.values else None
         return {
@@ -83,6 +113,8 @@ class Proof:
             "counterexample": points,
             "values": values,
             "assumed": list(self.assumed),
+            "kinds": [k.to_json() for k in self.kinds],
+            "unit_weights": self.unit_weights,
         }
 
     def text(self, *, unicode: bool = False) -> str:
@@ -95,10 +127,15 @@ class Proof:
         return "\n".join([*lines, *self.conditions()])
 
     def conditions(self) -> list[str]:
-        """The line that says what was assumed not to vanish, and what that means; none if nothing was."""
+        """The lines that say what was assumed not to vanish, and what that means, and which kinds of positions there
+        are; none if nothing was assumed and there is only one.
+        """
         meanings = self.meanings or [""] * len(self.assumed)
         shown = [f"{e} ({m})" if m else e for e, m in zip(self.assumed, meanings, strict=True)]
-        return [f"  assumed not to vanish: {', '.join(shown)}"] if shown else []
+        lines = [f"  assumed not to vanish: {', '.join(shown)}"] if shown else []
+        if self.kinds:
+            lines += ["  the assumptions allow several kinds of positions", *(f"    {k}" for k in self.kinds)]
+        return lines
 
     def latex(self) -> str:
         """The sides with the sign that the verdict calls for, without dollar signs."""
@@ -140,39 +177,63 @@ def prove(
     known = ""
     try:
         if not vanishes(difference, rank=rank, ideal=at_infinity, samples=_SAMPLES):
-            return _refuted(left, right, rank, at_infinity)
+            return _refuted(left, right, difference, rank, at_infinity, limit)
         known = f"{_EQUAL} ({error_below(difference, _SAMPLES)})"
         if not is_zero(difference, points=points, ideal=at_infinity, rank=rank, limit=limit):
             # The coefficients of the difference are multiples of that prime.
-            return _refuted(left, right, rank, at_infinity)
+            return _refuted(left, right, difference, rank, at_infinity, limit)
     except LimitReached as limited:
         return Proof(left, right, "undecided", "random-points", _reason(limited, known))
     return Proof(left, right, "proved", "normal-form", "both sides have the same normal form of standard tableaux")
 
 
 def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, limit: int) -> Proof:
-    construction = resolve(space, points_of(left, right))
-    assumed = tuple(text(e, names=space.declared()) for e in construction.nonzero)
-    meanings = tuple(words(e, space.declared()) for e in construction.nonzero)
+    found = kinds(space, points_of(left, right))
+    names = space.declared()
+    proofs = [_at_one_kind(left, right, difference, kind.construction, names, limit) for kind in found]
+    if len(proofs) == 1:
+        return proofs[0]
+    told = tuple(
+        KindVerdict(tuple(text(e, names=names) for e in kind.where), p.verdict, p.assumed)
+        for kind, p in zip(found, proofs, strict=True)
+    )
+    worst = min(proofs, key=lambda p: (_VERDICTS.index(p.verdict), p.unit_weights))
+    if not worst.proved:
+        return replace(worst, assumed=(), meanings=(), kinds=told)
+    assumed = fewest(e for kind in found for e in kind.construction.nonzero)
+    return replace(_assuming(proofs[0], assumed, names), kinds=told)
+
+
+def _assuming(proof: Proof, nonzero: Iterable[Expr], names: Sequence[str]) -> Proof:
+    found = tuple(nonzero)
+    assumed, meanings = tuple(text(e, names=names) for e in found), tuple(words(e, names) for e in found)
+    return replace(proof, assumed=assumed, meanings=meanings)
+
+
+def _at_one_kind(
+    left: Expr, right: Expr, difference: Expr, construction: Construction, names: Sequence[str], limit: int
+) -> Proof:
     known = ""
     try:
         if not construction.vanishes(difference, samples=_SAMPLES):
-            return _refuted_under(left, right, construction)
+            return _refuted_under(left, right, difference, construction, limit)
         known = f"{_EQUAL} that satisfy the assumptions ({construction.error_below(difference, _SAMPLES)})"
         if not construction.is_zero(difference, limit=limit):
-            return _refuted_under(left, right, construction)
+            return _refuted_under(left, right, difference, construction, limit)
     except LimitReached as limited:
-        reason = _reason(limited, known)
-        return Proof(left, right, "undecided", "random-points", reason, assumed=assumed, meanings=meanings)
+        undecided = Proof(left, right, "undecided", "random-points", _reason(limited, known))
+        return _assuming(undecided, construction.nonzero, names)
     reason = "both sides have the same normal form at the points that satisfy the assumptions"
-    return Proof(left, right, "proved", "normal-form", reason, assumed=assumed, meanings=meanings)
+    return _assuming(Proof(left, right, "proved", "normal-form", reason), construction.nonzero, names)
 
 
 def _reason(limited: LimitReached, known: str) -> str:
     return limited.message + known + (f"; {limited.hint}" if limited.hint else "")
 
 
-def _refuted_under(left: Expr, right: Expr, construction: Construction) -> Proof:
+def _refuted_under(
+    left: Expr, right: Expr, difference: Expr, construction: Construction, limit: int, which: str = _SATISFYING
+) -> Proof:
     """Small exact coordinates that satisfy the assumptions, at which the sides differ; best if no two points agree."""
     best: tuple[bool, Mapping[str, Any], tuple[Any, Any]] | None = None
     for seed in range(_TRIES):
@@ -187,9 +248,19 @@ def _refuted_under(left: Expr, right: Expr, construction: Construction) -> Proof
             break
     if best is None:
         raise LimitReached("the sides differ modulo a prime, but no small coordinates that show it were found")
-    reason = "the sides differ at these points, which satisfy the assumptions (homogeneous coordinates)"
     shown = {n: best[1][n] for n in tableau_order(best[1], construction.points, construction.ideal)}
-    return Proof(left, right, "refuted", "counterexample", reason, shown, best[2])
+    units = any(value[-1] not in (0, 1) for value in shown.values()) and _at_unit_weights(
+        difference, construction, limit
+    )
+    reason = f"the sides differ at these points{which} (homogeneous coordinates{_ANY_WEIGHT if units else ')'}"
+    return Proof(left, right, "refuted", "counterexample", reason, shown, best[2], unit_weights=units)
+
+
+def _at_unit_weights(difference: Expr, construction: Construction, limit: int) -> bool:
+    try:
+        return unit_weights(difference, construction, limit=limit)
+    except LimitReached:
+        return False
 
 
 def _all_differ(points: Mapping[str, Sequence[Any]]) -> bool:
@@ -199,16 +270,21 @@ def _all_differ(points: Mapping[str, Sequence[Any]]) -> bool:
     )
 
 
-def _refuted(left: Expr, right: Expr, rank: int, ideal: tuple[str, ...]) -> Proof:
-    """Small whole coordinates at which the sides differ; wider ranges are tried if the first ones do not separate."""
+def _refuted(left: Expr, right: Expr, difference: Expr, rank: int, ideal: tuple[str, ...], limit: int) -> Proof:
+    """Small whole coordinates at which the sides differ; wider ranges are tried if the first ones do not separate, then
+    other last coordinates than 1.
+    """
+    names = points_of(left, right)
     for seed in range(200):
         checkpoint()
-        found = random_rational_points(points_of(left, right), rank=rank, ideal=ideal, seed=seed, size=1 + seed // 4)
+        found = random_rational_points(names, rank=rank, ideal=ideal, seed=seed, size=1 + seed // 4)
         values = evaluate(left, found), evaluate(right, found)
         if _differ(*values):
             reason = "the sides differ at these points (homogeneous coordinates)"
             return Proof(left, right, "refuted", "counterexample", reason, found, values)
-    raise LimitReached("the sides differ modulo a prime, but no small whole coordinates that show it were found")
+    at_infinity = tuple(n for n in names if n in ideal)
+    anywhere = Construction(rank, tableau_order(names, (), at_infinity), at_infinity, points=names)
+    return _refuted_under(left, right, difference, anywhere, limit, which="")
 
 
 def _differ(left: Any, right: Any) -> bool:

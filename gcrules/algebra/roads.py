@@ -1,7 +1,8 @@
 r"""Roads to a construction: the conditions of all assumptions, as they are written, or brought into another form.
 
 As written, each assumption is read by itself. Where that leads nowhere, assumptions are read together (several points
-on one plane, several equations between the same points), or points that are written as meets get names of their own.
+on one plane, several equations between the same points), or points that are written as meets get names of their own, as
+do those of the line of Pascal of a conic.
 
 >>> from gcrules.algebra.statements import parse_assumption
 >>> given = parse_assumption("incident(x, abc), incident(y, abc)").given
@@ -19,6 +20,7 @@ from math import comb
 from typing import TypeVar
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra.conics import hexagon, pascal
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, points_of
 from gcrules.algebra.incidences import (
     MAX_CONDITIONS,
@@ -38,7 +40,7 @@ from gcrules.algebra.linear import is_extensor, weights
 from gcrules.algebra.space import Assumption
 from gcrules.errors import StepError
 
-__all__ = ["ROADS", "as_written", "together", "understood", "with_named_meets"]
+__all__ = ["ROADS", "as_written", "on_pascal_line", "together", "understood", "with_named_meets"]
 
 _T = TypeVar("_T")
 
@@ -115,10 +117,19 @@ def _without(pivot: Expr, row: Mapping[Expr, Fraction], other: Mapping[Expr, Fra
 
 
 def with_named_meets(given: Sequence[Assumption], rank: int) -> list[Facts] | None:
-    """The conditions with a new point in place of each point that is written as a meet; None if there are none such."""
+    """The conditions with a new point in place of each point that is written as a meet; None if there are none such.
+
+    Six points on a conic are read as three such points on a line.
+    """
     helpers: dict[Expr, Helper] = {}
-    found = [understood(a, lambda a: _named_meets(a, rank, helpers)) for a in given]
+    found = [understood(on_pascal_line(a, rank), lambda a: _named_meets(a, rank, helpers)) for a in given]
     return found if helpers else None
+
+
+def on_pascal_line(a: Assumption, rank: int) -> Assumption:
+    """An assumption that six points lie on a conic as one about the points in which opposite sides meet; or itself."""
+    six = hexagon(a.args[0], rank) if a.kind == "zero" else None
+    return a if six is None else Assumption("collinear", pascal(six), a.text, a.place)
 
 
 def _named_meets(assumption: Assumption, rank: int, helpers: dict[Expr, Helper]) -> Facts:

@@ -296,6 +296,9 @@ class Builder:
             raise SyntaxFault("division by zero", span=span_of(token)) from None
 
     def bracket(self, tree: Node) -> _Value:
+        first = tree.children[0]
+        if len(tree.children) == 1 and first.data == "bracket" and span_of(first).start == span_of(tree).start + 1:
+            return ex.superbracket(*map(self.value, first.children), rank=self.rank)
         sizes = [self._size(t) for t in tree.children]
         if None not in sizes and sum(n or 0 for n in sizes) > self.rank:
             ex.bracket(*[ex.Point("a")] * sum(n or 0 for n in sizes), rank=self.rank)  # raises, naming the bracket
@@ -315,9 +318,6 @@ class Builder:
             return None
         names = [n for w in words for n, _ in self.split(w.children[0])]
         return None if any(n in self.context.bound for n in names) else len(names)
-
-    def superbracket(self, tree: Node) -> Expr:
-        return ex.superbracket(*map(self.value, tree.children), rank=self.rank)
 
     def _named(self, name: str) -> Expr:
         bound = self.context.bound.get(name)

@@ -20,7 +20,6 @@ _TERMINALS = {
     "RPAR": ")",
     "LSQB": "[",
     "RSQB": "]",
-    "_SUPER": "[[",
     "_MEET": "/\\",
     "_JOIN": "\\/",
     "PLUS": "+",
@@ -155,6 +154,6 @@ def _expected(accepted: set[str], literals: Mapping[str, str]) -> str:
     names = []
     if accepted >= _STARTERS:
         names.append("an expression")
-        accepted = accepted - _STARTERS - {"_SUPER", "LSQB", "PLUS", "MINUS"}
+        accepted = accepted - _STARTERS - {"LSQB", "PLUS", "MINUS"}
     names += sorted({_TERMINALS.get(t, literals.get(t, t.lower())) for t in accepted})
     return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "nothing more"
