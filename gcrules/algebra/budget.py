@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 
 __all__ = ["WORK_PER_TERM", "Budget"]
@@ -26,6 +27,7 @@ class Budget:
             raise LimitReached(f"straightening holds more than {self.limit:,} terms at a time", hint=_RAISE)
 
     def replacements(self, number: int) -> None:
+        checkpoint()
         self.work += number
         if self.work > WORK_PER_TERM * self.limit:
             raise LimitReached(

@@ -46,6 +46,7 @@ from gcrules.algebra.expr import (
     superbracket,
 )
 from gcrules.algebra.superbracket import form_terms
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 
 __all__ = ["MAX_TERMS", "Expander", "Multivector", "expand", "expand_superbracket", "shuffles"]
@@ -255,6 +256,7 @@ class Expander:
             self._stop(f"the expansion has more than {self.limit:,} terms")
 
     def _worked(self, products: int) -> None:
+        checkpoint()
         self.work += products
         if self.work > 20 * self.limit:
             self._stop(f"the expansion takes more than {20 * self.limit:,} products of terms")

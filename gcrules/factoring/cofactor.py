@@ -26,6 +26,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, Row
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 from gcrules.factoring.brackets import vanishing_pairs
 from gcrules.factoring.coincidences import Coincidences
@@ -71,7 +72,7 @@ def bracket_cofactors(
     else:
         plain.cover()
     for orbit in symmetries.orbits(brackets, moved_row):
-        budget.clock()
+        checkpoint()
         if exclusions and all(
             # symmetries keep all brackets together and none of them; others inside they may exchange
             c.exclude(orbit if inside in ((), rows) else orbit[:1])

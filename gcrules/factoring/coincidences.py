@@ -17,6 +17,7 @@ from itertools import combinations
 
 from gcrules.algebra.bracket import BracketPolynomial, Row, Terms, sorted_row
 from gcrules.algebra.straighten import straighten
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 from gcrules.factoring.brackets import vanishing_pairs
 from gcrules.factoring.limits import Budget
@@ -121,7 +122,7 @@ class Coincidences:
             vanishing = vanishing_pairs(poly)
             for kept, gone in combinations(points, 2):
                 tried += 1
-                self.budget.clock()
+                checkpoint()
                 if (kept, gone) in vanishing or {home[i] for i in apart} >= {kept, gone}:
                     continue
                 candidate = coinciding(poly, kept, gone)

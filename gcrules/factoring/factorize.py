@@ -83,7 +83,7 @@ def factor(
     Source: White1991 for the steps of the multilinear case, else derived here (docs/factor.md).
     """
     terms = max(limit, MAX_TERMS)
-    task = _Task(Budget(limit, seconds, progress), terms, every, cofactor)
+    task = _Task(Budget(limit, progress), terms, every, cofactor)
     poly = expand(e, points=points, ideal=ideal, rank=rank, limit=terms) if isinstance(e, Expr) else e
     if not isinstance(poly, BracketPolynomial):
         raise InputError(f"only scalars are factored, this is {ex.step_name(poly.step, poly.rank)}")
@@ -91,7 +91,7 @@ def factor(
         found = _multilinear(poly, task)
     else:
         content, whole = primitive(normal(poly, terms))
-        rows, remainder = bracket_factors(whole, limit=terms, budget=task.budget)
+        rows, remainder = bracket_factors(whole, limit=terms)
         found = _expressions(content, rows, remainder, task)
     return with_cofactor(found, task.budget, terms=terms, every=every) if cofactor and not found.found else found
 
@@ -110,7 +110,7 @@ def _multilinear(poly: BracketPolynomial, task: _Task) -> Factorization:
     found = factor_multilinear(poly)
     family = Family(MULTILINEAR, found.accepted + found.rejected, 0, monotonic() - start)
     if not found.complete:
-        rows, remainder = bracket_factors(poly, limit=task.terms, budget=task.budget) if proof else ((), poly)
+        rows, remainder = bracket_factors(poly, limit=task.terms) if proof else ((), poly)
         return _none(content, rows, remainder, family, _no_factor(found, poly))
     scalars = [simplest(*pair, rank=poly.rank, order=poly.points).expression for pair in found.scalars]
     whole = ex.mul(*scalars)
@@ -153,8 +153,8 @@ def _expressions(
     if set(remainder.terms) == {()}:
         coefficient = Number(content * remainder.terms[()]).value
         return Factorization(rank, names, coefficient, brackets_of(rows, names), ONE, Family(BRACKETS), _EQUAL_FORMS)
-    whole = irreducible(remainder, task.budget)
-    parts = [remainder] if whole else split(remainder, task.budget, limit=task.terms) or [remainder]
+    whole = irreducible(remainder)
+    parts = [remainder] if whole else split(remainder, limit=task.terms) or [remainder]
     groups = Groups(rows, parts, task.budget)
     found = groups.cover()
     name = ONE_EXPRESSION if len(parts) == 1 else SEVERAL

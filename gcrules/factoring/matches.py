@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
+from itertools import combinations
 from math import factorial, prod
 
 from gcrules.algebra.bracket import BracketPolynomial
@@ -14,7 +15,9 @@ from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.straighten import straighten
 from gcrules.condition import Certificate
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
+from gcrules.factoring.brackets import vanishing_pairs
 from gcrules.factoring.extensors import Extensors, Letters, Tree, leaves
 from gcrules.factoring.limits import Budget
 from gcrules.factoring.residues import values
@@ -44,8 +47,9 @@ def search(
     letters = Letters(names, tuple(degrees[n] - spent[n] for n in names), poly.rank, tuple(given))
     ideal = sum(n in degrees for n in poly.points[: poly.ideal])
     restricted = poly.over(names, ideal)
+    apart = set(combinations(range(len(names)), 2)) - vanishing_pairs(restricted)
     for seed in range(_SEEDS):
-        extensors = Extensors(letters, ideal=ideal, seed=seed, budget=budget)
+        extensors = Extensors(letters, ideal=ideal, seed=seed, budget=budget, apart=apart)
         at = [int(v) for v in values(restricted, extensors.positions, extensors.field.p)]
         if all(at):
             break
@@ -93,6 +97,7 @@ class _Oracle:
 def _confirmed(candidate: Candidate, extensors: Extensors, oracle: _Oracle) -> Written | None:
     letters = extensors.letters
     for number, (a, b) in enumerate(candidate.trees(extensors)):
+        checkpoint()
         w = simplest(a, b, rank=letters.rank, order=letters.names)
         if oracle.confirms(w.expression):
             return w

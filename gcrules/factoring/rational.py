@@ -54,8 +54,8 @@ class _Search:
         poly, budget = self.found.remainder, self.budget
         assert poly is not None
         rows = tuple(tuple(poly.points.index(n) for n in ex.points_of(f)) for f in self.found.factors)
-        alone = bool(irreducible(poly, budget))
-        parts = [poly] if alone else split(poly, budget, limit=self.terms) or [poly]
+        alone = bool(irreducible(poly))
+        parts = [poly] if alone else split(poly, limit=self.terms) or [poly]
         if not alone and len(parts) == 1:
             self.what = "single expression"
         whole = normal(reduce(mul, (poly.with_terms({(row,): 1}) for row in rows), poly), self.terms) if rows else poly

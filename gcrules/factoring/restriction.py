@@ -10,7 +10,7 @@ from typing import Any
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Bracket, Point
-from gcrules.factoring.limits import Budget
+from gcrules.core.budget import checkpoint
 
 __all__ = ["Position", "restricted"]
 
@@ -18,17 +18,15 @@ Position = Mapping[str, tuple[int, ...]]
 
 
 def restricted(
-    poly: BracketPolynomial, curve: Callable[[int], Position], degree: int, budget: Budget | None = None
+    poly: BracketPolynomial, curve: Callable[[int], Position], degree: int
 ) -> Any:
     """The restriction as a sympy.Poly; `curve` gives the position for a whole parameter, along which the polynomial has
-    at most this degree. Raises LimitReached when the time of the budget is over.
+    at most this degree.
     """
     import sympy  # heavy, and needed for large polynomials only
 
     samples = []
     for t in range(degree + 1):
-        if budget is not None:
-            budget.hold(0)
         samples.append(_value(poly, curve(t)))
     coefficients = [sympy.Rational(c.numerator, c.denominator) for c in _interpolated(samples)]
     return sympy.Poly(coefficients[::-1], sympy.Symbol("t"))
@@ -41,6 +39,7 @@ def _value(poly: BracketPolynomial, position: Position) -> Fraction:
     brackets = {row: at.value(Bracket(tuple(Point(poly.points[i]) for i in row)))[0] for row in rows}
     total = Fraction(0)
     for m, c in poly.terms.items():
+        checkpoint()
         value = 1
         for row in m:
             value *= brackets[row]
