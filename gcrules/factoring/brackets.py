@@ -27,9 +27,7 @@ MODULUS = 2**31 - 1
 _MOST_UNKNOWNS = 600
 
 
-def bracket_factors(
-    poly: BracketPolynomial, *, limit: int
-) -> tuple[tuple[Row, ...], BracketPolynomial]:
+def bracket_factors(poly: BracketPolynomial, *, limit: int) -> tuple[tuple[Row, ...], BracketPolynomial]:
     """The brackets that divide a polynomial in normal form, as often as they do, and the quotient in normal form.
 
     Rows hold places in `poly.points`. With ideal points a polynomial may be a product of brackets in several ways, of

@@ -23,7 +23,7 @@ from gcrules.factoring.brackets import vanishing_pairs
 from gcrules.factoring.limits import Budget
 from gcrules.factoring.matches import search
 
-__all__ = ["Coincidences", "coinciding"]
+__all__ = ["Coincidences", "coinciding", "united"]
 
 _MOST = 20  # points with which coincidences are tried
 _FEW = 3  # points beyond the rank that are left apart
@@ -34,6 +34,13 @@ _PAIRS = 60  # coincidences that are tried, one after the other
 
 def coinciding(poly: BracketPolynomial, kept: int, gone: int) -> BracketPolynomial:
     """The polynomial where a point coincides with another, which is kept, in normal form."""
+    normal = straighten(united(poly, kept, gone))
+    assert isinstance(normal, BracketPolynomial)
+    return normal
+
+
+def united(poly: BracketPolynomial, kept: int, gone: int) -> BracketPolynomial:
+    """The polynomial where a point coincides with another, which is kept, equal terms collected."""
     terms: Terms = {}
     for monomial, c in poly.terms.items():
         sign, rows = c, []
@@ -44,9 +51,7 @@ def coinciding(poly: BracketPolynomial, kept: int, gone: int) -> BracketPolynomi
         if sign:
             key = tuple(sorted(rows))
             terms[key] = terms.get(key, 0) + sign
-    normal = straighten(poly.with_terms(terms))
-    assert isinstance(normal, BracketPolynomial)
-    return normal
+    return poly.with_terms(terms)
 
 
 @dataclass

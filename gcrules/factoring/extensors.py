@@ -217,7 +217,7 @@ class Extensors:
                 for b in self.forms(letters - first, right):
                     yield _NAMES[top], a, b
 
-    def _given(self, letters: int) -> tuple[Floats, list[tuple[Ints, ...]]]:
+    def _given(self, letters: int) -> tuple[np.ndarray[Any, np.dtype[np.int32]], list[tuple[Ints, ...]]]:
         """The points, if asked for one letter, and the extensors given of so many: vectors, and the columns of a level
         (multidegree, top, cost, first, left, right, joined, barred).
         """
@@ -263,7 +263,9 @@ class Extensors:
                 self.budget.held -= len(i) - kept
                 i, j = i[nonzero], j[nonzero]
                 cost = a.cost[i] + b.cost[j] + ((a.top[i] != top) & (b.top[j] != top))
-                joined, barred = (a.joined[i] | b.joined[j], a.barred[i] | b.barred[j]) if top == _JOIN else _nothing(kept)
+                joined, barred = _nothing(kept)
+                if top == _JOIN:
+                    joined, barred = a.joined[i] | b.joined[j], a.barred[i] | b.barred[j]
                 found.append(
                     (a.code[i] + b.code[j], np.full(kept, top), cost, np.full(kept, first), i, j, joined, barred)
                 )
@@ -272,7 +274,19 @@ class Extensors:
         if not found:
             none = np.zeros(0, dtype=np.int64)
             twins = np.zeros((0, 5), dtype=np.int64)
-            return Level(step, none, first_vectors, none, none, none, none, none, twins, none, none)
+            return Level(
+                step,
+                none,
+                np.zeros((comb(self.rank, step), POSITIONS, 0), dtype=np.int32),
+                none,
+                none,
+                none,
+                none,
+                none,
+                twins,
+                none,
+                none,
+            )
         columns = [np.concatenate(c) for c in zip(*found, strict=True)]
         found.clear()
         whole = np.concatenate(vectors, axis=2)

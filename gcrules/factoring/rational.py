@@ -12,10 +12,10 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
 from gcrules.algebra.expr import Expr, Number
 from gcrules.errors import LimitReached
+from gcrules.factoring.certify import certified
 from gcrules.factoring.cofactor import Rational, bracket_cofactors, line_cofactors
 from gcrules.factoring.irreducible import irreducible
 from gcrules.factoring.limits import Budget
-from gcrules.factoring.matches import certified
 from gcrules.factoring.normal import normal
 from gcrules.factoring.result import Factorization, Form, brackets_of
 from gcrules.factoring.splitting import split

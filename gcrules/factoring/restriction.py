@@ -12,14 +12,12 @@ from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Bracket, Point
 from gcrules.core.budget import checkpoint
 
-__all__ = ["Position", "restricted"]
+__all__ = ["Position", "restricted", "value_at"]
 
 Position = Mapping[str, tuple[int, ...]]
 
 
-def restricted(
-    poly: BracketPolynomial, curve: Callable[[int], Position], degree: int
-) -> Any:
+def restricted(poly: BracketPolynomial, curve: Callable[[int], Position], degree: int) -> Any:
     """The restriction as a sympy.Poly; `curve` gives the position for a whole parameter, along which the polynomial has
     at most this degree.
     """
@@ -27,12 +25,12 @@ def restricted(
 
     samples = []
     for t in range(degree + 1):
-        samples.append(_value(poly, curve(t)))
+        samples.append(value_at(poly, curve(t)))
     coefficients = [sympy.Rational(c.numerator, c.denominator) for c in _interpolated(samples)]
     return sympy.Poly(coefficients[::-1], sympy.Symbol("t"))
 
 
-def _value(poly: BracketPolynomial, position: Position) -> Fraction:
+def value_at(poly: BracketPolynomial, position: Position) -> Fraction:
     """The exact value; each bracket is evaluated once."""
     at = Evaluator(position, poly.rank)
     rows = {row for m in poly.terms for row in m}
