@@ -45,8 +45,8 @@ class Cover:
 @dataclass
 class Groups:
     """The irreducible factors of a polynomial: the brackets `rows`, and the different `parts` that are no brackets,
-    each as often as `times` says. `built` is the largest number of extensors of a search; `known` remembers what searches
-    found, `reached` the limit that ended one.
+    each as often as `times` says. `built` is the largest number of extensors of a search; `known` remembers what
+    searches found, `reached` the limit that ended one.
     """
 
     rows: Counter[Row]
