@@ -7,9 +7,9 @@ monomial, its stabilizer few for the second, and so on; what has been tried take
 What the search does not find does not exist. Let c₀ P = Σ cᵢ Mᵢ with k independent monomials, k as small as possible,
 and whole coprime numbers c₀, …, cₖ. Where c₀ is not 0 modulo p, the relation holds modulo p at every position, and is
 found; the positions can only let too much pass. So if nothing is found modulo several primes, all of them divide c₀.
-But c₀ divides a minor of the matrix that holds the coefficients of the Mᵢ in the coordinates of the points. These are at
-most B = `coefficient_bound`, so by Hadamard's inequality the minor is at most k^(k/2) B^k, and as many primes are taken
-as have a larger product. (k ≤ 2 needs no bound: different monomials have no constant ratio modulo p either.)
+But c₀ divides a minor of the matrix that holds the coefficients of the Mᵢ in the coordinates of the points. These are
+at most B = `coefficient_bound`, so by Hadamard's inequality the minor is at most k^(k/2) B^k, and as many primes are
+taken as have a larger product. (k ≤ 2 needs no bound: different monomials have no constant ratio modulo p either.)
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Work:
 
 
 def certain(monomials: Monomials, terms: int, primes: Sequence[int] = (MODULUS,)) -> bool:
-    """Whether searches for so many terms, modulo each of these primes, that find nothing prove that there is nothing."""
+    """Whether searches for so many terms that find nothing modulo each of these primes prove that there is nothing."""
     return terms <= 2 or terms**terms * monomials.coefficient_bound() ** (2 * terms) < prod(primes) ** 2
 
 

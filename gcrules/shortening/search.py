@@ -296,15 +296,14 @@ class _Stages:
         """Whether it is certain that no set of so many monomials exists, none being found modulo the first prime: by
         searches modulo as many others as it takes.
         """
-        for number, p in enumerate(PRIMES, 1):
+        for number in range(1, len(PRIMES)):
             if certain(self.monomials, terms, PRIMES[:number]):
                 return True
-            if number < len(PRIMES):
-                self.limits.tell(f"{terms} of {len(self.monomials):,} monomials, modulo another prime")
-                for fewer in range(1, terms + 1):
-                    if next((c for c in self.candidates(fewer, work, PRIMES[number]) if not c), None) is None:
-                        return False
-        return False
+            self.limits.tell(f"{terms} of {len(self.monomials):,} monomials, modulo another prime")
+            for fewer in range(1, terms + 1):
+                if all(self.candidates(fewer, work, PRIMES[number])):
+                    return False
+        return certain(self.monomials, terms, PRIMES)
 
     def exact(self, places: Iterable[int]) -> BracketPolynomial | None:
         chosen: list[Monomial] = [self.monomials.all[i] for i in places]
