@@ -45,8 +45,6 @@ REGULAR = [c for c in CLASSES if c["regular"]]
 LETTERS = "abcdefghijklmnop"
 
 
-
-
 def work() -> Work:
     return Work(10**12)
 
