@@ -33,13 +33,14 @@ from gcrules.algebra.syntax import parse
 from gcrules.errors import InputError, LimitReached
 from gcrules.factoring import search as search_module
 from gcrules.factoring.brackets import bracket_factors
+from gcrules.factoring.certify import proved
 from gcrules.factoring.cofactor import line_cofactors
 from gcrules.factoring.coincidences import Coincidences, coinciding
 from gcrules.factoring.extensors import Extensors, Letters, extensor
 from gcrules.factoring.factorize import factor
 from gcrules.factoring.irreducible import irreducible
 from gcrules.factoring.limits import Budget
-from gcrules.factoring.matches import proved, search
+from gcrules.factoring.matches import search
 from gcrules.factoring.multilinear import factor_multilinear
 from gcrules.factoring.residues import residues, values
 from gcrules.factoring.search import middles
@@ -248,9 +249,10 @@ def test_twelve_letters() -> None:
     """The three shapes of twelve different letters in rank 4, and how many expressions of each there are."""
     p = normal("[[ab,cd,ef,gh,ij,kl]]")
     budget = Budget()
-    written, extensors = search(p, budget)
-    assert not written
-    assert extensors == 12 + 66 + 220 + 792 * 10 + 924 * 70
+    extensors = Extensors(Letters(p.points, (1,) * 12, 4), budget=budget)
+    at = values(p, extensors.positions, extensors.field.p).tolist()
+    assert not list(search_module.candidates(extensors, at))
+    assert sum(map(len, extensors.levels.values())) == 12 + 66 + 220 + 792 * 10 + 924 * 70
     assert budget.products == 924 // 2 * 70 * 70
     assert [middles(n, 4) for n in (8, 12)] == [((3, 3, 2),), ((6, 6),)]
 
@@ -358,9 +360,9 @@ def test_forty_points() -> None:
 
 
 def test_limits_are_stated() -> None:
-    e = parse("[[Aa,Ab,Bc,Cd,De,Ef]]")
-    with pytest.raises(LimitReached, match="more than 1,000") as reached:
-        factor(e, limit=1000)
+    e = parse("[[Aa,Ab,Ba,Bc,Cb,Cc]]")
+    with pytest.raises(LimitReached, match="more than 100") as reached:
+        factor(e, limit=100)
     assert "--limit" in str(reached.value.hint)
     with pytest.raises(LimitReached, match="seconds") as reached:
         factor(e, seconds=0)
@@ -517,10 +519,10 @@ def test_irreducible_factors() -> None:
     """Three of degree eight, one of them twice; an irreducible polynomial does not split."""
     texts = ["abc /\\ def /\\ gh", "abd /\\ ceg /\\ fh", "abc /\\ def /\\ gh"]
     p = normal("".join(f"({t})" for t in texts))
-    parts = split(p, Budget(), limit=10**6)
+    parts = split(p, limit=10**6)
     assert parts is not None
     assert sorted(map(str, parts)) == sorted(str(normal(t)) for t in texts)
-    assert split(normal("[[Aa,Ab,Ba,Cc,Dd,Ee]]"), Budget(), limit=10**6) is None
+    assert split(normal("[[Aa,Ab,Ba,Cc,Dd,Ee]]"), limit=10**6) is None
 
 
 def test_coincidences_exclude_what_the_search_excludes() -> None:
@@ -591,7 +593,8 @@ def test_values_show_themselves() -> None:
         (["-[abcd][efgh]", "--json"], 0, '"coefficient": -1'),
         (["[[Aa,Bb,Cc,Dd,Ee,Ff]]"], 1, "none exists in the family"),
         (["[abcd] + [abce]"], 2, "not homogeneous"),
-        (["[[Aa,Ab,Bc,Cd,De,Ef]]", "--limit", "500"], 3, "--limit"),
+        (["[[Aa,Ab,Ba,Bc,Cb,Cc]]", "--limit", "100"], 3, "--limit"),
+        (["[[Aa,Ab,Bc,Cd,De,Ef]]", "--seconds", "0"], 3, "more than 0 seconds"),
     ],
 )
 def test_command(arguments: list[str], code: int, words: str) -> None:

@@ -294,6 +294,7 @@ class Expander:
             self._stop(f"the expansion has more than {self.limit:,} terms")
 
     def _worked(self, products: int) -> None:
+        checkpoint()
         self.work += products
         if self.work > self.pause:
             if self.work > 20 * self.limit:

@@ -49,8 +49,8 @@ def factor(
     "-" reads standard input. What is found is proved by normal forms; "none exists" is the result of testing every
     expression of the family that is named. docs/factor.md says what it covers.
 
-    Exit code 0: found. 1: none exists in the family, whether one with a cofactor was found or not. 3: not decided
-    within the limits.
+    Exit code 0: found and proved. 1: none exists in the family, whether one with a cofactor was found or not. 3: not
+    decided within the limits; or found, and shown, but tested at random points only, as the proof took too long.
     """
     from gcrules.factoring.factorize import factor as factored  # numpy, for this command only
 
@@ -69,4 +69,4 @@ def factor(
                 progress=status.tell,
             )
         out.show(found)
-    ctx.exit(0 if found.found else 1)
+    ctx.exit(1 if not found.found else 0 if found.proved else 3)

@@ -16,8 +16,8 @@ import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms
 from gcrules.algebra.straighten import straighten
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
-from gcrules.factoring.limits import Budget
 from gcrules.factoring.normal import primitive
 from gcrules.factoring.residues import Ints, random_positions, values
 
@@ -27,19 +27,16 @@ MODULUS = 2**31 - 1
 _MOST_UNKNOWNS = 600
 
 
-def bracket_factors(
-    poly: BracketPolynomial, *, limit: int, budget: Budget | None = None
-) -> tuple[tuple[Row, ...], BracketPolynomial]:
+def bracket_factors(poly: BracketPolynomial, *, limit: int) -> tuple[tuple[Row, ...], BracketPolynomial]:
     """The brackets that divide a polynomial in normal form, as often as they do, and the quotient in normal form.
 
     Rows hold places in `poly.points`. With ideal points a polynomial may be a product of brackets in several ways, of
-    which the first is taken. Raises LimitReached where a normal form is too large, or the time of the budget is over.
+    which the first is taken. Raises LimitReached where a normal form is too large.
     """
     found: list[Row] = []
     for row in _candidates(poly):
         while len(poly):
-            if budget:
-                budget.clock()
+            checkpoint()
             quotient = divided(poly, row, limit=limit)
             if quotient is None:
                 break
@@ -125,6 +122,7 @@ def standard_tableaux(degrees: list[int], rank: int, ideal: int) -> Iterator[Mon
     budget = _MOST_UNKNOWNS
 
     def rows(above: Row, rest: tuple[int, ...]) -> Iterator[Monomial]:
+        checkpoint()
         if not any(rest):
             yield ()
             return

@@ -20,23 +20,27 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, reduce
 from itertools import combinations, permutations, product
+from math import prod
 from operator import mul
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, Row
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 from gcrules.factoring.brackets import vanishing_pairs
 from gcrules.factoring.coincidences import Coincidences
 from gcrules.factoring.extensors import Tree, extensor
 from gcrules.factoring.limits import Budget
 from gcrules.factoring.matches import search
-from gcrules.factoring.products import Groups, sub_multisets
+from gcrules.factoring.products import Cover, Groups, sub_multisets
 from gcrules.factoring.symmetry import Swap, Symmetries, moved_row
-from gcrules.factoring.trees import Written
 
 __all__ = ["Rational", "bracket_cofactors", "line_cofactors"]
+
+
+_MOST_INSIDE = 2_000
 
 
 @dataclass(frozen=True)
@@ -63,15 +67,19 @@ def bracket_cofactors(
     rest = reduce(mul, parts)
     used = sorted({i for m in symmetries.poly.terms for row in m for i in row})
     brackets = [r for r in combinations(used, rest.rank) if r[-1] >= rest.ideal]
-    insides = list(sub_multisets(rows))
+    counted = Counter(rows)
+    if prod(n + 1 for n in counted.values()) > _MOST_INSIDE:
+        raise LimitReached(f"there are more than {_MOST_INSIDE:,} ways to leave brackets inside an expression")
+    insides = list(sub_multisets(counted))
     exclusions = [Coincidences(rest * rest.with_terms({i: 1}), budget) for i in insides] if len(parts) == 1 else []
-    plain = Groups(rows, parts, budget.renewed())
+    different = Counter(parts)
+    plain = Groups(counted, tuple(different), tuple(different.values()), budget.renewed())
     if len(parts) == 1:
         plain.known.update({((0,), inside): [] for inside in insides})
     else:
         plain.cover()
     for orbit in symmetries.orbits(brackets, moved_row):
-        budget.clock()
+        checkpoint()
         if exclusions and all(
             # symmetries keep all brackets together and none of them; others inside they may exchange
             c.exclude(orbit if inside in ((), rows) else orbit[:1])
@@ -80,19 +88,20 @@ def bracket_cofactors(
             yield orbit, None
             continue
         try:
-            found = Groups((*rows, orbit[0]), parts, budget.renewed(), known=plain.known).cover()
+            more = counted + Counter([orbit[0]])
+            found = Groups(more, plain.parts, plain.times, budget.renewed(), known=plain.known).cover()
         except LimitReached as reached:
             yield orbit, reached
             continue
-        yield orbit, found and _rational(orbit[0], rows, rest, *found)
+        yield orbit, None if found is None else _rational(orbit[0], counted, rest, found)
 
 
-def _rational(
-    row: Row, rows: tuple[Row, ...], rest: BracketPolynomial, outside: tuple[Row, ...], groups: list[list[Written]]
-) -> Rational:
+def _rational(row: Row, rows: Counter[Row], rest: BracketPolynomial, cover: Cover) -> Rational:
     bracket = ex.Bracket(tuple(ex.Point(rest.points[i]) for i in row))
-    inside = tuple(sorted((Counter((*rows, row)) - Counter(outside)).elements()))
+    inside = tuple(sorted((rows + Counter([row]) - cover.outside).elements()))
+    groups = [group.expressions for group in cover.groups for _ in range(group.times)]
     expressions = (ex.mul(*(w.expression for w in choice)) for choice in product(*groups))
+    outside = tuple(sorted(cover.outside.elements()))
     return Rational(bracket, rest * rest.with_terms({inside: 1}), tuple(expressions), outside)
 
 

@@ -17,12 +17,13 @@ from itertools import combinations
 
 from gcrules.algebra.bracket import BracketPolynomial, Row, Terms, sorted_row
 from gcrules.algebra.straighten import straighten
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 from gcrules.factoring.brackets import vanishing_pairs
 from gcrules.factoring.limits import Budget
 from gcrules.factoring.matches import search
 
-__all__ = ["Coincidences", "coinciding"]
+__all__ = ["Coincidences", "coinciding", "united"]
 
 _MOST = 20  # points with which coincidences are tried
 _FEW = 3  # points beyond the rank that are left apart
@@ -33,6 +34,13 @@ _PAIRS = 60  # coincidences that are tried, one after the other
 
 def coinciding(poly: BracketPolynomial, kept: int, gone: int) -> BracketPolynomial:
     """The polynomial where a point coincides with another, which is kept, in normal form."""
+    normal = straighten(united(poly, kept, gone))
+    assert isinstance(normal, BracketPolynomial)
+    return normal
+
+
+def united(poly: BracketPolynomial, kept: int, gone: int) -> BracketPolynomial:
+    """The polynomial where a point coincides with another, which is kept, equal terms collected."""
     terms: Terms = {}
     for monomial, c in poly.terms.items():
         sign, rows = c, []
@@ -43,9 +51,7 @@ def coinciding(poly: BracketPolynomial, kept: int, gone: int) -> BracketPolynomi
         if sign:
             key = tuple(sorted(rows))
             terms[key] = terms.get(key, 0) + sign
-    normal = straighten(poly.with_terms(terms))
-    assert isinstance(normal, BracketPolynomial)
-    return normal
+    return poly.with_terms(terms)
 
 
 @dataclass
@@ -121,7 +127,7 @@ class Coincidences:
             vanishing = vanishing_pairs(poly)
             for kept, gone in combinations(points, 2):
                 tried += 1
-                self.budget.clock()
+                checkpoint()
                 if (kept, gone) in vanishing or {home[i] for i in apart} >= {kept, gone}:
                     continue
                 candidate = coinciding(poly, kept, gone)

@@ -6,14 +6,18 @@ a field of bits for each point, the highest bit of each field kept free so that 
 
 Extensors that agree up to ONE constant at all positions are kept once, the simplest form of them; whatever is tested
 at these positions only cannot tell them apart. Extensors that vanish at a position are dropped.
+
+Two points that hang on one join make the whole expression vanish where they coincide. So two points whose coincidence
+leaves the polynomial different from 0 are *apart*: no join holds both, in whatever form that is kept or not.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import comb
+from typing import Any
 
 import numpy as np
 
@@ -44,6 +48,8 @@ POSITIONS = 3
 
 _LETTER, _JOIN, _MEET = 0, 1, 2
 _NAMES = {_JOIN: "join", _MEET: "meet"}
+
+_Bits = tuple[Ints, Ints]
 
 Tree = str | tuple[str, "Tree", "Tree"]
 """A point, or ("join" | "meet", tree, tree)."""
@@ -121,20 +127,27 @@ class Letters:
 class Level:
     """The extensors of one number of letters, ordered by multidegree (`code`).
 
-    `vectors` has shape (coordinates, positions, number). `left` and `right` are places in the levels of `first`
-    letters and of the rest; `cost` is the number of joins and meets, those of many arguments counted once. `twins`
-    holds (place of the form kept, top, first, left, right) of the forms that were not kept.
+    `vectors` has shape (coordinates, positions, number), 32 bits wide. `left` and `right` are places in the levels of
+    `first` letters and of the rest; `cost` is the number of joins and meets, those of many arguments counted once.
+    `twins` holds (place of the form kept, top, first, left, right) of the forms that were not kept. `joined` are the
+    points, as bits, that the outermost join of every form joins, `barred` those that are apart from one of these.
     """
 
     step: int
     code: Ints
-    vectors: Floats
+    vectors: np.ndarray[Any, np.dtype[np.int32]]
     top: Ints
     cost: Ints
     first: Ints
     left: Ints
     right: Ints
     twins: Ints
+    joined: Ints
+    barred: Ints
+
+    def at(self, places: Ints | slice) -> Floats:
+        """The vectors at some places, for computing."""
+        return self.vectors[:, :, places].astype(np.float64)
 
     @cached_property
     def groups(self) -> tuple[Ints, Ints, Ints]:
@@ -147,9 +160,19 @@ class Level:
 
 
 class Extensors:
-    """The levels, built when asked for. `positions` has shape (3, points, rank)."""
+    """The levels, built when asked for. `positions` has shape (3, points, rank); `apart` are pairs of points, by their
+    places, that no join may hold together.
+    """
 
-    def __init__(self, letters: Letters, *, ideal: int = 0, seed: int = 0, budget: Budget | None = None) -> None:
+    def __init__(
+        self,
+        letters: Letters,
+        *,
+        ideal: int = 0,
+        seed: int = 0,
+        budget: Budget | None = None,
+        apart: Collection[tuple[int, int]] = (),
+    ) -> None:
         self.letters = letters
         self.rank = letters.rank
         self.field: Residues = residues(letters.rank)
@@ -158,6 +181,10 @@ class Extensors:
             POSITIONS, len(letters.names), letters.rank, self.field.p, ideal=ideal, seed=seed
         )
         self.levels: dict[int, Level] = {}
+        self.bars = [0] * len(letters.names)
+        for a, b in apart:
+            self.bars[a] |= 1 << b
+            self.bars[b] |= 1 << a
 
     def level(self, letters: int) -> Level:
         """The extensors of so many letters; the number must not be a multiple of the rank."""
@@ -190,9 +217,9 @@ class Extensors:
                 for b in self.forms(letters - first, right):
                     yield _NAMES[top], a, b
 
-    def _given(self, letters: int) -> tuple[Floats, list[tuple[Ints, ...]]]:
+    def _given(self, letters: int) -> tuple[np.ndarray[Any, np.dtype[np.int32]], list[tuple[Ints, ...]]]:
         """The points, if asked for one letter, and the extensors given of so many: vectors, and the columns of a level
-        (multidegree, top, cost, first, left, right).
+        (multidegree, top, cost, first, left, right, joined, barred).
         """
         names = self.letters.names
         places = [len(names) + i for i, (_, step) in enumerate(self.letters.given) if step == letters]
@@ -207,12 +234,15 @@ class Extensors:
         vectors, places = vectors[:, :, nonzero], [places[i] for i in np.flatnonzero(nonzero)]
         none = np.zeros(len(places), dtype=np.int64)
         code = np.array([self.letters.units[i] for i in places], dtype=np.int64)
-        columns = (code, none, none, none, np.array(places, dtype=np.int64), none)
-        return self.field.reduced(vectors), [columns] if places else []
+        points = [place if place < len(names) else None for place in places]
+        joined = np.array([0 if i is None else 1 << i for i in points], dtype=np.int64)
+        barred = np.array([0 if i is None else self.bars[i] for i in points], dtype=np.int64)
+        columns = (code, none, none, none, np.array(places, dtype=np.int64), none, joined, barred)
+        return self._normalised(self.field.reduced(vectors)), [columns] if places else []
 
     def _level(self, letters: int) -> Level:
         first_vectors, found = self._given(letters)
-        vectors: list[Floats] = [first_vectors]
+        vectors = [first_vectors]
         for second in range(1, letters // 2 + 1):
             first = letters - second
             if first % self.rank == 0 or second % self.rank == 0:
@@ -223,29 +253,40 @@ class Extensors:
             for i, j in self.pairs(a, b, same=first == second):
                 # A join of two joins occurs as a join with one point after the other; likewise for meets.
                 new = (a.top[i] != top) | (b.top[j] != top)
+                if top == _JOIN:
+                    new &= ((a.joined[i] & b.barred[j]) | (a.barred[i] & b.joined[j])) == 0
                 i, j = i[new], j[new]
                 self.budget.hold(len(i))
-                v = self.product(table, a.vectors[:, :, i], b.vectors[:, :, j])
+                v = self.product(table, a.at(i), b.at(j))
                 nonzero = v.any(axis=0).all(axis=0)
                 kept = int(np.count_nonzero(nonzero))
                 self.budget.held -= len(i) - kept
                 i, j = i[nonzero], j[nonzero]
                 cost = a.cost[i] + b.cost[j] + ((a.top[i] != top) & (b.top[j] != top))
-                found.append((a.code[i] + b.code[j], np.full(kept, top), cost, np.full(kept, first), i, j))
-                vectors.append(v[:, :, nonzero])
+                joined, barred = _nothing(kept)
+                if top == _JOIN:
+                    joined, barred = a.joined[i] | b.joined[j], a.barred[i] | b.barred[j]
+                found.append(
+                    (a.code[i] + b.code[j], np.full(kept, top), cost, np.full(kept, first), i, j, joined, barred)
+                )
+                vectors.append(self._normalised(v[:, :, nonzero]))
         step = letters % self.rank
         if not found:
             none = np.zeros(0, dtype=np.int64)
-            return Level(step, none, first_vectors, none, none, none, none, none, np.zeros((0, 5), np.int64))
-        code, top_, cost, first_, left, right = (np.concatenate(c) for c in zip(*found, strict=True))
-        level = self._distinct(step, np.concatenate(vectors, axis=2), code, top_, cost, first_, left, right)
-        self.budget.held -= len(code) - len(level)
+            twins = np.zeros((0, 5), dtype=np.int64)
+            empty = np.zeros((comb(self.rank, step), POSITIONS, 0), dtype=np.int32)
+            return Level(step, none, empty, none, none, none, none, none, twins, none, none)
+        columns = [np.concatenate(c) for c in zip(*found, strict=True)]
+        found.clear()
+        whole = np.concatenate(vectors, axis=2)
+        vectors.clear()
+        level = self._distinct(step, whole, *columns)
+        self.budget.held -= whole.shape[2] - len(level)
         return level
 
-    def _distinct(self, step: int, v: Floats, code: Ints, *rest: Ints) -> Level:
-        """One extensor for all that are proportional with one and the same constant at all positions."""
-        v = self._normalised(v)
-        flat = v.reshape(-1, v.shape[2])
+    def _distinct(self, step: int, v: Any, code: Ints, *rest: Ints) -> Level:
+        """One extensor for all whose normalised vectors are equal."""
+        flat = v.reshape(v.shape[0] * v.shape[1], v.shape[2])
         key = code.astype(np.uint64) * np.uint64(0x9E3779B97F4A7C15)
         for n, row in enumerate(flat, 1):
             key += row.astype(np.int64).view(np.uint64) * np.uint64((0xBF58476D1CE4E5B9 * (2 * n + 1)) % 2**64)
@@ -264,17 +305,25 @@ class Extensors:
         place = np.empty(len(order), dtype=np.int64)
         place[chosen] = np.arange(len(chosen))
         others = np.flatnonzero(equal)
-        top, _, first, left, right = rest
-        twins = np.stack([place[model[others]], top[others], first[others], left[others], right[others]], axis=1)
-        top, cost, first, left, right = (x[chosen] for x in rest)
+        top, _, first, left, right, joined, barred = rest
+        homes = place[model[others]]
+        twins = np.stack([homes, top[others], first[others], left[others], right[others]], axis=1)
+        top, cost, first, left, right = (x[chosen] for x in rest[:5])
+        of_all = []
+        for bits in (joined, barred):  # what holds for every form
+            kept_bits = bits[chosen]
+            np.bitwise_and.at(kept_bits, homes, bits[others])
+            of_all.append(kept_bits)
         vectors = np.ascontiguousarray(v[:, :, chosen])
-        return Level(step, code[chosen], vectors, top, cost, first, left, right, twins)
+        return Level(step, code[chosen], vectors, top, cost, first, left, right, twins, *of_all)
 
-    def _normalised(self, v: Floats) -> Floats:
-        """Multiplied, at all positions alike, so that the first coordinate that is not 0 at the first becomes 1."""
+    def _normalised(self, v: Floats) -> Any:
+        """Multiplied, at all positions alike, so that the first coordinate that is not 0 at the first becomes 1; then
+        extensors that are proportional with one and the same constant at all positions are equal.
+        """
         leading = (v[:, 0, :] != 0).argmax(axis=0)
         scale = self.field.inverse(v[leading, 0, np.arange(v.shape[2])])
-        return self.field.reduced(v * scale)
+        return self.field.reduced(v * scale).astype(np.int32)
 
     def product(self, table: Table, a: Floats, b: Floats) -> Floats:
         """Joins or meets of extensors, elementwise, by their table of coordinates."""
@@ -312,6 +361,12 @@ def spread(start_a: Ints, count_a: Ints, start_b: Ints, count_b: Ints) -> Iterat
         width = np.repeat(count_b[low:high], n)
         yield np.repeat(start_a[low:high], n) + within // width, np.repeat(start_b[low:high], n) + within % width
         low = high
+
+
+def _nothing(number: int) -> _Bits:
+    """No points joined, none barred."""
+    none = np.zeros(number, dtype=np.int64)
+    return none, none
 
 
 def wedge(rank: int, k: int, h: int) -> Table:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import random_rational_points
-from gcrules.factoring.limits import Budget
 from gcrules.factoring.restriction import Position, restricted
 
 __all__ = ["MOST_LETTERS", "irreducible"]
@@ -21,11 +20,8 @@ MOST_LETTERS = 32
 _LINES = 2
 
 
-def irreducible(poly: BracketPolynomial, budget: Budget | None = None) -> bool | None:
-    """True: irreducible over the rationals. None: not known. The polynomial must have no brackets as factors.
-
-    Raises LimitReached when the time of the budget is over.
-    """
+def irreducible(poly: BracketPolynomial) -> bool | None:
+    """True: irreducible over the rationals. None: not known. The polynomial must have no brackets as factors."""
     if poly.ideal or not poly:
         return None
     letters = sum((poly.degrees() or {}).values())
@@ -33,14 +29,14 @@ def irreducible(poly: BracketPolynomial, budget: Budget | None = None) -> bool |
         return True
     if letters > MOST_LETTERS:
         return None
-    return True if any(_irreducible_on_a_line(poly, letters, seed, budget) for seed in range(_LINES)) else None
+    return True if any(_irreducible_on_a_line(poly, letters, seed) for seed in range(_LINES)) else None
 
 
-def _irreducible_on_a_line(poly: BracketPolynomial, degree: int, seed: int, budget: Budget | None) -> bool:
+def _irreducible_on_a_line(poly: BracketPolynomial, degree: int, seed: int) -> bool:
     one, other = (random_rational_points(poly.points, rank=poly.rank, seed=2 * seed + n, size=3) for n in (0, 1))
 
     def line(t: int) -> Position:
         return {n: tuple(a + t * b for a, b in zip(one[n], other[n], strict=True)) for n in poly.points}
 
-    on_line = restricted(poly, line, degree, budget)
+    on_line = restricted(poly, line, degree)
     return bool(on_line.degree() == degree and on_line.is_irreducible)

@@ -1,63 +1,57 @@
-"""What a search may use: extensors held at a time, expressions tested, seconds."""
+"""What a search may hold: extensors and terms. Time and memory are those of the budget around it (`core.budget`)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
-from time import monotonic
+from dataclasses import dataclass
 
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 
-__all__ = ["MAX_EXTENSORS", "SECONDS", "Budget"]
+__all__ = ["MAX_EXTENSORS", "SECONDS", "Budget", "terms_held"]
 
-MAX_EXTENSORS = 1_000_000
+MAX_EXTENSORS = 4_000_000
 SECONDS = 120.0
-PRODUCTS_PER_EXTENSOR = 5_000  # expressions that may be tested for each extensor that may be held
+_EXTENSORS_PER_TERM = 4
+_LEAST_TERMS = 200_000
+
+
+def terms_held(extensors: int) -> int:
+    """The terms of an expansion or a normal form that may be held where so many extensors may."""
+    return max(extensors // _EXTENSORS_PER_TERM, _LEAST_TERMS)
 
 
 @dataclass
 class Budget:
-    """What a search may use, and what it used: extensors held at a time, products formed, seconds.
+    """The extensors that a search may hold at a time, those that it holds, and the products that it formed; who is told
+    of these.
 
-    Raises LimitReached, by `hold` and `multiply`, as soon as one of them is exceeded.
+    `hold` and `multiply` raise LimitReached where there are too many, or where the time or the memory is used up.
     """
 
     extensors: int = MAX_EXTENSORS
-    seconds: float = SECONDS
     progress: Callable[[str], None] | None = None
     held: int = 0
     products: int = 0
-    started: float = field(default_factory=monotonic)
 
     def renewed(self) -> Budget:
-        """The same limits for another search, with what is left of the time."""
-        return Budget(self.extensors, self.seconds, self.progress, started=self.started)
+        """The same limit for another search."""
+        return Budget(self.extensors, self.progress)
 
     def hold(self, number: int) -> None:
         self.held += number
         if self.held > self.extensors:
             raise LimitReached(
                 f"the search would hold {self.held:,} extensors, more than {self.extensors:,}",
-                hint="raise the limit with --limit (in Python limit=...); 1,000,000 extensors take up to 1 GB",
+                hint="raise the limit with --limit (in Python limit=...)",
             )
-        self.clock()
+        self._look()
 
     def multiply(self, number: int) -> None:
         self.products += number
-        if self.products > PRODUCTS_PER_EXTENSOR * self.extensors:
-            raise LimitReached(
-                f"the search would test more than {PRODUCTS_PER_EXTENSOR * self.extensors:,} expressions",
-                hint="raise the limit with --limit (in Python limit=...)",
-            )
-        self.clock()
+        self._look()
 
-    def clock(self) -> None:
-        """Raises LimitReached when the time is over; tells the progress."""
-        seconds = monotonic() - self.started
-        if seconds > self.seconds:
-            raise LimitReached(
-                f"the search takes more than {self.seconds:g} seconds",
-                hint="give it more time with --seconds (in Python seconds=...)",
-            )
+    def _look(self) -> None:
+        checkpoint()
         if self.progress is not None:
             self.progress(f"{self.held:,} extensors, {self.products:,} expressions")

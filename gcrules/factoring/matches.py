@@ -1,32 +1,29 @@
-"""The expressions that are multiples of a polynomial: candidates of the search, confirmed by the oracle, and proofs."""
+"""The expressions that are multiples of a polynomial: candidates of the search, confirmed by the oracle."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from fractions import Fraction
 from functools import cached_property
+from itertools import combinations
 from math import factorial, prod
 
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.algebra.claims import digest, error_below
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
-from gcrules.algebra.expand import expand
-from gcrules.algebra.expr import Expr, Number, mul, sub
-from gcrules.algebra.straighten import straighten
-from gcrules.condition import Certificate
+from gcrules.algebra.expr import Expr
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
+from gcrules.factoring.brackets import vanishing_pairs
 from gcrules.factoring.extensors import Extensors, Letters, Tree, leaves
 from gcrules.factoring.limits import Budget
 from gcrules.factoring.residues import values
 from gcrules.factoring.search import Candidate, candidates
 from gcrules.factoring.trees import Written, simplest
 
-__all__ = ["certified", "proved", "search"]
+__all__ = ["search"]
 
 _SEEDS = 20
 _FORMS = 10_000
-_FURTHER = 3
 
 
 def search(
@@ -45,8 +42,9 @@ def search(
     letters = Letters(names, tuple(degrees[n] - spent[n] for n in names), poly.rank, tuple(given))
     ideal = sum(n in degrees for n in poly.points[: poly.ideal])
     restricted = poly.over(names, ideal)
+    apart = set(combinations(range(len(names)), 2)) - vanishing_pairs(restricted)
     for seed in range(_SEEDS):
-        extensors = Extensors(letters, ideal=ideal, seed=seed, budget=budget)
+        extensors = Extensors(letters, ideal=ideal, seed=seed, budget=budget, apart=apart)
         at = [int(v) for v in values(restricted, extensors.positions, extensors.field.p)]
         if all(at):
             break
@@ -60,7 +58,7 @@ def search(
             found.setdefault(str(w), w)
             if first:
                 break
-    if not found and prod(map(factorial, letters.degrees)) >= extensors.field.p:
+    if not found and _most(letters, ideal) >= extensors.field.p:
         raise LimitReached(
             "the constant between an expression and the polynomial might be a multiple of the prime "
             f"{extensors.field.p} of the test, as points occur so often"
@@ -68,6 +66,15 @@ def search(
     built = sum(map(len, extensors.levels.values()))
     budget.held -= built
     return sorted(found.values(), key=lambda w: w.key), built
+
+
+def _most(letters: Letters, ideal: int) -> int:
+    """No constant between an expression of these letters and a primitive polynomial is larger: it divides all
+    coefficients of the expression in the coordinates of the points, of which so many may be unit vectors as there are
+    coordinates.
+    """
+    fixed = 0 if ideal or letters.given else letters.rank
+    return prod(map(factorial, sorted(letters.degrees, reverse=True)[fixed:]))
 
 
 class _Oracle:
@@ -94,63 +101,10 @@ class _Oracle:
 def _confirmed(candidate: Candidate, extensors: Extensors, oracle: _Oracle) -> Written | None:
     letters = extensors.letters
     for number, (a, b) in enumerate(candidate.trees(extensors)):
+        checkpoint()
         w = simplest(a, b, rank=letters.rank, order=letters.names)
         if oracle.confirms(w.expression):
             return w
         if number >= _FORMS:
             raise LimitReached(f"more than {_FORMS:,} expressions agree at the positions of the test")
     return None
-
-
-def proved(poly: BracketPolynomial, e: Expr, terms: int) -> int | Fraction | None:
-    """The c with poly = c · e, proved by equal normal forms; None if there is none. `poly` is in normal form."""
-    ideal = poly.points[: poly.ideal]
-    value = expand(e, points=poly.points, ideal=ideal, rank=poly.rank, limit=terms)
-    assert isinstance(value, BracketPolynomial)
-    normal = straighten(value.over(poly.points, poly.ideal), limit=terms)
-    assert isinstance(normal, BracketPolynomial)
-    leading, c = next(iter(poly.terms.items()))
-    if leading not in normal.terms:
-        return None
-    ratio = Fraction(c) / normal.terms[leading]
-    return Number(ratio).value if (normal * ratio).terms == poly.terms else None
-
-
-def certified(
-    poly: BracketPolynomial, e: Expr, terms: int, *, proof: bool = True
-) -> tuple[int | Fraction, Certificate]:
-    """The c with poly = c · e for an expression that was found, with the proof, or with the reason why there is none.
-
-    Raises LimitReached where it does not hold after all.
-    """
-    reason = "the normal form of the input is too large"
-    if proof:
-        try:
-            normal = straighten(poly, limit=terms)
-            assert isinstance(normal, BracketPolynomial)
-            coefficient = proved(normal, e, terms)
-        except LimitReached as reached:
-            reason = reached.message
-        else:
-            if coefficient is None:
-                raise LimitReached("an expression that holds at random positions has another normal form")
-            return coefficient, Certificate("normal-form", "both sides have the same normal form of standard tableaux")
-    ratio = _small_ratio(poly, e)
-    sure = error_below(sub(poly.to_expr(), mul(Number(ratio), e), rank=poly.rank), _FURTHER - 1)  # one tells the ratio
-    return ratio, Certificate(
-        "random-points", f"equal at {_FURTHER} exact random positions, {sure}; no proof: {reason}"
-    )
-
-
-def _small_ratio(poly: BracketPolynomial, e: Expr) -> int:
-    """poly / e, the same whole number below 2³⁰ at exact random positions modulo a prime."""
-    found = set()
-    for n in range(_FURTHER):
-        ideal = poly.points[: poly.ideal]
-        at = Evaluator(random_points(poly.points, rank=poly.rank, ideal=ideal, seed=(digest(e), n)), poly.rank, PRIME)
-        found.add(int(at.value(poly.to_expr())[0] * pow(at.value(e)[0], -1, PRIME) % PRIME))
-    (ratio,) = found if len(found) == 1 else (0,)
-    ratio = ratio - PRIME if ratio > PRIME // 2 else ratio
-    if not 0 < abs(ratio) < 1 << 30:
-        raise LimitReached("a factorization that was found does not hold at further random positions")
-    return ratio

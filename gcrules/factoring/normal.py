@@ -13,7 +13,7 @@ from gcrules.algebra.straighten import straighten
 from gcrules.errors import InputError
 from gcrules.factoring.residues import random_positions, residues, values
 
-__all__ = ["normal", "primitive"]
+__all__ = ["normal", "primitive", "zero"]
 
 _TIMES = {0: "never", 1: "once", 2: "twice"}
 
@@ -34,9 +34,14 @@ def normal(poly: BracketPolynomial, terms: int) -> BracketPolynomial:
     found = straighten(poly, limit=terms)
     assert isinstance(found, BracketPolynomial)
     if not found:
-        raise InputError("the polynomial is zero: every expression divides it", hint="check the signs and the points")
+        raise zero()
     _one_of(list(dict.fromkeys(map(_degrees, found.terms))), poly.points)
     return found
+
+
+def zero() -> InputError:
+    """What is raised for the polynomial zero."""
+    return InputError("the polynomial is zero: every expression divides it", hint="check the signs and the points")
 
 
 def _degrees(m: Monomial) -> Degrees:

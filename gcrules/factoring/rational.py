@@ -12,10 +12,10 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
 from gcrules.algebra.expr import Expr, Number
 from gcrules.errors import LimitReached
+from gcrules.factoring.certify import certified
 from gcrules.factoring.cofactor import Rational, bracket_cofactors, line_cofactors
 from gcrules.factoring.irreducible import irreducible
 from gcrules.factoring.limits import Budget
-from gcrules.factoring.matches import certified
 from gcrules.factoring.normal import normal
 from gcrules.factoring.result import Factorization, Form, brackets_of
 from gcrules.factoring.splitting import split
@@ -54,8 +54,8 @@ class _Search:
         poly, budget = self.found.remainder, self.budget
         assert poly is not None
         rows = tuple(tuple(poly.points.index(n) for n in ex.points_of(f)) for f in self.found.factors)
-        alone = bool(irreducible(poly, budget))
-        parts = [poly] if alone else split(poly, budget, limit=self.terms) or [poly]
+        alone = bool(irreducible(poly))
+        parts = [poly] if alone else split(poly, limit=self.terms) or [poly]
         if not alone and len(parts) == 1:
             self.what = "single expression"
         whole = normal(reduce(mul, (poly.with_terms({(row,): 1}) for row in rows), poly), self.terms) if rows else poly

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import join_table
 from gcrules.core import seeds
+from gcrules.core.budget import checkpoint
 
 __all__ = ["Floats", "Ints", "Residues", "random_positions", "residues", "values"]
 
@@ -93,6 +94,7 @@ def values(poly: BracketPolynomial, at: Ints, p: int) -> Ints:
     brackets = dict(zip(rows, _brackets(at, rows, poly.rank, p), strict=True))
     total = np.zeros(len(at), dtype=np.int64)
     for m, c in poly.terms.items():
+        checkpoint()
         value = np.full(len(at), c.numerator * pow(c.denominator, -1, p) % p, dtype=np.int64)
         for row in m:
             value = value * brackets[row] % p

@@ -10,37 +10,34 @@ from typing import Any
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Bracket, Point
-from gcrules.factoring.limits import Budget
+from gcrules.core.budget import checkpoint
 
-__all__ = ["Position", "restricted"]
+__all__ = ["Position", "restricted", "value_at"]
 
 Position = Mapping[str, tuple[int, ...]]
 
 
-def restricted(
-    poly: BracketPolynomial, curve: Callable[[int], Position], degree: int, budget: Budget | None = None
-) -> Any:
+def restricted(poly: BracketPolynomial, curve: Callable[[int], Position], degree: int) -> Any:
     """The restriction as a sympy.Poly; `curve` gives the position for a whole parameter, along which the polynomial has
-    at most this degree. Raises LimitReached when the time of the budget is over.
+    at most this degree.
     """
     import sympy  # heavy, and needed for large polynomials only
 
     samples = []
     for t in range(degree + 1):
-        if budget is not None:
-            budget.hold(0)
-        samples.append(_value(poly, curve(t)))
+        samples.append(value_at(poly, curve(t)))
     coefficients = [sympy.Rational(c.numerator, c.denominator) for c in _interpolated(samples)]
     return sympy.Poly(coefficients[::-1], sympy.Symbol("t"))
 
 
-def _value(poly: BracketPolynomial, position: Position) -> Fraction:
+def value_at(poly: BracketPolynomial, position: Position) -> Fraction:
     """The exact value; each bracket is evaluated once."""
     at = Evaluator(position, poly.rank)
     rows = {row for m in poly.terms for row in m}
     brackets = {row: at.value(Bracket(tuple(Point(poly.points[i]) for i in row)))[0] for row in rows}
     total = Fraction(0)
     for m, c in poly.terms.items():
+        checkpoint()
         value = 1
         for row in m:
             value *= brackets[row]

@@ -111,7 +111,7 @@ class _Test:
 
     def passed(self, low: int, high: int, weighted: Floats, dual: Floats) -> tuple[Ints, Ints]:
         """Places in low … high and in the second factor where the test holds and E is not 0."""
-        a = self.level.vectors[:, :, low:high]
+        a = self.level.at(slice(low, high))
         self.budget.multiply((high - low) * dual.shape[2])
         product = a[:, :2].reshape(-1, high - low).T @ weighted.reshape(-1, dual.shape[2])
         i, j = self.field.multiples(product)
@@ -133,7 +133,7 @@ def _halves(extensors: Extensors, test: _Test, letters: int) -> Iterator[Candida
         begin, end = int(start[h]), int(start[h] + count[h])
         for part in range(begin, end, CHUNK):
             stop = min(end, part + CHUNK)
-            dual = test.dual(level.vectors[:, :, part:stop])
+            dual = test.dual(level.at(slice(part, stop)))
             weighted = test.weighted(dual)
             wide = max(1, CHUNK // (stop - part))
             for row in range(low, high, wide):
@@ -163,7 +163,7 @@ def _thirds(extensors: Extensors, test: _Test, sizes: tuple[int, int, int]) -> I
             fits &= codes_c[h] <= codes_b
         g, h = np.flatnonzero(fits), h[fits]
         for i, j in spread(start_b[g], count_b[g], start_c[h], count_c[h]):
-            vectors = extensors.product(table, b.vectors[:, :, i], c.vectors[:, :, j])
+            vectors = extensors.product(table, b.at(i), c.at(j))
             dual = test.dual(vectors)
             weighted = test.weighted(dual)
             wide = max(1, CHUNK // len(i))

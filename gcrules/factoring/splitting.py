@@ -25,7 +25,6 @@ from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms
 from gcrules.algebra.straighten import straighten
 from gcrules.factoring.brackets import MODULUS, solution, standard_tableaux
 from gcrules.factoring.irreducible import MOST_LETTERS
-from gcrules.factoring.limits import Budget
 from gcrules.factoring.residues import values
 from gcrules.factoring.restriction import restricted
 
@@ -54,16 +53,13 @@ class _Factor:
         return reduce(lambda value, c: value * t + c, reversed(self.coefficients), Fraction(0))
 
 
-def split(poly: BracketPolynomial, budget: Budget, *, limit: int) -> list[BracketPolynomial] | None:
+def split(poly: BracketPolynomial, *, limit: int) -> list[BracketPolynomial] | None:
     """Irreducible polynomials in normal form whose product is a multiple of the polynomial (in normal form, without
-    ideal points and brackets that divide it), each as often as it occurs; None where they were not found.
-
-    Raises LimitReached when the time of the budget is over.
-    """
+    ideal points and brackets that divide it), each as often as it occurs; None where they were not found."""
     if poly.ideal or sum((poly.degrees() or {}).values()) > MOST_LETTERS:
         return None
     for seed in range(_TRIES):
-        found = _Splitting(poly, seed, budget).parts()
+        found = _Splitting(poly, seed).parts()
         if found and len(found) > 1 and _is_product(poly, found, limit):
             return found
     return None
@@ -77,9 +73,8 @@ def _is_product(poly: BracketPolynomial, parts: Sequence[BracketPolynomial], lim
 
 
 class _Splitting:
-    def __init__(self, poly: BracketPolynomial, seed: int, budget: Budget) -> None:
+    def __init__(self, poly: BracketPolynomial, seed: int) -> None:
         self.poly = poly
-        self.budget = budget
         self.degrees = poly.degrees() or {}
         self.rng = random.Random(seed)
         self.x, self.y = self._random(), self._random()
@@ -166,7 +161,7 @@ class _Splitting:
         apart, or the restriction has not the full degree.
         """
         degree = sum(d * (2 if n in bend else 1) for n, d in self.degrees.items())
-        poly = restricted(self.poly, lambda t: self._position(bend, t), degree, self.budget)
+        poly = restricted(self.poly, lambda t: self._position(bend, t), degree)
         if poly.degree() < degree:
             return None
         found: dict[_Ratio, _Factor] = {}

@@ -14,6 +14,7 @@ import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial, Row
 from gcrules.algebra.straighten import straighten
+from gcrules.core.budget import checkpoint
 from gcrules.factoring.brackets import MODULUS
 from gcrules.factoring.residues import random_positions, values
 
@@ -93,6 +94,7 @@ def _symmetries(poly: BracketPolynomial) -> Iterator[_Exchange]:
             order[n, i], order[n, j] = j, i
     (value,) = values(poly, position[None], MODULUS).tolist()
     for low in range(0, len(exchanges), 1000):
+        checkpoint()
         moved = values(poly, position[order[low : low + 1000]], MODULUS).tolist()
         yield from (x for x, v in zip(exchanges[low : low + 1000], moved, strict=True) if v in (value, MODULUS - value))
 
