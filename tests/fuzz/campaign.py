@@ -29,7 +29,6 @@ __all__ = ["Found", "Result", "campaign", "load_everything", "tried"]
 
 _WALL = 120.0  # seconds without a new input, times the load of the machine, after which a worker is ended
 _FRESH = 5_000  # inputs after which a worker is replaced, so that what it remembers does not grow
-_QUICK = (0.001, 0.01, 0.1, 1.0, 5.0, 20.0)
 
 
 @dataclass(frozen=True)
@@ -44,7 +43,8 @@ class Found:
     code: int | None
 
     def text(self) -> str:
-        return f"## {self.name}\n{self.family} {self.index}, exit code {self.code}\n{self.details[-1500:]}\n---\n{to_yaml(self.case)}"
+        head = f"## {self.name}\n{self.family} {self.index}, exit code {self.code}\n"
+        return f"{head}{self.details[-1500:]}\n---\n{to_yaml(self.case)}"
 
 
 @dataclass
@@ -63,8 +63,9 @@ class Result:
     def text(self) -> str:
         codes = ", ".join(f"{c}: {n}" for c, n in sorted(self.codes.items(), key=lambda p: str(p[0])))
         lines = [
-            f"{self.family:<12} {self.inputs:>8,} inputs in {self.seconds:,.0f} s, seed {self.seed}; exit codes {codes};"
-            f" slowest {self.slowest[0]:.1f} s (input {self.slowest[1]}); {len(self.found)} causes of faults"
+            f"{self.family:<12} {self.inputs:>8,} inputs in {self.seconds:,.0f} s, seed {self.seed}; "
+            f"exit codes {codes}; slowest {self.slowest[0]:.1f} s (input {self.slowest[1]}); "
+            f"{len(self.found)} causes of faults"
         ]
         lines += [f"    {self.times[name]:>6} x {f.name}   (first: input {f.index})" for name, f in self.found.items()]
         return "\n".join(lines)
@@ -138,8 +139,12 @@ def campaign(
         for pipe in ready:
             lane = lanes[pipe]  # type: ignore[index]
             try:
-                _take(result, pipe.recv(), tell)  # type: ignore[union-attr]
+                message = pipe.recv()  # type: ignore[union-attr]
             except EOFError:
+                message = None
+            if message is not None:
+                _take(result, message, tell)
+            else:
                 lane.process.join()
                 del lanes[pipe]  # type: ignore[arg-type]
                 if lane.process.exitcode > 0:

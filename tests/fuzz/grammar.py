@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from random import Random
 
-__all__ = ["LETTERS", "WORDS", "Grammar", "legs", "script"]
+__all__ = ["LETTERS", "UNUSUAL", "WORDS", "Grammar", "legs", "script"]
 
 LETTERS = "abcdefghijklmn"
 UNUSUAL = ("A", "S1", "S_2", "A'", "B2''", "p10", "ȧ", "Z")
@@ -238,9 +238,8 @@ def script(rng: Random) -> str:
                 label = rng.choice(("", "", '"a label": ', '"": ', '"ü∧": '))
                 lines.append(f"claim {label}{g.equation(depth)}")
             case "show":
-                lines.append(
-                    f"show {rng.choice(bound) if bound and rng.random() < 0.5 else g.extensor(rng.randint(0, 2), depth)}"
-                )
+                again = bound and rng.random() < 0.5
+                lines.append(f"show {rng.choice(bound) if again else g.extensor(rng.randint(0, 2), depth)}")
             case "given":
                 lines.append(f"given {g.assumptions()}")
             case "rule":

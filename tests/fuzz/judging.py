@@ -26,9 +26,22 @@ Fault = tuple[str, str]
 
 def judged(case: Case, found: Outcome) -> list[Fault]:
     """Everything that is wrong with an outcome."""
-    return [*_ended(found), *_files(case, found), *((_kind(n), n) for n in found.noise), *_streams(case, found)] + [
-        (w.split(":")[0], w) for w in found.wrong
+    return [
+        *_ended(found),
+        *_files(case, found),
+        *((_kind(n), n) for n in found.noise if not _asked_for(case, n)),
+        *_streams(case, found),
+        *((w, w) for w in found.wrong),
     ]
+
+
+def _asked_for(case: Case, noise: str) -> bool:
+    """Whether the folder that was left is one that the input names: `save /x`."""
+    if not noise.endswith(" outside the folder"):
+        return False
+    folders = [part for part in noise.removesuffix(" outside the folder").split("/")[1:-1] if part]
+    words = "\n".join((*case.argv, case.stdin))
+    return "/" in words and all(part in words or part in ("tmp",) for part in folders)
 
 
 def _kind(noise: str) -> str:
@@ -64,7 +77,7 @@ def _may_write(case: Case, name: str) -> bool:
 
 def _streams(case: Case, found: Outcome) -> list[Fault]:
     out, err, code = found.stdout, found.stderr, found.code
-    if found.frame or code not in CODES:
+    if found.frame or code not in CODES or not case.argv:
         return []
     faults: list[Fault] = []
     command = _command(case)

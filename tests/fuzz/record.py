@@ -17,9 +17,9 @@ RECORD = Path(__file__).parent / "RECORD.md"
 _HEAD = """\
 # What was tried
 
-Each row is one campaign: `python -m tests.fuzz --family NAME --seed N --count INPUTS --record` wrote it, and runs the same
-inputs again. The rules by which an input counts as wrong stand in [judging.py](judging.py); what was found stands, made
-small, in [cases/](cases), and is tried by every run of the tests.
+Each row is one campaign; `python -m tests.fuzz --family NAME --seed N --count INPUTS --record` runs the same inputs
+again and writes the row. What counts as wrong stands in [judging.py](judging.py); what was found stands, made small, in
+[cases/](cases), and is tried by every run of the tests.
 
 | family | seed | inputs | commit | date | exit codes | slowest | outcome |
 |---|---|---|---|---|---|---|---|
@@ -32,7 +32,15 @@ def recorded(result: Result) -> None:
     rows = [r for r in _rows() if not r.startswith(head)]
     codes = ", ".join(f"{c}: {n:,}" for c, n in sorted(result.codes.items(), key=lambda pair: str(pair[0])))
     outcome = "nothing wrong" if not result.found else "; ".join(f"{result.times[n]:,} × {n}" for n in result.found)
-    row = f"{head} {result.inputs:,} | {_commit()} | {datetime.now(UTC):%Y-%m-%d} | {codes} | {result.slowest[0]:.1f} s | {outcome} |"
+    cells = (
+        f"{result.inputs:,}",
+        _commit(),
+        f"{datetime.now(UTC):%Y-%m-%d}",
+        codes,
+        f"{result.slowest[0]:.1f} s",
+        outcome,
+    )
+    row = f"{head} {' | '.join(cells)} |"
     RECORD.write_text(_HEAD + "\n".join(sorted([*rows, row])) + "\n", encoding="utf-8")
 
 

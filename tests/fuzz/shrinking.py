@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from time import monotonic
+from typing import Any
 
 from .case import Case
 
@@ -35,6 +36,8 @@ def _smaller(case: Case) -> Iterator[Case]:
         if argv[i].startswith("-") and i + 1 < len(argv):
             yield replace(case, argv=(*argv[:i], *argv[i + 2 :]))
         yield replace(case, argv=(*argv[:i], *argv[i + 1 :]))
+    for smaller_data in _values(case.data):
+        yield replace(case, data=smaller_data)
     for name in case.files:
         yield replace(case, files={n: t for n, t in case.files.items() if n != name})
     for name, text in case.files.items():
@@ -46,6 +49,16 @@ def _smaller(case: Case) -> Iterator[Case]:
         for smaller in _texts(argv[i]):
             if smaller:
                 yield replace(case, argv=(*argv[:i], smaller, *argv[i + 1 :]))
+
+
+def _values(data: Any) -> Iterator[Any]:
+    """The same with an entry less in a list, or in the options of a call."""
+    for key in ("kwargs", "args", "messages", "requests"):
+        held = data.get(key, ()) if isinstance(data, dict) else ()
+        if isinstance(held, dict):
+            yield from ({**data, key: {k: v for k, v in held.items() if k != name}} for name in held)
+        else:
+            yield from ({**data, key: [*held[:i], *held[i + 1 :]]} for i in range(len(held)))
 
 
 def _texts(text: str) -> Iterator[str]:

@@ -110,5 +110,9 @@ HOSTILE = (_powers, _repeated, _summed, _nested, _product_of_sums)
 """Makers of long texts and of short ones that stand for much."""
 
 EXPRESSIONS = Family(
-    "expressions", "expressions, equations and assumptions for the commands of the algebra", expression, share=2
+    "expressions",
+    "expressions, equations and assumptions for the commands of the algebra",
+    expression,
+    share=2,
+    few=100,
 )

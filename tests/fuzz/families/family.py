@@ -15,13 +15,17 @@ __all__ = ["Family"]
 
 @dataclass(frozen=True)
 class Family:
-    """`make` draws an input, `run` runs it; `share` is its part of the time of a short campaign."""
+    """`make` draws an input, `run` runs it; `share` is its part of the time of a short campaign, `few` inputs are tried
+    by every run of the tests. `open` says what is known to be wrong with it.
+    """
 
     name: str
     words: str
     make: Callable[[Random], Case]
     run: Callable[[Case, Jail], Outcome] = run_command
     share: float = 1.0
+    few: int = 40
+    open: str = ""
 
     def case(self, seed: int, index: int) -> Case:
         """The input of this number: the same wherever and whenever it is drawn."""

@@ -323,7 +323,7 @@ def tables(rng: Random) -> Case:
     return Case("tables", argv, {"g.yaml": corpus("platforms")[0], "t.csv": text})
 
 
-GEOMETRY = Family("geometry", "geometry files, with poses, paths, maps, figures and reports", geometry, share=3)
-ROBOTS = Family("robots", "robot files: shown, analysed, checked, posed", robots, share=3)
+GEOMETRY = Family("geometry", "geometry files, with poses, paths, maps, figures and reports", geometry, share=3, few=25)
+ROBOTS = Family("robots", "robot files: shown, analysed, checked, posed", robots, share=3, few=25)
 CATALOGS = Family("catalogs", "catalog files", catalogs)
-TABLES = Family("tables", "tables of poses", tables)
+TABLES = Family("tables", "tables of poses", tables, few=10)

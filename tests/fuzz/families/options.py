@@ -244,4 +244,4 @@ def run(case: Case, jail: Jail) -> Outcome:
         serving.serve = serve
 
 
-OPTIONS = Family("options", "options of every command, good and bad, in any sequence", options, run, share=2)
+OPTIONS = Family("options", "options of every command, good and bad, in any sequence", options, run, share=2, few=30)

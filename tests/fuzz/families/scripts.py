@@ -161,6 +161,6 @@ def manual(rng: Random) -> Case:
 
 
 SCRIPTS = Family("scripts", "scripts (.gca), for run and the prompt", scripts, share=1.5)
-RULES = Family("rules", "rule files: checked, listed, shown and used", rules)
+RULES = Family("rules", "rule files: checked, listed, shown and used", rules, few=20)
 PROMPT = Family("prompt", "what is typed at the prompt", prompt)
 MANUAL = Family("manual", "proposals and session files of the manual mode", manual)
