@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from random import Random
 
-__all__ = ["NUMBERS", "mutated", "mutated_numbers", "one_of"]
+__all__ = ["NUMBERS", "mutated", "mutated_numbers", "one_of", "scaled"]
 
 NUMBERS = (
     *("0", "-0", "1", "-1", "2", "1/2", "-3/7", "0.1", "1e-3", "100", "650", "3.14159265358979", "1e6", "1e-9", "1e12"),
@@ -35,6 +36,12 @@ NUMBERS = (
     *("true", "null", "~", "", "[]", "{}", "[1]", "a", "'1'", '"1/3"', "sqrt(3)", "2*pi", "(1)", "1 mm", "1mm", "- 1"),
 )
 
+_LIKELY = (
+    *("0", "1", "-1", "2", "1/2", "-1/3", "0.1", "100", "650", "1e-3", "1e6", "-1e6", "1e-9", "1e12", "1e20", "1e-20"),
+    *("1e30", "-1e30", "1e-30", "1e25", "-1e15", "3.14159265358979", "1/1000000007", "123456789/987654321"),
+)
+"""Numbers that are read; the others mostly are not."""
+
 _CHARACTERS = (
     *"abzAZ019 ',.:;-+*/\\^()[]{}<>=!?#%&|@$~`\"_\n\t\r",
     *("\0", "\x07", "\x1b", "\x7f", "\x85", "\xa0", "\u2028", "\u202e", "\u200b", "\ufeff", "\u0307", "\U0001d538"),
@@ -62,6 +69,25 @@ def mutated_numbers(rng: Random, text: str, *, most: int = 2) -> str:
     for _ in range(rng.randint(1, most)):
         text = _number(rng, text, ())
     return text
+
+
+def scaled(rng: Random, text: str) -> str:
+    """A text in which all points [x, y, z] are nearer or farther by one factor: relations between them hold on."""
+    factor = Fraction(10) ** rng.choice((-26, -20, -12, -6, -2, 2, 6, 9, 12, 16, 20, 26))
+
+    def point(found: re.Match[str]) -> str:
+        numbers = (Fraction(found[i].strip()) * factor for i in (1, 2, 3))
+        return f"[{', '.join(map(_written, numbers))}]"
+
+    return _POINT.sub(point, text)
+
+
+def _written(number: Fraction) -> str:
+    """As short as it can be; exact where that is short."""
+    return str(number) if len(str(number)) < 20 else f"{float(number):.12e}"
+
+
+_POINT = re.compile(r"\[(-?[\d./]+), *(-?[\d./]+), *(-?[\d./]+)\]")
 
 
 def _place(rng: Random, parts: Sequence[str]) -> int:
@@ -147,7 +173,7 @@ def _number(rng: Random, text: str, words: Sequence[str]) -> str:
     if not found:
         return text
     at = rng.choice(found)
-    new = rng.choice(NUMBERS) if rng.random() < 0.7 else str(rng.randint(-9, 9))
+    new = rng.choices((rng.choice(_LIKELY), rng.choice(NUMBERS), str(rng.randint(-9, 9))), (4, 3, 3))[0]
     return text[: at.start()] + new + text[at.end() :]
 
 

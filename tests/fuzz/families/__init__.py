@@ -10,6 +10,7 @@ from .identities import IDENTITIES
 from .interrupts import INTERRUPTS, KILLS
 from .options import OPTIONS
 from .scripts import MANUAL, PROMPT, RULES, SCRIPTS
+from .structures import STRUCTURES
 from .studio import STUDIO
 
 __all__ = ["FAMILIES", "Family"]
@@ -17,6 +18,7 @@ __all__ = ["FAMILIES", "Family"]
 _ALL = (
     EXPRESSIONS,
     IDENTITIES,
+    STRUCTURES,
     SCRIPTS,
     RULES,
     PROMPT,

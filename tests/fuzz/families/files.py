@@ -7,7 +7,7 @@ from random import Random
 from ..case import Case
 from ..corpus import corpus
 from ..grammar import LETTERS, legs
-from ..mutating import NUMBERS, mutated, mutated_numbers
+from ..mutating import NUMBERS, mutated, mutated_numbers, scaled
 from .family import Family
 
 __all__ = ["CATALOGS", "GEOMETRY", "ROBOTS", "TABLES", "pose_words"]
@@ -95,7 +95,9 @@ _ROBOT_WORDS = (
 
 def _broken(rng: Random, text: str, words: tuple[str, ...]) -> str:
     """Other numbers, or mistyped, or both; sometimes as it was."""
-    kind = rng.choices(("numbers", "mutated", "both", "none"), (5, 5, 1, 0.5))[0]
+    kind = rng.choices(("numbers", "mutated", "both", "scaled", "none"), (5, 4, 1, 2, 1))[0]
+    if kind == "scaled":
+        text = scaled(rng, text)
     if kind in ("numbers", "both"):
         text = mutated_numbers(rng, text)
     if kind in ("mutated", "both"):
@@ -114,7 +116,7 @@ def _platform(rng: Random) -> str:
     else:
         names = list(LETTERS[: rng.randint(4, 12)])
         lines = " ".join("".join(rng.sample(names, 2)) for _ in range(6))
-        scale = rng.choice(("", "", "e-3", "e3", "e8", "e-8", "e100", "e-100", "e150", "e300"))
+        scale = rng.choice(("", "", "e-3", "e3", "e8", "e-8", "e12", "e-12", "e20", "e-20", "e30", "e-30", "e31"))
         points = [f"  {n}: [{', '.join(f'{rng.uniform(-2, 2):.3f}{scale}' for _ in range(3))}]" for n in names]
     return "\n".join([f"legs: {lines}", "points:", *points, ""])
 

@@ -43,7 +43,7 @@ def scripts(rng: Random) -> Case:
 def rules(rng: Random) -> Case:
     """Files of rules: checked, listed, shown, and used by other commands."""
     if rng.random() < 0.4:
-        text = rng.choice(corpus("rules"))
+        text = rng.choice(corpus("rules")).replace("rule ", "rule my_")
     else:
         g = Grammar.drawn(rng)
         text = (f"rank {g.rank}\n" if rng.random() < 0.5 else "") + "\n".join(
@@ -139,6 +139,22 @@ _PROPOSALS = (
 )
 
 
+def _session(rng: Random) -> str:
+    """A session file: the known one, or one of other legs whose answers may not be those that are found."""
+    if rng.random() < 0.3:
+        return rng.choice(corpus("sessions"))
+    reasons = ("together", "apart", "identity", "rule", "x")
+    done = []
+    for _ in range(rng.randint(0, 4)):
+        answer, reason = rng.choice(("confirmed", "refused")), rng.choice(reasons)
+        done.append(f"  - {{do: '{rng.choice(_PROPOSALS)}', answer: {answer}, reason: {reason}}}")
+    pairs = [f"[{rng.choice('aceg')}, {rng.choice('bdfh')}]" for _ in range(6)]
+    lines = ["gcrules: session", "version: 1", f"legs: [{', '.join(pairs)}]"]
+    lines.append(rng.choice(("", "order: [1, 2, 3, 4, 5, 6]", "order: [2, 1]")))
+    lines.append(rng.choice(("", "form: 24", "form: 16")))
+    return "\n".join([*lines, *(["history:", *done] if done else ["history: []"]), ""])
+
+
 def manual(rng: Random) -> Case:
     """Proposals and session files."""
     lines = [rng.choice(_PROPOSALS) for _ in range(rng.randint(0, 6))]
@@ -146,8 +162,8 @@ def manual(rng: Random) -> Case:
     form = ("--json",) if rng.random() < 0.3 else ()
     kind = rng.choices(("stdin", "propose", "session"), (3, 2, 4))[0]
     if kind == "session":
-        text = rng.choice(corpus("sessions"))
-        if rng.random() < 0.85:
+        text = _session(rng)
+        if rng.random() < 0.6:
             text = mutated(
                 rng, text, [*WORDS, *_PROPOSALS, "do", "answer", "confirmed", "refused", "undone", "version"]
             )
