@@ -64,7 +64,14 @@ classes:
         statement: 'The tetrahedron {Aabc} is flat.'
         lines: {p: AB}
 """
+_TABLES = (
+    "x, y, z\n0, 0, 0\n0, 0, -10\n",
+    "x [mm]; y [mm]; z [mm]\n0; 0; 0\n1,5; 0; -200\n",
+    "x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,10,0.9,0.1,0,0\n",
+    "x\ty\tz\trx [deg]\try [deg]\trz [deg]\n0\t0\t0\t0\t0\t0\n0\t0\t9\t10\t0\t0\n",
+)
 _MADE = {
+    "tables": _TABLES,
     "sessions": (_SESSION,),
     "platforms": (_PLATFORM, _PLATFORM.replace("units: mm\n", "")),
     "catalogs": (_CATALOG,),
