@@ -48,6 +48,18 @@ test: $(READY) ## run the tests and doctests; ends with what was left out
 coverage: $(READY) ## the same with branch coverage, which takes twice as long
 	$(BIN)/python -m pytest -n auto --dist worksteal --cov --cov-branch --cov-report=term
 
+# Seeds are dates, so that each day tries other inputs; WORKERS=1 SEED=12 make fuzz says otherwise.
+WORKERS ?= $(shell nproc 2> /dev/null || echo 2)
+SEED ?= $(shell date +%Y%m%d)
+
+.PHONY: fuzz
+fuzz: $(READY) ## try odd inputs of every kind for 10 minutes; what is wrong is shown with a small input
+	$(BIN)/python -m tests.fuzz --seconds 600 --workers $(WORKERS) --seed $(SEED)
+
+.PHONY: fuzz-nightly
+fuzz-nightly: $(READY) ## the same with 100,000 inputs of each kind, which takes hours, and a record of it
+	$(BIN)/python -m tests.fuzz --nightly --workers $(WORKERS) --seed $(SEED) --record
+
 .PHONY: check
 check: $(READY) ## lint, formatting, types, documentation
 	$(BIN)/ruff check .

@@ -78,14 +78,14 @@ class GcrulesError(Exception):
         return f"{self.filename}:{line}:{column}"
 
     def render(self) -> str:
-        """The message with its place, the line of source with a caret, and the hint."""
+        """The message with its place, the line of source with a caret, and the hint; nothing that moves a cursor."""
         head = f"{self.place}: " if self.place else ""
         lines = [f"error: {head}{self.message}"]
         if self.span is not None and self.source is not None:
             lines += _caret(self.source, self.span)
         if self.hint:
             lines.append(f"hint: {self.hint}")
-        return "\n".join(lines)
+        return _printable("\n".join(lines))
 
     def __str__(self) -> str:
         return f"{self.place}: {self.message}" if self.place else self.message
@@ -142,6 +142,11 @@ def join_faults(faults: list[GcrulesError]) -> GcrulesError:
 _WINDOW = 100
 
 
+def _printable(text: str) -> str:
+    """Words of the input are quoted in messages: what is no character of a line of text is shown as one that is."""
+    return "".join(c if c.isprintable() or c == "\n" else "�" for c in text)
+
+
 def _caret(source: str, span: Span) -> list[str]:
     """The source line of a span and a caret line under it, cut to a window around the place if it is long."""
     start_of_line = source.rfind("\n", 0, span.start) + 1
@@ -153,6 +158,6 @@ def _caret(source: str, span: Span) -> list[str]:
     shown = line[first : first + _WINDOW]
     prefix = "…" if first else ""
     suffix = "…" if first + _WINDOW < len(line) else ""
-    shown = "".join(c if c.isprintable() else "�" for c in shown)
+    shown = _printable(shown)
     marks = "^" * max(1, min(width, _WINDOW - (column - first)))
     return [f"  {prefix}{shown}{suffix}", "  " + " " * (len(prefix) + column - first) + marks]

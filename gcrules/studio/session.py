@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import logging
-from collections.abc import Mapping
+from collections.abc import Coroutine, Mapping
 from dataclasses import dataclass
 from time import perf_counter
 from typing import Any
@@ -115,11 +115,13 @@ class Session:
             self.running[request.channel] = request
         task = asyncio.ensure_future(self._answer(request))
         self.tasks[request.id] = task
-        task.add_done_callback(lambda _: self._ended(request))
+        task.add_done_callback(lambda done: self._ended(request, done))
 
-    def _ended(self, request: _Request) -> None:
+    def _ended(self, request: _Request, task: asyncio.Task[None]) -> None:
         self.tasks.pop(request.id, None)
-        self.why.pop(request.id, None)
+        why = self.why.pop(request.id, None)
+        if why is not None and task.cancelled():  # before its first step, so that it could not answer by itself
+            self._tell(self._fault(request.id, why))
         if request.channel is not None and self.running.get(request.channel) is request:
             del self.running[request.channel]
             later = self.waiting.pop(request.channel, None)
@@ -151,9 +153,7 @@ class Session:
 
     async def _answer(self, request: _Request) -> None:
         def tell(words: str) -> None:
-            task = asyncio.ensure_future(self._send({"id": request.id, "progress": words}))
-            self.telling.add(task)
-            task.add_done_callback(self.telling.discard)
+            self._tell(self._send({"id": request.id, "progress": words}))
 
         try:
             await self._done(request, await self.service.answer(request.do, request.args, tell))
@@ -168,6 +168,12 @@ class Session:
         except Exception as fault:
             _LOG.exception("a request failed")
             await self._fault(request.id, own_fault(f"{type(fault).__name__}: {fault}"))
+
+    def _tell(self, sending: Coroutine[Any, Any, None]) -> None:
+        """Send without waiting for it."""
+        task = asyncio.ensure_future(sending)
+        self.telling.add(task)
+        task.add_done_callback(self.telling.discard)
 
     async def _done(self, request: _Request, result: Any) -> None:
         ms = round(1000 * (perf_counter() - request.since), 3)
