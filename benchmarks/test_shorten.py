@@ -64,7 +64,7 @@ def hashed(poly: BracketPolynomial) -> bool:
     at = random_positions(14, len(poly.points), 4, MODULUS, seed=0)
     identity = np.arange(len(poly.points))[None, :]
     value, target = monomials.values(at), values(poly, at, MODULUS)
-    work = Work(10**12, float("inf"))
+    work = Work(10**12)
     return any(True for _ in combinations_of(2, value, target, Action(monomials), identity, work))
 
 

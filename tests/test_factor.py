@@ -33,13 +33,13 @@ from gcrules.algebra.syntax import parse
 from gcrules.errors import InputError, LimitReached
 from gcrules.factoring import search as search_module
 from gcrules.factoring.brackets import bracket_factors
+from gcrules.factoring.certify import proved
 from gcrules.factoring.cofactor import line_cofactors
 from gcrules.factoring.coincidences import Coincidences, coinciding
 from gcrules.factoring.extensors import Extensors, Letters, extensor
 from gcrules.factoring.factorize import factor
 from gcrules.factoring.irreducible import irreducible
 from gcrules.factoring.limits import Budget
-from gcrules.factoring.certify import proved
 from gcrules.factoring.matches import search
 from gcrules.factoring.multilinear import factor_multilinear
 from gcrules.factoring.residues import residues, values

@@ -274,19 +274,8 @@ class Extensors:
         if not found:
             none = np.zeros(0, dtype=np.int64)
             twins = np.zeros((0, 5), dtype=np.int64)
-            return Level(
-                step,
-                none,
-                np.zeros((comb(self.rank, step), POSITIONS, 0), dtype=np.int32),
-                none,
-                none,
-                none,
-                none,
-                none,
-                twins,
-                none,
-                none,
-            )
+            empty = np.zeros((comb(self.rank, step), POSITIONS, 0), dtype=np.int32)
+            return Level(step, none, empty, none, none, none, none, none, twins, none, none)
         columns = [np.concatenate(c) for c in zip(*found, strict=True)]
         found.clear()
         whole = np.concatenate(vectors, axis=2)

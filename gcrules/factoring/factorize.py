@@ -21,6 +21,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.condition import Certificate
 from gcrules.core.budget import checkpoint, within
 from gcrules.factoring.limits import MAX_EXTENSORS, SECONDS, Budget, terms_held
+from gcrules.factoring.normal import zero
 from gcrules.factoring.once import each_once
 from gcrules.factoring.pieces import Pieces, taken_apart
 from gcrules.factoring.products import Groups
@@ -66,6 +67,8 @@ def factor(
         checkpoint()
         budget = Budget(limit, progress)
         pieces = taken_apart(e, what="factored", points=points, ideal=ideal, rank=rank, limit=terms)
+        if not pieces.number:
+            raise zero()
         if not pieces.ideal and pieces.once:
             found = each_once(pieces, terms)
         else:

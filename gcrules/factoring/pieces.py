@@ -14,7 +14,7 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row, 
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number
 from gcrules.errors import InputError
-from gcrules.factoring.normal import primitive, zero
+from gcrules.factoring.normal import primitive
 from gcrules.factoring.powers import number_power, powers
 
 __all__ = ["Pieces", "taken_apart"]
@@ -25,7 +25,7 @@ class Pieces:
     """number · Π brackets · Π polynomials: each bracket (places in `points`) and each polynomial so often.
 
     The polynomials have whole coprime coefficients; they are neither constant nor in normal form, and may be zero as
-    functions.
+    functions. Where no term is left of one the number is 0.
     """
 
     rank: int
@@ -58,8 +58,7 @@ def taken_apart(
 ) -> Pieces:
     """The pieces of a scalar; each factor is expanded by itself, and once.
 
-    Raises InputError for extensors (only scalars are `what`) and where a factor is zero, LimitReached beyond `limit`
-    terms.
+    Raises InputError for extensors (only scalars are `what`), LimitReached beyond `limit` terms.
     """
     if not isinstance(e, Expr):
         if not isinstance(e, BracketPolynomial):
@@ -72,7 +71,7 @@ def taken_apart(
     order = tableau_order(ex.points_of(e), points, at_infinity)
     number, counted = powers(e, rank=rank)
     if not number:
-        raise zero()
+        counted.clear()
     expanded = []
     for base, n in counted.items():
         poly = expand(base, points=order, ideal=at_infinity, rank=rank, limit=limit)
@@ -89,7 +88,7 @@ def _together(
     for poly, n in factors:
         poly = poly.with_terms({m: c for m, c in poly.terms.items() if all(row[-1] >= ideal for row in m)})
         if not poly:
-            raise zero()
+            return Pieces(rank, points, ideal, 0, Counter(), Counter())
         common = reduce(and_, map(Counter, poly.terms))
         rest = poly.with_terms({tuple(sorted((Counter(m) - common).elements())): c for m, c in poly.terms.items()})
         content, rest = primitive(rest)

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import reduce
+from math import prod
 from operator import mul
 from typing import TypeVar
 
@@ -20,6 +21,7 @@ __all__ = ["Cover", "Group", "Groups", "sub_multisets"]
 
 _Numbers = tuple[int, ...]
 _T = TypeVar("_T")
+_MOST_TERMS = 20_000  # of a group that is searched
 
 
 @dataclass(frozen=True)
@@ -45,8 +47,8 @@ class Cover:
 @dataclass
 class Groups:
     """The irreducible factors of a polynomial: the brackets `rows`, and the different `parts` that are no brackets,
-    each as often as `times` says. `built` is the largest number of extensors of a search; `known` remembers what searches
-    found, `reached` the limit that ended one.
+    each as often as `times` says. `built` is the largest number of extensors of a search; `known` remembers what
+    searches found, `reached` the limit that ended one.
     """
 
     rows: Counter[Row]
@@ -106,9 +108,13 @@ class Groups:
         checkpoint()
         key = group, inside
         if key not in self.known:
-            target = reduce(mul, (self.parts[i] for i in group))
             budget = self.budget.renewed()
             try:
+                if prod(len(self.parts[i]) for i in group) > _MOST_TERMS:
+                    raise LimitReached(
+                        f"a product of {len(group)} irreducible factors has more than {_MOST_TERMS:,} terms"
+                    )
+                target = reduce(mul, (self.parts[i] for i in group))
                 self.known[key], built = search(target * target.with_terms({inside: 1}), budget)
                 self.built = max(self.built, built)
             except LimitReached as reached:

@@ -5,20 +5,22 @@ now proportional, so equal keys in one sorted list show all pairs. Symmetries of
 monomial, its stabilizer few for the second, and so on; what has been tried takes no part any more.
 
 What the search does not find does not exist. Let c₀ P = Σ cᵢ Mᵢ with k independent monomials, k as small as possible,
-and whole coprime numbers c₀, …, cₖ. Then c₀ divides a minor of the matrix that holds the coefficients of the Mᵢ in the
-coordinates of the points. These are at most B = `coefficient_bound`, so by Hadamard's inequality the minor is at most
-k^(k/2) B^k; if that is less than p, c₀ is not 0 modulo p, and the relation holds modulo p at every position. (k ≤ 2
-needs no bound: different monomials have no constant ratio modulo p either.) The positions can only let too much pass.
+and whole coprime numbers c₀, …, cₖ. Where c₀ is not 0 modulo p, the relation holds modulo p at every position, and is
+found; the positions can only let too much pass. So if nothing is found modulo several primes, all of them divide c₀.
+But c₀ divides a minor of the matrix that holds the coefficients of the Mᵢ in the coordinates of the points. These are
+at most B = `coefficient_bound`, so by Hadamard's inequality the minor is at most k^(k/2) B^k, and as many primes are
+taken as have a larger product. (k ≤ 2 needs no bound: different monomials have no constant ratio modulo p either.)
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from time import monotonic
+from math import prod
 
 import numpy as np
 
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 from gcrules.factoring.residues import Ints
 from gcrules.shortening.monomials import Monomials
@@ -37,47 +39,42 @@ class Unlucky(Exception):
 
 @dataclass
 class Work:
-    """What a search may do: residues handled, and the time when it ends. `spend` raises LimitReached beyond it."""
+    """What a search may do: residues handled. `spend` raises LimitReached beyond it, or where the time is over."""
 
     most: int
-    until: float
     done: int = field(default=0)
 
     def spend(self, amount: int) -> None:
         self.done += amount
         if self.done > self.most:
             raise LimitReached(f"the search handles more than {self.most:,} residues")
-        self.look()
-
-    def look(self) -> None:
-        if monotonic() > self.until:
-            raise LimitReached("the search takes too long")
+        checkpoint()
 
 
-def certain(monomials: Monomials, terms: int) -> bool:
-    """Whether a search for so many terms that finds nothing proves that there is nothing."""
-    return terms <= 2 or terms**terms * monomials.coefficient_bound() ** (2 * terms) < MODULUS**2
+def certain(monomials: Monomials, terms: int, primes: Sequence[int] = (MODULUS,)) -> bool:
+    """Whether searches for so many terms that find nothing modulo each of these primes prove that there is nothing."""
+    return terms <= 2 or terms**terms * monomials.coefficient_bound() ** (2 * terms) < prod(primes) ** 2
 
 
 def combinations_of(
-    terms: int, value: Ints, target: Ints, action: Action, elements: Ints, work: Work
+    terms: int, value: Ints, target: Ints, action: Action, elements: Ints, work: Work, p: int = MODULUS
 ) -> Iterator[tuple[int, ...]]:
     """The places of all sets of so many monomials, up to symmetry, in whose span the polynomial may lie.
 
-    `value` holds the monomials' values (monomial, position), `target` those of the polynomial, at more than `terms` + 1
-    positions. It must be known that fewer terms do not suffice. Raises LimitReached and Unlucky.
+    `value` holds the monomials' values modulo p (monomial, position), `target` those of the polynomial, at more than
+    `terms` + 1 positions. It must be known that fewer terms do not suffice. Raises LimitReached and Unlucky.
     """
     if terms == 1:
-        same = (minor(value[:, 1:], target[:1], value[:, :1], target[None, 1:]) == 0).all(axis=1)
+        same = (minor(value[:, 1:], target[:1], value[:, :1], target[None, 1:], p) == 0).all(axis=1)
         yield from ((int(i),) for i in np.flatnonzero(same))
         return
-    search = _Search(value, target, action, work)
+    search = _Search(value, target, action, work, p)
     for found in search.choose(terms, np.arange(len(value)), value, target, (), elements):
-        if spans(value[list(found)], target):
+        if spans(value[list(found)], target, p):
             yield found
 
 
-def spans(vectors: Ints, target: Ints) -> bool:
+def spans(vectors: Ints, target: Ints, p: int = MODULUS) -> bool:
     """Whether the target is a combination of independent vectors modulo p."""
     rows, rest = vectors.copy(), target.copy()
     for i in range(len(rows)):
@@ -86,17 +83,18 @@ def spans(vectors: Ints, target: Ints) -> bool:
             return False
         at = int(pivots[0])
         pivot = rows[i].copy()
-        rest = minor(rest, pivot[at], rest[at], pivot)
-        rows[i + 1 :] = minor(rows[i + 1 :], pivot[at], rows[i + 1 :, at : at + 1], pivot[None])
+        rest = minor(rest, pivot[at], rest[at], pivot, p)
+        rows[i + 1 :] = minor(rows[i + 1 :], pivot[at], rows[i + 1 :, at : at + 1], pivot[None], p)
     return not rest.any()
 
 
 class _Search:
-    def __init__(self, value: Ints, target: Ints, action: Action, work: Work) -> None:
+    def __init__(self, value: Ints, target: Ints, action: Action, work: Work, p: int) -> None:
         self.value = value
         self.target = target
         self.action = action
         self.work = work
+        self.p = p
 
     def choose(
         self, terms: int, alive: Ints, value: Ints, target: Ints, chosen: tuple[int, ...], elements: Ints
@@ -124,8 +122,8 @@ class _Search:
                 yield from self.choose(
                     terms - 1,
                     alive,
-                    minor(value[:, 1:], one[0], value[:, :1], one[None, 1:]),
-                    minor(target[1:], one[0], target[0], one[1:]),
+                    minor(value[:, 1:], one[0], value[:, :1], one[None, 1:], self.p),
+                    minor(target[1:], one[0], target[0], one[1:], self.p),
                     (*chosen, int(alive[place])),
                     self.action.stabilizer(elements, int(alive[place])),
                 )
@@ -138,8 +136,8 @@ class _Search:
         """Pairs for each of several choices of the third monomial from the end, all at once."""
         self.work.spend(len(places) * len(alive))
         one = value[places]
-        rest = minor(value[None, :, 1:4], one[:, None, :1], value[None, :, :1], one[:, None, 1:4])
-        aim = minor(target[None, 1:4], one[:, :1], target[:1], one[:, 1:4])
+        rest = minor(value[None, :, 1:4], one[:, None, :1], value[None, :, :1], one[:, None, 1:4], self.p)
+        aim = minor(target[None, 1:4], one[:, :1], target[:1], one[:, 1:4], self.p)
         if not aim[:, 0].all():
             raise Unlucky
         yield from self._pairs(alive, rest, aim, chosen, [(int(alive[p]),) for p in places])
@@ -150,9 +148,9 @@ class _Search:
         """Pairs of monomials in whose span the target lies: `value` is (choice, monomial, position), `target` (choice,
         position); three positions are looked at.
         """
-        x = minor(value[..., 1], target[:, :1], value[..., 0], target[:, 1:2])
-        y = minor(value[..., 2], target[:, :1], value[..., 0], target[:, 2:3])
-        key = reduced(y * inverse(x))
+        x = minor(value[..., 1], target[:, :1], value[..., 0], target[:, 1:2], self.p)
+        y = minor(value[..., 2], target[:, :1], value[..., 0], target[:, 2:3], self.p)
+        key = reduced(y * inverse(x, self.p), self.p)
         nothing = (x == 0) & (y == 0)
         key = np.where(nothing, -1 - np.arange(key.shape[1]), key)
         ordered = np.sort(key, axis=1)
@@ -168,7 +166,7 @@ class _Search:
         order = np.argsort(key, kind="stable")
         starts = np.flatnonzero(np.concatenate([[True], key[order][1:] != key[order][:-1]]))
         ends = np.append(starts[1:], len(order))
-        own = np.where(value[:, 0] == 0, -1, reduced(value[:, 1] * inverse(value[:, 0])))
+        own = np.where(value[:, 0] == 0, -1, reduced(value[:, 1] * inverse(value[:, 0], self.p), self.p))
         for low, high in zip(starts.tolist(), ends.tolist(), strict=True):
             if high - low < 2:
                 continue
@@ -182,5 +180,5 @@ class _Search:
 
     def _expect_dependent(self, chosen: tuple[int, ...], place: int) -> None:
         """A monomial that vanishes with the target and the chosen ones at three positions must do so at all."""
-        if place not in chosen and not spans(self.value[list(chosen)], self.value[place]):
+        if place not in chosen and not spans(self.value[list(chosen)], self.value[place], self.p):
             raise Unlucky

@@ -11,17 +11,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
+from math import factorial, prod
 
 import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row
+from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
 from gcrules.factoring.residues import Ints
-from gcrules.shortening.residues import determinants, reduced
+from gcrules.shortening.residues import MODULUS, determinants, reduced
 
 __all__ = ["Monomials", "canonical", "degree_vector"]
 
 _NODES_PER_MONOMIAL = 20
+_MOST_BRACKETS = 100  # in a monomial
 
 
 def degree_vector(monomial: Monomial, points: int) -> tuple[int, ...]:
@@ -67,7 +70,10 @@ class Monomials:
     @classmethod
     def of(cls, poly: BracketPolynomial, limit: int) -> Monomials:
         """Those of the multidegree of a homogeneous polynomial. Raises LimitReached beyond `limit`."""
-        degrees = degree_vector(next(iter(poly.terms)), len(poly.points))
+        example = next(iter(poly.terms))
+        if len(example) > _MOST_BRACKETS:
+            raise LimitReached(f"the bracket monomials of more than {_MOST_BRACKETS} brackets are not listed")
+        degrees = degree_vector(example, len(poly.points))
         found: dict[Monomial, None] = {}
         for monomial in _all(degrees, poly.rank, poly.ideal, limit):
             kept = canonical(monomial, poly.ideal)
@@ -90,31 +96,38 @@ class Monomials:
         """The brackets as an array: (monomial, bracket, point)."""
         return np.array(self.all, dtype=np.int64)
 
-    def values(self, at: Ints) -> Ints:
+    def values(self, at: Ints, p: int = MODULUS) -> Ints:
         """Values modulo p at positions of shape (samples, points, rank): an array (monomial, sample)."""
-        return bracket_products(self.rows, at)
+        return bracket_products(self.rows, at, p)
 
     def coefficient_bound(self) -> int:
-        """No coefficient of a monomial, expanded in the coordinates of its points, is larger: a point that occurs m
-        times has its m coordinates distributed over its m brackets in at most m! ways, and determinants have
-        coefficients ±1.
+        """No coefficient of a monomial, expanded in the coordinates of the points outside a frame, is larger: such a
+        point, if it occurs m times, has its m coordinates distributed over its m brackets in at most m! ways, and
+        determinants have coefficients ±1.
+
+        The frame holds as many points as there are coordinates, which are put at the unit vectors, and one more at
+        (1, …, 1); there a bracket has coefficients ±1 still. A change of coordinates and of the points' scales takes
+        almost every position there and multiplies all monomials of a multidegree alike, so that nothing is lost. With
+        points at infinity the frame holds these, up to d − 1, and one finite point: it must keep what is at infinity.
         """
-        bound = 1
-        for m in self.degrees:
-            for i in range(2, m + 1):
-                bound *= i
-        return bound
+        ideal = sorted(self.degrees[: self.ideal])
+        finite = sorted(self.degrees[self.ideal :])
+        if self.ideal:
+            outside = [*ideal[: max(0, len(ideal) - self.rank + 1)], *finite[:-1]]
+        else:
+            outside = finite[: max(0, len(finite) - self.rank - 1)]
+        return prod(map(factorial, outside))
 
 
-def bracket_products(rows: Ints, at: Ints) -> Ints:
+def bracket_products(rows: Ints, at: Ints, p: int = MODULUS) -> Ints:
     """Values modulo p of monomials (monomial, bracket, point) at positions (sample, point, coordinate)."""
     n, brackets, rank = rows.shape
     different, which = np.unique(rows.reshape(-1, rank), axis=0, return_inverse=True)
-    bracket = determinants(at, different)
+    bracket = determinants(at, different, p)
     which = which.reshape(n, brackets)
     product = bracket[which[:, 0]]
     for j in range(1, brackets):
-        product = reduced(product * bracket[which[:, j]])
+        product = reduced(product * bracket[which[:, j]], p)
     return product
 
 
@@ -132,6 +145,7 @@ def _all(degrees: Sequence[int], rank: int, ideal: int, limit: int) -> Iterator[
 
     def complete(least: Row, brackets: int) -> Iterator[Monomial]:
         nonlocal visited
+        checkpoint()
         visited += 1
         if visited > _NODES_PER_MONOMIAL * limit:
             raise _too_many(limit)

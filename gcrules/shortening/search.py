@@ -6,17 +6,18 @@ it is proved that fewer do not suffice. The quick searches come first; the work 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from itertools import islice
 from math import comb
-from time import monotonic
 
 import numpy as np
 
-from gcrules.algebra.bracket import BracketPolynomial, Monomial
-from gcrules.algebra.straighten import is_standard
+from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row
+from gcrules.algebra.straighten import is_standard, straighten
 from gcrules.condition import Certificate
+from gcrules.core.budget import seconds_left
 from gcrules.errors import EngineFault, LimitReached
 from gcrules.factoring.brackets import bracket_factors
 from gcrules.factoring.residues import Ints, random_positions, values
@@ -25,11 +26,11 @@ from gcrules.shortening.exhaustive import Unlucky, Work, certain, combinations_o
 from gcrules.shortening.merging import merging_bound
 from gcrules.shortening.monomials import Monomials
 from gcrules.shortening.orders import shorter_order
-from gcrules.shortening.residues import MODULUS
+from gcrules.shortening.residues import MODULUS, PRIMES
 from gcrules.shortening.symmetry import Action, Orbits, Symmetry, orbits, symmetry
 from gcrules.shortening.walk import shorter_supports
 
-__all__ = ["Limits", "Search", "shortest_of"]
+__all__ = ["Divided", "Limits", "Search", "shortest_of"]
 
 _QUICK = 1_000  # residues for each monomial that may be held: first searches
 _THOROUGH = 2_000  # the last one
@@ -44,16 +45,14 @@ _WALKS = 3
 
 @dataclass(frozen=True)
 class Limits:
-    """At most so many bracket monomials, terms at a time, and seconds from `started` on."""
+    """At most so many bracket monomials, and terms at a time."""
 
     monomials: int
     terms: int
-    seconds: float
     progress: Callable[[str], None] | None = None
-    started: float = field(default_factory=monotonic)
 
     def work(self, per_monomial: int) -> Work:
-        return Work(per_monomial * self.monomials, self.started + self.seconds)
+        return Work(per_monomial * self.monomials)
 
     def tell(self, what: str) -> None:
         if self.progress is not None:
@@ -84,42 +83,70 @@ class Search:
         return replace(self, lower=lower, bound=Certificate(method, detail, {"lower": lower}))
 
 
-def shortest_of(normal: BracketPolynomial, forms: Iterable[BracketPolynomial], limits: Limits) -> Search:
-    """The shortest form of a homogeneous polynomial in normal form, not 0, that equals the given forms.
+@dataclass(frozen=True)
+class Divided:
+    """A homogeneous polynomial, not 0: brackets times a quotient in normal form, which no bracket divides.
 
-    Raises LimitReached where there are more bracket monomials than may be held.
+    `complete` is False where a limit was reached: then some bracket may divide the quotient, and `note` says why.
     """
-    best = min((normal, *forms), key=simplicity)
-    found = Search(best, 1, Certificate("normal-form", "the normal form is not zero"))
-    if not found.done:
-        found = _brackets(found, normal, limits)
-    return found if found.done else _Stages(found, normal, limits).run()
 
+    rows: tuple[Row, ...]
+    quotient: BracketPolynomial
+    complete: bool = True
+    note: str = ""
 
-def _brackets(found: Search, normal: BracketPolynomial, limits: Limits) -> Search:
-    """Whether it is a constant times a monomial; else the shortest form of what its brackets leave, times these."""
-    limits.tell("dividing by brackets")
-    try:
-        rows, quotient = bracket_factors(normal, limit=limits.terms)
-    except LimitReached:
-        if normal.ideal:
-            return found
-        raise
-    if not rows:
-        inner = None
-    elif set(quotient.terms) == {()}:
-        inner = quotient
-    else:
+    @classmethod
+    def of(cls, rows: tuple[Row, ...], normal: BracketPolynomial, limit: int) -> Divided:
+        """The brackets times a polynomial in normal form."""
         try:
-            inner = shortest_of(quotient, (), limits).best
-        except LimitReached:
-            inner = None
-    if inner is not None:
-        found = found.with_form(inner * inner.with_terms({tuple(sorted(rows)): 1}))
-    if not normal.ideal:
+            more, quotient = bracket_factors(normal, limit=limit)
+        except LimitReached as reached:
+            return cls(rows, normal, False, f"division by brackets: {reached.message}")
+        return cls(tuple(sorted((*rows, *more))), quotient)
+
+    def times(self, form: BracketPolynomial) -> BracketPolynomial:
+        """A form of the quotient as one of the whole."""
+        return form * form.with_terms({self.rows: 1})
+
+
+def shortest_of(divided: Divided, forms: Iterable[BracketPolynomial], limits: Limits) -> Search:
+    """The shortest form of a homogeneous polynomial that equals the given forms, as far as the time goes.
+
+    Raises LimitReached where there are more bracket monomials of the quotient's multidegree than may be held. Where
+    only those of the whole are too many, the quotient's shortest form is the best that is found.
+    """
+    quotient = divided.quotient
+    simple = [divided.times(quotient), *forms]
+    found = Search(min(simple, key=simplicity), 1, Certificate("normal-form", "the normal form is not zero"))
+    if divided.note:
+        found = replace(found, notes=(divided.note,))
+    if not quotient.ideal and divided.complete and set(quotient.terms) != {()}:
         detail = "all brackets that divide were taken out, and what is left is no constant"
         found = found.with_bound(min(2, len(found.best)), "bracket-factors", detail)
-    return found
+    if found.done:
+        return found
+    if not divided.rows:
+        return _searched(found, quotient, limits)
+    inner = shortest_of(replace(divided, rows=()), (), limits)
+    found = replace(found.with_form(divided.times(inner.best)), notes=inner.notes)
+    if found.done:
+        return found
+    try:
+        whole = straighten(divided.times(quotient), limit=limits.terms)
+        assert isinstance(whole, BracketPolynomial)
+        return _searched(found, whole, limits)
+    except LimitReached as reached:
+        return replace(found, notes=(*found.notes, f"search with the brackets that divide: {reached.message}"))
+
+
+def _searched(found: Search, normal: BracketPolynomial, limits: Limits) -> Search:
+    """The searches among all bracket monomials, as far as the time goes."""
+    try:
+        return _Stages(found, normal, limits).run()
+    except LimitReached as reached:
+        if seconds_left() > 0:
+            raise
+        return replace(found, notes=(*found.notes, f"search among bracket monomials: {reached.message}"))
 
 
 class _Stages:
@@ -151,6 +178,8 @@ class _Stages:
                 stage()
             except LimitReached as fault:
                 self.found = replace(self.found, notes=(*self.found.notes, f"{stage.__doc__}: {fault.message}"))
+                if seconds_left() <= 0:
+                    break
         return self.found
 
     def few_terms(self) -> None:
@@ -193,7 +222,7 @@ class _Stages:
     def orders(self) -> None:
         """normal forms in other orders"""
         self.limits.tell("normal forms in other orders of the points")
-        form = shorter_order(self.normal, len(self.found.best), self.limits.work(_QUICK))
+        form = shorter_order(self.normal, len(self.found.best))
         self.found = self.found.with_form(form)
 
     def walks(self) -> None:
@@ -212,7 +241,7 @@ class _Stages:
         """Walks among some of the monomials, from the basis that begins with the first ones."""
         if dimension * len(columns) > _WALK_CELLS:
             return
-        value, target = self._values(dimension + 1, seed=_SEEDS)
+        value, target = self._values(dimension + 1, _SEEDS)
         work = self.limits.work(_WALK)
         for seed in range(_WALKS):
             self.limits.tell(f"walk {seed + 1} of {_WALKS} among {len(columns):,} monomials")
@@ -239,15 +268,7 @@ class _Stages:
     def exhaust(self, terms: int, work: Work) -> bool:
         """Look for exactly so many terms, given that fewer do not suffice; whether something was decided."""
         self.limits.tell(f"{terms} of {len(self.monomials):,} monomials")
-        for seed in range(_SEEDS):
-            value, target = self._values(_POSITIONS + terms, seed)
-            elements = Symmetry.none(self.normal) if self.symmetry is None else self.symmetry.elements
-            try:
-                candidates = list(
-                    islice(combinations_of(terms, value, target, self.action, elements, work), _CANDIDATES)
-                )
-            except Unlucky:
-                continue
+        for candidates in self.candidates(terms, work, MODULUS):
             exact = [form for form in map(self.exact, candidates) if form is not None]
             if exact:
                 self.found = self.found.with_form(min(exact, key=simplicity))
@@ -256,18 +277,39 @@ class _Stages:
                 break
         else:
             return False
-        if not certain(self.monomials, terms):
+        if not self.certain(terms, work):
             return False
         detail = f"none of the sets of {terms} of the {len(self.monomials):,} bracket monomials has it in its span"
         self.found = self.found.with_bound(terms + 1, "exhaustive-search", detail)
         return True
 
+    def candidates(self, terms: int, work: Work, p: int) -> Iterator[list[tuple[int, ...]]]:
+        """The sets of so many monomials that may have the polynomial in their span, by values at several positions."""
+        elements = Symmetry.none(self.normal) if self.symmetry is None else self.symmetry.elements
+        for seed in range(_SEEDS):
+            value, target = self._values(_POSITIONS + terms, seed, p)
+            sets = combinations_of(terms, value, target, self.action, elements, work, p)
+            with suppress(Unlucky):
+                yield list(islice(sets, _CANDIDATES))
+
+    def certain(self, terms: int, work: Work) -> bool:
+        """Whether it is certain that no set of so many monomials exists, none being found modulo the first prime: by
+        searches modulo as many others as it takes.
+        """
+        for number in range(1, len(PRIMES)):
+            if certain(self.monomials, terms, PRIMES[:number]):
+                return True
+            self.limits.tell(f"{terms} of {len(self.monomials):,} monomials, modulo another prime")
+            for fewer in range(1, terms + 1):
+                if all(self.candidates(fewer, work, PRIMES[number])):
+                    return False
+        return certain(self.monomials, terms, PRIMES)
+
     def exact(self, places: Iterable[int]) -> BracketPolynomial | None:
         chosen: list[Monomial] = [self.monomials.all[i] for i in places]
         return combination(self.normal, chosen, self.limits.terms)
 
-    def _values(self, positions: int, seed: int) -> tuple[Ints, Ints]:
-        at = random_positions(
-            positions, len(self.normal.points), self.normal.rank, MODULUS, ideal=self.normal.ideal, seed=seed
-        )
-        return self.monomials.values(at), values(self.normal, at, MODULUS)
+    def _values(self, positions: int, seed: int, p: int = MODULUS) -> tuple[Ints, Ints]:
+        normal = self.normal
+        at = random_positions(positions, len(normal.points), normal.rank, p, ideal=normal.ideal, seed=seed)
+        return self.monomials.values(at, p), values(normal, at, p)

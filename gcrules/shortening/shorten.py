@@ -9,22 +9,30 @@ r"""The shortest bracket polynomial equal to a given one, with a proof that none
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import reduce
+from operator import add
+from time import monotonic
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Terms
-from gcrules.algebra.expand import MAX_TERMS, expand
+from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.order import same_function
 from gcrules.algebra.shortest import shortest_forms
 from gcrules.algebra.straighten import straighten
 from gcrules.condition import Certificate
-from gcrules.errors import EngineFault, InputError
+from gcrules.core.budget import checkpoint, within
+from gcrules.errors import EngineFault, LimitReached
+from gcrules.factoring.pieces import Pieces, taken_apart
 from gcrules.shortening.limits import MAX_MONOMIALS, SECONDS
 from gcrules.shortening.monomials import canonical, degree_vector
 from gcrules.shortening.result import Shortening
-from gcrules.shortening.search import Limits, Search, shortest_of
+from gcrules.shortening.search import Divided, Limits, Search, shortest_of
 
 __all__ = ["shorten"]
 
+_TERMS_PER_MONOMIAL = 50
+_PREPARATION = 10.0  # seconds for expansion and normal form, and for the proof of the answer, where less are given
 _PROVED = Certificate("normal-form", "both sides have the same normal form of standard tableaux")
 _COLLECTED = Certificate("normal-form", "the terms of the input, collected")
 _MONOMIAL = Certificate("normal-form", "a product of brackets is not zero")
@@ -44,30 +52,45 @@ def shorten(
     """The bracket polynomial with the fewest terms that was found for an expression of step 0, and a lower bound.
 
     Coefficients may be any rational numbers. Parts of different multidegree are independent, so each is shortened by
-    itself. `limit` is the number of bracket monomials among which is searched. After `seconds` no new search begins and
-    what was found so far is the answer; `progress` is told what goes on. Raises InputError for extensors, LimitReached
-    where there are more bracket monomials.
+    itself. `limit` is the number of bracket monomials among which is searched (fifty times as many terms may be held).
+    After `seconds` no search goes on and what was found so far is the answer, which takes ten seconds more at most;
+    `progress` is told what goes on. Raises InputError for extensors, LimitReached where there are more bracket
+    monomials, or where there is no normal form in the time.
     """
-    terms = max(limit, MAX_TERMS)
-    points, ideal = tuple(points), tuple(ideal)
-    poly = expand(e, points=points, ideal=ideal, rank=rank, limit=terms) if isinstance(e, Expr) else e
-    if not isinstance(poly, BracketPolynomial):
-        raise InputError(f"only scalars are shortened, this is {ex.step_name(poly.step, poly.rank)}")
-    kept = _canonical(poly)
-    if len(kept) == 1:
-        return Shortening(kept, len(poly), 1, _MONOMIAL, _COLLECTED)
-    normal = straighten(poly, limit=terms)
-    assert isinstance(normal, BracketPolynomial)
-    if not normal:
-        return Shortening(normal, len(poly), 0, _ZERO, _ZERO)
-    forms = [kept, *(_canonical(f.over(poly.points, poly.ideal)) for f in _superbracket_forms(e, poly))]
-    limits = Limits(limit, terms, seconds, progress)
-    parts = _by_multidegree(normal)
-    found = [
-        shortest_of(part, [f for form in forms if (f := _by_multidegree(form).get(degrees)) is not None], limits)
-        for degrees, part in parts.items()
-    ]
-    return _together(poly, normal, found, terms)
+    terms = max(_TERMS_PER_MONOMIAL * limit, MAX_TERMS)
+    start = monotonic()
+    limits = Limits(limit, terms, progress)
+    with within(max(seconds, _PREPARATION)):
+        pieces = taken_apart(e, what="shortened", points=points, ideal=ideal, rank=rank, limit=terms)
+        rows, poly = tuple(sorted(pieces.rows.elements())), _multiplied(pieces, terms)
+        kept = _canonical(poly * poly.with_terms({rows: 1}))
+        if len(kept) == 1:
+            return Shortening(kept, len(poly), 1, _MONOMIAL, _COLLECTED)
+        normal = straighten(poly, limit=terms)
+        assert isinstance(normal, BracketPolynomial)
+        if not normal:
+            return Shortening(normal, len(poly), 0, _ZERO, _ZERO)
+        forms = [kept, *(_canonical(f.over(poly.points, poly.ideal)) for f in _superbracket_forms(e, poly))]
+        divided = [Divided.of(rows, part, terms) for part in _by_multidegree(normal).values()]
+    with within(max(0.0, seconds - (monotonic() - start))):
+        found = [shortest_of(part, _alike(forms, part), limits) for part in divided]
+    with within(_PREPARATION):
+        return _together(poly, kept, found, terms)
+
+
+def _multiplied(pieces: Pieces, terms: int) -> BracketPolynomial:
+    """What stands beside the brackets, multiplied."""
+    product = BracketPolynomial(pieces.rank, pieces.points, {(): pieces.number}, pieces.ideal)
+    for poly, n in pieces.polynomials.items():
+        for _ in range(n):
+            if len(product) * len(poly) > terms:
+                raise LimitReached(
+                    f"the expansion has more than {terms:,} terms",
+                    hint="raise the limit with --limit (in Python limit=...)",
+                )
+            checkpoint()
+            product *= poly
+    return product
 
 
 def _superbracket_forms(
@@ -104,11 +127,21 @@ def _by_multidegree(poly: BracketPolynomial) -> dict[tuple[int, ...], BracketPol
     return {degrees: poly.with_terms(terms) for degrees, terms in sorted(parts.items())}
 
 
-def _together(poly: BracketPolynomial, normal: BracketPolynomial, found: list[Search], terms: int) -> Shortening:
-    """The parts as one answer, which is proved."""
-    best = sum((s.best for s in found[1:]), found[0].best)
-    if straighten(best, limit=terms) != normal:
-        raise EngineFault(f"{best} does not equal the input")
+def _alike(forms: list[BracketPolynomial], part: Divided) -> list[BracketPolynomial]:
+    """The parts of forms that have the multidegree of a polynomial."""
+    degrees = degree_vector(next(iter(part.times(part.quotient).terms)), len(part.quotient.points))
+    return [form for f in forms if (form := _by_multidegree(f).get(degrees)) is not None]
+
+
+def _together(poly: BracketPolynomial, kept: BracketPolynomial, found: list[Search], terms: int) -> Shortening:
+    """The parts as one answer, which is proved, or else the input with its terms collected."""
+    best, notes = reduce(add, (s.best for s in found)), tuple(note for s in found for note in s.notes)
+    certificate = _PROVED
+    try:
+        if not same_function(best, kept, terms):
+            raise EngineFault(f"{best} does not equal the input")
+    except LimitReached as reached:
+        best, certificate, notes = kept, _COLLECTED, (*notes, f"proof of what was found: {reached.message}")
     if len(found) == 1:
         bound = found[0].bound
     else:
@@ -119,8 +152,8 @@ def _together(poly: BracketPolynomial, normal: BracketPolynomial, found: list[Se
         len(poly),
         sum(s.lower for s in found),
         bound,
-        _PROVED,
+        certificate,
         sum(s.monomials for s in found),
         max(s.symmetries for s in found),
-        tuple(note for s in found for note in s.notes),
+        notes,
     )

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from gcrules.core.budget import checkpoint
 from gcrules.factoring.residues import Ints
 from gcrules.shortening.exhaustive import Work
 from gcrules.shortening.residues import MODULUS, inverse, reduced
@@ -35,7 +36,7 @@ def shorter_supports(
     walk = _Walk(value, target, first)
     least = len(value) + 1
     for step in range(steps if walk.spans else 0):
-        work.look()
+        checkpoint()
         work.done += walk.table.size
         if work.done > work.most:
             return
