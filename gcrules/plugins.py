@@ -22,7 +22,7 @@ from types import ModuleType
 from typing import Any, TypeVar
 
 from gcrules.algebra.expr import Expr, Point, add, bracket, join, meet, mul, sub
-from gcrules.core.arguments import FILE, TEXT, instance, listed, read
+from gcrules.core.arguments import ANYTHING, FILE, TEXT, listed, read
 from gcrules.errors import FileError
 from gcrules.legs import leg_text
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES, TETRAHEDRA
@@ -72,7 +72,7 @@ def points(names: Iterable[str]) -> list[Expr]:
     return [Point(n) for n in names]
 
 
-_RULES = listed("a sequence of rules", instance("", Rule))
+_RULES = listed("a sequence of rules", ANYTHING)  # what is none is told with the place of the plugin
 _FILES = listed("a sequence of names of files", FILE)
 
 

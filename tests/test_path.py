@@ -467,7 +467,7 @@ def test_notes_of_tables() -> None:
 
 @pytest.mark.parametrize("poses", [None, 5, 2.5])
 def test_what_is_no_path(robots: dict[str, Analysis], poses: Any) -> None:
-    with pytest.raises(InputError, match="is no path"):
+    with pytest.raises(InputError, match="`poses` must be the name of a table, or a sequence of poses"):
         gc.path(robots["octahedral"], poses)
 
 
@@ -598,7 +598,7 @@ def test_the_command_tells_faults(robot: str, arguments: tuple[str, ...], code: 
         ([(0, 0, 0), (0, 0)], {}, "pose 1: the translation has 3 numbers"),
         ([(0, 0, 0), (0, 0, math.nan)], {}, "pose 1: the translation is nan"),
         ([(0, 0, 0), [[1, 2, 3]]], {}, "pose 1 is no pose"),
-        ([(0, 0, 0), (0, 0, 1)], {"samples": 2.5}, "number of samples"),
+        ([(0, 0, 0), (0, 0, 1)], {"samples": 2.5}, "`samples` must be a whole number"),
         ([(0, 0, 0), (0, 0, 1)], {"threshold": 2}, "has no unit"),
         ([(0, 0, 0), (0, 0, 1)], {"about": (1, 2)}, "the centre has 3 numbers"),
     ],

@@ -281,11 +281,14 @@ def _numbers(value: Any) -> Any:
 
 
 def _row(value: Any) -> Any:
-    """One row of numbers as a list."""
-    found = value.tolist() if hasattr(value, "tolist") else _numbers(value)
-    if not isinstance(found, list) or any(isinstance(c, list) or is_truth(c) for c in found):
+    """One row of numbers, which may be written as texts, as a list."""
+    found = value.tolist() if hasattr(value, "tolist") else value
+    if isinstance(found, (*_UNORDERED, type)) or not isinstance(found, Iterable):
         raise Unfit
-    return found
+    entries = [c if isinstance(c, str) else _numbers(c) for c in found]
+    if any(isinstance(c, list) for c in entries):
+        raise Unfit
+    return entries
 
 
 NUMBERS = Kind("numbers or an array of them", _numbers)

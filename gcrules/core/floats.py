@@ -49,7 +49,7 @@ def exact(value: Any, what: str = "this") -> Fraction:
     if isinstance(value, (int, Fraction)) and not isinstance(value, bool):
         return Fraction(value)
     try:
-        if is_truth(value) or not hasattr(value, "__float__") or not isinstance(value, (Real, Decimal)):
+        if is_truth(value) or not isinstance(value, (Real, Decimal, str)):
             raise TypeError
         number = float(value)
     except (TypeError, ValueError):
