@@ -507,19 +507,18 @@ def test_spelling_of_equations_does_not_matter(text: str) -> None:
             check(proof, parse_assumption(text, at))
 
 
-P = PRIME  # of the oracle: a condition that is a multiple of it is still one
-
-
 @pytest.mark.parametrize(
     ("given", "claim", "sibling"),
     [
-        (f"{P} [abc] + {P} [abd] == 0", "[abc] == -[abd]", "[abc] == 0"),
-        (f"{P} a + {P} b == {P} c", "a + b == c", "a == c"),
-        (f"a == c + {P} d", "[acd] == 0", "[abd] == 0"),
-        (f"[abc] + {P} [abd] == 0", f"[abc] == -{P} [abd]", "[abd] == 0"),
+        ("PRIME [abc] + PRIME [abd] == 0", "[abc] == -[abd]", "[abc] == 0"),
+        ("PRIME a + PRIME b == PRIME c", "a + b == c", "a == c"),
+        ("a == c + PRIME d", "[acd] == 0", "[abd] == 0"),
+        ("[abc] + PRIME [abd] == 0", "[abc] == -PRIME [abd]", "[abd] == 0"),
     ],
 )
 def test_multiples_of_the_prime_are_not_dropped(given: str, claim: str, sibling: str) -> None:
+    # the prime of the oracle: a condition that is a multiple of it is still one
+    given, claim, sibling = (text.replace("PRIME", str(PRIME)) for text in (given, claim, sibling))
     assert gc.prove(claim, rank=3, given=given).verdict == "proved"
     proof = gc.prove(sibling, rank=3, given=given)
     assert proof.verdict == "refuted"

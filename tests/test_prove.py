@@ -49,8 +49,8 @@ REFUTED = [
     ("[ijka][lbcd] - [ijla][kbcd] + [ikla][jbcd] - [jkla][ibcd] == 0", 4, "ijk"),
     ("[ijka] == 0", 4, "ijk"),
     ("[abcd]**2 == [abcd]", 4, ""),
-    (f"{PRIME} [abcd] == 0", 4, ""),
-    (f"[abcd] == {PRIME + 1} [abcd]", 4, ""),
+    ("PRIME [abcd] == 0", 4, ""),
+    ("[abcd] == (PRIME + 1)[abcd]", 4, ""),
     ("[ab][cd] == [ac][bd]", 2, ""),
     ("[abcdefgh] == [bcdefgha] * 2", 8, ""),
 ]
@@ -97,6 +97,7 @@ def test_proved(claim: str, rank: int, ideal: str) -> None:
 
 @pytest.mark.parametrize(("claim", "rank", "ideal"), REFUTED)
 def test_refuted(claim: str, rank: int, ideal: str) -> None:
+    claim = claim.replace("PRIME", str(PRIME))
     proof = prove(*sides(claim, rank), rank=rank, ideal=ideal)
     assert (proof.verdict, proof.proved) == ("refuted", False)
     check(proof, rank, ideal)
