@@ -225,7 +225,6 @@ def test_a_wrong_keyword_is_pythons(name: str) -> None:
         ),
         (lambda: ROBOT.pose(z=1), "", None),
     ],
-    ids=str,
 )
 def test_messages(call: Callable[[], Any], message: str, hint: str | None) -> None:
     if not message:
