@@ -18,6 +18,7 @@ from gcrules.yamlfile import near
 
 __all__ = ["ENGINE", "Library"]
 
+_IDS = listed("names of rules", TEXT, alone=True, ordered=False)
 _RULES = listed("a sequence of rules", instance("", Rule))
 
 
@@ -55,7 +56,7 @@ class Library:
         """The library with more rules behind its own. Raises InputError where ids clash."""
         return Library((*self.rules, *rules))
 
-    @checked("library.strategy", ids=optional(TEXTS), without=TEXTS)
+    @checked("library.strategy", ids=optional(TEXTS), without=_IDS)
     def strategy(self, ids: Iterable[str] | None = None, without: Iterable[str] = ()) -> Strategy:
         """The rules named, in that order, each incidence rule bringing the entity rules that it uses.
 
