@@ -82,6 +82,7 @@ _PATH = either("the name of a table, or a sequence of poses", FILE, listed("", _
 _AXES = listed(
     "a sequence of two or three coordinates with their ranges, as text", either("", TEXT, Kind("", _axis)), alone=True
 )
+_VARIABLES = either("names of variables as text or as a sequence of texts", TEXT, listed("", TEXT))
 _VALUES = mapping("", ANYTHING)
 _POINTS = mapping("a mapping from names of points to their coordinates", NUMBERS)
 _RULES = listed(
@@ -125,7 +126,7 @@ SIGNATURES: dict[str, dict[str, Kind]] = {
     "load_rules": {"files": _FILES, "folders": _FILES, "identities": FLAG},
     "locus": {
         "robot": _robot(""),
-        "over": optional(TEXTS),
+        "over": optional(_VARIABLES),
         "fix": optional(either("text or a mapping from variables to values", TEXT, _VALUES)),
         "at": optional(either("a pose as text, or a Pose", TEXT, instance("", Pose))),
         "rotation": TEXT,

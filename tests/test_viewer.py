@@ -227,7 +227,7 @@ def test_the_command(arguments: list[str], code: int, said: str) -> None:
 
 
 def test_a_report_of_no_analysis_says_what_to_write() -> None:
-    with pytest.raises(InputError, match="a report is of an analysis") as fault:
+    with pytest.raises(InputError, match="`analysis` must be an analysis") as fault:
         gc.report("ab af cb cd ed ef")  # type: ignore[arg-type]
     assert "gc.analyze" in (fault.value.hint or "")
 

@@ -166,8 +166,10 @@ def optional(kind: Kind) -> Kind:
     return Kind(kind.words, lambda value: None if value is None else kind.read(value), kind.hints)
 
 
-def listed(words: str, item: Kind, *, alone: bool = False) -> Kind:
-    """An ordered iterable of values of one kind, as a tuple; with `alone` one of these by itself, too."""
+def listed(words: str, item: Kind, *, alone: bool = False, ordered: bool = True) -> Kind:
+    """An iterable of values of one kind, as a tuple; with `alone` one of these by itself, too. Sets are refused unless
+    the order makes no difference.
+    """
 
     def read_all(value: Any) -> Any:
         if alone:
@@ -175,6 +177,8 @@ def listed(words: str, item: Kind, *, alone: bool = False) -> Kind:
                 return (item.read(value),)
             except Unfit:
                 pass
+        if not ordered and isinstance(value, (set, frozenset)):
+            value = list(value)
         if isinstance(value, (*_UNORDERED, type)) or not isinstance(value, Iterable):
             raise Unfit
         try:

@@ -18,6 +18,7 @@ from gcrules.yamlfile import near
 
 __all__ = ["ENGINE", "Library"]
 
+_IDS = listed("names of rules", TEXT, alone=True, ordered=False)
 _RULES = listed("a sequence of rules", instance("", Rule))
 
 
@@ -59,7 +60,7 @@ class Library:
         own = (replace(r, outside=True) if r.owner == SHIPPED and id(r) not in known else r for r in rules)
         return Library((*self.rules, *own))
 
-    @checked("library.strategy", ids=optional(TEXTS), without=TEXTS)
+    @checked("library.strategy", ids=optional(TEXTS), without=_IDS)
     def strategy(self, ids: Iterable[str] | None = None, without: Iterable[str] = ()) -> Strategy:
         """The rules named, in that order, each incidence rule bringing the entity rules that it uses.
 
