@@ -21,7 +21,10 @@ from gcrules.algebra import claims
 from gcrules.algebra.construction import Construction
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
 from gcrules.algebra.expr import Expr, Point, sub, substitute
+from gcrules.algebra.given import resolve
 from gcrules.algebra.prove import Proof, prove
+from gcrules.algebra.statements import parse_assumption
+from gcrules.algebra.syntax import Context
 from gcrules.analysis import analyze
 from gcrules.catalog_check import check_digests, check_entry
 from gcrules.catalog_file import load, load_file
@@ -175,6 +178,27 @@ def test_sizes_are_not_too_small(text: str) -> None:
     found = claims.size(e)
     assert value.is_zero or value.degree() <= found.degree
     assert max((abs(c) for c in value.coeffs()), default=0) <= 2**found.bits
+
+
+DOTTED = ["[.a b][c .d]", "[.a b][.c d][e .f]", "[.a b][.c d][.e f][.g h]", "[.x y][.z w][.p q][.r s][.t u]"]
+
+
+@pytest.mark.parametrize("one", DOTTED)
+@pytest.mark.parametrize("other", DOTTED)
+def test_sizes_of_what_is_written_out_on_the_way(one: str, other: str) -> None:
+    """Dotted brackets stand for expressions that live only while they are looked at."""
+    sizes = [claims.size(gc.parse(t, rank=2)) for t in (one, other)]
+    for _ in range(5):
+        assert claims.size(gc.parse(f"{one} * {other}", rank=2)).degree == sum(s.degree for s in sizes)
+        assert claims.size(gc.parse(f"{one} + 2 {other}", rank=2)).degree == max(s.degree for s in sizes)
+
+
+def test_denominators_of_constructed_points_count() -> None:
+    """The point s 2^90 a + t / 2^90 b is, without denominators, s 2^180 a + t b."""
+    part = 2**90
+    given = f"incident(p, ({part} a + {part} b) \\/ (1/{part} c + 1/{part} d))"
+    found = resolve(parse_assumption(given, Context(rank=3)))._sizes["p"]
+    assert found.bits >= 180
 
 
 def test_constructed_points_count_with_their_degree() -> None:
