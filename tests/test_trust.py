@@ -284,6 +284,50 @@ def test_a_true_entry_is_proved_and_its_words_are_marked(own: Any) -> None:
     assert shown.count(STATEMENT) == shown.count("In the words of") == 1
 
 
+REGULAR = "classes:\n  - id: mine-1\n    name: the best\n    legs: ab bc ca de fg hi\n"
+
+
+def test_nothing_outside_makes_a_robot_singular_in_every_pose(own: Any) -> None:
+    """The kind of a condition is a claim too."""
+    own_words = REGULAR + "    status: always-singular\n    condition: {kind: always-singular, expression: '0'}\n"
+    done = run("analyze", "--catalog", str(own(own_words)), LEGS)
+    assert (done.exit_code, done.stdout) == (2, "")
+    assert "is not an identity: it fails at" in done.stderr
+    sb = "'[[ab, bc, ca, de, fg, hi]]'"
+    further = f"    readings: [{{kind: always-singular, expression: {sb}, statement: So it is.}}]\n"
+    done = run(
+        "analyze",
+        "--catalog",
+        str(own(f"{REGULAR}    condition: {{kind: one-incidence, expression: {sb}, statement: So.}}\n{further}")),
+        LEGS,
+    )
+    assert (done.exit_code, done.stdout) == (2, "")
+    assert "what is always singular has the expression 0" in done.stderr
+
+
+def test_a_class_from_outside_is_called_so(own: Any) -> None:
+    sb = "'[[ab, bc, ca, de, fg, hi]]'"
+    path = own(f"{REGULAR}    condition: {{kind: one-incidence, expression: {sb}, statement: So.}}\n")
+    a = gc.analyze(LEGS, catalogs=[path])
+    called = f"mine-1, the best (of {path})"
+    assert called in " ".join(a.text().split())
+    assert gc.report(a).count("the best") == gc.report(a).count(called) > 0
+    shown = run("catalog", "show", "mine-1", "--catalog", str(path)).stdout
+    assert called in shown
+    assert "sources    none given" in shown
+    assert "proof      none: this is what" in shown
+    assert "proof" not in run("catalog", "show", "6-6").stdout
+
+
+def test_points_of_a_refusal_are_told_with_their_weights(own: Any) -> None:
+    """The sum is zero wherever the last coordinates are 1, so that the points shown have others."""
+    more = "[bcde] - [acde] + [abde] - [abce] + [abcd]"
+    path = own(entry(gc.parse(f"[[ab, bc, ca, de, fg, hi]] + {more}")))
+    done = run("analyze", "--catalog", str(path), LEGS)
+    assert done.exit_code == 2
+    assert "(homogeneous coordinates)" in done.stderr
+
+
 def test_sentences_of_kinds_are_marked(own: Any) -> None:
     path = own("statements: {four-planes: 'Never singular: {planes}.', linear-complex: 'Always.'}\nclasses: []\n")
     a = gc.analyze("ab af cb cd ed ef", catalogs=[path])

@@ -142,7 +142,7 @@ def _largest(
     vanish so that nothing is met but what those left out reach.
     """
     made = dict(found)
-    left_out: dict[Alternative, tuple[Expr, ...]] = {way: () for way in found}
+    left_out: dict[Alternative, tuple[Expr, ...]] = dict.fromkeys(found, ())
     for way, c in reversed(found.items()):
         needed = (*c.nonzero, *way.nonzero, *left_out[way])
         for other, larger in made.items():
