@@ -80,6 +80,12 @@ class Entry:
     def structure(self) -> Structure:
         return Structure(self.legs)
 
+    @property
+    def title(self) -> str:
+        """The id and the name; those of a catalog from outside with its file."""
+        name = f", {self.name}" if self.name else ""
+        return f"{self.id}{name}" if self.owner == SHIPPED else f"{self.id}{name} (of {self.owner})"
+
     def to_json(self) -> dict[str, Any]:
         def reading(r: Reading) -> dict[str, Any]:
             return {
@@ -173,7 +179,7 @@ class Catalog:
         entry, sign = match.entry, match.sign(structure)
         own = entry.condition
         found = []
-        use_own = own.kind in FROM_CATALOG or (entry.owner != SHIPPED and own.kind != "always-singular")
+        use_own = own.kind in FROM_CATALOG or entry.owner != SHIPPED
         for reading in ([own] if use_own else []) + list(entry.readings):
             known = standing(entry, reading)
             names = {a: Point(b) for a, b in match.mapping.items()}

@@ -190,6 +190,8 @@ class _Reader:
         if self.owner != SHIPPED:  # the shipped file is proved by its tests; its expressions are parsed when used
             for key in texts.keys() & top.keys():
                 self._expression(top[key], 0, "a scalar", names)
+        if kind == "always-singular" and texts["expression"] != "0":
+            top["expression"].fault("what is always singular has the expression 0")
         expression, cofactor = texts["expression"], texts["cofactor"]
         if kind is None or expression is None or cofactor is None or coefficient is None:
             return None

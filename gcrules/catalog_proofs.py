@@ -66,7 +66,9 @@ def standing(entry: Entry, reading: Reading) -> Standing:
 def counterexample(proof: Proof) -> str:
     """The points of a refutation in words."""
     points = proof.counterexample or {}
-    return ", ".join(f"{n} = ({', '.join(map(str, c[:-1]))})" for n, c in points.items())
+    finite = all(c[-1] == 1 for c in points.values())
+    shown = ", ".join(f"{n} = ({', '.join(map(str, c[:-1] if finite else c))})" for n, c in points.items())
+    return shown if finite else f"{shown} (homogeneous coordinates)"
 
 
 def is_shipped(entry: Entry, reading: Reading) -> bool:

@@ -665,6 +665,11 @@ KINDS = [
         [],
     ),
     (3, f"{CONIC}, collinear(a, b, c)", "[def] == 0", "refuted", ["refuted", "refuted", "refuted", "proved"]),
+    # One kind lies within the other, but for positions that its construction does not reach.
+    (3, "[ace] == 0, [abc][bce] == 0", "[bce] == 0", "proved", []),
+    (3, "d == e + (1/2) c, [dea]**2 == 0, [bad][bec] == [bae][bdc]", "[cbe][dcb] == 0", "proved", []),
+    (3, "[abd][bcd] == [acd][abd], [bcd]**2 == 0", "[abc][acd] == [acd][bcd]", "proved", []),
+    (4, "[abde][bcde] == 0, coplanar(a, b, c, d)", "[acde] == 0", "proved", []),
 ]
 
 

@@ -21,7 +21,10 @@ from gcrules.algebra import claims
 from gcrules.algebra.construction import Construction
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
 from gcrules.algebra.expr import Expr, Point, sub, substitute
+from gcrules.algebra.given import resolve
 from gcrules.algebra.prove import Proof, prove
+from gcrules.algebra.statements import parse_assumption
+from gcrules.algebra.syntax import Context
 from gcrules.analysis import analyze
 from gcrules.catalog_check import check_digests, check_entry
 from gcrules.catalog_file import load, load_file
@@ -177,6 +180,27 @@ def test_sizes_are_not_too_small(text: str) -> None:
     assert max((abs(c) for c in value.coeffs()), default=0) <= 2**found.bits
 
 
+DOTTED = ["[.a b][c .d]", "[.a b][.c d][e .f]", "[.a b][.c d][.e f][.g h]", "[.x y][.z w][.p q][.r s][.t u]"]
+
+
+@pytest.mark.parametrize("one", DOTTED)
+@pytest.mark.parametrize("other", DOTTED)
+def test_sizes_of_what_is_written_out_on_the_way(one: str, other: str) -> None:
+    """Dotted brackets stand for expressions that live only while they are looked at."""
+    sizes = [claims.size(gc.parse(t, rank=2)) for t in (one, other)]
+    for _ in range(5):
+        assert claims.size(gc.parse(f"{one} * {other}", rank=2)).degree == sum(s.degree for s in sizes)
+        assert claims.size(gc.parse(f"{one} + 2 {other}", rank=2)).degree == max(s.degree for s in sizes)
+
+
+def test_denominators_of_constructed_points_count() -> None:
+    """The point s 2^90 a + t / 2^90 b is, without denominators, s 2^180 a + t b."""
+    part = 2**90
+    given = f"incident(p, ({part} a + {part} b) \\/ (1/{part} c + 1/{part} d))"
+    found = resolve(parse_assumption(given, Context(rank=3)))._sizes["p"]
+    assert found.bits >= 180
+
+
 def test_constructed_points_count_with_their_degree() -> None:
     s = read_legs(LEGS, given=["collinear(a, d, f)", "incident(h, abc)"])
     plain = read_legs(LEGS).construction
@@ -258,6 +282,50 @@ def test_a_true_entry_is_proved_and_its_words_are_marked(own: Any) -> None:
     assert tex.count(STATEMENT) == tex.count("In the words of") > 0
     shown = run("catalog", "show", "mine-1", "--catalog", str(path)).stdout
     assert shown.count(STATEMENT) == shown.count("In the words of") == 1
+
+
+REGULAR = "classes:\n  - id: mine-1\n    name: the best\n    legs: ab bc ca de fg hi\n"
+
+
+def test_nothing_outside_makes_a_robot_singular_in_every_pose(own: Any) -> None:
+    """The kind of a condition is a claim too."""
+    own_words = REGULAR + "    status: always-singular\n    condition: {kind: always-singular, expression: '0'}\n"
+    done = run("analyze", "--catalog", str(own(own_words)), LEGS)
+    assert (done.exit_code, done.stdout) == (2, "")
+    assert "is not an identity: it fails at" in done.stderr
+    sb = "'[[ab, bc, ca, de, fg, hi]]'"
+    further = f"    readings: [{{kind: always-singular, expression: {sb}, statement: So it is.}}]\n"
+    done = run(
+        "analyze",
+        "--catalog",
+        str(own(f"{REGULAR}    condition: {{kind: one-incidence, expression: {sb}, statement: So.}}\n{further}")),
+        LEGS,
+    )
+    assert (done.exit_code, done.stdout) == (2, "")
+    assert "what is always singular has the expression 0" in done.stderr
+
+
+def test_a_class_from_outside_is_called_so(own: Any) -> None:
+    sb = "'[[ab, bc, ca, de, fg, hi]]'"
+    path = own(f"{REGULAR}    condition: {{kind: one-incidence, expression: {sb}, statement: So.}}\n")
+    a = gc.analyze(LEGS, catalogs=[path])
+    called = f"mine-1, the best (of {path})"
+    assert called in " ".join(a.text().split())
+    assert gc.report(a).count("the best") == gc.report(a).count(called) > 0
+    shown = run("catalog", "show", "mine-1", "--catalog", str(path)).stdout
+    assert called in shown
+    assert "sources    none given" in shown
+    assert "proof      none: this is what" in shown
+    assert "proof" not in run("catalog", "show", "6-6").stdout
+
+
+def test_points_of_a_refusal_are_told_with_their_weights(own: Any) -> None:
+    """The sum is zero wherever the last coordinates are 1, so that the points shown have others."""
+    more = "[bcde] - [acde] + [abde] - [abce] + [abcd]"
+    path = own(entry(gc.parse(f"[[ab, bc, ca, de, fg, hi]] + {more}")))
+    done = run("analyze", "--catalog", str(path), LEGS)
+    assert done.exit_code == 2
+    assert "(homogeneous coordinates)" in done.stderr
 
 
 def test_sentences_of_kinds_are_marked(own: Any) -> None:

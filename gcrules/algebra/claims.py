@@ -77,12 +77,12 @@ _Parts = tuple[int, float, float]  # degree, log₂ of the sum of the sizes of a
 def size(e: Expr, points: Mapping[str, Size] | None = None, *, rank: int = 4) -> Size:
     """The size of an expression; points that are polynomials themselves have the sizes given."""
     given = points or {}
-    known: dict[int, _Parts] = {}
+    known: dict[int, tuple[Expr, _Parts]] = {}  # the expressions are kept, so that no other one gets their ids
 
     def of(x: Expr) -> _Parts:
         if id(x) not in known:
-            known[id(x)] = measured(x)
-        return known[id(x)]
+            known[id(x)] = x, measured(x)
+        return known[id(x)][1]
 
     def multiplied(parts: list[_Parts], terms: float = 1) -> _Parts:
         return sum(p[0] for p in parts), log2(terms) + sum(p[1] for p in parts), sum(p[2] for p in parts)

@@ -193,7 +193,8 @@ class Construction:
         for step in self.steps:
             parts = [(claims.size(part, found), step.scaled(part)) for part in step.parts]
             degree = max(size.degree + scaled for size, scaled in parts)
-            found[step.name] = claims.Size(degree, max(size.bits for size, _ in parts) + len(parts).bit_length())
+            # Each part may have denominators, which the others are multiplied by.
+            found[step.name] = claims.Size(degree, sum(size.bits for size, _ in parts) + len(parts).bit_length())
         return found
 
     def is_zero(self, e: Expr, *, limit: int = MAX_TERMS) -> bool:

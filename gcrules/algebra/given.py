@@ -102,11 +102,11 @@ def _kinds(
         raise failed[ways[0]]
     if len(found) > 1:
         found = _least_collapsed(found, (*extensors, *meets, *flats(given, rank)))
-    made = [(way, c) for way, c in found.items() if not _within_another(way, c, found)]
+    made, left_out = _largest(found)
     missed = [way.where for way in ways if way not in found]
     told = []
-    for way, c in made:
-        nonzero = _without(replace(c, nonzero=fewest((*c.nonzero, *way.nonzero))), missed)
+    for way, c in made.items():
+        nonzero = _without(replace(c, nonzero=fewest((*c.nonzero, *way.nonzero, *left_out[way]))), missed)
         if nonzero is None:
             raise next((failed[w] for w in ways if w in failed), fault(given[-1], _APART))
         told.append(Kind(way.where if len(made) > 1 else (), replace(c, nonzero=nonzero)))
@@ -135,18 +135,27 @@ def _collapsed(c: Construction, named: Iterable[Expr]) -> set[tuple[Expr, ...]]:
     }
 
 
-def _within_another(way: Alternative, c: Construction, found: Mapping[Alternative, Construction]) -> bool:
-    """Whether what a construction reaches is reached by another one too, or by an earlier one as well."""
-    for other, larger in found.items():
-        if other is way:
-            continue
-        inside = all(map(c.vanishes, other.where)) and not any(map(c.vanishes, (*larger.nonzero, *other.nonzero)))
-        if inside and (
-            list(found).index(other) < list(found).index(way)
-            or not (all(map(larger.vanishes, way.where)) and not any(map(larger.vanishes, (*c.nonzero, *way.nonzero))))
-        ):
-            return True
-    return False
+def _largest(
+    found: Mapping[Alternative, Construction],
+) -> tuple[dict[Alternative, Construction], dict[Alternative, tuple[Expr, ...]]]:
+    """Without the constructions that reach only what another one reaches too; and, for each that is left, what must not
+    vanish so that nothing is met but what those left out reach.
+    """
+    made = dict(found)
+    left_out: dict[Alternative, tuple[Expr, ...]] = dict.fromkeys(found, ())
+    for way, c in reversed(found.items()):
+        needed = (*c.nonzero, *way.nonzero, *left_out[way])
+        for other, larger in made.items():
+            if other is not way and _within(c, other, larger) and not any(map(larger.vanishes, needed)):
+                left_out[other] = fewest((*left_out[other], *needed))
+                del made[way]
+                break
+    return made, left_out
+
+
+def _within(c: Construction, other: Alternative, larger: Construction) -> bool:
+    """Whether what a construction reaches in general is reached by another one too."""
+    return all(map(c.vanishes, other.where)) and not any(map(c.vanishes, (*larger.nonzero, *other.nonzero)))
 
 
 def _without(c: Construction, others: Iterable[Sequence[Expr]]) -> tuple[Expr, ...] | None:

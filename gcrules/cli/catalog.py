@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcrules.analysis import analyze
-from gcrules.catalog import Catalog, Entry, Match, Reading
+from gcrules.catalog import SHIPPED, Catalog, Entry, Match, Reading
 from gcrules.catalog_file import load
 from gcrules.catalog_proofs import is_shipped
 from gcrules.cli.base import LazyGroup, Output, catalog_option, output_options
@@ -184,19 +184,23 @@ class _Class:
     def text(self, *, unicode: bool = False) -> str:
         e = self.entry
         lines = [
-            f"class      {e.id}" + (f", {e.name}" if e.name else ""),
+            f"class      {e.title}",
             f"legs       {legs_text(e.legs)}",
             f"degrees    {degrees_text(e, 'base {}; platform {}')}",
             f"terms      {', '.join(f'{n} in the {form}-term form' for form, n in e.terms.items())}",
             f"factors    {' '.join('[' + ''.join(f) + ']' for f in e.factors) or 'none'}",
             f"group      {e.group or 'none'}",
             f"status     {e.status}",
-            f"sources    {', '.join(e.sources) or 'derived here'}",
+            f"sources    {', '.join(e.sources) or ('derived here' if e.owner == SHIPPED else 'none given')}",
         ]
         for i, c in enumerate(self.conditions()):
             shown = c.text(unicode=unicode).rstrip().replace("\n", f"\n{' ':11}")
             lines.append(f"{'reading' if i else 'condition':<11}{shown}")
-        return "\n".join([*lines, *([f"note       {e.note}"] if e.note else [])])
+        if e.note:
+            lines.append(f"note       {e.note}")
+        if e.owner != SHIPPED:
+            lines.append(f"proof      none: this is what {e.owner} says; `gcrules catalog check` proves or refutes it")
+        return "\n".join(lines)
 
 
 def _sentence(entry: Entry, reading: Reading) -> str:

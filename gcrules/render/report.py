@@ -72,8 +72,7 @@ def _identity(a: Analysis) -> tuple[Expr, Expr]:
 def _header(title: str, a: Analysis, platform: Platform | None) -> str:
     lines = []
     if a.match:
-        name = f", {a.match.entry.name}" if a.match.entry.name else ""
-        lines.append(f"Class {a.match.entry.id}{name}")
+        lines.append(f"Class {a.match.entry.title}")
     lines.append(f"Legs {a.structure.text()}")
     note = f'<p class="note">{escape(platform.note)}</p>' if platform and platform.note else ""
     return f'<header><h1>{escape(title)}</h1><p class="sub">{escape(" · ".join(lines))}</p>{note}</header>'

@@ -9,7 +9,6 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import text
 from gcrules.analysis import Analysis
-from gcrules.catalog import SHIPPED
 from gcrules.condition import ONE, Condition, Entity
 from gcrules.core.floats import decimal
 from gcrules.legs import Structure, leg_text
@@ -133,11 +132,8 @@ def _structure(a: Analysis) -> list[Item]:
     items += _position(a)
     if a.match is None:
         return [*items, Fact("class", "none of the catalog")]
-    entry = a.match.entry
-    name = f", {entry.name}" if entry.name else ""
-    name += "" if entry.owner == SHIPPED else f" (of {entry.owner})"
     mapping = ", ".join(f"{x}→{y}" for x, y in a.match.mapping.items())
-    return [*items, Fact("class", f"{entry.id}{name}"), Fact("mapping", mapping)]
+    return [*items, Fact("class", a.match.entry.title), Fact("mapping", mapping)]
 
 
 def _position(a: Analysis) -> list[Item]:
@@ -185,10 +181,7 @@ def _entity_stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
 
 
 def _condition(condition: Condition, a: Analysis) -> list[Item]:
-    left = ex.mul(condition.cofactor, a.structure.superbracket)
-    if condition.kind == "always-singular":
-        return [Formula(a.structure.superbracket, ex.ZERO)]
-    return [Formula(left, condition.right_side)]
+    return [Formula(ex.mul(condition.cofactor, a.structure.superbracket), condition.right_side)]
 
 
 def _replay(a: Analysis) -> list[Item]:
