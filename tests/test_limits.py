@@ -397,6 +397,18 @@ def test_a_line_times_many_brackets_is_shown_in_short() -> None:
     assert found.text(short=True) == "[abcd]**20 * ab"
 
 
+def test_a_shortening_of_many_brackets_is_shown_in_short() -> None:
+    found = gc.shorten("[abcd]**20 [abce]")
+    assert found.text(short=True).startswith("[abcd]**20 * [abce]\n")
+    assert "**" not in found.text().splitlines()[0]
+
+
+def test_a_shortening_names_the_seconds_that_were_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gcrules.shortening.shorten._PREPARATION", 0.3)
+    with pytest.raises(LimitReached, match=r"more than 0\.25 seconds"):
+        gc.shorten("[[ab, cd, ef, gh, ij, kl]]**12", seconds=0.25)
+
+
 # --- the command line ------------------------------------------------------------------------------------------------
 
 COMMANDS = {

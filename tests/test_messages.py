@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -10,8 +11,9 @@ from commands import assert_refused
 
 from gcrules.cli import cli
 from gcrules.core.hints import files_like, number_with_unit, run_together
-from gcrules.errors import GcrulesError
+from gcrules.errors import GcrulesError, LimitReached
 from gcrules.repl.interpreter import Interpreter
+from gcrules.robots.model import Robot
 from gcrules.yamlfile import Document
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -38,7 +40,9 @@ CALLS = {
     "det(abcd)": "a bracket is written [abcd]",
     "bracket(a,b,c,d)": "[a, b, c, d]",
     "superbracket(ab,cd,ef,gh,ij,kl)": "the superbracket is written [[ab, cd, ef, gh, ij, kl]]",
-    "meet(ab, )": "the meet is an operator between its parts: /\\",
+    "meet(ab, )": "the meet is an operator between its parts: A /\\ B",
+    "wedge(ab)": r"A /\ B",
+    "join()": r"A \/ B",
 }
 COMMANDS = [("expand", ""), ("straighten", ""), ("factor", ""), ("shorten", ""), ("prove", " == 0")]
 
@@ -209,10 +213,12 @@ def test_run_together(word: str, found: tuple[str, ...] | None) -> None:
 
 
 AT = {
-    "too few": ("3-rps", "x=0.1", 'give 3; the others follow from them: "x=0.1, z=0, roll=0deg"'),
+    "too few": ("3-rps", "x=0.1", 'give 3; the others follow from them: "z=0, roll=0deg, pitch=0deg"'),
+    "too few, but some": ("3-rps", "pitch=2deg", '"pitch=2deg, z=0, roll=0deg"'),
     "too few, in the plane": ("3-rrr", "yaw=1deg", '"yaw=1deg, x=0, y=0"'),
-    "too few, a rotation vector": ("gough-stewart", "rx=1deg", '"rx=1deg, z=0, ry=0deg, x=0, y=0, rz=0deg"'),
-    "too many": ("3-rps", "x=0.1, y=0, z=0, yaw=4deg", '"x=0.1, y=0, z=0"'),
+    "too few, a rotation vector": ("gough-stewart", "rx=1deg", '"rx=1deg, x=0, y=0, z=0, ry=0deg, rz=0deg"'),
+    "too many": ("3-rps", "x=0.1, y=0, z=0, yaw=4deg", '"z=0, roll=0deg, pitch=0deg"'),
+    "too many, of the first": ("delta", "x=0.1, y=0, z=0, yaw=4deg", '"x=0.1, y=0, z=0"'),
     "no commas": ("3-rps", "x=0.1 y=0 z=0", "two values without a comma"),
     "names for a platform": (PLATFORM, "x=0.1", "coordinates by their names are for robots"),
 }
@@ -223,6 +229,33 @@ def test_poses(robot: str, at: str, hint: str) -> None:
     done = run("pose", robot, "--at", at)
     assert done.exit_code == 2
     assert hint in done.stderr
+
+
+@pytest.mark.parametrize(
+    "wanted", ["x=0", "yaw=0deg", "rx=0deg", "z=0, x=0, y=0, roll=0deg, pitch=0deg, yaw=0deg, rx=0deg"]
+)
+@pytest.mark.parametrize("robot", ["3-rps", "3-rrr-spherical", "delta", "exechon", "gough-stewart", "tricept"])
+def test_the_coordinates_of_the_hint_do(robot: str, wanted: str) -> None:
+    refused = run("pose", robot, "--at", wanted)
+    if refused.exit_code == 0:
+        return
+    proposed = re.search(r'follow from them: "(.*)"', refused.stderr)
+    if proposed is None:
+        assert "roll, pitch, yaw and rx, ry, rz" in refused.stderr
+        return
+    assert run("pose", robot, "--at", proposed[1]).exit_code == 0
+
+
+RELATIONS = ("collinear(a, b, c)", "[abcd] + coplanar(a, b, c, d)", "concurrent(ab, cd, ef)", "2 incident (a, bc)")
+
+
+@pytest.mark.parametrize("text", RELATIONS)
+@pytest.mark.parametrize(("command", "more"), COMMANDS)
+def test_assumptions_are_no_expressions(command: str, more: str, text: str) -> None:
+    done = run(command, text + more)
+    assert done.exit_code == 2
+    assert "is an assumption and no expression" in done.stderr
+    assert "not closed" not in done.stderr
 
 
 NEED_COORDINATES = {
@@ -238,6 +271,25 @@ def test_legs_without_coordinates(arguments: tuple[str, ...]) -> None:
     assert_refused(run(*arguments), 2, "legs alone have no coordinates")
     said = run(*arguments).stderr
     assert all(word in said for word in ("examples/octahedral.yaml", "gcrules studio", "gcrules analyze"))
+
+
+# --- robots ---------------------------------------------------------------------------------------------------------
+
+
+def test_a_check_that_runs_out_of_time_says_where_it_stopped() -> None:
+    done = run("robot", "check", "delta", "3-rps", "--seconds", "0")
+    assert done.exit_code == 3
+    assert done.stderr == "note: 2 of 2 not checked\n"
+
+
+def test_a_robot_that_is_not_decided_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    def slow(robot: Robot) -> None:
+        raise LimitReached("this takes more than 1 second")
+
+    monkeypatch.setattr(Robot, "analyze", slow)
+    done = run("robot", "check", "delta", "3-rps")
+    assert done.exit_code == 3
+    assert done.stderr.splitlines() == [f"error: {name}: this takes more than 1 second" for name in ("delta", "3-rps")]
 
 
 # --- the prompt -----------------------------------------------------------------------------------------------------
@@ -266,3 +318,14 @@ def test_declared_names_stay_names(declared: str) -> None:
 @pytest.mark.parametrize("word", ["(help)", "help + a", "helps"])
 def test_expressions_stay_expressions(word: str) -> None:
     assert [a.text for a in Interpreter().feed(word)] != [a.text for a in Interpreter().feed(":help")]
+
+
+@pytest.mark.parametrize(("text", "topic"), [("help prove", "prove"), ("Help  prove ", "prove"), ("help meet", "meet")])
+def test_help_with_a_topic_is_told_its_colon(text: str, topic: str) -> None:
+    (answer,) = Interpreter().feed(text)
+    assert f"hint: help begins with a colon: :help {topic}" in answer.text
+
+
+def test_help_with_a_word_may_be_points() -> None:
+    *_, answer = Interpreter().feed("rank 6\nhelp o")
+    assert answer.fault is None

@@ -86,7 +86,7 @@ def read(text: str, start: str, filename: str, build: Callable[[Node], _T]) -> _
         return build(_tree(text, start))
     except GcrulesError as fault:
         if isinstance(fault, (SyntaxFault, StepError)) and fault.span is not None and fault.source in (None, text):
-            fault.hint = call_hint(text, fault.span.start) or fault.hint
+            fault.hint = call_hint(text, fault.span.start, relations=start not in _EXPRESSIONS) or fault.hint
         raise fault.located(text, filename) from None
 
 

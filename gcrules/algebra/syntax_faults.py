@@ -53,6 +53,7 @@ _BETWEEN = {
     **dict.fromkeys(("superbracket", "pure"), ("[[{}]]", "the superbracket")),
 }
 """Functions of other notations, and how their values are written."""
+_ASSUMED = ("collinear", "coplanar", "concurrent", "incident")
 _LAST_WORD = re.compile(r"(?<![A-Za-z0-9_'])[A-Za-z][A-Za-z0-9_']*\Z")
 _LONGEST = 30  # characters of a word that may be a relation misspelt
 
@@ -84,22 +85,29 @@ def syntax_fault(found: object, text: str, literals: Mapping[str, str]) -> Synta
     return SyntaxFault(f"{what}; expected {_expected(accepted, literals)}", span=span, hint=hint)
 
 
-def call_hint(text: str, at: int) -> str | None:
-    """How a function of another notation is written whose name or arguments stand at a place: meet(ab, cde)."""
+def call_hint(text: str, at: int, *, relations: bool = False) -> str | None:
+    """How a function of another notation is written whose name or arguments stand at a place: meet(ab, cde).
+
+    Where `relations` such as collinear(a, b, c) may stand, they are not reported.
+    """
     for found in _CALL.finditer(text, 0, at + 40):
         word, begin = found[1].lower(), found.end()
-        if found.start() > at or word not in (*_INFIX, *_BETWEEN):
+        if found.start() > at or word not in (*_INFIX, *_BETWEEN, *(() if relations else _ASSUMED)):
             continue
         end = _closing(text, begin)
         if at > end:
             continue
         arguments = [a.strip() for a in _apart(text[begin:end])]
+        if word in _ASSUMED:
+            return (
+                f"{word}(…) is an assumption and no expression: --given of `prove`, or the statement `given`, takes it"
+            )
         if word in _BETWEEN:
             form, what = _BETWEEN[word]
             return f"{what} is written {form.format(', '.join(arguments) if all(arguments) else '…')}"
         operator, what = _INFIX[word]
         shown = [a if a.isalnum() else f"({a})" for a in arguments]
-        written = operator.join(shown) if len(arguments) > 1 and all(arguments) else operator.strip()
+        written = operator.join(shown) if len(arguments) > 1 and all(arguments) else f"A{operator}B"
         return f"{what} is an operator between its parts: {written}"
     return None
 

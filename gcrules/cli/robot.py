@@ -13,6 +13,7 @@ from gcrules.cli.base import SEEDED, ExpressionCommand, Output, output_options, 
 from gcrules.cli.files import Command, OutputFile, working
 from gcrules.cli.limits import time_limit
 from gcrules.cli.robot_docs import docs
+from gcrules.core.budget import seconds_left
 from gcrules.errors import FileError, GcrulesError, LimitReached
 from gcrules.files import write_file
 from gcrules.robots.checks import notes
@@ -101,14 +102,22 @@ def _shown(r: Robot) -> Iterator[str]:
 def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str, ...]) -> None:
     """Check robots (all, if none is named): their files, on random exact members, and the published condition.
 
-    Exit code 0: all are sound. 1: a published condition is refuted. 2: a file is at fault.
+    Exit code 0: all are sound. 1: a published condition is refuted. 2: a file is at fault. 3: a robot is not decided
+    within the time; with --seconds those after it are left out, and counted.
     """
     code = 0
-    for name in names or [one.path for one in robots(folders)]:
+    chosen = names or [one.path for one in robots(folders)]
+    for number, name in enumerate(chosen):
+        if seconds_left() <= 0:
+            click.echo(f"note: {len(chosen) - number} of {len(chosen)} not checked", err=True)
+            code = max(code, LimitReached.exit_code)
+            break
         try:
             found = Robot.load(name, plugins=folders)
             analysis = found.analyze()
         except GcrulesError as fault:
+            if fault.place is None:
+                fault.filename = name
             click.echo(fault.render(), err=True)
             code = max(code, fault.exit_code)
             continue

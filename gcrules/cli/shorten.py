@@ -52,4 +52,4 @@ def shorten(expression: str, limit: int, seconds: float, space: Space, out: Outp
                 seconds=seconds,
                 progress=status.tell,
             )
-        out.show(found)
+        out.show(found, found.text(unicode=out.unicode, short=True) if out.terminal else None)

@@ -112,7 +112,9 @@ class Groups:
             try:
                 if prod(len(self.parts[i]) for i in group) > _MOST_TERMS:
                     raise LimitReached(
-                        f"a product of {len(group)} irreducible factors has more than {_MOST_TERMS:,} terms"
+                        f"a product of {len(group)} irreducible factors has more than {_MOST_TERMS:,} terms,"
+                        " so it is not decided whether one expression equals it",
+                        hint="factor the irreducible factors one by one",
                     )
                 target = reduce(mul, (self.parts[i] for i in group))
                 self.known[key], built = search(target * target.with_terms({inside: 1}), budget)

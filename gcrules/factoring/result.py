@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain, repeat
 from typing import Any
 
 from gcrules.algebra import expr as ex
@@ -60,8 +61,10 @@ class Form:
 
 
 def brackets_of(rows: Iterable[Row], names: tuple[str, ...]) -> tuple[Expr, ...]:
-    """Brackets given by the places of their points, sorted."""
-    return tuple(ex.Bracket(tuple(ex.Point(names[i]) for i in row)) for row in sorted(rows))
+    """Brackets given by the places of their points, sorted; each is made once, however often it occurs."""
+    counted = sorted(Counter(rows).items())
+    made = ((ex.Bracket(tuple(ex.Point(names[i]) for i in row)), n) for row, n in counted)
+    return tuple(chain.from_iterable(repeat(bracket, n) for bracket, n in made))
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ anew from each configuration reached: so the solution is that which continues ho
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,13 +17,13 @@ import numpy as np
 from gcrules.core.budget import checkpoint
 from gcrules.errors import InputError
 from gcrules.kinematics.chains import chain_of
-from gcrules.kinematics.coordinates import SHIFTS, coordinates, slopes, wrapped
+from gcrules.kinematics.coordinates import SHIFTS, TURNS, VECTOR, coordinates, slopes, wrapped
 from gcrules.kinematics.fixed import unfixed
 from gcrules.kinematics.mechanism import Configuration, Mechanism
 from gcrules.kinematics.riders import disagreement, moved, off_relations
 from gcrules.kinematics.rigid import Floats, exponential, inverse, logarithm, rotation_vector
 from gcrules.kinematics.stops import stopped
-from gcrules.kinematics.wanted import Wanted
+from gcrules.kinematics.wanted import Wanted, check_count, written
 from gcrules.rules.listing import agreeing, listed
 
 __all__ = ["Course", "Solution", "check_wanted", "free_coordinates", "goal", "solve"]
@@ -33,6 +34,7 @@ _ITERATIONS = 14
 _FARTHEST = 0.5  # of a joint in one step: rad, or parts of the robot's size
 _SHORTEST = 1.0 / 4096
 _DEPENDENT = 1e-7
+_PREFERRED = 0.01  # of the largest rate: a coordinate that moves less is not proposed
 _STILL = 1e-7  # rad
 
 
@@ -241,11 +243,15 @@ def _configuration(
 
 
 def check_wanted(m: Mechanism, wanted: Wanted) -> None:
-    """Raises InputError where the wanted coordinates do not determine the pose near home, or home itself is singular
-    for the actuators.
+    """Raises InputError where the wanted coordinates are too few or too many or do not determine the pose near home, or
+    where home itself is singular for the actuators.
     """
     if wanted.whole is not None:
         return
+    if not wanted.driven and len(wanted.names) != m.robot.mobility:
+        told = dict(zip(wanted.names, map(float, wanted.values), strict=True))
+        example = written({n: told.get(n, 0.0) for n in free_coordinates(m, wanted.names)})
+        check_count(told, m.robot.mobility, "coordinate", f"the others follow from them: {example}")
     if _told(Course(m, wanted), m.home) > _DEPENDENT:
         return
     if wanted.driven:
@@ -259,20 +265,25 @@ def check_wanted(m: Mechanism, wanted: Wanted) -> None:
     )
 
 
-def free_coordinates(m: Mechanism) -> tuple[str, ...]:
-    """As many coordinates as the platform has freedoms, on which its pose depends near home; shifts are preferred."""
-    names = ["x", "y", "yaw"] if m.robot.family.plane else ["x", "y", "z", "roll", "pitch", "yaw"]
+def free_coordinates(m: Mechanism, first: Sequence[str] = ()) -> tuple[str, ...]:
+    """As many coordinates as the platform has freedoms, on which its pose depends near home; those named `first` are
+    preferred where they tell something, then shifts.
+    """
+    turns = VECTOR if any(n in VECTOR for n in first) else TURNS
+    order = ("x", "y", turns[-1]) if m.robot.family.plane else (*SHIFTS, *turns)
+    names = [*first, *(n for n in order if n not in first)]
     rows = _rates(Course(m, Wanted(tuple(names), np.zeros(len(names)))), m.home)
     chosen: list[str] = []
     for _ in range(m.robot.mobility):
         sizes = np.linalg.norm(rows, axis=1)
-        best = next(k for k in range(len(names)) if sizes[k] >= 0.5 * sizes.max())
+        preferred = [k for k, n in enumerate(names) if n in first and sizes[k] > _PREFERRED * sizes.max()]
+        best = next(k for k in (*preferred, *range(len(names))) if preferred or sizes[k] >= 0.5 * sizes.max())
         if sizes[best] <= _DEPENDENT:
             break
         chosen.append(names[best])
         unit = rows[best] / sizes[best]
         rows = rows - np.outer(rows @ unit, unit)
-    return tuple(sorted(chosen, key=names.index))
+    return tuple(sorted(chosen, key=names.index))  # those named first in the order in which they were given
 
 
 def _told(course: Course, here: Configuration) -> float:

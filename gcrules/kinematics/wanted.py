@@ -14,11 +14,19 @@ from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.kinematics.coordinates import ANGLES, COORDINATES, SHIFTS, TURNS, VECTOR
 from gcrules.kinematics.mechanism import Actuator, Mechanism
 from gcrules.kinematics.rigid import Floats
-from gcrules.numeric.pose import Pose, check_unit, exact, exact_float, parse_pose, read_number
-from gcrules.robots.robot_text import RobotText
+from gcrules.numeric.pose import Pose, check_unit, exact_float, parse_pose, read_number
 from gcrules.yamlfile import near
 
-__all__ = ["Wanted", "read_actuators", "read_pose", "wanted_actuators", "wanted_coordinates", "wanted_pose"]
+__all__ = [
+    "Wanted",
+    "check_count",
+    "read_actuators",
+    "read_pose",
+    "wanted_actuators",
+    "wanted_coordinates",
+    "wanted_pose",
+    "written",
+]
 
 _PART = re.compile(r"\s*([A-Za-z]\w*)\s*=\s*(.*?)\s*")
 _LETTERS = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ°"
@@ -66,15 +74,13 @@ def wanted_pose(m: Mechanism, pose: Pose, text: str = "") -> Wanted:
 
 
 def wanted_coordinates(m: Mechanism, given: Mapping[str, Any], text: str = "") -> Wanted:
-    """Values of some coordinates, as many as the platform's mobility. Raises InputError."""
+    """Values of some coordinates; whether they determine the pose is seen in solving. Raises InputError."""
     _known(given, COORDINATES, "coordinate of a pose")
-    mobility = m.robot.mobility
     if any(n in TURNS for n in given) and any(n in VECTOR for n in given):
         raise InputError("roll, pitch, yaw and rx, ry, rz are two ways to say one turn", hint="take one of them")
     flat = [n for n in given if m.robot.family.plane and n not in ("x", "y", "yaw", "rz")]
     if flat:
         raise InputError(f"{flat[0]} is fixed: the robot moves in the plane z = 0", hint="take x, y and yaw")
-    _count(given, mobility, "coordinate", f"the others follow from them: {_example(given, m.robot)}")
     values = _numbers(given)
     _check_turn(dict(zip(given, values, strict=True)))
     return Wanted(tuple(given), values, False, None, text or _shown(given))
@@ -93,7 +99,7 @@ def wanted_actuators(m: Mechanism, given: Mapping[str, Any] | Sequence[Any], tex
     """Amounts of the actuators from home, by name or all in their order. Those that are not named stay at home."""
     if not isinstance(given, Mapping):
         values = list(given)
-        _count(values, len(m.actuators), "actuator", f"they are {_listed(m.actuators)}")
+        check_count(values, len(m.actuators), "actuator", f"they are {_listed(m.actuators)}")
         given = {a.name: v for a, v in zip(m.actuators, values, strict=True)}
     names = [a.name for a in m.actuators]
     _known(given, names, "actuator", _listed(m.actuators))
@@ -109,21 +115,16 @@ def _known(given: Mapping[str, Any], names: Sequence[str], what: str, listed: st
             raise InputError(f"{str(name)[:40]!r} is no {what}", hint=hint)
 
 
-def _count(given: Any, needed: int, what: str, hint: str) -> None:
+def check_count(given: Any, needed: int, what: str, hint: str) -> None:
+    """Raises InputError where there are too few or too many of them."""
     if len(given) != needed:
         word = "few" if len(given) < needed else "many"
         beside = "the robot has" if what == "actuator" else "the platform has mobility"
         raise InputError(f"too {word} {what}s: {len(given)}, and {beside} {needed}", hint=f"give {needed}; {hint}")
 
 
-def _example(given: Mapping[str, Any], robot: RobotText) -> str:
-    """As many coordinates as the robot has freedoms, those given among them where they are too few."""
-    order = ("x", "y", "yaw") if robot.family.plane else ("z", "roll", "pitch", "x", "y", "yaw")
-    if any(n in VECTOR for n in given):
-        order = ("z", "rx", "ry", "x", "y", "rz")
-    known = list(given)[: robot.mobility]
-    more = [n for n in order if n not in given][: robot.mobility - len(known)]
-    values = {**{n: float(exact(given[n], n)) for n in known}, **dict.fromkeys(more, 0.0)}
+def written(values: Mapping[str, float]) -> str:
+    """Coordinates as a user would write them: "z=0.2, roll=5deg"."""
     words = (f"{n}={math.degrees(v):.6g}deg" if n in ANGLES else f"{n}={v:.6g}" for n, v in values.items())
     return f'"{", ".join(words)}"'
 

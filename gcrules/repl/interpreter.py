@@ -28,6 +28,7 @@ from gcrules.repl.reading import (
     Source,
     bare_command,
     first_word,
+    help_topic,
     is_blank,
     pieces,
     split_command,
@@ -100,7 +101,16 @@ class Interpreter:
         elif "==" in text:
             yield from self.equation(source)
         else:
-            yield from self.shown(self.expression(source), source)
+            yield from self.shown(self._expression_or_help(source), source)
+
+    def _expression_or_help(self, source: Source) -> Expr:
+        try:
+            return self.expression(source)
+        except GcrulesError as fault:
+            topic = help_topic(source.text)
+            if topic:
+                fault.hint = f"help begins with a colon: :help {topic}"
+            raise
 
     def _declared(self, text: str) -> bool:
         """Whether a word is the name of a point or of something that was named by `let`."""

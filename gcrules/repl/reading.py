@@ -25,6 +25,7 @@ __all__ = [
     "as_typed",
     "bare_command",
     "first_word",
+    "help_topic",
     "is_blank",
     "pieces",
     "split_command",
@@ -37,6 +38,7 @@ _FIRST_WORD = re.compile(r"(?:\s|#[^\n]*(?:\n|$))*([A-Za-z][A-Za-z0-9_']*)?")
 _COMMAND = re.compile(r"\s*:([A-Za-z?]*)[ \t]*")
 _MEANINGS = {"help": "help", "?": "help", "quit": "quit", "exit": "quit", "bye": "quit"}
 _BARE = re.compile(r"\s*(help|\?|quit|exit|bye)\s*(?:\(\s*\))?\s*;?\s*", re.IGNORECASE)
+_HELP = re.compile(r"\s*help\s+:?([A-Za-z]+)\s*", re.IGNORECASE)
 _BLANK = re.compile(r"(?:\s|#[^\n]*(?:\n|$))*")
 _RESULT = re.compile(r'"[^"\n]*"|#[^\n]*|(%+)')
 _NAME = "last__"  # the results, as names that cannot be points side by side
@@ -78,6 +80,12 @@ def bare_command(text: str) -> str:
     """The name of the command that words without a colon stand for at most prompts: help, quit, exit, ?; else empty."""
     found = _BARE.fullmatch(text)
     return _MEANINGS[found[1].lower()] if found else ""
+
+
+def help_topic(text: str) -> str:
+    """What help is asked for by words without a colon, as in "help prove"; else empty."""
+    found = _HELP.fullmatch(text)
+    return found[1] if found else ""
 
 
 def unfinished(text: str) -> bool:

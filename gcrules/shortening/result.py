@@ -55,11 +55,12 @@ class Shortening:
             "notes": list(self.notes),
         }
 
-    def text(self, *, unicode: bool = False) -> str:
-        """The polynomial, its number of terms, whether fewer are possible and why, and the certificate."""
+    def text(self, *, unicode: bool = False, short: bool = False) -> str:
+        """The polynomial (`short`: with powers), its number of terms, whether fewer are possible and why, and the
+        certificate."""
         sure = "proved minimal" if self.minimal else f"best found; at least {self.lower} are needed"
         lines = [
-            self.polynomial.text(unicode=unicode),
+            self.polynomial.text(unicode=unicode, short=short),
             f"  terms        {self.terms} of {self.given}: {sure}",
             f"  lower bound  {self.bound.method}: {self.bound.detail}",
             f"  certificate  {self.certificate.method}: {self.certificate.detail}",

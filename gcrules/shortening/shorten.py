@@ -60,7 +60,7 @@ def shorten(
     terms = max(_TERMS_PER_MONOMIAL * limit, MAX_TERMS)
     start = monotonic()
     limits = Limits(limit, terms, progress)
-    with within(max(seconds, _PREPARATION)):
+    with within(seconds, grace=max(0.0, _PREPARATION - seconds)):
         pieces = taken_apart(e, what="shortened", points=points, ideal=ideal, rank=rank, limit=terms)
         rows, poly = tuple(sorted(pieces.rows.elements())), _multiplied(pieces, terms)
         kept = _canonical(poly * poly.with_terms({rows: 1}))
