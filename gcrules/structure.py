@@ -22,6 +22,7 @@ from gcrules.algebra.incidences import fault
 from gcrules.algebra.nonzero import words
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.text import text as as_text
+from gcrules.core.arguments import TEXT, WHOLE, instance, listed, read, row
 from gcrules.errors import InputError
 from gcrules.line_text import Leg
 
@@ -46,6 +47,18 @@ def _side_by_side(words: Sequence[str]) -> str:
     return (", " if any(" " in word for word in words) else " ").join(words)
 
 
+_LEG = row("", TEXT, TEXT)
+_NAMES = listed("a sequence of names of points", TEXT)
+_KINDS = {
+    "legs": listed("a sequence of pairs of names", _LEG).hinting(str="gc.analyze takes legs as text"),
+    "points": _NAMES,
+    "ideal": _NAMES,
+    "given": listed("a sequence of assumptions", instance("", Assumption)),
+    "rank": WHOLE,
+    "stand_ins": listed("a sequence of legs, each with the line it stands for", row("", _LEG, instance("", Expr))),
+}
+
+
 @dataclass(frozen=True)
 class Structure:
     """Six legs exactly as typed, and what follows from their graph alone; in rank n they are n (n − 1) / 2 lines.
@@ -66,6 +79,8 @@ class Structure:
     stand_ins: tuple[tuple[Leg, Expr], ...] = ()
 
     def __post_init__(self) -> None:
+        for name, kind in _KINDS.items():
+            object.__setattr__(self, name, read(kind, getattr(self, name), f"gc.Structure: `{name}`"))
         number, expected = len(self.legs), self.rank * (self.rank - 1) // 2
         if number != expected:
             raise _wrong_number(number, expected, self.rank)

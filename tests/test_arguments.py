@@ -151,6 +151,10 @@ METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
     "Library.plus": (LIBRARY.plus, ("rules",)),
     "Library": (gc.Library, ("rules",)),
     "Strategy": (gc.Strategy, ("rules",)),
+    "Structure": (
+        lambda **given: gc.Structure(**{"legs": PLATFORM.legs, **given}),
+        ("legs", "points", "ideal", "given", "rank", "stand_ins"),
+    ),
     "Plugin": (gc.Plugin, ("rules", "files", "owner")),
     "Platform": (
         lambda **given: gc.Platform(**{"legs": PLATFORM.legs, "points": PLATFORM.points, **given}),

@@ -16,6 +16,7 @@ A missing argument and an unknown keyword stay Python's own TypeError of the cal
 from __future__ import annotations
 
 import inspect
+import math
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
@@ -52,6 +53,7 @@ __all__ = [
     "mapping",
     "optional",
     "read",
+    "row",
 ]
 
 P = ParamSpec("P")
@@ -189,6 +191,19 @@ def listed(words: str, item: Kind, *, alone: bool = False, ordered: bool = True)
     return Kind(words, read_all, item.hints)
 
 
+def row(words: str, *items: Kind) -> Kind:
+    """As many values as there are kinds, one of each in order, as a tuple."""
+    some = listed(words, Kind("", lambda value: value))
+
+    def read_each(value: Any) -> Any:
+        values = some.read(value)
+        if len(values) != len(items):
+            raise Unfit
+        return tuple(item.read(v) for item, v in zip(items, values, strict=True))
+
+    return Kind(words, read_each)
+
+
 def mapping(words: str, item: Kind) -> Kind:
     """A mapping from texts to values of one kind, as a dict."""
 
@@ -226,10 +241,14 @@ def _number(value: Any) -> Any:
     return int(value) if isinstance(value, Integral) else float(value)
 
 
-def _not_negative(value: Any) -> Any:
+def _duration(value: Any) -> float:
+    """Seconds as a float; what is too large for one is no limit."""
     if (found := _number(value)) < 0:
         raise Unfit
-    return found
+    try:
+        return float(found)
+    except OverflowError:
+        return math.inf
 
 
 def _positive(value: Any) -> int:
@@ -270,7 +289,7 @@ FLAG = Kind("True or False", _flag)
 WHOLE = Kind("a whole number", _whole)
 COUNT = Kind("a whole number from 1 on", _positive)
 NUMBER = Kind("a number", _number)
-DURATION = Kind("a number of seconds, 0 or more", _not_negative)
+DURATION = Kind("a number of seconds, 0 or more", _duration)
 
 
 def _numbers(value: Any) -> Any:

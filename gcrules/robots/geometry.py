@@ -23,7 +23,7 @@ from os import PathLike
 from pathlib import PurePath
 
 from gcrules.algebra.text import SHORT_NAME
-from gcrules.core.arguments import ROW, TEXT, described, listed, mapping, read
+from gcrules.core.arguments import ROW, TEXT, described, listed, mapping, read, row
 from gcrules.core.floats import exact
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
@@ -42,7 +42,7 @@ _NAME = re.compile(r"[A-Za-z](?:[A-Za-z0-9_]*[A-Za-z0-9])?'*")
 _MAX_NAME = 40
 
 
-_LEGS = listed("a sequence of pairs of names", listed("", TEXT))
+_LEGS = listed("a sequence of pairs of names", row("", TEXT, TEXT))
 _POINTS = mapping("a mapping from names to places of three numbers", ROW)
 
 

@@ -9,7 +9,7 @@ from .campaign import Found, campaign, load_everything, tried
 from .case import from_yaml, to_yaml
 from .families import FAMILIES, Family
 from .jail import jailed
-from .record import recorded
+from .record import commit_now, recorded
 
 _NIGHTLY = 100_000
 
@@ -42,7 +42,7 @@ def main() -> int:
     if asked.replay:
         return _replay(asked.replay, asked.seed)
     families = [FAMILIES[name] for name in asked.family or FAMILIES]
-    wrong = 0
+    wrong, commit = 0, commit_now()
     for family, seconds in _shared(families, asked.seconds):
         result = campaign(
             family,
@@ -57,7 +57,7 @@ def main() -> int:
         print(result.text(), flush=True)
         wrong += len(result.found)
         if asked.record:
-            recorded(result)
+            recorded(result, commit)
     return 1 if wrong else 0
 
 

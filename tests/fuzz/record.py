@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from .campaign import Result
 
-__all__ = ["RECORD", "recorded"]
+__all__ = ["RECORD", "commit_now", "recorded"]
 
 RECORD = Path(__file__).parent / "RECORD.md"
 
@@ -26,15 +26,15 @@ again and writes the row. What counts as wrong stands in [judging.py](judging.py
 """
 
 
-def recorded(result: Result) -> None:
-    """Put a row for this result in place of the one for the same family and seed."""
+def recorded(result: Result, commit: str) -> None:
+    """Put a row for this result, of this commit, in place of the one for the same family and seed."""
     head = f"| {result.family} | {result.seed} |"
     rows = [r for r in _rows() if not r.startswith(head)]
     codes = ", ".join(f"{c}: {n:,}" for c, n in sorted(result.codes.items(), key=lambda pair: str(pair[0])))
     outcome = "nothing wrong" if not result.found else "; ".join(f"{result.times[n]:,} × {n}" for n in result.found)
     cells = (
         f"{result.inputs:,}",
-        _commit(),
+        commit,
         f"{datetime.now(UTC):%Y-%m-%d}",
         codes,
         f"{result.slowest[0]:.1f} s",
@@ -51,6 +51,7 @@ def _rows() -> list[str]:
     return [line for line in lines if line.startswith("| ") and not line.startswith("| family")]
 
 
-def _commit() -> str:
+def commit_now() -> str:
+    """The commit that is checked out: ask before the inputs run, which take long."""
     done = subprocess.run(["git", "describe", "--always", "--dirty"], capture_output=True, text=True, cwd=RECORD.parent)
     return done.stdout.strip() or "unknown"

@@ -13,7 +13,7 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass, replace
-from time import process_time
+from time import monotonic, process_time, sleep
 from types import FrameType
 from typing import Any
 
@@ -87,29 +87,55 @@ def timed(seconds: float) -> Iterator[None]:
 
 
 def run_command(case: Case, jail: Jail, *, around: Around = nullcontext) -> Outcome:
-    """Run `gcrules ARGV` by its entry point, with standard streams of its own; `around` surrounds it."""
-    from gcrules import cli
+    """Run `gcrules ARGV` with standard streams of its own, as the entry point does, but the process goes on after it;
+    `around` surrounds it.
+    """
+    from gcrules import cli, files, interrupts, streams
+
+    def program() -> int:
+        streams.prepare()
+        return cli.answered()
 
     def body() -> tuple[str, ...]:
         with around():
-            cli.main()
-        return ()
+            code = interrupts.run(program)
+        interrupts.ignore()
+        files.remove_unfinished()
+        streams.flush()
+        raise SystemExit(code)
 
     internal: list[str] = []
-    print_exc = traceback.print_exc
+    print_exception = traceback.print_exception
 
     def seen(*args: Any, **kwargs: Any) -> None:
         internal.append(last_frame(sys.exception()))
-        print_exc(*args, **kwargs)
+        print_exception(*args, **kwargs)
 
     argv, sys.argv = sys.argv, ["gcrules", *case.argv]
-    traceback.print_exc = seen  # the entry point shows its own faults so
+    silence, streams.silence = streams.silence, lambda: None  # standard output is no file here
+    hook = sys.unraisablehook
+    traceback.print_exception = seen  # the entry point shows its own faults so
     try:
-        found = _watched(case, jail, body)
+        return _with_fault(_watched(case, jail, body), internal)
     finally:
-        traceback.print_exc = print_exc
+        traceback.print_exception = print_exception
+        sys.unraisablehook = hook
+        streams.silence = silence
         sys.argv = argv
+
+
+def _with_fault(found: Outcome, internal: list[str]) -> Outcome:
     return replace(found, frame=internal[0], trace=found.stderr) if internal else found
+
+
+def _forget_signals() -> None:
+    """Let the next program hear signals as the first one did, when nothing reminds of this one's any more."""
+    from gcrules import interrupts
+
+    until = monotonic() + 5
+    while interrupts._heard.reminding and monotonic() < until:
+        sleep(0.001)
+    interrupts._heard = interrupts._Signals()
 
 
 def run_call(case: Case, jail: Jail, call: Callable[[], Sequence[str]]) -> Outcome:
@@ -157,6 +183,7 @@ def _watched(case: Case, jail: Jail, body: Callable[[], tuple[str, ...]]) -> Out
             trace, frame = traceback.format_exc(), last_frame(fault)
         finally:
             sys.stdin, sys.stdout, sys.stderr = streams
+            _forget_signals()
             for number, handler in handlers.items():
                 signal.signal(number, handler)
     noise = [f"{w.category.__name__}: {w.message} at {w.filename.split('/gcrules/')[-1]}" for w in caught]

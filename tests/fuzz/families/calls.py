@@ -9,6 +9,7 @@ from __future__ import annotations
 import inspect
 import json
 import pickle
+import traceback
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
@@ -279,13 +280,10 @@ def run(case: Case, jail: Jail) -> Outcome:
 
 
 def _of_signature(fault: TypeError) -> bool:
-    """Whether no function of gcrules had begun yet: the call itself does not fit."""
-    frame = fault.__traceback__
-    while frame is not None:
-        if str(ROOT / "gcrules") in frame.tb_frame.f_code.co_filename:
-            return False
-        frame = frame.tb_next
-    return True
+    """Whether no function of gcrules had begun yet, but for the one that binds arguments: the call does not fit."""
+    frames = (frame.f_code for frame, _ in traceback.walk_tb(fault.__traceback__))
+    ours = [code for code in frames if code.co_filename.startswith(str(ROOT / "gcrules"))]
+    return all(code.co_filename.endswith("arguments.py") and code.co_name == "call" for code in ours)
 
 
 def _shown(found: Any) -> Iterator[str]:
@@ -306,6 +304,4 @@ def _live(found: Any) -> bool:
     return type(found).__name__ in ("CompiledCondition", "RobotWidget", "Library", "Strategy", "Plugin", "SingularMap")
 
 
-CALLS = Family(
-    "calls", "calls of the Python API with values of any type", call, run, share=1.5, open="errors of the interpreter"
-)
+CALLS = Family("calls", "calls of the Python API with values of any type", call, run, share=1.5)

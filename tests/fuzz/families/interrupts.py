@@ -6,6 +6,7 @@ signal is called. In a process of its own a true signal comes after a time.
 
 from __future__ import annotations
 
+import atexit
 import os
 import signal
 import sys
@@ -18,7 +19,8 @@ from time import monotonic, sleep
 from types import FrameType
 from typing import Any
 
-from gcrules import cli
+from gcrules import interrupts
+from gcrules.main import main
 
 from ..case import Case
 from ..corpus import corpus
@@ -119,7 +121,7 @@ class _Moment:
         self.count = 0
         self.came = False
         self.left: tuple[str, ...] | None = None
-        self.entry = cli.main.__code__
+        self.entry = interrupts.run.__code__
 
     @contextmanager
     def __call__(self) -> Iterator[None]:
@@ -251,6 +253,7 @@ def _forked(case: Case, jail: Jail, number: int | None, after: float) -> tuple[f
 def _child(case: Case, streams: dict[str, str], begun: int) -> None:
     """The rest of a child's life."""
     code = 70
+    atexit._clear()  # what is to be done at the end of the campaign
     try:
         signal.signal(signal.SIGINT, signal.default_int_handler)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
@@ -260,7 +263,7 @@ def _child(case: Case, streams: dict[str, str], begun: int) -> None:
         sys.argv = ["gcrules", *case.argv]
         signal.alarm(120)
         os.write(begun, b".")
-        cli.main()
+        main()
     except SystemExit as end:
         code = end.code if isinstance(end.code, int) else 0
         sys.stdout.flush()
@@ -281,7 +284,6 @@ INTERRUPTS = Family(
     run_interrupt,
     share=1.5,
     few=12,
-    open="an interrupt while options are read ends with 1",
 )
 KILLS = Family(
     "kills",
@@ -290,5 +292,4 @@ KILLS = Family(
     run_kill,
     share=1.5,
     few=5,
-    open="tracebacks after interrupts",
 )
