@@ -12,11 +12,11 @@ from typing import Any
 
 import click
 
-from gcrules import interrupts
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.cli.base import Output, Space, decorated
 from gcrules.cli.files import read_stdin
 from gcrules.cli.limits import limited
+from gcrules.core import interrupts
 from gcrules.core.budget import waiting
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.legs import Structure, read_legs

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NoReturn
 
-from gcrules import files, interrupts
+from gcrules.core import files, interrupts
 from gcrules.core.alarm import ringing
 from gcrules.core.budget import seconds_left, within
 from gcrules.errors import FileError, GcrulesError, LimitReached
