@@ -29,7 +29,6 @@ from gcrules.core.seeds import repeated
 from gcrules.errors import GcrulesError, InputError, LimitReached, StepError, SyntaxFault
 from gcrules.factoring.limits import MAX_EXTENSORS, SECONDS
 from gcrules.factoring.result import Factorization
-from gcrules.kinds import public
 from gcrules.legs import Structure, read_legs, read_order
 from gcrules.notebook import view as _view
 from gcrules.plugins import Plugin
@@ -47,6 +46,7 @@ from gcrules.rules.strategy import Strategy
 from gcrules.shortening.limits import MAX_MONOMIALS
 from gcrules.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
 from gcrules.shortening.result import Shortening
+from gcrules.signatures import public
 from gcrules.turning import Transversals
 from gcrules.turning import transversals as _transversals
 

@@ -19,7 +19,7 @@ from gcrules.catalog import SHIPPED, Catalog, Entry, Reading
 from gcrules.catalog_proofs import DIGESTS, counterexample, digests
 from gcrules.condition import Certificate, Condition
 from gcrules.core.budget import checkpoint
-from gcrules.files import write_file
+from gcrules.core.files import write_file
 from gcrules.legs import Leg, Structure
 from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.state import extensor

@@ -15,11 +15,12 @@ from gcrules.algebra.syntax import parse
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.catalog import FROM_CATALOG, LABELS, SHIPPED, Catalog, Entry, Reading
 from gcrules.catalog_proofs import is_shipped_sentence
+from gcrules.core.hints import near
 from gcrules.errors import FileError, GcrulesError, join_faults
 from gcrules.frozen import FrozenMap
 from gcrules.legs import Leg, Structure, read_legs
 from gcrules.rules.incidence import INCIDENCES
-from gcrules.yamlfile import Document, Node, near
+from gcrules.yamlfile import Document, Node
 
 __all__ = ["KINDS", "STATUSES", "load", "load_file"]
 

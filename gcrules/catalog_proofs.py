@@ -2,8 +2,8 @@ r"""Which identities of catalogs are proved: those that are shipped by their dig
 
 `catalog.sha256` holds the digest of every identity and sentence of the shipped catalog; `gcrules catalog check` proves
 the identities and compares the digests. What has no digest there comes from outside, be it a catalog of the user's own
-or a shipped one that was changed: it is proved by normal forms before it becomes an answer (once, see `memory`), or the
-answer says who claims it.
+or a shipped one that was changed: it is proved by normal forms before it becomes an answer (once, see
+`core.proof_memory`), or the answer says who claims it.
 """
 
 from __future__ import annotations

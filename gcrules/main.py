@@ -6,7 +6,7 @@ import atexit
 import os
 import sys
 
-from gcrules import interrupts  # what else is needed is imported when signals are heard
+from gcrules.core import interrupts  # what else is needed is imported when signals are heard
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,8 +28,8 @@ def main() -> NoReturn:
 
 
 def _answered() -> int:
-    from gcrules import streams
     from gcrules.cli import answered  # loads click
+    from gcrules.core import streams
 
     streams.prepare()
     return answered()
@@ -37,7 +37,7 @@ def _answered() -> int:
 
 def _tidy() -> None:
     """Leave no unfinished file; what is printed from now on, by a plugin that is called at the end, is no answer."""
-    from gcrules import files, streams
+    from gcrules.core import files, streams
 
     files.remove_unfinished()
     streams.flush()

@@ -173,14 +173,10 @@ def installed() -> Iterator[Plugin]:
 
 
 def _owned(plugin: Plugin, owner: str, place: str, *, outside: bool) -> Plugin:
-    """A pack with its owner's name. Raises FileError where it holds something else than rules and files."""
-    for name, kind, word in (("rules", Rule, "rule"), ("files", (str, PathLike), "name of a file")):
-        values = getattr(plugin, name)
-        if not isinstance(values, tuple):
-            raise FileError(f"{owner}: {name} is {values!r:.100}, expected a tuple", filename=place)
-        for value in values:
-            if not isinstance(value, kind):
-                raise FileError(f"{owner}: {name} holds {value!r:.100}, which is no {word}", filename=place)
+    """A pack with its owner's name. Raises FileError where it holds something else than rules."""
+    for rule in plugin.rules:
+        if not isinstance(rule, Rule):
+            raise FileError(f"{owner}: rules holds {rule!r:.100}, which is no rule", filename=place)
     with foreign(f"{owner} cannot be loaded", place):
         return Plugin(tuple(_of(owner, r, outside) for r in plugin.rules), plugin.files, owner)
 

@@ -16,15 +16,14 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from fractions import Fraction
 from os import PathLike, fspath
 from typing import Any, Literal
 
-from gcrules.core.hints import files_like, number_with_unit
+from gcrules.core.hints import files_like, near, number_with_unit
 from gcrules.errors import FileError, GcrulesError, Span, join_faults
 
-__all__ = ["MAX_BYTES", "Document", "Node", "near", "read_text"]
+__all__ = ["MAX_BYTES", "Document", "Node", "read_text"]
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 20
@@ -66,13 +65,6 @@ def read_text(path: str | PathLike[str], *, limit: int = MAX_BYTES) -> str:
         line = data.count(b"\n", 0, fault.start) + 1
         what = f"this is not a text file in UTF-8 (byte {fault.start + 1}, line {line})"
         raise FileError(what, filename=name) from None
-
-
-def near(word: str, words: Collection[str]) -> str | None:
-    """A hint that names the words like this one, or None: "did you mean legs?"."""
-    found = get_close_matches(word, sorted(words), n=2, cutoff=0.5 if len(word) < 4 else 0.6)
-    found = found or [w for w in sorted(words) if w.casefold() == word.casefold()][:2]
-    return f"did you mean {' or '.join(found)}?" if found else None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

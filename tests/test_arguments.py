@@ -19,7 +19,7 @@ import gcrules as gc
 from gcrules import api
 from gcrules.core.arguments import described
 from gcrules.errors import GcrulesError, InputError
-from gcrules.kinds import SIGNATURES
+from gcrules.signatures import SIGNATURES
 
 ROOT = Path(__file__).resolve().parent.parent
 PLATFORM = gc.load_platform(ROOT / "examples" / "octahedral.yaml")

@@ -707,3 +707,13 @@ def test_starting_loads_nothing_heavy() -> None:
     code = "import sys, gcrules.cli; print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     assert not {"numpy", "networkx", "sympy", "matplotlib", "lark", "yaml", "gcrules.analysis"} & set(loaded)
+
+
+@pytest.mark.parametrize(
+    "words", [["expand", "ab"], ["straighten", "[abcd]"], ["prove", "ab /\\ cd == [abcd]"]], ids=" ".join
+)
+def test_small_answers_load_nothing_heavy(words: list[str]) -> None:
+    code = f"import sys; from gcrules.cli import cli; cli({words!r}, standalone_mode=False); print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert "gcrules.cli.algebra" in loaded
+    assert not {"numpy", "networkx", "sympy", "matplotlib", "gcrules.analysis"} & set(loaded)

@@ -312,12 +312,12 @@ PACKAGES = {
     "rules that are None": (
         "broken:PLUGIN",
         "from gcrules.plugins import Plugin\nPLUGIN = Plugin(rules=None)",
-        "package broken: rules is None, expected a tuple",
+        "package broken cannot be loaded: InputError: gc.Plugin: `rules` must be a sequence of rules, got None",
     ),
     "files that are numbers": (
         "broken:PLUGIN",
         "from gcrules.plugins import Plugin\nPLUGIN = Plugin(files=(1,))",
-        "package broken: files holds 1, which is no name of a file",
+        "`files` must be a sequence of names of files, got a tuple of 1 that holds 1",
     ),
     "ends the program": ("broken:PLUGIN", "raise SystemExit(0)", "package broken cannot be loaded: SystemExit: 0"),
 }

@@ -132,7 +132,7 @@ def test_a_signal_at_any_line(tmp_path: Path, module: str, words: list[str]) -> 
 
 def program(code: str) -> subprocess.CompletedProcess[str]:
     """What becomes of a program that is interrupted in the given lines."""
-    script = f"import signal, sys, time\nfrom gcrules import interrupts\n{code}\nsys.exit(interrupts.run(program))"
+    script = f"import signal, sys, time\nfrom gcrules.core import interrupts\n{code}\nsys.exit(interrupts.run(program))"
     return subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
 
 

@@ -196,6 +196,22 @@ def test_the_net_is_gone_behind_the_budget() -> None:
     assert signal.getitimer(signal.ITIMER_REAL) == (0, 0)
 
 
+@pytest.mark.usefixtures("quick_net")
+def test_a_net_inside_another_gives_the_timer_back() -> None:
+    """The prompt runs scripts within the time of one input; a plugin is timed within that of a command."""
+
+    def work() -> None:
+        with alarm.limited(1_000):
+            pass
+        with alarm.ringing(lambda frame: None, 1_000, 1_000):
+            pass
+        endless()
+
+    with pytest.raises(LimitReached, match=r"more than 0\.05 seconds"), alarm.limited(0.05):
+        work()
+    assert signal.getitimer(signal.ITIMER_REAL) == (0, 0)
+
+
 def test_in_other_threads_there_are_checkpoints_only() -> None:
     found: list[object] = []
 

@@ -850,7 +850,7 @@ def test_a_full_disk(
     elif where == "file":
         monkeypatch.setattr(outputs, "netcdf", full)
     else:
-        full_at = "gcrules.files.os.replace"
+        full_at = "gcrules.core.files.os.replace"
         monkeypatch.setattr(full_at, lambda a, b: full() if str(b).endswith(".nc") else os.rename(a, b))
     done = run(robot, *OVER, "-o", str(tmp_path / "map.nc"))
     assert done.exit_code == 2

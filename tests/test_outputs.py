@@ -12,8 +12,8 @@ import pytest
 from click.testing import CliRunner
 
 from gcrules.cli import cli
+from gcrules.core.files import check_target, held, replacing, write_file
 from gcrules.errors import FileError
-from gcrules.files import check_target, held, replacing, write_file
 
 LEGS = "ab af cb cd ed ef"
 PATH = ("path", "ROBOT", "--at", "0 0 0", "--at", "0 0 -3", "--samples", "2")
@@ -216,7 +216,7 @@ def test_the_file_of_standard_output_is_an_output_too(here: Path) -> None:
     assert "goes to standard output, and so does the answer" in done.stderr
 
 
-# --- files.py itself -----------------------------------------------------------------------------------------------
+# --- the module itself ---------------------------------------------------------------------------------------------
 
 
 def test_files_that_are_held_appear_together(here: Path) -> None:

@@ -56,6 +56,16 @@ def test_import_loads_no_heavy_library() -> None:
     assert loaded & LOADED_WHEN_USED == set()
 
 
+def test_the_core_imports_nothing_above_it(root: Path) -> None:
+    """Errors are part of the core, though they stand beside it."""
+    modules = sorted((root / "gcrules" / "core").glob("*.py"))
+    assert len(modules) > 5
+    imported = re.compile(r"^\s*(?:from|import)\s+(gcrules[\w.]*)", re.MULTILINE)
+    found = {name for path in modules for name in imported.findall(path.read_text(encoding="utf-8"))}
+    assert "gcrules.errors" in found
+    assert {n for n in found if n != "gcrules.errors" and not re.match(r"gcrules\.core\b", n)} == set()
+
+
 def test_no_file_mentions_a_machine(root: Path) -> None:
     """Paths of the machine that a file was written on mean nothing to anybody else."""
     machine_path = re.compile(rf"(^|[^A-Za-z0-9_.])/({'|'.join(('work', 'farm'))})/", re.MULTILINE)

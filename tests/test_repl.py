@@ -929,7 +929,7 @@ def pause() -> None:
 
 
 def test_an_interrupt_in_a_destructor_is_not_lost(capsys: pytest.CaptureFixture[str]) -> None:
-    from gcrules.interrupts import interruptible
+    from gcrules.core.interrupts import interruptible
 
     def compute() -> None:
         with interruptible():
@@ -959,7 +959,7 @@ def test_an_interrupt_of_what_is_collected_first_is_not_lost(
 
 
 def test_other_faults_of_destructors_are_still_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    from gcrules.interrupts import interruptible
+    from gcrules.core.interrupts import interruptible
 
     class Broken:
         def __del__(self) -> None:

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain, groupby
+from math import gcd, lcm
 from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra import expr as ex
@@ -31,6 +32,7 @@ __all__ = [
     "Monomial",
     "Row",
     "Terms",
+    "primitive",
     "sorted_row",
     "tableau_order",
 ]
@@ -259,6 +261,15 @@ class BracketPolynomial(_Shown):
 
         terms = [sympy.Mul(sympy.Rational(c), *map(symbol, rows)) for c, rows in self.named()]
         return sympy.Add(*terms)
+
+
+def primitive(poly: BracketPolynomial) -> tuple[Coefficient, BracketPolynomial]:
+    """The content (with the sign of the first term) and the polynomial divided by it: whole, coprime numbers."""
+    coefficients = [Fraction(c) for c in poly.terms.values()]
+    content = Fraction(gcd(*(c.numerator for c in coefficients)), lcm(*(c.denominator for c in coefficients)))
+    if coefficients[0] < 0:
+        content = -content
+    return ex.Number(content).value, poly * (1 / content)
 
 
 @dataclass(frozen=True, repr=False)

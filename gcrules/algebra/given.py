@@ -143,7 +143,7 @@ def _largest(
     """
     made = dict(found)
     left_out: dict[Alternative, tuple[Expr, ...]] = dict.fromkeys(found, ())
-    for way, c in reversed(found.items()):
+    for way, c in reversed(list(found.items())):
         needed = (*c.nonzero, *way.nonzero, *left_out[way])
         for other, larger in made.items():
             if other is not way and _within(c, other, larger) and not any(map(larger.vanishes, needed)):

@@ -22,7 +22,7 @@ from itertools import combinations
 from math import comb
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms
+from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms, primitive
 from gcrules.algebra.construction import Construction
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Bracket, Expr, Number, Point, Power, Product
@@ -31,8 +31,6 @@ from gcrules.algebra.space import Assumption
 from gcrules.algebra.straighten import straighten
 from gcrules.algebra.text import text
 from gcrules.errors import InputError, LimitReached
-from gcrules.factoring.brackets import bracket_factors
-from gcrules.factoring.normal import primitive
 
 __all__ = ["Alternative", "Task", "alternatives", "flats"]
 
@@ -226,6 +224,8 @@ def _parts(a: Assumption, base: Construction, task: Task) -> tuple[tuple[Expr, .
     written = tuple(_factors(e))
     if len(written) > 1 or written[:1] not in ((), (e,)):
         return tuple(dict.fromkeys(written)), ()
+    from gcrules.factoring.brackets import bracket_factors  # numpy, for scalars that may be products in disguise
+
     try:
         poly = _polynomial(e, task)
         left = _without_zeros(e, base, task)

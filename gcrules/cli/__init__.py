@@ -6,8 +6,9 @@ import traceback
 
 import click
 
-from gcrules import __version__, interrupts
+from gcrules import __version__
 from gcrules.cli.base import LazyGroup, colour_choice
+from gcrules.core import interrupts
 from gcrules.main import main
 
 __all__ = ["answered", "cli", "main"]

@@ -16,13 +16,13 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from gcrules import interrupts, streams
 from gcrules.cli.files import ANSWERED, Command, OutputFile, printed
 from gcrules.cli.limits import Seconds
+from gcrules.core import interrupts, streams
 from gcrules.core.budget import waiting
+from gcrules.core.files import write_file
 from gcrules.core.seeds import repeated
 from gcrules.errors import GcrulesError, InputError
-from gcrules.files import write_file
 
 __all__ = [
     "ExpressionCommand",

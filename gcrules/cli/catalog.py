@@ -16,13 +16,13 @@ from gcrules.cli.files import working
 from gcrules.cli.limits import time_limit
 from gcrules.cli.rules import plugins_option
 from gcrules.condition import Certificate, Condition
+from gcrules.core.hints import near
 from gcrules.errors import InputError
 from gcrules.legs import Leg, Structure, legs_text
 from gcrules.plugins import load_rules
 from gcrules.render.catalog_index import degrees_text
 from gcrules.rules.oracle import Oracle
 from gcrules.rules.words import sentence
-from gcrules.yamlfile import near
 
 if TYPE_CHECKING:
     from gcrules.catalog_check import CheckResult

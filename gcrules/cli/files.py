@@ -11,10 +11,10 @@ from typing import Any
 
 import click
 
-from gcrules import streams
+from gcrules.core import streams
 from gcrules.core.budget import waiting
+from gcrules.core.files import check_name, check_target, held
 from gcrules.errors import FileError, InputError
-from gcrules.files import check_name, check_target, held
 
 __all__ = ["ANSWERED", "Command", "OutputFile", "Status", "printed", "read_stdin", "working"]
 

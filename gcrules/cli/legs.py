@@ -25,11 +25,12 @@ from gcrules.cli.files import OutputFile, read_stdin, working
 from gcrules.cli.limits import beside, limited, time_limit
 from gcrules.cli.manual import Manual, manual_options, run_manual
 from gcrules.cli.rules import Choice, rules_options
+from gcrules.core.files import write_file
+from gcrules.core.hints import near
 from gcrules.errors import InputError
-from gcrules.files import write_file
 from gcrules.robots.geometry import Platform, load_platform, parse_platform
 from gcrules.rules.factorization import SECONDS
-from gcrules.yamlfile import Document, near
+from gcrules.yamlfile import Document
 
 if TYPE_CHECKING:
     from gcrules.robots.model import Robot

@@ -12,19 +12,19 @@ from typing import Any
 
 import click
 
-from gcrules import interrupts
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.cli.base import Output, Space, decorated
 from gcrules.cli.files import read_stdin
 from gcrules.cli.limits import limited
+from gcrules.core import interrupts
 from gcrules.core.budget import waiting
+from gcrules.core.hints import near
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.legs import Structure, read_legs
 from gcrules.manual import MOVES, PROPOSALS, Session
 from gcrules.manual.forms import orders_text
 from gcrules.manual.words import Words, relocated
 from gcrules.robots.geometry import Platform
-from gcrules.yamlfile import near
 
 __all__ = ["Manual", "manual_options", "run_manual"]
 

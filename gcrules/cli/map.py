@@ -12,8 +12,8 @@ from gcrules.cli.base import ExpressionCommand, Output, about_option
 from gcrules.cli.files import OutputFile, Status, working
 from gcrules.cli.limits import time_limit
 from gcrules.cli.platforms import read_platform
+from gcrules.core.files import after_writing
 from gcrules.errors import InputError
-from gcrules.files import after_writing
 from gcrules.mapping.axes import read_axes
 from gcrules.mapping.maps import MEASURES, bytes_of, done, planned
 from gcrules.mapping.outputs import SUFFIXES, check_outputs

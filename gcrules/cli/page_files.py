@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from gcrules.core.files import write_file
 from gcrules.errors import FileError
-from gcrules.files import write_file
 
 __all__ = ["Summary", "renew"]
 

@@ -10,9 +10,9 @@ from gcrules.cli.base import ExpressionCommand, Output, about_option, output_opt
 from gcrules.cli.files import OutputFile, working
 from gcrules.cli.limits import time_limit
 from gcrules.cli.platforms import read_platform
-from gcrules.files import write_file
+from gcrules.core.files import write_file
+from gcrules.core.streams import is_stdout
 from gcrules.render.drawing import save
-from gcrules.streams import is_stdout
 
 __all__ = ["path"]
 

@@ -14,8 +14,8 @@ from gcrules.cli.files import Command, OutputFile, working
 from gcrules.cli.limits import time_limit
 from gcrules.cli.robot_docs import docs
 from gcrules.core.budget import seconds_left
+from gcrules.core.files import write_file
 from gcrules.errors import FileError, GcrulesError, LimitReached
-from gcrules.files import write_file
 from gcrules.robots.checks import notes
 from gcrules.robots.discovery import FILE, robots
 from gcrules.robots.family import Definition

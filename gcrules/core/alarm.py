@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import monotonic
 from types import FrameType
@@ -17,10 +17,11 @@ from typing import TypeVar
 from gcrules.core.budget import Budget, within
 from gcrules.core.memory import memory_limit
 
-__all__ = ["GRACE", "limited", "paced"]
+__all__ = ["GRACE", "limited", "paced", "ringing"]
 
 GRACE = 3.0  # seconds after its end in which a budget is waited for
 _EVERY = 0.5  # seconds between two looks
+_SOON = 0.001  # seconds until a timer rings whose moment has passed; 0 would be never
 
 _END = object()
 _T = TypeVar("_T")
@@ -55,23 +56,38 @@ def paced(items: Iterator[_T], seconds: float | None, *, each: bool = False) -> 
 
 @contextmanager
 def _net(budget: Budget) -> Iterator[None]:
+    def look(_: FrameType | None) -> None:
+        budget.check_memory()
+        if not budget.waiting and monotonic() > budget.until + GRACE:
+            budget.check()
+
+    with ringing(look, _EVERY, _EVERY):
+        yield
+
+
+@contextmanager
+def ringing(ring: Callable[[FrameType | None], None], first: float, again: float) -> Iterator[None]:
+    """Within it, `ring` is called `first` seconds of real time from now, then every `again` seconds, with what runs
+    just then; what it raises is raised there. On the main thread only, and not where the system has no timers.
+
+    A process has one such timer: one that ran before rests meanwhile, and goes on afterwards.
+    """
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "setitimer"):
         yield
         return
     over = False
 
-    def ring(number: int, frame: FrameType | None) -> None:
-        if over:
-            return
-        budget.check_memory()
-        if not budget.waiting and monotonic() > budget.until + GRACE:
-            budget.check()
+    def rings(number: int, frame: FrameType | None) -> None:
+        if not over:
+            ring(frame)
 
-    before = signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, _EVERY, _EVERY)
+    handler, since = signal.signal(signal.SIGALRM, rings), monotonic()
+    left, interval = signal.setitimer(signal.ITIMER_REAL, first, again)
     try:
         yield
     finally:
         over = True
         signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        signal.signal(signal.SIGALRM, handler)
+        if left:
+            signal.setitimer(signal.ITIMER_REAL, max(_SOON, left - (monotonic() - since)), interval)

@@ -61,7 +61,7 @@ T = TypeVar("T")
 
 
 class Unfit(Exception):
-    """Raised by `Kind.read` for a value that is not of the kind."""
+    """Raised by `Kind.read` for a value that is not of the kind; with the value inside it that does not fit, if any."""
 
 
 @dataclass(frozen=True)
@@ -83,9 +83,10 @@ def read(kind: Kind, value: Any, what: str) -> Any:
     """The value as the engine takes it. Raises InputError that begins with `what`."""
     try:
         return kind.read(tuple(value) if isinstance(value, Iterator) else value)
-    except Unfit:
+    except Unfit as unfit:
         hint = next((kind.hints[c.__name__] for c in type(value).__mro__ if c.__name__ in kind.hints), None)
-        raise InputError(f"{what} must be {kind.words}, got {described(value)}", hint=hint) from None
+        inside = "".join(f" that holds {described(one)}" for one in unfit.args)
+        raise InputError(f"{what} must be {kind.words}, got {described(value)}{inside}", hint=hint) from None
 
 
 def checked(called: str, /, **kinds: Kind) -> Callable[[Callable[P, T]], Callable[P, T]]:
@@ -184,9 +185,10 @@ def listed(words: str, item: Kind, *, alone: bool = False, ordered: bool = True)
         if isinstance(value, (*_UNORDERED, type)) or not isinstance(value, Iterable):
             raise Unfit
         try:
-            return tuple(map(item.read, value))
+            values = tuple(value)
         except TypeError:  # what calls itself iterable and is not, such as an array without dimensions
             raise Unfit from None
+        return tuple(_item(item, one) for one in values)
 
     return Kind(words, read_all, item.hints)
 
@@ -202,6 +204,13 @@ def row(words: str, *items: Kind) -> Kind:
         return tuple(item.read(v) for item, v in zip(items, values, strict=True))
 
     return Kind(words, read_each)
+
+
+def _item(kind: Kind, value: Any) -> Any:
+    try:
+        return kind.read(value)
+    except Unfit:
+        raise Unfit(value) from None
 
 
 def mapping(words: str, item: Kind) -> Kind:

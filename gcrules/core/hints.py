@@ -14,11 +14,18 @@ from collections.abc import Collection
 from difflib import get_close_matches
 from itertools import islice
 
-__all__ = ["files_like", "number_with_unit", "run_together"]
+__all__ = ["files_like", "near", "number_with_unit", "run_together"]
 
 _QUANTITY = re.compile(r"\s*([-+]?[0-9]*\.?[0-9]+(?:[eE][-+]?[0-9]+)?(?:/[0-9]+)?)\s*([A-Za-zµ°\"']+)\s*")
 _MOST_FILES = 2000  # of a folder
 _ALIKE = 0.7
+
+
+def near(word: str, words: Collection[str]) -> str | None:
+    """A hint that names the words like this one, or None: "did you mean legs?"."""
+    found = get_close_matches(word, sorted(words), n=2, cutoff=0.5 if len(word) < 4 else 0.6)
+    found = found or [w for w in sorted(words) if w.casefold() == word.casefold()][:2]
+    return f"did you mean {' or '.join(found)}?" if found else None
 
 
 def run_together(word: str, names: Collection[str]) -> tuple[str, ...] | None:

@@ -1,11 +1,14 @@
 r"""Points of exact random checks, which nobody who makes a claim can foresee, and how sure what holds there is.
 
 That an identity holds at random points says something about the identity only if the points were not known to whoever
-wrote it down. There are two kinds of draws:
+wrote it down. There are three kinds of draws:
 
 * Draws that *decide*: True stands on them. Their seed is the keyed hash of what is claimed, with a fresh secret of this
   run as the key, and they are computed modulo `PRIME`, which is drawn afresh in every run too: coefficients that are
-  multiples of a prime that is known beforehand vanish modulo it. All residues in gcrules are of this kind.
+  multiples of a prime that is known beforehand vanish modulo it.
+* Draws that only *reject*: the searches of factoring and shortening. Nobody can foresee these points either, but arrays
+  need primes of at most 31 bits, which are fixed. A residue that is not 0 rejects for certain; what they let pass is
+  proved, or tested by draws of the first kind.
 * Draws that only *search* or *illustrate*: small whole coordinates of counterexamples, poses that are drawn, directions
   from which a search starts. What they lead to is checked afterwards, exactly, so they may be the same in every run,
   and are, so that pages and pictures are too.

@@ -14,11 +14,10 @@ from itertools import combinations
 
 import numpy as np
 
-from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms
+from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms, primitive
 from gcrules.algebra.straighten import straighten
 from gcrules.core.budget import checkpoint
 from gcrules.errors import LimitReached
-from gcrules.factoring.normal import primitive
 from gcrules.factoring.residues import Ints, random_positions, values
 
 __all__ = ["MODULUS", "bracket_factors", "divided", "solution", "standard_tableaux", "vanishing_pairs"]

@@ -7,12 +7,12 @@ from fractions import Fraction
 from functools import reduce
 from operator import mul
 
-from gcrules.algebra.bracket import BracketPolynomial, Row, sorted_row
+from gcrules.algebra.bracket import BracketPolynomial, Row, primitive, sorted_row
 from gcrules.algebra.expr import Number
 from gcrules.algebra.order import easy_order
 from gcrules.factoring.brackets import bracket_factors
 from gcrules.factoring.irreducible import irreducible
-from gcrules.factoring.normal import normal, primitive
+from gcrules.factoring.normal import normal
 from gcrules.factoring.splitting import split
 
 __all__ = ["Decomposition", "decomposed"]

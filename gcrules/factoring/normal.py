@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from fractions import Fraction
-from math import gcd, lcm
 
-from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms
-from gcrules.algebra.expr import Number
+from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms, primitive
 from gcrules.algebra.straighten import straighten
 from gcrules.errors import InputError
 from gcrules.factoring.residues import random_positions, residues, values
 
-__all__ = ["normal", "primitive", "zero"]
+__all__ = ["normal", "zero"]
 
 _TIMES = {0: "never", 1: "once", 2: "twice"}
 
@@ -67,12 +64,3 @@ def _one_of(degrees: Sequence[Degrees], points: Sequence[str]) -> None:
         f"and {second} in others",
         hint="an expression of joins and meets uses each point equally often in every term",
     )
-
-
-def primitive(poly: BracketPolynomial) -> tuple[int | Fraction, BracketPolynomial]:
-    """The content (with the sign of the first term) and the polynomial divided by it: whole, coprime numbers."""
-    coefficients = [Fraction(c) for c in poly.terms.values()]
-    content = Fraction(gcd(*(c.numerator for c in coefficients)), lcm(*(c.denominator for c in coefficients)))
-    if coefficients[0] < 0:
-        content = -content
-    return Number(content).value, poly * (1 / content)

@@ -7,7 +7,7 @@ from math import ceil, log10
 from time import monotonic
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.bracket import BracketPolynomial, primitive
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.order import easy_order
 from gcrules.algebra.text import text
@@ -16,7 +16,7 @@ from gcrules.core.seeds import remark
 from gcrules.factoring.certify import PROVED, certified
 from gcrules.factoring.extensors import extensor
 from gcrules.factoring.multilinear import Multilinear, factor_multilinear, seems_zero
-from gcrules.factoring.normal import normal, primitive
+from gcrules.factoring.normal import normal
 from gcrules.factoring.pieces import Pieces
 from gcrules.factoring.result import Factorization, Family, brackets_of
 from gcrules.factoring.trees import simplest

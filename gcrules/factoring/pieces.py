@@ -10,11 +10,10 @@ from functools import reduce
 from operator import and_
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row, tableau_order
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row, primitive, tableau_order
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number
 from gcrules.errors import InputError
-from gcrules.factoring.normal import primitive
 from gcrules.factoring.powers import number_power, powers
 
 __all__ = ["Pieces", "taken_apart"]

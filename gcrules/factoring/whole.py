@@ -12,7 +12,7 @@ from math import isfinite, prod
 from operator import mul
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.bracket import BracketPolynomial, Row
+from gcrules.algebra.bracket import BracketPolynomial, Row, primitive
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.straighten import straighten
 from gcrules.condition import Certificate
@@ -20,7 +20,6 @@ from gcrules.core.budget import checkpoint, seconds_left, within
 from gcrules.errors import LimitReached
 from gcrules.factoring.certify import PROVED, certified
 from gcrules.factoring.decomposition import Decomposition, decomposed
-from gcrules.factoring.normal import primitive
 from gcrules.factoring.pieces import Pieces
 from gcrules.factoring.powers import number_power
 from gcrules.factoring.products import Cover, Group

@@ -10,12 +10,12 @@ from typing import Any
 
 import numpy as np
 
+from gcrules.core.hints import near
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.kinematics.coordinates import ANGLES, COORDINATES, SHIFTS, TURNS, VECTOR
 from gcrules.kinematics.mechanism import Actuator, Mechanism
 from gcrules.kinematics.rigid import Floats
 from gcrules.numeric.pose import Pose, check_unit, exact_float, parse_pose, read_number
-from gcrules.yamlfile import near
 
 __all__ = [
     "Wanted",

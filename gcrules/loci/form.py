@@ -17,8 +17,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.hints import near
 from gcrules.errors import InputError
-from gcrules.yamlfile import near
 
 if TYPE_CHECKING:
     import sympy

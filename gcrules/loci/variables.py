@@ -13,12 +13,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gcrules.core.hints import run_together
+from gcrules.core.hints import near, run_together
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.numeric.pose import Pose, exact, parse_pose, read_number
 from gcrules.numeric.turns import Quaternion, check_sequence, product
-from gcrules.yamlfile import near
 
 __all__ = ["Question", "images", "question"]
 

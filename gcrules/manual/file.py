@@ -19,8 +19,8 @@ from __future__ import annotations
 from os import PathLike, fspath
 
 from gcrules.algebra.text import SHORT_NAME
+from gcrules.core.files import write_file
 from gcrules.errors import GcrulesError, LimitReached
-from gcrules.files import write_file
 from gcrules.legs import read_legs
 from gcrules.manual.outcome import REASONS
 from gcrules.manual.session import PROPOSALS, Record, Session

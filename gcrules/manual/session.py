@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.text import Names, text
 from gcrules.condition import Condition
+from gcrules.core.hints import near
 from gcrules.errors import InputError, Span
 from gcrules.legs import Structure, read_legs, read_order
 from gcrules.manual.automatic import automatic
@@ -28,7 +29,6 @@ from gcrules.manual.left_over import propose_lines, propose_pair
 from gcrules.manual.outcome import Hint, Outcome, refused
 from gcrules.manual.suggest import suggest
 from gcrules.manual.words import Words
-from gcrules.yamlfile import near
 
 if TYPE_CHECKING:
     from gcrules.analysis import Analysis

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from gcrules.algebra.expr import Expr, Join, Point, points_of
 from gcrules.algebra.syntax import Context, parse
+from gcrules.core.hints import near
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.legs import Structure
-from gcrules.yamlfile import near
 
 __all__ = ["Words", "counted", "relocated"]
 

@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.hints import near
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.numeric.pose import check_unit, read_number
-from gcrules.yamlfile import near
 
 __all__ = ["Limits", "parse_limits"]
 

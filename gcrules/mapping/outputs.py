@@ -6,8 +6,8 @@ import json
 import os
 from collections.abc import Sequence
 
+from gcrules.core.files import check_target, replacing
 from gcrules.errors import InputError
-from gcrules.files import check_target, replacing
 from gcrules.mapping.data import netcdf
 from gcrules.mapping.mesh import glb, ply
 from gcrules.mapping.report import SingularMap

@@ -17,8 +17,8 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from gcrules.core.files import unwritable
 from gcrules.errors import FileError, InputError
-from gcrules.files import unwritable
 from gcrules.frozen import HoldsArrays
 from gcrules.mapping.values import Chunk
 

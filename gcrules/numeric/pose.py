@@ -17,6 +17,7 @@ from fractions import Fraction
 from typing import Any
 
 from gcrules.core.floats import as_float, exact, exact_float
+from gcrules.core.hints import near
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.numeric.turns import (
     IDENTITY,
@@ -29,7 +30,6 @@ from gcrules.numeric.turns import (
     rotation,
 )
 from gcrules.robots.geometry import UNITS
-from gcrules.yamlfile import near
 
 __all__ = ["SILENT", "UNIT_TOLERANCE", "Pose", "exact", "exact_float", "parse_pose", "read_number", "unit_note"]
 

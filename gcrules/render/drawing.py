@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Literal
 from unicodedata import east_asian_width
 
+from gcrules.core.files import write_file
 from gcrules.errors import InputError
-from gcrules.files import write_file
 from gcrules.render.notation import split_name
 from gcrules.render.palette import ROLES
 

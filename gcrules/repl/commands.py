@@ -14,8 +14,9 @@ from gcrules.algebra.expr import Expr, points_of, step_name
 from gcrules.algebra.statements import parse_script
 from gcrules.algebra.straighten import straighten, straighten_steps
 from gcrules.analysis import analyze
+from gcrules.core.files import write_file
+from gcrules.core.hints import near
 from gcrules.errors import GcrulesError, InputError, Span
-from gcrules.files import write_file
 from gcrules.legs import Structure, read_legs
 from gcrules.render.latex import latex
 from gcrules.repl.answers import Answer, bound_text, polynomial_text, value_text
@@ -25,7 +26,6 @@ from gcrules.repl.state import State
 from gcrules.repl.tables import Command
 from gcrules.robots.geometry import Platform, load_platform
 from gcrules.rules.identity import Identity
-from gcrules.yamlfile import near
 
 if TYPE_CHECKING:
     from gcrules.repl.interpreter import Interpreter

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from gcrules.core.hints import near
 from gcrules.errors import InputError
 from gcrules.repl.tables import COMMANDS, KEYS, OPERATIONS, STATEMENTS, SYMBOLS
-from gcrules.yamlfile import near
 
 __all__ = ["TOPICS", "help_text"]
 

@@ -7,8 +7,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from gcrules.core.hints import near
 from gcrules.errors import InputError
-from gcrules.yamlfile import near
 
 __all__ = [
     "COMMANDS",

@@ -26,8 +26,9 @@ from prompt_toolkit.lexers import Lexer
 from prompt_toolkit.output import Output
 from prompt_toolkit.styles import Style
 
-from gcrules import __version__, interrupts
+from gcrules import __version__
 from gcrules.cli.files import working
+from gcrules.core import interrupts
 from gcrules.repl.answers import wrapped
 from gcrules.repl.completion import candidates
 from gcrules.repl.highlight import tokens

@@ -8,9 +8,9 @@ from importlib import metadata, util
 from os import PathLike, fspath
 from pathlib import Path
 
+from gcrules.core.hints import near
 from gcrules.errors import FileError, InputError
 from gcrules.plugins import shipped_folder
-from gcrules.yamlfile import near
 
 __all__ = ["FILE", "GROUP", "Found", "find_robot", "robots"]
 

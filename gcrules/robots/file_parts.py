@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from gcrules.algebra.text import SHORT_NAME
+from gcrules.core.hints import near
 from gcrules.errors import InputError
 from gcrules.robots.family import Definition, Family
 from gcrules.robots.relations import AXES, relation
 from gcrules.robots.robot_text import Fact
-from gcrules.yamlfile import Node, near
+from gcrules.yamlfile import Node
 
 __all__ = ["MAX_TEXT", "numbered", "read_facts", "read_home", "read_lines", "read_platform"]
 

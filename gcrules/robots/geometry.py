@@ -25,10 +25,11 @@ from pathlib import PurePath
 from gcrules.algebra.text import SHORT_NAME
 from gcrules.core.arguments import ROW, TEXT, described, listed, mapping, read, row
 from gcrules.core.floats import exact
+from gcrules.core.hints import near
 from gcrules.errors import InputError
 from gcrules.frozen import FrozenMap
 from gcrules.legs import leg_text
-from gcrules.yamlfile import Document, Node, near
+from gcrules.yamlfile import Document, Node
 
 __all__ = ["UNITS", "Platform", "load_platform", "parse_platform"]
 

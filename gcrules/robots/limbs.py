@@ -14,10 +14,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
+from gcrules.core.hints import near
 from gcrules.errors import InputError, Span
 from gcrules.robots.relations import Term, Values, combined, pair_or_name
 from gcrules.screws import JOINTS, Field, Joint, Limb
-from gcrules.yamlfile import near
 
 __all__ = ["JointText", "LimbText", "read_joints"]
 

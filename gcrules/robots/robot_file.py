@@ -28,6 +28,7 @@ from os import PathLike
 from pathlib import Path
 
 from gcrules.algebra.text import SHORT_NAME
+from gcrules.core.hints import near
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.robots.checks import check_family, check_home, check_limbs
 from gcrules.robots.family import Definition, Family, circles, in_order
@@ -36,7 +37,7 @@ from gcrules.robots.limbs import LimbText, read_joints
 from gcrules.robots.relations import AXES, RELATIONS, relation
 from gcrules.robots.robot_text import RobotText
 from gcrules.screws import JOINTS
-from gcrules.yamlfile import Document, Node, near
+from gcrules.yamlfile import Document, Node
 
 __all__ = ["describes_joints", "load_robot", "parse_robot"]
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import io
 import os
-import signal
 import sys
 import threading
 import traceback
@@ -18,10 +17,10 @@ from contextlib import ExitStack, contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
-from time import monotonic
 from typing import Any, NoReturn
 
-from gcrules import files, interrupts
+from gcrules.core import files, interrupts
+from gcrules.core.alarm import ringing
 from gcrules.core.budget import seconds_left, within
 from gcrules.errors import FileError, GcrulesError, LimitReached
 
@@ -173,13 +172,10 @@ def _stdout_elsewhere() -> Iterator[None]:
 
 @contextmanager
 def _timed(what: str, place: str) -> Iterator[None]:
-    """Raise _TooLong inside after `SECONDS`, and again until it is left; a timer that ran before goes on afterwards."""
-    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "setitimer"):
-        yield
-        return
+    """Raise _TooLong inside after `SECONDS`, and again until it is left."""
     rung = 0
 
-    def ring(number: int, frame: Any) -> NoReturn:
+    def ring(frame: Any) -> NoReturn:
         nonlocal rung
         rung += 1
         if rung > _LAST and interrupts.in_program():
@@ -189,16 +185,8 @@ def _timed(what: str, place: str) -> Iterator[None]:
             os._exit(fault.exit_code)
         raise _TooLong
 
-    handler, since = signal.getsignal(signal.SIGALRM), monotonic()
-    signal.signal(signal.SIGALRM, ring)
-    left, interval = signal.setitimer(signal.ITIMER_REAL, SECONDS, _AGAIN)
-    try:
+    with ringing(ring, SECONDS, _AGAIN):
         yield
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, handler)
-        if left:
-            signal.setitimer(signal.ITIMER_REAL, max(0.001, left - (monotonic() - since)), interval)
 
 
 # --- functions of plugins ------------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from gcrules.core.arguments import TEXT, TEXTS, checked, instance, listed, optional, read
+from gcrules.core.hints import near
 from gcrules.errors import InputError
 from gcrules.rules.couples import FORCES_AND_COUPLES
 from gcrules.rules.elementary import ELEMENTARY
@@ -14,7 +15,6 @@ from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.rule import SHIPPED, Incidence, Rule
 from gcrules.rules.strategy import CATALOG, FACTORIZATION, FORMS, SHORTEST, Strategy
 from gcrules.rules.transversals import TRANSVERSALS
-from gcrules.yamlfile import near
 
 __all__ = ["ENGINE", "Library"]
 

@@ -70,8 +70,8 @@ def _listed(ranks: tuple[int, ...]) -> str:
 def load_rule_file(path: str | PathLike[str], *, proved: bool = True) -> tuple[Identity, ...]:
     """The rules of a `.gca` file. Raises InputError, with the place of each rule that is wrong, all at once.
 
-    A rule that was proved before, by the same engine, is not proved again (see `memory`). With `proved=False` the rules
-    are read only: for files that are checked elsewhere.
+    A rule that was proved before, by the same engine, is not proved again (see `core.proof_memory`). With
+    `proved=False` the rules are read only: for files that are checked elsewhere.
     """
     name = fspath(path)
     script = parse_script(read_text(path), name)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from gcrules.algebra.shortest import SuperbracketForm
 from gcrules.algebra.space import Space
-from gcrules.core.arguments import TEXT, TEXTS, instance, listed, read
+from gcrules.core.arguments import TEXT, instance, listed, read
 from gcrules.core.budget import checkpoint
 from gcrules.errors import InputError, LimitReached
 from gcrules.legs import Structure

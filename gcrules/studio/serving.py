@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 import uvicorn
 
-from gcrules import interrupts
+from gcrules.core import interrupts
 from gcrules.errors import InputError
 from gcrules.studio.app import make_app
 from gcrules.studio.token_file import token

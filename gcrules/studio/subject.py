@@ -10,6 +10,7 @@ from pathlib import Path
 
 from gcrules.analysis import Analysis, analyze
 from gcrules.catalog_file import load as load_catalog
+from gcrules.core.hints import near
 from gcrules.errors import GcrulesError, InputError, Span
 from gcrules.frozen import FrozenMap
 from gcrules.kinematics.mechanism import Mechanism, mechanism
@@ -26,7 +27,7 @@ from gcrules.robots.robot_file import describes_joints
 from gcrules.robots.robot_text import RobotText
 from gcrules.screws import RATIONALS
 from gcrules.studio.views import SourceJson
-from gcrules.yamlfile import Document, near
+from gcrules.yamlfile import Document
 
 __all__ = ["Subject", "examples", "known_as", "read_subject"]
 

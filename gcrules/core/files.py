@@ -9,8 +9,7 @@ from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 
-from gcrules import interrupts, streams
-from gcrules.core import budget
+from gcrules.core import budget, interrupts, streams
 from gcrules.errors import FileError
 
 __all__ = [
