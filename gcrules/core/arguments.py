@@ -167,6 +167,13 @@ def optional(kind: Kind) -> Kind:
     return Kind(kind.words, lambda value: None if value is None else kind.read(value), kind.hints)
 
 
+def _item(kind: Kind, value: Any) -> Any:
+    try:
+        return kind.read(value)
+    except Unfit:
+        raise Unfit(value) from None
+
+
 def listed(words: str, item: Kind, *, alone: bool = False) -> Kind:
     """An ordered iterable of values of one kind, as a tuple; with `alone` one of these by itself, too."""
 
@@ -185,13 +192,6 @@ def listed(words: str, item: Kind, *, alone: bool = False) -> Kind:
         return tuple(_item(item, one) for one in values)
 
     return Kind(words, read_all, item.hints)
-
-
-def _item(kind: Kind, value: Any) -> Any:
-    try:
-        return kind.read(value)
-    except Unfit:
-        raise Unfit(value) from None
 
 
 def mapping(words: str, item: Kind) -> Kind:
