@@ -16,6 +16,7 @@ from gcrules.core.arguments import (
     FILE,
     FLAG,
     NAMES,
+    NUMBER,
     NUMBERS,
     ROW,
     TEXT,
@@ -85,6 +86,7 @@ _AXES = listed(
 _VARIABLES = either("names of variables as text or as a sequence of texts", TEXT, listed("", TEXT))
 _VALUES = mapping("", ANYTHING)
 _POINTS = mapping("a mapping from names of points to their coordinates", NUMBERS)
+_LIMIT = NUMBER.hinting("a number, or None for no limit")
 _RULES = listed(
     "names of rules, rules, or names of .gca files", either("", TEXT, instance("", RewriteRule), FILE), alone=True
 )
@@ -155,6 +157,7 @@ SIGNATURES: dict[str, dict[str, Kind]] = {
     "prove": {"claim": _EXPR, "right": optional(_EXPR), **_LIMITED, "given": TEXTS},
     "report": {"analysis": _ANALYSIS, "interactive": FLAG},
     "rewrite": {"e": _EXPR, "rules": _RULES, **_SPACE},
+    "seeded": {"seed": WHOLE},
     "shorten": {"e": _SCALAR, **_LIMITED, "seconds": DURATION},
     "shortest": {"legs": _LEGS, "points": NAMES, "ideal": NAMES},
     "singular_map": {
@@ -172,6 +175,12 @@ SIGNATURES: dict[str, dict[str, Kind]] = {
     "superbracket": {"legs": _LEGS, "order": optional(_ORDER), "form": WHOLE, "points": NAMES, "ideal": NAMES},
     "transversals": {"legs": _LINES, "every": FLAG, "points": NAMES, "ideal": NAMES, "given": TEXTS},
     "view": {"robot": _VIEWED, "pose": ANYTHING},
+    "within": {
+        "seconds": optional(_LIMIT),
+        "memory": optional(_LIMIT),
+        "progress": optional(instance("a function of one text", Callable)),  # type: ignore[arg-type]
+        "grace": DURATION,
+    },
 }
 """The arguments of each function of `gcrules.api`."""
 

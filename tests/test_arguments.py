@@ -130,6 +130,8 @@ RIGHT: dict[str, dict[str, Any]] = {
     "superbracket": {"legs": LEGS},
     "transversals": {"legs": LEGS},
     "view": {"robot": PLATFORM},
+    "seeded": {"seed": 7},
+    "within": {"seconds": 60},
 }
 COMPILED = gc.compiled(PLATFORM, engine="numpy")
 MAP = gc.singular_map(PLATFORM, ["x -1:1:2", "y -1:1:2"], measure="value")

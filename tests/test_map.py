@@ -916,7 +916,7 @@ def test_the_command(robot: str, tmp_path: Path) -> None:
     [
         ((), 2, "two or three coordinates"),
         (OVER[:2], 2, "found 1"),
-        ((*OVER, "--over", SMALL[0]), 2, "are one file"),
+        ((*OVER, "--over", SMALL[0]), 2, "given twice"),
         ((*OVER, "-o", "map.xyz"), 2, "outputs end in .nc"),
         ((*OVER, "-o", "map"), 2, "outputs end in .nc"),
         ((*OVER, "-o", "map.ply"), 2, "three coordinates"),

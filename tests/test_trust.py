@@ -141,7 +141,7 @@ def test_points_depend_on_the_claim_and_on_the_seed() -> None:
     assert random_points("ab", seed=1) != first
     assert seeds.remark() == ""
     for wrong in (None, "7", 7.0, True):
-        with pytest.raises(InputError, match="a seed is a whole number"):
+        with pytest.raises(InputError, match="`seed` must be a whole number"):
             gc.seeded(wrong)  # type: ignore[arg-type]
 
 
