@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
+from shlex import quote
 from typing import TYPE_CHECKING
 
 from gcrules.algebra.evaluate import vanishes
@@ -50,7 +51,7 @@ def standing(entry: Entry, reading: Reading) -> Standing:
     if remembered(digest):
         return proved
     what = f"the reading {reading.expression_text} of class {entry.id}"
-    hint = "`gcrules catalog check` says what is wrong in a catalog"
+    hint = f"`gcrules catalog check --catalog {quote(entry.owner)}` says all that is wrong in it"
     if vanishes(reading.cofactor):
         raise FileError(f"{what} says nothing: its cofactor is zero", filename=reading.place or entry.place, hint=hint)
     found = prove(_identity(entry, reading), ZERO)
@@ -64,7 +65,7 @@ def standing(entry: Entry, reading: Reading) -> Standing:
 
 
 def counterexample(proof: Proof) -> str:
-    """The points of a refutation in words."""
+    """The points of a refutation in words; their weights may be what refutes."""
     points = proof.counterexample or {}
     finite = all(c[-1] == 1 for c in points.values())
     shown = ", ".join(f"{n} = ({', '.join(map(str, c[:-1] if finite else c))})" for n, c in points.items())

@@ -277,3 +277,10 @@ def test_sensible_values_are_taken(call: Callable[[], Any]) -> None:
 )
 def test_a_value_in_words(value: Any, words: str) -> None:
     assert described(value) == words
+
+
+@pytest.mark.parametrize("wrong", ["a", None, [1e200] * 4, b"1"], ids=["text", "None", "a list", "bytes"])
+def test_each_named_coordinate_is_judged_by_itself(wrong: Any) -> None:
+    robot = gc.Robot.load("delta")
+    with pytest.raises(InputError, match=r"robot\.at: `y` must be a number"):
+        robot.at(x=0, y=wrong, z=0.5)

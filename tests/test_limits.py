@@ -10,12 +10,14 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from fractions import Fraction
 from itertools import repeat
 from math import inf, nan
 from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
 import pytest
 from click.testing import CliRunner
 from hypothesis import given
@@ -90,6 +92,17 @@ def test_grace_is_not_said() -> None:
 def test_what_is_no_number_is_refused(wrong: Any) -> None:
     with pytest.raises(InputError, match="is no number of seconds"), within(wrong):
         pass
+
+
+SECONDS_OF_ANY_KIND = {"a fraction": Fraction(1, 10**30), "numpy": np.float32(0), "no time": -(10**400)}
+
+
+@pytest.mark.parametrize("seconds", SECONDS_OF_ANY_KIND.values(), ids=SECONDS_OF_ANY_KIND)
+def test_seconds_are_numbers_of_any_kind(seconds: Any) -> None:
+    with pytest.raises(LimitReached, match=r"more than \S+ seconds"), within(seconds):
+        checkpoint()
+    with within(10**400) as budget:
+        assert budget.left == inf
 
 
 def test_a_budget_can_be_cancelled_from_elsewhere() -> None:

@@ -279,7 +279,8 @@ def test_legs_without_coordinates(arguments: tuple[str, ...]) -> None:
 def test_a_check_that_runs_out_of_time_says_where_it_stopped() -> None:
     done = run("robot", "check", "delta", "3-rps", "--seconds", "0")
     assert done.exit_code == 3
-    assert done.stderr == "note: 2 of 2 not checked\n"
+    assert done.stderr.startswith("error: this takes more than 0 seconds: 2 of 2 robots are not checked\nhint: ")
+    assert "--seconds" in done.stderr
 
 
 def test_a_robot_that_is_not_decided_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

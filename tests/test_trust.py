@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 import subprocess
 import sys
 from dataclasses import replace
@@ -222,6 +223,7 @@ def test_a_false_entry_is_refused_with_place_and_points(own: Any, false: Expr) -
     assert done.stdout == ""
     assert f"{path}:4:" in done.stderr
     assert "is not an identity: it fails at" in done.stderr
+    assert f"gcrules catalog check --catalog {shlex.quote(str(path))}" in done.stderr
     with pytest.raises(FileError):
         gc.analyze(LEGS.replace("i", "z"), catalogs=[path])
     assert not any(check_entry(e).ok for e in load_file(path).entries)

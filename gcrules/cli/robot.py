@@ -13,7 +13,7 @@ from gcrules.cli.base import SEEDED, ExpressionCommand, Output, output_options, 
 from gcrules.cli.files import Command, OutputFile, working
 from gcrules.cli.limits import time_limit
 from gcrules.cli.robot_docs import docs
-from gcrules.core.budget import seconds_left
+from gcrules.core.budget import checkpoint
 from gcrules.core.files import write_file
 from gcrules.errors import FileError, GcrulesError, LimitReached
 from gcrules.robots.checks import notes
@@ -108,10 +108,11 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
     code = 0
     chosen = names or [one.path for one in robots(folders)]
     for number, name in enumerate(chosen):
-        if seconds_left() <= 0:
-            click.echo(f"note: {len(chosen) - number} of {len(chosen)} not checked", err=True)
-            code = max(code, LimitReached.exit_code)
-            break
+        try:
+            checkpoint()
+        except LimitReached as over:
+            left = f"{len(chosen) - number} of {len(chosen)} robots are not checked"
+            raise LimitReached(f"{over.message}: {left}", hint=over.hint) from None
         try:
             found = Robot.load(name, plugins=folders)
             analysis = found.analyze()

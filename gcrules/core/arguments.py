@@ -67,12 +67,14 @@ class Unfit(Exception):
 @dataclass(frozen=True)
 class Kind:
     """`words` say after "must be" what is expected; `read` gives the value as the engine takes it, or raises Unfit.
-    `hints` say, by the name of its class, what to do with a value of another kind.
+    `hints` say, by the name of its class, what to do with a value of another kind. `several` is for *arguments and
+    **arguments, of which each is read by itself.
     """
 
     words: str
     read: Callable[[Any], Any]
     hints: Mapping[str, str] = field(default_factory=dict)
+    several: bool = False
 
     def hinting(self, words: str = "", **hints: str) -> Kind:
         """With more hints, and other words if they are given."""
@@ -105,13 +107,21 @@ def checked(called: str, /, **kinds: Kind) -> Callable[[Callable[P, T]], Callabl
                 return function(*args, **options)  # Python says better what is missing
             for key, value in bound.arguments.items():
                 if key in kinds:
-                    bound.arguments[key] = read(kinds[key], value, f"{called}: `{key}`")
+                    bound.arguments[key] = _argument(kinds[key], value, called, key)
             return function(*bound.args, **bound.kwargs)
 
         call.kinds = kinds  # type: ignore[attr-defined]
         return call
 
     return decorate
+
+
+def _argument(kind: Kind, value: Any, called: str, key: str) -> Any:
+    if not kind.several:
+        return read(kind, value, f"{called}: `{key}`")
+    if isinstance(value, dict):
+        return {k: read(kind, v, f"{called}: `{k}`") for k, v in value.items()}
+    return tuple(read(kind, v, f"{called}: `{key}`") for v in value)
 
 
 def described(value: Any) -> str:
@@ -227,12 +237,7 @@ def mapping(words: str, item: Kind) -> Kind:
 def each(kind: Kind) -> Kind:
     """For the values of *arguments and **arguments."""
 
-    def read_all(values: Any) -> Any:
-        return (
-            {k: kind.read(v) for k, v in values.items()} if isinstance(values, dict) else tuple(map(kind.read, values))
-        )
-
-    return Kind(kind.words, read_all, kind.hints)
+    return replace(kind, several=True)
 
 
 def _whole(value: Any) -> int:

@@ -32,6 +32,7 @@ __all__ = [
     "MORE_TERMS",
     "Budget",
     "Count",
+    "as_float",
     "checkpoint",
     "seconds_left",
     "waiting",
@@ -129,14 +130,24 @@ def within(
     """
     limits: tuple[tuple[Any, str], ...] = ((seconds, "seconds"), (memory, "bytes of memory"))
     for given, what in limits:
-        if given is not None and (not isinstance(given, Real) or isnan(given)):
+        if given is not None and (not isinstance(given, Real) or isnan(as_float(given))):
             raise InputError(f"{given!r} is no number of {what}", hint="None is no limit")
-    budget = Budget(seconds, memory, progress, monotonic(), _current.get(), grace)
+    budget = Budget(
+        None if seconds is None else as_float(seconds), memory, progress, monotonic(), _current.get(), grace
+    )
     token = _current.set(budget)
     try:
         yield budget
     finally:
         _current.reset(token)
+
+
+def as_float(number: Any) -> float:
+    """A real number of any kind as a float, infinity where it is too large for one."""
+    try:
+        return float(number)
+    except OverflowError:
+        return inf if number > 0 else -inf
 
 
 def checkpoint() -> None:

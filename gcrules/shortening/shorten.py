@@ -21,7 +21,7 @@ from gcrules.algebra.order import same_function
 from gcrules.algebra.shortest import shortest_forms
 from gcrules.algebra.straighten import straighten
 from gcrules.condition import Certificate
-from gcrules.core.budget import checkpoint, within
+from gcrules.core.budget import as_float, checkpoint, within
 from gcrules.errors import EngineFault, LimitReached
 from gcrules.factoring.pieces import Pieces, taken_apart
 from gcrules.shortening.limits import MAX_MONOMIALS, SECONDS
@@ -58,7 +58,7 @@ def shorten(
     monomials, or where there is no normal form in the time.
     """
     terms = max(_TERMS_PER_MONOMIAL * limit, MAX_TERMS)
-    start = monotonic()
+    start, seconds = monotonic(), as_float(seconds)
     limits = Limits(limit, terms, progress)
     with within(seconds, grace=max(0.0, _PREPARATION - seconds)):
         pieces = taken_apart(e, what="shortened", points=points, ideal=ideal, rank=rank, limit=terms)
