@@ -99,7 +99,7 @@ class Robot(RobotText):
 
         return posed(self._mechanism, lambda: self._analysis, at, actuators, threshold=threshold)
 
-    @checked("robot.at", degrees=FLAG, coordinates=each(either("numbers", NUMBER, TEXT)))
+    @checked("robot.at", degrees=FLAG, coordinates=each(either("a number", NUMBER, TEXT)))
     def at(self, *, degrees: bool = False, threshold: Any = "0.5 deg", **coordinates: float) -> RobotPose:
         """The numbers in the pose with these coordinates: `.at(z=0.2, roll=5, pitch=0, degrees=True)`; see `pose`."""
         lengths = ("x", "y", "z")
