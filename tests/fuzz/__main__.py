@@ -13,7 +13,7 @@ from .jail import jailed
 from .record import commit_now, recorded
 
 _NIGHTLY = 100_000
-_SECONDS = 5  # that a command may take where its options do not say so: limits are tried all the same
+_SECONDS = 1  # that a command may take where its options do not say so: limits are tried all the same
 
 
 def main() -> int:
