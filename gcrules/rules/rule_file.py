@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from graphlib import CycleError, TopologicalSorter
 from os import PathLike, fspath
 from typing import Any
@@ -73,17 +74,27 @@ def load_rule_file(path: str | PathLike[str], *, proved: bool = True) -> tuple[I
     A rule that was proved before, by the same engine, is not proved again (see `core.proof_memory`). With
     `proved=False` the rules are read only: for files that are checked elsewhere.
     """
-    name = fspath(path)
-    script = parse_script(read_text(path), name)
-    if not script.rules:
-        raise FileError("the file holds no rules", filename=name, hint='rules are written  rule ID "sentence": A => B')
+    name, text = fspath(path), read_text(path)
     if not proved:
-        return identities(script)
-    found = list(check_script(script, recheck=False))
+        return _unproved(text, name)
+    found = list(check_script(_script_of_rules(text, name), recheck=False))
     faults = [f.fault for f in found if f.fault is not None]
     if faults:
         raise join_faults(faults)
     return tuple(f.rule for f in found)
+
+
+def _script_of_rules(text: str, name: str) -> Script:
+    script = parse_script(text, name)
+    if not script.rules:
+        raise FileError("the file holds no rules", filename=name, hint='rules are written  rule ID "sentence": A => B')
+    return script
+
+
+@lru_cache(maxsize=16)
+def _unproved(text: str, name: str) -> tuple[Identity, ...]:
+    """Rules that come with gcrules are asked for again and again in one process."""
+    return identities(_script_of_rules(text, name))
 
 
 def identities(script: Script) -> tuple[Identity, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 
 from .campaign import Found, campaign, load_everything, tried
@@ -12,6 +13,7 @@ from .jail import jailed
 from .record import commit_now, recorded
 
 _NIGHTLY = 100_000
+_SECONDS = 1  # that a command may take where its options do not say so: limits are tried all the same
 
 
 def main() -> int:
@@ -38,6 +40,7 @@ def main() -> int:
         for family in FAMILIES.values():
             print(f"{family.name:<12} {family.words}")
         return 0
+    os.environ.setdefault("GCRULES_SECONDS", str(_SECONDS))
     load_everything()
     if asked.replay:
         return _replay(asked.replay, asked.seed)

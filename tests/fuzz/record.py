@@ -53,5 +53,10 @@ def _rows() -> list[str]:
 
 def commit_now() -> str:
     """The commit that is checked out: ask before the inputs run, which take long."""
-    done = subprocess.run(["git", "describe", "--always", "--dirty"], capture_output=True, text=True, cwd=RECORD.parent)
-    return done.stdout.strip() or "unknown"
+
+    def asked(*words: str) -> str:
+        done = subprocess.run(["git", *words], capture_output=True, text=True, cwd=RECORD.parent)
+        return done.stdout.strip()
+
+    changed = asked("status", "--porcelain", "--untracked-files=no", "--", ":/", f":!{RECORD.name}")
+    return (asked("describe", "--always") or "unknown") + ("-dirty" if changed else "")

@@ -11,6 +11,7 @@ import json
 import pickle
 import traceback
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from random import Random
@@ -276,7 +277,9 @@ def run(case: Case, jail: Jail) -> Outcome:
             raise
         return [f"{words}: {data['call']}" for words in _shown(found)]
 
-    return run_call(case, jail, called)
+    found = run_call(case, jail, called)
+    asked = f"{kwargs['work']}/" if isinstance(kwargs.get("work"), (str, Path)) else None  # the folder for what is done
+    return replace(found, left=tuple(n for n in found.left if asked is None or not n.startswith(asked)))
 
 
 def _of_signature(fault: TypeError) -> bool:

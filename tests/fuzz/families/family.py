@@ -16,7 +16,7 @@ __all__ = ["Family"]
 @dataclass(frozen=True)
 class Family:
     """`make` draws an input, `run` runs it; `share` is its part of the time of a short campaign, `few` inputs are tried
-    by every run of the tests. `open` says what is known to be wrong with it.
+    by every run of the tests.
     """
 
     name: str
@@ -25,7 +25,6 @@ class Family:
     run: Callable[[Case, Jail], Outcome] = run_command
     share: float = 1.0
     few: int = 40
-    open: str = ""
 
     def case(self, seed: int, index: int) -> Case:
         """The input of this number: the same wherever and whenever it is drawn."""

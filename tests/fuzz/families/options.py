@@ -152,7 +152,9 @@ def _commands() -> tuple[tuple[tuple[str, ...], Any], ...]:
 
 def options(rng: Random) -> Case:
     known = _commands()
-    weights = [0.01 if words in _SLOW else 0.1 if words == ("map",) else 1.0 for words, _ in known]
+    weights = [
+        0.002 if words in _SLOW else 0.1 if words in (("map",), ("rules", "check")) else 1.0 for words, _ in known
+    ]
     words, command = rng.choices(known, weights)[0]
     values = _values(rng)
     argv: list[str] = []

@@ -42,7 +42,7 @@ def scripts(rng: Random) -> Case:
 
 def rules(rng: Random) -> Case:
     """Files of rules: checked, listed, shown, and used by other commands."""
-    if rng.random() < 0.4:
+    if rng.random() < 0.2:  # all of them hold, and to prove them takes long
         text = rng.choice(corpus("rules")).replace("rule ", "rule my_")
     else:
         g = Grammar.drawn(rng)
