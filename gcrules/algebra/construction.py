@@ -133,6 +133,27 @@ class Construction:
         """The points of the user: free ones, then constructed ones."""
         return tuple(n for n in (*self.free, *(s.name for s in self.steps)) if ":" not in n)
 
+    def renamed(self, name: Callable[[str], str], points: tuple[str, ...]) -> Construction:
+        """With other names for all points; `points` are those of the user in tableau order, in the new names."""
+
+        def of(es: Iterable[Expr]) -> tuple[Expr, ...]:
+            return tuple(ex.substitute(e, {n: Point(name(n)) for n in points_of(e)}, self.rank) for e in es)
+
+        def step(s: Step) -> Step:
+            (within,) = of([s.within])
+            return Step(name(s.name), within, of(s.parts), tuple(map(name, s.fresh)), s.exact, of(s.nonzero))
+
+        return Construction(
+            self.rank,
+            tuple(map(name, self.free)),
+            tuple(map(name, self.ideal)),
+            tuple(map(step, self.steps)),
+            of(self.nonzero),
+            of(self.equations),
+            points,
+            of(self.extensors),
+        )
+
     def random_points(self, seed: object = 0) -> dict[str, tuple[int, ...]]:
         """Random residues modulo `PRIME` that satisfy the assumptions; ideal points have last coordinate 0. They may
         decide, as nobody can foresee them (see `seeds`).

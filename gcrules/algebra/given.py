@@ -20,56 +20,98 @@ from functools import lru_cache
 from itertools import combinations, islice
 
 from gcrules.algebra.bracket import tableau_order
+from gcrules.algebra.canonical import Canonical, renamings
 from gcrules.algebra.construction import Construction, Step, Within, coordinates, step_on
 from gcrules.algebra.elimination import Turn, orders
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr, Meet, Point, join, points_of, subexpressions
+from gcrules.algebra.images import Kind, with_images
 from gcrules.algebra.incidences import Condition, Facts, equations, fault
 from gcrules.algebra.kinds import Alternative, Task, alternatives, flats
 from gcrules.algebra.nonzero import assumed, fewest
 from gcrules.algebra.roads import ROADS, on_pascal_line, understood
 from gcrules.algebra.space import Assumption, Space
+from gcrules.algebra.spelling import normal
 from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import DRAWN, drawn, seed
-from gcrules.errors import InputError
+from gcrules.errors import InputError, LimitReached
+from gcrules.frozen import FrozenMap
 
 __all__ = ["Kind", "equations", "holds", "kinds", "resolve"]
 
 MAX_ORDERS = 200  # orders of a group that are tried
+_SMALL = 20_000  # terms of an assumption that may hold always
 _ENOUGH = 500  # conditions of the constructions among which the simplest is chosen
 _TRIED = "no construction that was tried satisfies it; in the one that came farthest,"
 _APART = "the kinds of positions that are allowed cannot be told apart"
 _NAME_IT = "name the common point: given incident(p, X), incident(p, Y)"
 
 
-@dataclass(frozen=True)
-class Kind:
-    """The positions at which the scalars of `where` vanish beside what is given, by their construction."""
-
-    where: tuple[Expr, ...]
-    construction: Construction
-
-
-def kinds(space: Space, names: Iterable[str] = ()) -> tuple[Kind, ...]:
+def kinds(space: Space, names: Iterable[str] = (), claim: Sequence[Expr] = ()) -> tuple[Kind, ...]:
     """The kinds of positions that the assumptions allow, each with a construction of all points (those named, and
     those of the assumptions). A position that satisfies the assumptions is of one of these kinds, or an extensor of
     the `nonzero` of one of the constructions vanishes there.
+
+    They are sought in canonical names, so that they don't depend on how points are called or on the order of the
+    assumptions. Where the assumptions leave a choice between points, a claim (expressions) decides.
 
     Raises InputError for assumptions that are not resolved, with the place of one of them.
     """
     used = (*names, *(n for a in space.given for e in a.args for n in points_of(e)))
     order = tableau_order(used, space.points, space.ideal)
-    return _kinds(space.rank, order, tuple(n for n in order if n in space.ideal), space.given)
+    ideal = tuple(n for n in order if n in space.ideal)
+    if not space.given:
+        return (Kind((), Construction(space.rank, order, ideal, points=order)),)
+    failure: InputError | None = None
+    best: tuple[int, tuple[Kind, ...], Canonical] | None = None
+    for found in renamings(space.rank, order, ideal, space.given, claim):
+        try:
+            told = _kinds(space.rank, *_tableau(found, ideal), found.given, found.symmetries)
+        except InputError as fault:
+            failure = failure or found.fault_back(fault)
+            continue
+        except LimitReached as limited:
+            raise found.fault_back(limited) from None
+        merged = max(len(_merged(kind.construction)) for kind in told)
+        if best is None or merged < best[0]:
+            best = merged, told, found
+        if not merged:
+            break
+    if best is None:
+        assert failure is not None
+        raise failure
+    return _renamed(*best[1:], order)
 
 
-def resolve(space: Space, names: Iterable[str] = ()) -> Construction:
+def _tableau(found: Canonical, ideal: Sequence[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The canonical points in tableau order, and those at infinity."""
+    order = tableau_order(found.points, found.points, [found.names[n] for n in ideal])
+    return order, order[: len(ideal)]
+
+
+def _renamed(told: Iterable[Kind], found: Canonical, order: tuple[str, ...]) -> tuple[Kind, ...]:
+    """In the names of the user."""
+    place = {n: i for i, n in enumerate(order)}
+
+    def shown(es: Iterable[Expr], rank: int) -> tuple[Expr, ...]:
+        return tuple(normal(e, place, rank).expr for e in es)
+
+    made = []
+    for k in told:
+        c = k.construction.renamed(found.name_back, order)
+        where = shown((found.back(e, c.rank) for e in k.where), c.rank)
+        made.append(Kind(where, replace(c, nonzero=shown(c.nonzero, c.rank)), k.image))
+    return tuple(sorted(made, key=lambda k: [str(e) for e in k.where]))
+
+
+def resolve(space: Space, names: Iterable[str] = (), claim: Sequence[Expr] = ()) -> Construction:
     """One construction of all points that satisfies what is given, as for `kinds`.
 
     Where assumptions allow several kinds of positions, the construction reaches one of them, and `nonzero` tells
     which: it leaves out positions at which one of these extensors vanishes, and no others.
     """
-    found = kinds(space, names)
+    found = [kind for kind in kinds(space, names, claim) if not kind.image]
     for kind in found:
         nonzero = _without(kind.construction, [other.where for other in found if other is not kind])
         if nonzero is not None:
@@ -79,8 +121,13 @@ def resolve(space: Space, names: Iterable[str] = ()) -> Construction:
 
 @lru_cache(maxsize=64)
 def _kinds(
-    rank: int, points: tuple[str, ...], ideal: tuple[str, ...], given: tuple[Assumption, ...]
+    rank: int,
+    points: tuple[str, ...],
+    ideal: tuple[str, ...],
+    given: tuple[Assumption, ...],
+    symmetries: tuple[FrozenMap[str, str], ...] = (),
 ) -> tuple[Kind, ...]:
+    given = tuple(a for a in given if not _always(a, Construction(rank, points, ideal)))
     if not given:
         return (Kind((), Construction(rank, points, ideal, points=points)),)
     wanted = tuple(e for a in given for e in understood(a, lambda a: equations(a, rank)))
@@ -101,16 +148,35 @@ def _kinds(
     if not found:
         raise failed[ways[0]]
     if len(found) > 1:
-        found = _least_collapsed(found, (*extensors, *meets, *flats(given, rank)))
-    made, left_out = _largest(found)
+        found = _least_collapsed(found, (*extensors, *meets, *flats(given, rank), *map(Point, points)))
+    larger = {way: [other for other in found if _within(way, other, found)] for way in found}
+    made = [way for way in found if not larger[way]]
     missed = [way.where for way in ways if way not in found]
     told = []
-    for way, c in made.items():
-        nonzero = _without(replace(c, nonzero=fewest((*c.nonzero, *way.nonzero, *left_out[way]))), missed)
-        if nonzero is None:
+    for way in made:
+        # What is said of positions that are of another kind too was said where their own construction leads.
+        parts = [way, *(other for other in found if way in larger[other])]
+        nonzero = fewest(e for part in parts for e in (*found[part].nonzero, *part.nonzero))
+        left = _without(replace(found[way], nonzero=nonzero), missed)
+        if left is None:
             raise next((failed[w] for w in ways if w in failed), fault(given[-1], _APART))
-        told.append(Kind(way.where if len(made) > 1 else (), replace(c, nonzero=nonzero)))
-    return tuple(sorted(told, key=lambda k: [str(e) for e in k.where]))
+        told.append(Kind(way.where if len(made) > 1 else (), replace(found[way], nonzero=left)))
+    return with_images(told, symmetries)
+
+
+def _always(a: Assumption, free: Construction) -> bool:
+    """Whether an assumption holds at all positions."""
+    try:
+        wanted = understood(a, lambda a: equations(a, free.rank))
+    except InputError:
+        return False
+    known = frozenset(free.free)
+    if not all(known.issuperset(points_of(e)) for e in wanted):
+        return False
+    try:
+        return all(map(free.vanishes, wanted)) and all(free.is_zero(e, limit=_SMALL) for e in wanted)
+    except LimitReached:
+        return False
 
 
 def _least_collapsed(
@@ -135,27 +201,23 @@ def _collapsed(c: Construction, named: Iterable[Expr]) -> set[tuple[Expr, ...]]:
     }
 
 
-def _largest(
-    found: Mapping[Alternative, Construction],
-) -> tuple[dict[Alternative, Construction], dict[Alternative, tuple[Expr, ...]]]:
-    """Without the constructions that reach only what another one reaches too; and, for each that is left, what must not
-    vanish so that nothing is met but what those left out reach.
-    """
-    made = dict(found)
-    left_out: dict[Alternative, tuple[Expr, ...]] = dict.fromkeys(found, ())
-    for way, c in reversed(list(found.items())):
-        needed = (*c.nonzero, *way.nonzero, *left_out[way])
-        for other, larger in made.items():
-            if other is not way and _within(c, other, larger) and not any(map(larger.vanishes, needed)):
-                left_out[other] = fewest((*left_out[other], *needed))
-                del made[way]
-                break
-    return made, left_out
+def _merged(c: Construction) -> set[tuple[Expr, ...]]:
+    """The pairs of points that coincide, but for those of which it was said."""
+    said = {s.name for s in c.steps if s.exact or isinstance(s.within, Point)}
+    return _collapsed(c, [Point(n) for n in c.points if n not in said])
 
 
-def _within(c: Construction, other: Alternative, larger: Construction) -> bool:
-    """Whether what a construction reaches in general is reached by another one too."""
-    return all(map(c.vanishes, other.where)) and not any(map(c.vanishes, (*larger.nonzero, *other.nonzero)))
+def _within(way: Alternative, other: Alternative, found: Mapping[Alternative, Construction]) -> bool:
+    """Whether what a construction reaches is reached by another one, which is larger or comes before it."""
+    if other is way or not _inside(way, other, found):
+        return False
+    order = list(found)
+    return order.index(other) < order.index(way) or not _inside(other, way, found)
+
+
+def _inside(way: Alternative, other: Alternative, found: Mapping[Alternative, Construction]) -> bool:
+    c = found[way]
+    return all(map(c.vanishes, other.where)) and not any(map(c.vanishes, (*found[other].nonzero, *other.nonzero)))
 
 
 def _without(c: Construction, others: Iterable[Sequence[Expr]]) -> tuple[Expr, ...] | None:
@@ -281,7 +343,7 @@ class _Builder:
         self.rank, self.points, self.ideal, self.given, self.wanted = rank, points, ideal, given, wanted
         self.extensors, self.meets = extensors, meets
         written = (a for a in given if a.kind not in ("collinear", "coplanar"))
-        self.named = (*extensors, *meets, *flats(written, rank))
+        self.named = (*extensors, *meets, *flats(written, rank), *map(Point, points))
         self.helpers = {h.name: h for f in found for h in f.helpers}
         self.nonzero = tuple(dict.fromkeys(e for f in found for e in f.nonzero))
         place = {n: i for i, n in enumerate((*points, *self.helpers))}
@@ -327,11 +389,15 @@ class _Builder:
                 best = min(
                     found, key=lambda c: (len(_collapsed(c, self.named)), -len(c.extensors), _cost(c)), default=None
                 )
-                if best is not None and len(best.extensors) == len(self.extensors) + len(self.meets):
+                if best is not None and self._clean(best):
                     return best
         if best is not None:
             return best
         raise worst or self._no_order()
+
+    def _clean(self, c: Construction) -> bool:
+        """Whether nothing vanishes that the assumptions name, and no points coincide that were not said to."""
+        return len(c.extensors) == len(self.extensors) + len(self.meets) and not _merged(c)
 
     def _no_order(self) -> _Failure:
         stuck = next((c for c in self.conditions if not c.within), self.conditions[0])

@@ -26,15 +26,16 @@ from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms, primitiv
 from gcrules.algebra.construction import Construction
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Bracket, Expr, Number, Point, Power, Product
+from gcrules.algebra.images import MAX_KINDS
 from gcrules.algebra.incidences import equations, fault, of_points
 from gcrules.algebra.space import Assumption
 from gcrules.algebra.straighten import straighten
 from gcrules.algebra.text import text
+from gcrules.core.budget import checkpoint, watched
 from gcrules.errors import InputError, LimitReached
 
 __all__ = ["Alternative", "Task", "alternatives", "flats"]
 
-MAX_KINDS = 64
 _MAX_TERMS = 500  # of a scalar that is taken apart
 _SPAN = {"collinear": 2, "coplanar": 3}
 _MAX_ROUNDS = 200
@@ -86,6 +87,7 @@ def alternatives(given: Sequence[Assumption], task: Task) -> list[Alternative]:
     for _ in range(_MAX_ROUNDS):
         if not waiting:
             return list(done.values())
+        checkpoint()
         at = waiting.pop()
         failure: InputError | None = None
         try:
@@ -167,6 +169,7 @@ def _next(at: _Open, task: Task) -> Iterator[_Open]:
         return
     base = task.construct(at.plain) if at.scalars else None
     for i, a in enumerate(at.scalars):
+        checkpoint()
         found = _parts(a, base, task) if base is not None else None
         if found is None:
             continue
@@ -192,7 +195,7 @@ def _through_a_corner(a: Assumption, rank: int) -> list[tuple[Expr, list[Assumpt
     """
     if a.kind != "concurrent" or rank < 4 or not all(of_points(e) and e.step == 2 for e in a.args):
         return None
-    for one, other in combinations(dict.fromkeys(a.args), 2):
+    for one, other in watched(combinations(dict.fromkeys(a.args), 2)):
         common = [p for p in one.children if p in other.children]
         if len(common) == 1 and len(a.args) > 2:
             (b,) = common
@@ -220,11 +223,12 @@ def _parts(a: Assumption, base: Construction, task: Task) -> tuple[tuple[Expr, .
 
     None where nothing is gained: the assumption is one scalar that is no product.
     """
+    from gcrules.factoring.brackets import bracket_factors  # it loads numpy, which few commands need
+
     (e,) = equations(a, task.rank)
     written = tuple(_factors(e))
     if len(written) > 1 or written[:1] not in ((), (e,)):
         return tuple(dict.fromkeys(written)), ()
-    from gcrules.factoring.brackets import bracket_factors  # numpy, for scalars that may be products in disguise
 
     try:
         poly = _polynomial(e, task)
@@ -280,6 +284,7 @@ def _without_zeros(e: Expr, base: Construction, task: Task) -> BracketPolynomial
         return left  # as it is written, whatever the order of the points
     left = _normal(left)
     for row in zeros:
+        checkpoint()
         order = tuple(dict.fromkeys((*left.points[: left.ideal], *row, *left.points)))
         moved = _normal(_dropped(_normal(left.over(order, left.ideal)), zeros))
         if len(moved) < len(left):
@@ -288,6 +293,7 @@ def _without_zeros(e: Expr, base: Construction, task: Task) -> BracketPolynomial
 
 
 def _is_zero(e: Expr, base: Construction) -> bool:
+    checkpoint()
     return base.vanishes(e) and base.is_zero(e)
 
 
@@ -308,6 +314,7 @@ def _normal(poly: BracketPolynomial) -> BracketPolynomial:
 
 def _solved(at: _Open, task: Task) -> _Open | None:
     """Scalars solved together as linear equations between their monomials, where that leaves fewer terms."""
+
     rows: dict[int, Terms] = {}
     for i, a in enumerate(at.scalars):
         (e,) = equations(a, task.rank)
@@ -338,6 +345,7 @@ def _echelon(rows: Sequence[Mapping[Monomial, int | Fraction]]) -> list[Terms]:
     for row in rows:
         left: Terms = dict(row)
         for pivot, other in found:
+            checkpoint()
             left = _minus(left, other, pivot)
         if left:
             pivot = min(left)

@@ -188,7 +188,11 @@ def prove(
 
 
 def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, limit: int) -> Proof:
-    found = kinds(space, points_of(left, right))
+    try:
+        found = kinds(space, points_of(left, right), (difference,))
+    except LimitReached as limited:
+        reason = _reason(limited, "; the assumptions are not resolved")
+        return Proof(left, right, "undecided", "random-points", reason)
     names = space.declared()
     proofs = [_at_one_kind(left, right, difference, kind.construction, names, limit) for kind in found]
     if len(proofs) == 1:
@@ -200,7 +204,8 @@ def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, 
     worst = min(proofs, key=lambda p: (_VERDICTS.index(p.verdict), p.unit_weights))
     if not worst.proved:
         return replace(worst, assumed=(), meanings=(), kinds=told)
-    assumed = fewest(e for kind in found for e in kind.construction.nonzero)
+    # Each kind says what it leaves out; what an image leaves out is of that kind, and not left out by all.
+    assumed = fewest(e for kind in found if not kind.image for e in kind.construction.nonzero)
     return replace(_assuming(proofs[0], assumed, names), kinds=told)
 
 

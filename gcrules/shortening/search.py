@@ -105,8 +105,8 @@ class Divided:
         return cls(tuple(sorted((*rows, *more))), quotient)
 
     def times(self, form: BracketPolynomial) -> BracketPolynomial:
-        """A form of the quotient as one of the whole."""
-        return form * form.with_terms({self.rows: 1})
+        """A form of the quotient as one of the whole; it takes no time that a search could save."""
+        return form.with_terms({tuple(sorted((*m, *self.rows))): c for m, c in form.terms.items()})
 
 
 def shortest_of(divided: Divided, forms: Iterable[BracketPolynomial], limits: Limits) -> Search:

@@ -72,8 +72,9 @@ def shorten(
             return Shortening(normal, len(poly), 0, _ZERO, _ZERO)
         forms = [kept, *(_canonical(f.over(poly.points, poly.ideal)) for f in _superbracket_forms(e, poly))]
         divided = [Divided.of(rows, part, terms) for part in _by_multidegree(normal).values()]
+        alike = [_alike(forms, part) for part in divided]
     with within(max(0.0, seconds - (monotonic() - start))):
-        found = [shortest_of(part, _alike(forms, part), limits) for part in divided]
+        found = [shortest_of(part, some, limits) for part, some in zip(divided, alike, strict=True)]
     with within(_PREPARATION):
         return _together(poly, kept, found, terms)
 
