@@ -820,7 +820,7 @@ def test_a_page_that_leaves_ends_its_work(client: TestClient) -> None:
 
 def test_time_limit_ends_a_worker() -> None:
     async def run() -> None:
-        pool = Pool(1)
+        pool = Pool(1, late=0.0)
         try:
             with pytest.raises(LimitReached, match=r"within 0\.01 seconds"):
                 await pool.run(("open", {"source": OCTAHEDRAL}, None), 0.01, lambda _: None)

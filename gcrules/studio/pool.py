@@ -20,7 +20,7 @@ __all__ = ["Pool", "Told"]
 
 _GONE = (asyncio.IncompleteReadError, ConnectionError)  # what is seen of a worker that has ended
 _STILL = 1.0  # seconds after which it is said that work goes on
-_LATE = 5.0  # seconds for a worker to notice by itself that its time is over
+_LATE = 5.0
 _MOST = 16_000_000  # bytes of an answer that are taken in at once
 
 
@@ -33,9 +33,10 @@ class Told(GcrulesError):
 
 
 class Pool:
-    """At most `size` workers; one is kept ready."""
+    """At most `size` workers; one is kept ready. They have `late` seconds to notice by themselves that time is over."""
 
-    def __init__(self, size: int | None = None) -> None:
+    def __init__(self, size: int | None = None, *, late: float = _LATE) -> None:
+        self.late = late
         self.free = asyncio.Semaphore(size or min(4, max(2, os.cpu_count() or 2)))
         self.idle: list[Process] = []
         self.all: set[Process] = set()
@@ -50,7 +51,7 @@ class Pool:
         """
         async with self.free:
             try:
-                async with asyncio.timeout(seconds + _LATE):
+                async with asyncio.timeout(seconds + self.late):
                     try:
                         kind, value, subject = await self._done(job, tell)
                     except _GONE:
