@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import inspect
 import math
+import operator
+import traceback
 import types
 import warnings
 from collections.abc import Callable, Iterator
@@ -276,3 +278,23 @@ def test_sensible_values_are_taken(call: Callable[[], Any]) -> None:
 )
 def test_a_value_in_words(value: Any, words: str) -> None:
     assert described(value) == words
+
+
+@pytest.mark.parametrize("symbol", ["add", "sub", "mul", "or_", "and_"])
+@pytest.mark.parametrize("name", ["scalar", "extensor", "polynomial"])
+def test_an_operand_of_another_kind_is_pythons_type_error(name: str, symbol: str) -> None:
+    """From both sides: operators take what is theirs, fail as gcrules' own functions do, or leave it to Python."""
+    own = {"scalar": gc.parse("[abcd]"), "extensor": gc.parse("ab"), "polynomial": gc.expand("[abcd]")}[name]
+    wrong = {}
+    for key, value in NASTY.items():
+        other = value()
+        for left, right in ((own, other), (other, own)):
+            try:
+                str(getattr(operator, symbol)(left, right))
+            except GcrulesError:
+                continue
+            except Exception as fault:
+                inside = [f.name for f in traceback.extract_tb(fault.__traceback__) if "/gcrules/" in f.filename]
+                if inside or not isinstance(fault, TypeError):
+                    wrong[key] = f"{type(fault).__name__}: {fault} in {inside}"
+    assert not wrong
