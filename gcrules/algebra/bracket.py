@@ -183,7 +183,9 @@ class BracketPolynomial(_Shown):
         return a.with_terms(terms)
 
     def __sub__(self, other: BracketPolynomial) -> BracketPolynomial:
-        return self + -other if isinstance(other, BracketPolynomial) else NotImplemented
+        if not isinstance(other, BracketPolynomial):
+            return NotImplemented
+        return self + -other
 
     def __mul__(self, other: BracketPolynomial | int | Fraction) -> BracketPolynomial:
         if not isinstance(other, BracketPolynomial):

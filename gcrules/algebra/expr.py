@@ -102,10 +102,14 @@ class Expr:
         return meet(self, other, rank=common_rank(None, self, other))
 
     def __add__(self, other: Expr) -> Expr:
-        return add(self, other) if isinstance(other, Expr) else NotImplemented
+        if not isinstance(other, Expr):
+            return NotImplemented
+        return add(self, other)
 
     def __sub__(self, other: Expr) -> Expr:
-        return sub(self, other) if isinstance(other, Expr) else NotImplemented
+        if not isinstance(other, Expr):
+            return NotImplemented
+        return sub(self, other)
 
     def __neg__(self) -> Expr:
         return neg(self)
