@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import inspect
 import math
+import operator
+import traceback
 import types
 import warnings
 from collections.abc import Callable, Iterator
@@ -284,3 +286,23 @@ def test_each_named_coordinate_is_judged_by_itself(wrong: Any) -> None:
     robot = gc.Robot.load("delta")
     with pytest.raises(InputError, match=r"\by\b.* (must be|expected) a number"):
         robot.at(x=0, y=wrong, z=0.5)
+
+
+@pytest.mark.parametrize("symbol", ["add", "sub", "mul", "or_", "and_"])
+@pytest.mark.parametrize("name", ["scalar", "extensor", "polynomial"])
+def test_an_operand_of_another_kind_is_pythons_type_error(name: str, symbol: str) -> None:
+    """From both sides: operators take what is theirs, fail as gcrules' own functions do, or leave it to Python."""
+    own = {"scalar": gc.parse("[abcd]"), "extensor": gc.parse("ab"), "polynomial": gc.expand("[abcd]")}[name]
+    wrong = {}
+    for key, value in NASTY.items():
+        other = value()
+        for left, right in ((own, other), (other, own)):
+            try:
+                str(getattr(operator, symbol)(left, right))
+            except GcrulesError:
+                continue
+            except Exception as fault:
+                inside = [f.name for f in traceback.extract_tb(fault.__traceback__) if "/gcrules/" in f.filename]
+                if inside or not isinstance(fault, TypeError):
+                    wrong[key] = f"{type(fault).__name__}: {fault} in {inside}"
+    assert not wrong

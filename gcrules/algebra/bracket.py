@@ -176,6 +176,8 @@ class BracketPolynomial(_Shown):
         return self.with_terms({m: -c for m, c in self.terms.items()})
 
     def __add__(self, other: BracketPolynomial) -> BracketPolynomial:
+        if not isinstance(other, BracketPolynomial):
+            return NotImplemented
         a, b = self._aligned(other)
         terms = dict(a.terms.items())
         for m, c in b.terms.items():
@@ -183,11 +185,14 @@ class BracketPolynomial(_Shown):
         return a.with_terms(terms)
 
     def __sub__(self, other: BracketPolynomial) -> BracketPolynomial:
+        if not isinstance(other, BracketPolynomial):
+            return NotImplemented
         return self + -other
 
     def __mul__(self, other: BracketPolynomial | int | Fraction) -> BracketPolynomial:
         if not isinstance(other, BracketPolynomial):
-            return self.with_terms({m: c * other for m, c in self.terms.items()})
+            number = ex.exact_number(other)
+            return NotImplemented if number is None else self.with_terms({m: c * number for m, c in self.terms.items()})
         a, b = self._aligned(other)
         if len(a) < len(b):
             a, b = b, a
@@ -199,6 +204,7 @@ class BracketPolynomial(_Shown):
         return a.with_terms(terms)
 
     __rmul__ = __mul__
+    __array_ufunc__ = None  # arrays take no polynomials apart
 
     def _aligned(self, other: BracketPolynomial) -> tuple[BracketPolynomial, BracketPolynomial]:
         if self.rank != other.rank:

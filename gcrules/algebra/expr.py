@@ -20,6 +20,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain, combinations, repeat
 from math import comb, factorial, isqrt, prod
+from numbers import Integral, Rational
 
 from gcrules.core.budget import watched
 from gcrules.errors import InputError, LimitReached, StepError
@@ -41,6 +42,7 @@ __all__ = [
     "bracket",
     "common_rank",
     "dotted",
+    "exact_number",
     "join",
     "meet",
     "mul",
@@ -89,26 +91,47 @@ class Expr:
 
     def __or__(self, other: Expr) -> Expr:
         """The join, in the rank that the operands are written in (4 if they do not say)."""
+        if not isinstance(other, Expr):
+            return NotImplemented
         return join(self, other, rank=common_rank(None, self, other))
 
     def __and__(self, other: Expr) -> Expr:
         """The meet, in the rank that the operands are written in (4 if they do not say)."""
+        if not isinstance(other, Expr):
+            return NotImplemented
         return meet(self, other, rank=common_rank(None, self, other))
 
     def __add__(self, other: Expr) -> Expr:
+        if not isinstance(other, Expr):
+            return NotImplemented
         return add(self, other)
 
     def __sub__(self, other: Expr) -> Expr:
+        if not isinstance(other, Expr):
+            return NotImplemented
         return sub(self, other)
 
     def __neg__(self) -> Expr:
         return neg(self)
 
     def __mul__(self, other: Expr | int | Fraction) -> Expr:
-        return mul(self, other if isinstance(other, Expr) else Number(other))
+        if isinstance(other, Expr):
+            return mul(self, other)
+        number = exact_number(other)
+        return NotImplemented if number is None else mul(self, Number(number))
 
     def __rmul__(self, other: int | Fraction) -> Expr:
-        return mul(Number(other), self)
+        number = exact_number(other)
+        return NotImplemented if number is None else mul(Number(number), self)
+
+    __array_ufunc__ = None  # arrays take no expressions apart
+
+
+def exact_number(value: object) -> int | Fraction | None:
+    """A rational number as Python's own; None for what is none, floats among them, which are not exact."""
+    if isinstance(value, Integral):
+        return int(value)
+    return Fraction(value) if isinstance(value, Rational) else None
 
 
 def _measure(e: Expr, step: int) -> None:

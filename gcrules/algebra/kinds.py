@@ -195,6 +195,8 @@ def _through_a_corner(a: Assumption, rank: int) -> list[tuple[Expr, list[Assumpt
     """
     if a.kind != "concurrent" or rank < 4 or not all(of_points(e) and e.step == 2 for e in a.args):
         return None
+    if any(len(set(e.children)) < 2 for e in a.args):  # aa is zero and no line
+        return None
     for one, other in watched(combinations(dict.fromkeys(a.args), 2)):
         common = [p for p in one.children if p in other.children]
         if len(common) == 1 and len(a.args) > 2:

@@ -14,7 +14,16 @@ from numpy.typing import NDArray
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
 
-__all__ = ["Points", "coordinates", "line_vectors", "mutual_moment", "normalised", "plane_equation", "unit_scale"]
+__all__ = [
+    "Points",
+    "coordinates",
+    "line_vectors",
+    "mutual_moment",
+    "normalised",
+    "plane_equation",
+    "size_of",
+    "unit_scale",
+]
 
 Floats = NDArray[np.float64]
 Points = Mapping[str, Floats]
@@ -31,11 +40,21 @@ def coordinates(e: Expr, points: Points) -> Floats:
 
 def unit_scale(points: Points) -> Points:
     """The same points with their centroid as the origin and their root-mean-square distance from it as the unit."""
-    xyz = np.stack([p[:, :3] for p in points.values()], axis=1)
-    centred = xyz - xyz.mean(axis=1, keepdims=True)
-    size = np.sqrt((centred**2).sum(axis=2).mean(axis=1))[:, None]
+    centred, size = _centred(points), size_of(points)[:, None]
     one = np.ones((len(size), 1))
     return {n: np.concatenate([centred[:, i] / size, one], axis=1) for i, n in enumerate(points)}
+
+
+def size_of(points: Points) -> Floats:
+    """The root-mean-square distance of the points from their centroid, shape (N,); 1 where all are one point."""
+    found: Floats = np.sqrt((_centred(points) ** 2).sum(axis=2).mean(axis=1))
+    return np.where(found > 0, found, 1.0)
+
+
+def _centred(points: Points) -> Floats:
+    xyz = np.stack([p[:, :3] for p in points.values()], axis=1)
+    found: Floats = xyz - xyz.mean(axis=1, keepdims=True)
+    return found
 
 
 def plane_equation(plane: Floats) -> Floats:

@@ -24,6 +24,7 @@ from gcrules.numeric.extensors import (
     mutual_moment,
     normalised,
     plane_equation,
+    size_of,
     unit_scale,
 )
 from gcrules.numeric.incidence import factors
@@ -59,8 +60,12 @@ _Measure = tuple[str, str, Floats, int, bool]  # name, meaning, values, power, p
 
 
 def readings(conditions: Sequence[Condition], points: Points) -> tuple[Reading, ...]:
-    """All readings of all conditions, each part once; `points` are homogeneous coordinates (N, 4)."""
+    """All readings of all conditions, each part once; `points` are homogeneous coordinates (N, 4).
+
+    They are computed at unit scale, where no product of lengths is too large or too small for a float.
+    """
     found: dict[tuple[str, str], Reading] = {}
+    points, unit = unit_scale(points), size_of(points)
     with np.errstate(divide="ignore", invalid="ignore"):
         for condition in conditions:
             cofactor = normalised(condition.cofactor, points)
@@ -71,7 +76,7 @@ def readings(conditions: Sequence[Condition], points: Points) -> tuple[Reading, 
                     if (cofactor < NEAR_ZERO).any():
                         why = f"the cofactor {condition.cofactor} is near zero"
                     valid = finite & (cofactor >= NEAR_ZERO)
-                    reading = Reading(str(part), name, meaning, values, valid, power, published, why)
+                    reading = Reading(str(part), name, meaning, values * unit**power, valid, power, published, why)
                     found.setdefault((str(part), name), reading)
     return tuple(found.values())
 
@@ -132,8 +137,7 @@ def _four_planes(part: Meet, points: Points) -> Iterator[_Measure]:
     yield "reciprocal condition number", "of the 4×4 matrix of the planes", _planes_rcond(part, points), 0, True
     equations = np.stack([plane_equation(coordinates(p, points)) for p in part.children], axis=1)
     sizes = np.linalg.norm(equations[:, :, :3], axis=2)
-    reach = _size(points)
-    sizes[sizes * reach[:, None] <= 1e-12 * np.linalg.norm(equations, axis=2)] = np.nan  # no plane, or at infinity
+    sizes[sizes <= 1e-12 * np.linalg.norm(equations, axis=2)] = np.nan  # no plane, or at infinity
     equations = equations / sizes[:, :, None]
     normals = equations[:, :, :3]
     cofactors = [(-1) ** i * np.linalg.det(np.delete(normals, i, axis=1)) for i in range(4)]
@@ -156,8 +160,7 @@ def _four_planes(part: Meet, points: Points) -> Iterator[_Measure]:
 
 
 def _planes_rcond(part: Meet, points: Points) -> Floats:
-    at = unit_scale(points)
-    matrix = np.stack([_unit(coordinates(p, at)) for p in part.children], axis=1)
+    matrix = np.stack([_unit(coordinates(p, points)) for p in part.children], axis=1)
     return _reciprocal(matrix)
 
 
@@ -170,8 +173,7 @@ def _two_lines(part: Meet, points: Points) -> Iterator[_Measure]:
     lines: list[Expr] = [c for c in part.children if c.step == 2]
     if planes:
         lines.append(meet(*planes))
-    at = unit_scale(points)
-    matrix = np.concatenate([_two_points(coordinates(line, at)) for line in lines], axis=2)
+    matrix = np.concatenate([_two_points(coordinates(line, points)) for line in lines], axis=2)
     what = "of two points on the meet of the planes and two on the line" if planes else "of two points on each line"
     yield "reciprocal condition number", f"of the 4×4 matrix {what}", _reciprocal(matrix), 0, True
     first, second = (coordinates(line, points) for line in lines)
@@ -203,7 +205,7 @@ def _transversals(part: Sum, condition: Condition, points: Points) -> Iterator[_
         return
     p, q, g, h = (coordinates(e, points) for e in named)
     rows = [np.stack([mutual_moment(p, x), mutual_moment(q, x)], axis=1) for x in (g, h)]
-    u, v = (_unit(row, least=1e-9 * _size(points)) for row in rows)
+    u, v = (_unit(row, least=1e-9) for row in rows)
     sine = np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
     words = f"sine of the angle between the ratios that {named[2]} and {named[3]} allow to the turns about p and q"
     yield "transversals", words, sine, 0, False
@@ -241,10 +243,4 @@ def _reciprocal(matrix: Floats) -> Floats:
     usable: Floats = np.where(bad[:, None, None], 0.0, matrix)
     s = np.linalg.svd(usable, compute_uv=False)
     found: Floats = np.where(bad, np.nan, s[:, -1] / s[:, 0])
-    return found
-
-
-def _size(points: Points) -> Floats:
-    xyz = np.stack([p[:, :3] for p in points.values()], axis=1)
-    found: Floats = np.sqrt(((xyz - xyz.mean(axis=1, keepdims=True)) ** 2).sum(axis=2).mean(axis=1))
     return found
