@@ -90,7 +90,8 @@ def run_command(case: Case, jail: Jail, *, around: Around = nullcontext) -> Outc
     """Run `gcrules ARGV` with standard streams of its own, as the entry point does, but the process goes on after it;
     `around` surrounds it.
     """
-    from gcrules import cli, files, interrupts, streams
+    from gcrules import cli
+    from gcrules.core import files, interrupts, streams
 
     def program() -> int:
         streams.prepare()
@@ -130,7 +131,7 @@ def _with_fault(found: Outcome, internal: list[str]) -> Outcome:
 
 def _forget_signals() -> None:
     """Let the next program hear signals as the first one did, when nothing reminds of this one's any more."""
-    from gcrules import interrupts
+    from gcrules.core import interrupts
 
     until = monotonic() + 5
     while interrupts._heard.reminding and monotonic() < until:

@@ -19,7 +19,7 @@ from time import monotonic, sleep
 from types import FrameType
 from typing import Any
 
-from gcrules import interrupts
+from gcrules.core import interrupts
 from gcrules.main import main
 
 from ..case import Case
