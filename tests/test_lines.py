@@ -447,7 +447,7 @@ def test_a_reading_whose_cofactor_vanishes_is_dropped_and_named() -> None:
     [
         (["Aa Ab Bc Bd Ce Cf", "--given", "coplanar(A, B, a, b)"], "given        coplanar(A, B, a, b)"),
         (["Aa Ab Bc Bd Ce Cf", "--given", "coplanar(A, B, a, b)"], "Under the assumptions [ABab] vanishes."),
-        (["Aa Ab Bb Bc Cd Ce", "--given", "incident(p, Aa), incident(p, Bc)", "--points", "p"], "not to vanish: Bp"),
+        (["Aa Ab Bb Bc Cd Ce", "--given", "incident(p, Aa), incident(p, Bc)", "--points", "p"], "not to vanish: pB"),
         (["Aa Bb Cc ij jk ki", "--ideal", "i j k"], "couples      ij, jk, ki (lines at infinity"),
         ([r"ab, cd, ef, ag, ch, bdf /\ egh"], r"legs         ab, cd, ef, ag, ch, bdf /\ egh"),
         (["ab", "cd", "ef", "--rank", "3"], "pure condition of two rigid bodies joined by three bars"),

@@ -195,11 +195,11 @@ def test_sizes_of_what_is_written_out_on_the_way(one: str, other: str) -> None:
 
 
 def test_denominators_of_constructed_points_count() -> None:
-    """The point s 2^90 a + t / 2^90 b is, without denominators, s 2^180 a + t b."""
+    """The point s (2^90 a + b) + t (c / 2^90 + d) is, without denominators, one with coefficients of 90 bits."""
     part = 2**90
-    given = f"incident(p, ({part} a + {part} b) \\/ (1/{part} c + 1/{part} d))"
+    given = f"incident(p, ({part} a + b) \\/ (1/{part} c + d))"
     found = resolve(parse_assumption(given, Context(rank=3)))._sizes["p"]
-    assert found.bits >= 180
+    assert found.bits >= 90
 
 
 def test_constructed_points_count_with_their_degree() -> None:
