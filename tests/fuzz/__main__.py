@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import signal
 import sys
 
 from .campaign import Found, campaign, load_everything, tried
@@ -41,6 +42,7 @@ def main() -> int:
             print(f"{family.name:<12} {family.words}")
         return 0
     os.environ.setdefault("GCRULES_SECONDS", str(_SECONDS))
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background too: it ends a family early
     load_everything()
     if asked.replay:
         return _replay(asked.replay, asked.seed)

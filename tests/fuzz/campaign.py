@@ -138,7 +138,10 @@ def campaign(
         if start + lane < last:
             begin(start + lane, workers)
     while lanes:
-        ready = wait(list(lanes), timeout=2.0)
+        try:
+            ready = wait(list(lanes), timeout=2.0)
+        except KeyboardInterrupt:  # what was tried so far counts
+            break
         for pipe in ready:
             lane = lanes[pipe]  # type: ignore[index]
             try:
@@ -166,6 +169,8 @@ def campaign(
                 del lanes[pipe]
                 _died(result, family, seed, lane, "no end, not even by a signal", tell)
                 begin(lane.seen + lane.stride, lane.stride)
+    for lane in lanes.values():
+        lane.process.kill()
     result.seconds = monotonic() - began
     return result
 
