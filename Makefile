@@ -75,7 +75,7 @@ docs: $(READY) ## write the generated pages of docs/, check every link, build th
 	@echo "The guide is in $(CURDIR)/$(SITE)/index.html"
 
 .PHONY: studio
-studio: studio-ui/node_modules/.package-lock.json ## build the studio's page from studio-ui/ into gcrules/studio/static (needs Node)
+studio: studio-ui/node_modules/.package-lock.json ## build the studio's page from studio-ui/ into gcrules/apps/studio/static (needs Node)
 	cd studio-ui && npm run --silent build
 
 .PHONY: studio-check

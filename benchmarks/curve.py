@@ -8,7 +8,7 @@ from itertools import pairwise
 from math import log10
 from typing import Any
 
-from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, text_width
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, text_width
 
 __all__ = ["curve", "factoring_curve"]
 

@@ -31,9 +31,9 @@ ROUNDS = 3
 
 WORKER = """
 import json, sys, time
-from gcrules.algebra.straighten import straighten
-from gcrules.algebra.syntax import parse
-from gcrules.factoring.factorize import factor
+from gcrules.algebra.straightening.straighten import straighten
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.factoring.factorize import factor
 rank, expressions = json.load(sys.stdin)
 forms = [straighten(parse(e, rank=rank)) for e in expressions]
 start = time.process_time()
@@ -45,8 +45,8 @@ print(json.dumps([time.process_time() - start, max(len(f.terms) for f in forms),
 PEER = """
 import json, math, resource, sys, time
 import sympy
-from gcrules.algebra.straighten import straighten
-from gcrules.algebra.syntax import parse
+from gcrules.algebra.straightening.straighten import straighten
+from gcrules.algebra.language.syntax import parse
 rank, expressions, allowed = json.load(sys.stdin)
 
 def bracket(points):

@@ -58,7 +58,7 @@ Form = dict[Monomial, int]
 
 WORKER = """
 import json, sys, time
-from gcrules.algebra.straighten import straighten_terms
+from gcrules.algebra.straightening.straighten import straighten_terms
 products = [tuple(map(tuple, m)) for m in json.load(sys.stdin)]
 start = time.process_time()
 forms = [straighten_terms({m: 1}) for m in products]

@@ -11,13 +11,14 @@ from typing import Any
 import pytest
 import yaml
 
-from gcrules.algebra import diagonal, two_rows
 from gcrules.algebra.bracket import BracketPolynomial, Monomial
 from gcrules.algebra.expand import expand
-from gcrules.algebra.shortest import _table, shortest_forms, superbracket_form
-from gcrules.algebra.straighten import straighten, straighten_steps
-from gcrules.algebra.syntax import parse
-from gcrules.analysis import analyze
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.straightening import diagonal
+from gcrules.algebra.straightening import syzygies as two_rows
+from gcrules.algebra.straightening.straighten import straighten, straighten_steps
+from gcrules.algebra.superbrackets.shortest import _table, shortest_forms, superbracket_form
+from gcrules.conditions.analysis import analyze
 
 DATA = Path(__file__).resolve().parent.parent / "tests" / "data" / "gsp_classes.yaml"
 CLASSES = yaml.safe_load(DATA.read_text(encoding="utf-8"))["classes"]

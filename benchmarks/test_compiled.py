@@ -21,8 +21,8 @@ import numpy as np
 import pytest
 
 import gcrules as gc
-from gcrules.numeric.arrays import matrices
-from gcrules.numeric.rig import rig
+from gcrules.mechanisms.moving_platform import rig
+from gcrules.poses.numbers.arrays import matrices
 
 MANY = 1_000_000
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"

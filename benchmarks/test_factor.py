@@ -15,11 +15,11 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.shortest import superbracket_form
-from gcrules.algebra.straighten import straighten
-from gcrules.factoring.factorize import factor
-from gcrules.legs import Structure
-from gcrules.rules.oracle import Oracle
+from gcrules.algebra.factoring.factorize import factor
+from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.straightening.straighten import straighten
+from gcrules.algebra.superbrackets.shortest import superbracket_form
+from gcrules.rules.random_witness import Oracle
 from gcrules.rules.transversals import find
 
 DATA = Path(__file__).resolve().parent.parent / "tests" / "data" / "gsp_classes.yaml"

@@ -16,8 +16,8 @@ import sympy
 from sympy.core.cache import clear_cache
 
 import gcrules as gc
-from gcrules.loci.expansion import expansion
-from gcrules.loci.locus import locus
+from gcrules.poses.loci.expansion import expansion
+from gcrules.poses.loci.locus import locus
 
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 ROBOTS = ("octahedral", "platform-6-6")

@@ -20,8 +20,8 @@ import numpy as np
 import pytest
 
 import gcrules as gc
-from gcrules.mapping.maps import planned
-from gcrules.numeric.threshold import DEFAULT
+from gcrules.poses.maps.maps import planned
+from gcrules.poses.numbers.threshold import DEFAULT
 
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 OVER = ["x -300:300:160", "z -500:100:250"]

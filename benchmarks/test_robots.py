@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 
 import gcrules as gc
-from gcrules.kinematics.mechanism import mechanism
-from gcrules.kinematics.solve import free_coordinates
-from gcrules.robots.discovery import robots
+from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.kinematics.mechanism import mechanism
+from gcrules.mechanisms.kinematics.solve import free_coordinates
 
 IDS = [one.id for one in robots()]
 

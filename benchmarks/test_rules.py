@@ -6,13 +6,13 @@ from collections.abc import Callable
 from itertools import permutations
 from typing import Any
 
+from gcrules.algebra.assumptions.assumed import _resolved
 from gcrules.algebra.bracket import BracketPolynomial, sorted_row
 from gcrules.algebra.expand import expand
-from gcrules.algebra.given import _resolved
+from gcrules.algebra.language.statements import parse_assumption, parse_script
+from gcrules.algebra.language.syntax import Context, parse, parse_equation
 from gcrules.algebra.prove import prove
 from gcrules.algebra.space import Space
-from gcrules.algebra.statements import parse_assumption, parse_script
-from gcrules.algebra.syntax import Context, parse, parse_equation
 from gcrules.rules.identity import rewritten
 from gcrules.rules.rule_file import identities
 

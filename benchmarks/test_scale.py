@@ -13,16 +13,16 @@ from measurement import Over
 from products import PLANTED, products
 from scale import FORMS, by_gcrules, by_macaulay2, macaulay2
 
-from gcrules.algebra import diagonal
-from gcrules.algebra import straighten as module
 from gcrules.algebra.bracket import BracketPolynomial, Terms
 from gcrules.algebra.expand import expand
-from gcrules.algebra.straighten import straighten, straighten_terms
-from gcrules.algebra.syntax import parse
-from gcrules.algebra.work import Work
-from gcrules.catalog_file import load
-from gcrules.condition import Certificate, Condition
-from gcrules.factoring.factorize import factor
+from gcrules.algebra.factoring.factorize import factor
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.straightening import diagonal
+from gcrules.algebra.straightening import straighten as module
+from gcrules.algebra.straightening.straighten import straighten, straighten_terms
+from gcrules.algebra.straightening.work import Work
+from gcrules.rules.catalog.file import load
+from gcrules.rules.condition import Certificate, Condition
 
 SIZES = [(3, 6), (3, 9), (3, 12), (3, 15), (4, 8), (4, 9), (4, 10), (4, 12), (4, 14), (4, 16)]
 PEER = {3: 11, 4: 10}  # rank: the most points for which Macaulay2 needs seconds only
@@ -127,7 +127,7 @@ def by_sympy(frame: str) -> dict[str, float]:
 
 ANALYZE = """
 import sys, time
-from gcrules.analysis import analyze
+from gcrules.conditions.analysis import analyze
 start = time.perf_counter()
 analyze(sys.argv[1])
 print(time.perf_counter() - start)

@@ -13,15 +13,15 @@ import yaml
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
-from gcrules.algebra.shortest import superbracket_form
-from gcrules.algebra.straighten import straighten, straighten_terms
-from gcrules.algebra.syntax import parse
-from gcrules.factoring.residues import random_positions, values
-from gcrules.shortening.exhaustive import Work, combinations_of
-from gcrules.shortening.monomials import Monomials
-from gcrules.shortening.residues import MODULUS
-from gcrules.shortening.shorten import shorten
-from gcrules.shortening.symmetry import Action
+from gcrules.algebra.factoring.residues import random_positions, values
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.shortening.exhaustive import Work, combinations_of
+from gcrules.algebra.shortening.monomials import Monomials
+from gcrules.algebra.shortening.residues import MODULUS
+from gcrules.algebra.shortening.shorten import shorten
+from gcrules.algebra.shortening.symmetry import Action
+from gcrules.algebra.straightening.straighten import straighten, straighten_terms
+from gcrules.algebra.superbrackets.shortest import superbracket_form
 
 DATA = Path(__file__).resolve().parent.parent / "tests" / "data" / "gsp_classes.yaml"
 REGULAR = [c for c in yaml.safe_load(DATA.read_text(encoding="utf-8"))["classes"] if c["regular"]]

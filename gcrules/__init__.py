@@ -19,7 +19,7 @@ TYPE_CHECKING = False  # the command line begins here, and hears no signals whil
 if TYPE_CHECKING:
     from typing import Any
 
-    from gcrules.api import (
+    from gcrules.api.functions import (
         Analysis,
         BracketPolynomial,
         Condition,
@@ -119,7 +119,7 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     if name in __all__:
-        return getattr(import_module("gcrules.api"), name)
+        return getattr(import_module("gcrules.api.functions"), name)
     raise AttributeError(f"module 'gcrules' has no attribute {name!r}")
 
 

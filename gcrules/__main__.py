@@ -1,6 +1,6 @@
 """`python -m gcrules` is the command line."""
 
-from gcrules.main import main
+from gcrules.apps.main import main
 
 if __name__ == "__main__":
     main()

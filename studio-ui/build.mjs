@@ -1,4 +1,4 @@
-// Bundles the page and the viewer into gcrules/studio/static, which is committed.
+// Bundles the page and the viewer into gcrules/apps/studio/static, which is committed.
 //   node build.mjs           writes the bundle
 //   node build.mjs --check   compares it with the committed one; exit 1 and the names of stale files
 //   node build.mjs --watch   writes it again at every change, with source maps
@@ -11,7 +11,7 @@ import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const target = join(here, "..", "gcrules", "studio", "static");
+const target = join(here, "..", "gcrules", "apps", "studio", "static");
 const check = process.argv.includes("--check");
 const watch = process.argv.includes("--watch");
 
@@ -35,7 +35,7 @@ const bundles = (out) => [
   // the page of `gcrules studio`
   { ...common, entryPoints: { studio: "src/page/main.tsx" }, outdir: out, format: "esm" },
   // the viewer by itself: a classic script that defines `GcrulesViewer` (module scripts do not load from file://);
-  // gcrules/widget.py makes the module of the notebook widget of it
+  // gcrules/apps/notebook/widget.py makes the module of the notebook widget of it
   { ...common, entryPoints: { viewer: "src/viewer/index.ts" }, outdir: out, format: "iife", globalName: "GcrulesViewer" },
 ];
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.expr import Expr, Number, Point, add, bracket, mul
-from gcrules.legs import Structure, read_legs
+from gcrules.algebra.language.legs_text import Structure, read_legs
 
 __all__ = ["LEGS", "MERSENNE", "attacks", "guessed", "monomials", "vanishing"]
 

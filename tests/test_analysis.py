@@ -18,10 +18,10 @@ import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
 from gcrules.algebra.expr import ZERO, Join, Point, join, meet, mul, points_of
 from gcrules.algebra.prove import prove
-from gcrules.analysis import Analysis, analyze
-from gcrules.errors import InputError, LimitReached
-from gcrules.plugins import load_rules
-from gcrules.rules.incidence import INCIDENCES
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.rules.condition_rule import INCIDENCES
+from gcrules.rules.plugins import load_rules
 
 CLASSES: list[dict[str, Any]] = yaml.safe_load(
     (Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8")

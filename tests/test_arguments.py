@@ -18,10 +18,10 @@ import numpy as np
 import pytest
 
 import gcrules as gc
-from gcrules import api
+from gcrules.api.functions import functions as api
+from gcrules.api.signatures import SIGNATURES
 from gcrules.core.arguments import described
-from gcrules.errors import GcrulesError, InputError
-from gcrules.signatures import SIGNATURES
+from gcrules.core.errors import GcrulesError, InputError
 
 ROOT = Path(__file__).resolve().parent.parent
 PLATFORM = gc.load_platform(ROOT / "examples" / "octahedral.yaml")

@@ -9,10 +9,10 @@ import pytest
 from click.testing import CliRunner
 
 import gcrules as gc
-from gcrules.cli import cli
-from gcrules.errors import InputError
-from gcrules.robots.as_platform import as_platform
-from gcrules.robots.discovery import robots
+from gcrules.apps.cli import cli
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.description.as_platform import as_platform
+from gcrules.mechanisms.description.discovery import robots
 
 LEGS = ("gough-stewart", "gough-stewart-63", "octahedral")
 COMMANDS = {

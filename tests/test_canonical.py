@@ -12,10 +12,10 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.canonical import Canonical, canonical
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.expr import Expr, Point, points_of, substitute
+from gcrules.algebra.language.statements import parse_assumption
+from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.space import Assumption
 from gcrules.algebra.spelling import normal
-from gcrules.algebra.statements import parse_assumption
-from gcrules.algebra.syntax import Context, parse
 
 ASSUMPTIONS = [
     (3, "collinear(a, b, c), collinear(a, b, d)"),

@@ -10,13 +10,13 @@ import pytest
 import yaml
 
 from gcrules.algebra.evaluate import evaluate, random_rational_points
-from gcrules.algebra.syntax import parse
-from gcrules.analysis import analyze
-from gcrules.catalog import Catalog, Entry
-from gcrules.catalog_check import check_catalog, check_entry, enumerate_classes, source_keys
-from gcrules.catalog_file import load, load_file
-from gcrules.errors import FileError
-from gcrules.legs import Structure, read_legs
+from gcrules.algebra.language.legs_text import Structure, read_legs
+from gcrules.algebra.language.syntax import parse
+from gcrules.conditions.analysis import analyze
+from gcrules.core.errors import FileError
+from gcrules.rules.catalog.catalog import Catalog, Entry
+from gcrules.rules.catalog.check import check_catalog, check_entry, enumerate_classes, source_keys
+from gcrules.rules.catalog.file import load, load_file
 
 CLASSES: list[dict[str, Any]] = yaml.safe_load(
     (Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8")
@@ -301,8 +301,8 @@ def test_readings_are_parsed_as_written(catalog: Catalog) -> None:
 
 def test_what_can_be_computed_is_not_typed(catalog: Catalog, tmp_path: Path) -> None:
     """The drafts of all classes, read back, agree with the catalog in everything that is computed."""
-    from gcrules.catalog_check import FOUND
-    from gcrules.catalog_draft import draft
+    from gcrules.rules.catalog.check import FOUND
+    from gcrules.rules.catalog.draft import draft
 
     path = tmp_path / "draft.yaml"
     path.write_text("\n".join(["classes:", *(draft(e.id, e.legs) for e in catalog.entries)]), encoding="utf-8")

@@ -21,22 +21,24 @@ from click.testing import CliRunner, Result
 import gcrules
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Point, join
-from gcrules.algebra.syntax import parse
-from gcrules.algebra.text import text as formula
-from gcrules.analysis import Analysis, analyze
-from gcrules.catalog import Catalog, Entry
-from gcrules.catalog_file import load
-from gcrules.cli import cli
-from gcrules.numeric.incidence import free_motions
-from gcrules.render import bsp, graph, labels, legend, poses, sample, scene, solids, view
-from gcrules.render import catalog_pages as renderer
-from gcrules.render.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages, neighbours
-from gcrules.render.drawing import Circle, Drawing, Line, Polygon, Text
-from gcrules.render.figures import graph_figure, named_lines, robot_figure, shown_entities, thumbnail
-from gcrules.render.labels import label_box, overlap
-from gcrules.render.markdown import inline, reference
-from gcrules.render.page_names import page_names
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.language.text import text as formula
+from gcrules.apps.cli import cli
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.gained_motion import free_motions
+from gcrules.rules.catalog.catalog import Catalog, Entry
+from gcrules.rules.catalog.file import load
 from gcrules.rules.strategy import Strategy
+from gcrules.views.drawing import bsp, graph, labels, legend, sample, scene, solids
+from gcrules.views.drawing import viewpoint as view
+from gcrules.views.drawing.drawing import Circle, Drawing, Line, Polygon, Text
+from gcrules.views.drawing.figures import graph_figure, named_lines, robot_figure, shown_entities, thumbnail
+from gcrules.views.drawing.labels import label_box, overlap
+from gcrules.views.pages import catalog_pages as renderer
+from gcrules.views.pages.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages, neighbours
+from gcrules.views.pages.markdown import inline, reference
+from gcrules.views.pages.page_names import page_names
+from gcrules.views.report import telling_poses as poses
 
 ENTRIES = load().entries
 REGULAR = [e for e in ENTRIES if e.status != "always-singular"]

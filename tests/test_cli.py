@@ -16,9 +16,9 @@ import pytest
 from click.testing import CliRunner, Result
 from commands import assert_refused
 
-from gcrules.algebra.syntax import parse
-from gcrules.cli import COMMANDS, cli
-from gcrules.cli.catalog import COMMANDS as CATALOG_COMMANDS
+from gcrules.algebra.language.syntax import parse
+from gcrules.apps.cli import COMMANDS, cli
+from gcrules.apps.cli.catalog import COMMANDS as CATALOG_COMMANDS
 
 OCTAHEDRON = "ab af cb cd ed ef"
 Run = Callable[..., Result]
@@ -42,7 +42,7 @@ def shell(
 ) -> subprocess.CompletedProcess[str]:
     """A process of its own, as a shell would start it."""
     return subprocess.run(
-        [sys.executable, "-c", "from gcrules.cli import main; main()", *arguments],
+        [sys.executable, "-c", "from gcrules.apps.cli import main; main()", *arguments],
         input=input,
         capture_output=True,
         encoding="utf-8",
@@ -632,7 +632,7 @@ def in_terminal(*arguments: str, env: dict[str, str]) -> str:
 
     child, terminal = pty.fork()
     if child == 0:  # pragma: no cover
-        code = "from gcrules.cli import main; main()"
+        code = "from gcrules.apps.cli import main; main()"
         os.execve(sys.executable, [sys.executable, "-c", code, *arguments], os.environ | env)
     chunks = []
     while True:
@@ -657,7 +657,7 @@ def test_colour_on_a_terminal_unless_told_otherwise() -> None:
 
 
 def test_broken_pipe_is_quiet() -> None:
-    code = "from gcrules.cli import main; main()"
+    code = "from gcrules.apps.cli import main; main()"
     with subprocess.Popen(
         [sys.executable, "-c", code, "straighten", "[afgl][behk][cdij]", "--steps"],
         stdout=subprocess.PIPE,
@@ -672,7 +672,9 @@ def test_broken_pipe_is_quiet() -> None:
 
 def test_interrupt_is_quiet() -> None:
     """The expansion takes minutes; the interrupt comes when it has begun."""
-    started = "import sys, gcrules.cli.algebra; print('ready', flush=True); from gcrules.cli import main; main()"
+    started = (
+        "import sys, gcrules.apps.cli.algebra; print('ready', flush=True); from gcrules.apps.cli import main; main()"
+    )
     long = "*".join(["(abc /\\ def /\\ ghi /\\ jkl)"] * 40)
     with subprocess.Popen(
         [sys.executable, "-c", started, "expand", long, "--limit", "1000000000"],
@@ -693,7 +695,7 @@ def test_interrupt_is_quiet() -> None:
 
 def test_internal_faults_are_not_hidden() -> None:
     code = (
-        "import gcrules.cli.algebra as a; from gcrules.cli import main\n"
+        "import gcrules.apps.cli.algebra as a; from gcrules.apps.cli import main\n"
         "def broken(*args, **options): raise RuntimeError('broken')\n"
         "a.expanded = broken; main()"
     )
@@ -704,16 +706,16 @@ def test_internal_faults_are_not_hidden() -> None:
 
 
 def test_starting_loads_nothing_heavy() -> None:
-    code = "import sys, gcrules.cli; print(*sys.modules)"
+    code = "import sys, gcrules.apps.cli; print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
-    assert not {"numpy", "networkx", "sympy", "matplotlib", "lark", "yaml", "gcrules.analysis"} & set(loaded)
+    assert not {"numpy", "networkx", "sympy", "matplotlib", "lark", "yaml", "gcrules.conditions.analysis"} & set(loaded)
 
 
 @pytest.mark.parametrize(
     "words", [["expand", "ab"], ["straighten", "[abcd]"], ["prove", "ab /\\ cd == [abcd]"]], ids=" ".join
 )
 def test_small_answers_load_nothing_heavy(words: list[str]) -> None:
-    code = f"import sys; from gcrules.cli import cli; cli({words!r}, standalone_mode=False); print(*sys.modules)"
+    code = f"import sys; from gcrules.apps.cli import cli; cli({words!r}, standalone_mode=False); print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
-    assert "gcrules.cli.algebra" in loaded
-    assert not {"numpy", "networkx", "sympy", "matplotlib", "gcrules.analysis"} & set(loaded)
+    assert "gcrules.apps.cli.algebra" in loaded
+    assert not {"numpy", "networkx", "sympy", "matplotlib", "gcrules.conditions.analysis"} & set(loaded)

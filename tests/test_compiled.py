@@ -19,21 +19,21 @@ from hypothesis import strategies as st
 
 import gcrules as gc
 from gcrules.algebra.evaluate import evaluate, random_rational_points
-from gcrules.algebra.shortest import superbracket_form
-from gcrules.compiling import compiled as module
-from gcrules.compiling import engines
-from gcrules.compiling.compiled import CompiledCondition, compiled
-from gcrules.compiling.native import native
-from gcrules.compiling.scalars import Graph, Scalar
-from gcrules.compiling.tape import Line, Program, allocated, lower
-from gcrules.compiling.tracing import Mechanism, trace
-from gcrules.compiling.vectors import of_expression, of_legs, of_polynomial
-from gcrules.errors import EngineFault, InputError
-from gcrules.legs import read_legs
-from gcrules.numeric.arrays import matrices
-from gcrules.numeric.cubic import superbracket_at
-from gcrules.numeric.turns import rotation
-from gcrules.robots.geometry import load_platform, parse_platform
+from gcrules.algebra.language.legs_text import read_legs
+from gcrules.algebra.superbrackets.shortest import superbracket_form
+from gcrules.core.errors import EngineFault, InputError
+from gcrules.mechanisms.description.platform_file import load_platform, parse_platform
+from gcrules.poses.compiling import compiled as module
+from gcrules.poses.compiling import engines
+from gcrules.poses.compiling.compiled import CompiledCondition, compiled
+from gcrules.poses.compiling.native import native
+from gcrules.poses.compiling.scalars import Graph, Scalar
+from gcrules.poses.compiling.tape import Line, Program, allocated, lower
+from gcrules.poses.compiling.tracing import Mechanism, trace
+from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
+from gcrules.poses.numbers.arrays import matrices
+from gcrules.poses.numbers.cubic import superbracket_at
+from gcrules.screws.rotations import rotation
 
 F = Fraction
 EXAMPLES = ("octahedral", "platform-6-3", "platform-6-4", "platform-6-6", "four-dof")

@@ -18,25 +18,25 @@ import gcrules as gc
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import mul, neg, sub
-from gcrules.algebra.shortest import superbracket_form
+from gcrules.algebra.language.legs_text import read_legs
+from gcrules.algebra.language.statements import parse_assumption
+from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.space import Space
-from gcrules.algebra.statements import parse_assumption
-from gcrules.algebra.straighten import next_syzygy, straighten, straighten_steps
-from gcrules.algebra.syntax import Context, parse
-from gcrules.analysis import Analysis, analyze
-from gcrules.cli.legs import analyze as analyze_command
-from gcrules.condition import ONE
-from gcrules.errors import LimitReached
-from gcrules.legs import read_legs
-from gcrules.plugins import load_rules
-from gcrules.render.latex_text import latex_words
+from gcrules.algebra.straightening.straighten import next_syzygy, straighten, straighten_steps
+from gcrules.algebra.superbrackets.shortest import superbracket_form
+from gcrules.apps.cli.legs import analyze as analyze_command
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.core.errors import LimitReached
+from gcrules.rules.condition import ONE
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.deriving import derived_zero, from_catalog
 from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.library import ENGINE
+from gcrules.rules.plugins import load_rules
 from gcrules.rules.rule import Elementary, Incidence
 from gcrules.rules.strategy import Strategy
 from gcrules.rules.unfold import MAX_STEPS, follows, unfold
+from gcrules.views.formulas.latex_text import latex_words
 
 CLASSES: list[dict[str, Any]] = yaml.safe_load(
     (Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8")

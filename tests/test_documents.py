@@ -200,8 +200,8 @@ def test_python_answers_what_the_document_says(document: str, monkeypatch: pytes
 
 @pytest.mark.parametrize("block", of("gca"), ids=lambda b: b.name)
 def test_scripts_say_what_is_true(block: Block) -> None:
-    from gcrules.algebra.statements import parse_script
-    from gcrules.script import run_script
+    from gcrules.algebra.language.statements import parse_script
+    from gcrules.rules.script import run_script
 
     result = run_script(parse_script(block.text, block.name))
     assert result.results or "rule" in block.text.split()
@@ -211,8 +211,8 @@ def test_scripts_say_what_is_true(block: Block) -> None:
 @pytest.mark.parametrize("block", of("yaml"), ids=[f"{b.name}: {b.text.split(':')[0]}" for b in of("yaml")])
 def test_files_are_what_the_document_says(block: Block, tmp_path: Path) -> None:
     import gcrules as gc
-    from gcrules.catalog_check import check_entry
-    from gcrules.catalog_file import load_file
+    from gcrules.rules.catalog.check import check_entry
+    from gcrules.rules.catalog.file import load_file
 
     path = tmp_path / "file.yaml"
     path.write_text(block.text, encoding="utf-8")

@@ -18,8 +18,8 @@ from strategies import RANKS, SHORT_NAMES, coordinates, expressions
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import evaluate, plucker, random_points, random_rational_points, vanishes
 from gcrules.algebra.expr import Expr, Point, points_of
-from gcrules.algebra.syntax import parse, parse_equation
-from gcrules.errors import InputError, StepError
+from gcrules.algebra.language.syntax import parse, parse_equation
+from gcrules.core.errors import InputError, StepError
 
 SMALL_PRIME = 2**31 - 1
 ALL_RANKS = range(2, 9)

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from gcrules.algebra.assumptions.assumed import equations
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Number, mul, points_of
-from gcrules.algebra.given import equations
+from gcrules.algebra.language.statements import Claim, parse_script
 from gcrules.algebra.prove import prove
-from gcrules.algebra.statements import Claim, parse_script
-from gcrules.script import run_script
+from gcrules.rules.script import run_script
 
 SCRIPTS = sorted((Path(__file__).resolve().parent.parent / "examples").glob("*.gca"))
 

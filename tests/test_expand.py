@@ -15,8 +15,8 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.evaluate import PRIME, Evaluator, evaluate, random_points
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Point, join, meet, points_of
-from gcrules.algebra.syntax import parse
-from gcrules.errors import LimitReached
+from gcrules.algebra.language.syntax import parse
+from gcrules.core.errors import LimitReached
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 RANKS = range(2, 9)

@@ -28,25 +28,25 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import Evaluator, vanishes
 from gcrules.algebra.expr import Expr, sub
-from gcrules.algebra.straighten import straighten
-from gcrules.algebra.syntax import parse
-from gcrules.errors import InputError, LimitReached
-from gcrules.factoring import search as search_module
-from gcrules.factoring.brackets import bracket_factors
-from gcrules.factoring.certify import proved
-from gcrules.factoring.cofactor import line_cofactors
-from gcrules.factoring.coincidences import Coincidences, coinciding
-from gcrules.factoring.extensors import Extensors, Letters, extensor
-from gcrules.factoring.factorize import factor
-from gcrules.factoring.irreducible import irreducible
-from gcrules.factoring.limits import Budget
-from gcrules.factoring.matches import search
-from gcrules.factoring.multilinear import factor_multilinear
-from gcrules.factoring.residues import residues, values
-from gcrules.factoring.search import middles
-from gcrules.factoring.splitting import split
-from gcrules.factoring.symmetry import Symmetries, moved_row
-from gcrules.factoring.trees import simplest
+from gcrules.algebra.factoring import search as search_module
+from gcrules.algebra.factoring.brackets import bracket_factors
+from gcrules.algebra.factoring.certify import proved
+from gcrules.algebra.factoring.cofactor import line_cofactors
+from gcrules.algebra.factoring.coincidences import Coincidences, coinciding
+from gcrules.algebra.factoring.extensors import Extensors, Letters, extensor
+from gcrules.algebra.factoring.factorize import factor
+from gcrules.algebra.factoring.irreducible import irreducible
+from gcrules.algebra.factoring.limits import Budget
+from gcrules.algebra.factoring.matches import search
+from gcrules.algebra.factoring.multilinear import factor_multilinear
+from gcrules.algebra.factoring.residues import residues, values
+from gcrules.algebra.factoring.search import middles
+from gcrules.algebra.factoring.splitting import split
+from gcrules.algebra.factoring.symmetry import Symmetries, moved_row
+from gcrules.algebra.factoring.trees import simplest
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.straightening.straighten import straighten
+from gcrules.core.errors import InputError, LimitReached
 
 CLASSES = yaml.safe_load((Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8"))["classes"]
 REGULAR = [c for c in CLASSES if c["regular"]]
@@ -113,7 +113,7 @@ def test_the_classes_of_platforms() -> None:
     assert Counter(f.found for f in found.values()) == {True: 24, False: 10}
     assert time.process_time() - start < 30  # about 1 s alone on a core
     assert str(found["3-3.3"].expression) == "ABC /\\ Aab /\\ Bac /\\ Cbc"
-    assert "catalog" not in " ".join(m for m in sys.modules if m.startswith("gcrules.factoring"))
+    assert "catalog" not in " ".join(m for m in sys.modules if m.startswith("gcrules.algebra.factoring"))
 
 
 @settings(max_examples=60)

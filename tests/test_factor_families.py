@@ -20,20 +20,20 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expand import expand
-from gcrules.algebra.order import easy_order, same_function
-from gcrules.algebra.straighten import straighten
-from gcrules.algebra.syntax import parse
-from gcrules.cli import cli
+from gcrules.algebra.factoring import certify
+from gcrules.algebra.factoring.extensors import Extensors, Letters
+from gcrules.algebra.factoring.limits import Budget
+from gcrules.algebra.factoring.matches import search
+from gcrules.algebra.factoring.residues import values
+from gcrules.algebra.factoring.search import candidates
+from gcrules.algebra.factoring.trees import simplest
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.straightening.order import easy_order, same_function
+from gcrules.algebra.straightening.straighten import straighten
+from gcrules.apps.cli import cli
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.core.linear_algebra import rank
 from gcrules.core.seeds import repeated
-from gcrules.errors import InputError, LimitReached
-from gcrules.factoring import certify
-from gcrules.factoring.extensors import Extensors, Letters
-from gcrules.factoring.limits import Budget
-from gcrules.factoring.matches import search
-from gcrules.factoring.residues import values
-from gcrules.factoring.search import candidates
-from gcrules.factoring.trees import simplest
-from gcrules.gauss import rank
 
 LONG = {
     "powers": ("[abcd]**64 " * 40, "[abcd]**2560"),
@@ -212,7 +212,7 @@ def spanned_by(number: int, poly: BracketPolynomial, forms: list[BracketPolynomi
     all but one, and for the last the determinants of values at whole positions, in Python's whole numbers.
     """
     from gcrules.algebra.evaluate import random_rational_points
-    from gcrules.factoring.restriction import value_at
+    from gcrules.algebra.factoring.restriction import value_at
 
     rows = number + 1
     at = [random_rational_points(poly.points, rank=poly.rank, seed=50 + n, size=50) for n in range(rows)]
@@ -248,7 +248,7 @@ REPEATED = [
 @pytest.mark.parametrize(("text", "lower"), [(f"{a} + {b}", n) for (a, b), n in zip(REPEATED, (4, 3), strict=True)])
 def test_what_is_excluded_where_points_repeat(text: str, lower: int) -> None:
     """The slow search in whole numbers excludes what the search modulo a prime does, and the answer says so."""
-    from gcrules.shortening.monomials import Monomials
+    from gcrules.algebra.shortening.monomials import Monomials
 
     p = straighten(parse(text, rank=3))
     assert isinstance(p, BracketPolynomial)

@@ -11,16 +11,16 @@ import pytest
 from click.testing import CliRunner
 
 import gcrules as gc
-from gcrules.cli import cli
-from gcrules.errors import FileError, LimitReached
-from gcrules.plugins import Incidence, load_rules
+from gcrules.apps.cli import cli
+from gcrules.core.errors import FileError, LimitReached
 from gcrules.rules import foreign
+from gcrules.rules.plugins import Incidence, load_rules
 
 LEGS = "Aa Ab Ac Bd Be Cf"
 
 RULE = """
 {imports}
-from gcrules.plugins import Incidence, add, bracket, mul, points
+from gcrules.rules.plugins import Incidence, add, bracket, mul, points
 
 def expression(s):
     {body}
@@ -62,7 +62,7 @@ CULPRITS = {
     "RecursionError": ("", "return expression(s)", "", "rules.py:6", "RecursionError"),
     "ZeroDivisionError": ("", "return 1 / 0", "", "rules.py:6", "ZeroDivisionError"),
     "a limit of its own": (
-        "from gcrules.errors import LimitReached",
+        "from gcrules.core.errors import LimitReached",
         "raise LimitReached('too much')",
         "",
         "rules.py:6",
@@ -177,7 +177,7 @@ PRINTS = "import os, sys\nprint('loud'); sys.__stdout__.write('loud'); "
 
 WRONG = """
 from dataclasses import replace
-from gcrules.plugins import Incidence, EntityRule, add, bracket, mul, points
+from gcrules.rules.plugins import Incidence, EntityRule, add, bracket, mul, points
 
 def find(state, number):
     yield state
@@ -205,7 +205,7 @@ def test_a_step_that_is_wrong_is_the_plugins_own(tmp_path: Path) -> None:
 
 
 REWRITES = """
-from gcrules.plugins import Rule, bracket, points
+from gcrules.rules.plugins import Rule, bracket, points
 from gcrules.rules.rule import Elementary, RewriteRule
 
 class Kind(RewriteRule):
@@ -286,7 +286,7 @@ PROCESS = {
 }
 SHORT = (
     "import gcrules.rules.foreign as f; f.SECONDS, f._AGAIN, f._LAST = 0.3, 0.05, 3\n"
-    "from gcrules.main import main; main()"
+    "from gcrules.apps.main import main; main()"
 )
 
 
@@ -294,7 +294,7 @@ SHORT = (
 @pytest.mark.parametrize("name", PROCESS)
 def test_a_process_survives_its_plugin(tmp_path: Path, name: str) -> None:
     imports, body, words = PROCESS[name]
-    command = [sys.executable, "-c", SHORT if "swallows" in name else "from gcrules.main import main; main()"]
+    command = [sys.executable, "-c", SHORT if "swallows" in name else "from gcrules.apps.main import main; main()"]
     done = subprocess.run(
         [*command, "analyze", LEGS, "--json", "--plugins", write(tmp_path, rule(imports, body))],
         capture_output=True,
@@ -311,12 +311,12 @@ PACKAGES = {
     "None": ("broken:PLUGIN", "PLUGIN = None", "broken:PLUGIN is no gcrules.Plugin but NoneType"),
     "rules that are None": (
         "broken:PLUGIN",
-        "from gcrules.plugins import Plugin\nPLUGIN = Plugin(rules=None)",
+        "from gcrules.rules.plugins import Plugin\nPLUGIN = Plugin(rules=None)",
         "package broken cannot be loaded: InputError: gc.Plugin: `rules` must be a sequence of rules, got None",
     ),
     "files that are numbers": (
         "broken:PLUGIN",
-        "from gcrules.plugins import Plugin\nPLUGIN = Plugin(files=(1,))",
+        "from gcrules.rules.plugins import Plugin\nPLUGIN = Plugin(files=(1,))",
         "`files` must be a sequence of names of files, got a tuple of 1 that holds 1",
     ),
     "ends the program": ("broken:PLUGIN", "raise SystemExit(0)", "package broken cannot be loaded: SystemExit: 0"),
@@ -333,7 +333,7 @@ def test_a_package_is_the_culprit(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     (tmp_path / "broken.py").write_text(code, encoding="utf-8")
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.delitem(sys.modules, "broken", raising=False)
-    from gcrules.plugins import _installed
+    from gcrules.rules.plugins import _installed
 
     _installed.cache_clear()
     try:

@@ -9,8 +9,8 @@ import pytest
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Point, join, superbracket
-from gcrules.errors import FileError, GcrulesError
-from gcrules.robots.geometry import Platform, load_platform, parse_platform
+from gcrules.core.errors import FileError, GcrulesError
+from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
 
 GOOD = """\
 title: Stand

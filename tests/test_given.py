@@ -20,17 +20,17 @@ from hypothesis import strategies as st
 
 import gcrules as gc
 from gcrules.algebra import expr as ex
+from gcrules.algebra.assumptions.assumed import equations, holds, kinds, resolve
 from gcrules.algebra.evaluate import PRIME, Evaluator, evaluate
 from gcrules.algebra.expr import Expr, points_of
-from gcrules.algebra.given import equations, holds, kinds, resolve
+from gcrules.algebra.language.statements import parse_assumption, parse_script
+from gcrules.algebra.language.syntax import Context, parse, parse_equation
 from gcrules.algebra.prove import Proof, prove
 from gcrules.algebra.space import Assumption
-from gcrules.algebra.statements import parse_assumption, parse_script
-from gcrules.algebra.syntax import Context, parse, parse_equation
-from gcrules.cli import cli
+from gcrules.apps.cli import cli
 from gcrules.core.budget import within
-from gcrules.errors import InputError
-from gcrules.script import run_script
+from gcrules.core.errors import InputError
+from gcrules.rules.script import run_script
 
 DESARGUES = (
     "given incident(x, bc), incident(x, b'c'), incident(y, ca), incident(y, c'a'), incident(z, ab), incident(z, a'b')"

@@ -11,8 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from gcrules.algebra import expand, space, straighten, syntax
+from gcrules.algebra import expand, space
 from gcrules.algebra import expr as ex
+from gcrules.algebra.language import syntax
+from gcrules.algebra.straightening import straighten
 
 LIMIT = syntax.MAX_TEXT - 4_000  # characters, just below the limit of the language
 MANY = 40_000
@@ -107,11 +109,11 @@ SCRIPTS = {
 # One process reads the cases; for each it forks a child with little memory, which prints the outcome.
 READER = """
 import json, os, random, resource, sys, traceback
-from gcrules.algebra.statements import parse_script
-from gcrules.algebra.syntax import parse
-from gcrules.algebra.text import text
+from gcrules.algebra.language.statements import parse_script
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.language.text import text
 from gcrules.algebra.expr import points_of
-from gcrules.errors import GcrulesError
+from gcrules.core.errors import GcrulesError
 
 def nested(form, inner, times):
     for _ in range(times):
@@ -208,8 +210,8 @@ COMPUTER = """
 import json, os, resource, sys, traceback
 import numpy
 import gcrules as gc
-from gcrules.errors import GcrulesError
-import gcrules.analysis, gcrules.factoring.factorize
+from gcrules.core.errors import GcrulesError
+import gcrules.conditions.analysis, gcrules.algebra.factoring.factorize
 
 BIG = "7" * 1000
 forty = "".join(f"[p{i} p{19 - i} p{20 + i} p{39 - i}]" for i in range(10))

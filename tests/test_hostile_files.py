@@ -13,14 +13,14 @@ import pytest
 from click.testing import CliRunner, Result
 
 import gcrules as gc
-from gcrules.cli import cli
+from gcrules.apps.cli import cli
+from gcrules.apps.studio.numbers import numbers
+from gcrules.apps.studio.subject import read_subject
+from gcrules.core.errors import InputError
 from gcrules.core.floats import as_float, decimal
-from gcrules.errors import InputError
-from gcrules.numeric.jacobian import jacobian
-from gcrules.render.solids import flat_normal, outline, patch
-from gcrules.robots.geometry import parse_platform
-from gcrules.studio.numbers import numbers
-from gcrules.studio.subject import read_subject
+from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.poses.numbers.jacobian import jacobian
+from gcrules.views.drawing.solids import flat_normal, outline, patch
 
 ROOT = Path(__file__).resolve().parent.parent
 GEOMETRY = (ROOT / "examples" / "octahedral.yaml").read_text(encoding="utf-8")

@@ -17,7 +17,7 @@ if sys.platform == "win32":
 
 READY = """
 import sys
-import gcrules.main as m
+import gcrules.apps.main as m
 answered = m._answered
 m._answered = lambda: (print("ready", file=sys.stderr, flush=True), answered())[1]
 m.main()
@@ -74,8 +74,8 @@ def test_a_signal_at_any_moment(root: Path, tmp_path: Path, name: str, moment: i
 SWEEP = """
 import os, signal, sys
 words, lines = sys.argv[1].split("\\n"), [int(n) for n in sys.argv[2].split()]
-import gcrules.main as m
-import gcrules.cli, gcrules.cli.{module}
+import gcrules.apps.main as m
+import gcrules.apps.cli, gcrules.apps.cli.{module}
 sys.argv = ["gcrules", *words]
 for at in lines:
     child = os.fork()

@@ -16,20 +16,26 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import gcrules as gc
-from gcrules.cli import cli
-from gcrules.kinematics.chains import SHAPES, chain_of
-from gcrules.kinematics.closeness import Closeness, _locked, closeness, limb_closeness
-from gcrules.kinematics.coordinates import coordinates
-from gcrules.kinematics.mechanism import Configuration, Mechanism, mechanism
-from gcrules.kinematics.rigid import cross_matrix, exponential, inverse, logarithm, rotations
-from gcrules.kinematics.solve import Course, Solution, free_coordinates, goal, solve
-from gcrules.kinematics.wanted import read_actuators, read_pose, wanted_actuators, wanted_coordinates, wanted_pose
-from gcrules.kinematics.wrenches import wrench_jacobian
-from gcrules.numeric.pose import parse_pose
-from gcrules.plugins import shipped_folder
-from gcrules.robots.discovery import robots
-from gcrules.robots.limbs import LimbText, read_joints
+from gcrules.apps.cli import cli
+from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.description.limb_file import LimbText, read_joints
+from gcrules.mechanisms.kinematics.chains import SHAPES, chain_of
+from gcrules.mechanisms.kinematics.coordinates import coordinates
+from gcrules.mechanisms.kinematics.margin import Closeness, _locked, closeness, limb_closeness
+from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism, mechanism
+from gcrules.mechanisms.kinematics.rigid_motions import cross_matrix, exponential, inverse, logarithm, rotations
+from gcrules.mechanisms.kinematics.solve import Course, Solution, free_coordinates, goal, solve
+from gcrules.mechanisms.kinematics.targets import (
+    read_actuators,
+    read_pose,
+    wanted_actuators,
+    wanted_coordinates,
+    wanted_pose,
+)
+from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
+from gcrules.rules.plugins import shipped_folder
 from gcrules.screws import FLOATS, JOINTS, RATIONALS
+from gcrules.screws.pose import parse_pose
 
 IDS = tuple(one.id for one in robots())
 PARTS = (0.6,)

@@ -17,18 +17,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import gcrules as gc
-from gcrules.algebra.syntax import parse
-from gcrules.catalog_file import load
-from gcrules.cli import cli
-from gcrules.render.latex import latex, latex_name
-from gcrules.render.latex_text import latex_document, latex_quantity, latex_words
-from gcrules.robots.discovery import robots
-from gcrules.robots.geometry import UNITS
-from gcrules.robots.model import Robot
-from gcrules.studio.composing import platform_text
-from gcrules.studio.subject import read_subject
-from gcrules.studio.taking import saved
-from gcrules.studio.views import PoseJson
+from gcrules.algebra.language.syntax import parse
+from gcrules.apps.cli import cli
+from gcrules.apps.studio.composing import platform_text
+from gcrules.apps.studio.export import saved
+from gcrules.apps.studio.subject import read_subject
+from gcrules.apps.studio.views import PoseJson
+from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.description.platform_file import UNITS
+from gcrules.mechanisms.robot import Robot
+from gcrules.rules.catalog.file import load
+from gcrules.views.formulas.latex import latex, latex_name
+from gcrules.views.formulas.latex_text import latex_document, latex_quantity, latex_words
 
 ROOT = Path(__file__).resolve().parent.parent
 PLATFORMS = sorted((ROOT / "examples").glob("*.yaml"))

@@ -24,29 +24,29 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import gcrules as gc
+from gcrules.algebra.assumptions.assumed import holds, resolve
 from gcrules.algebra.bracket import MANY_EQUAL, BracketPolynomial
-from gcrules.algebra.diagonal import normal_form
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.expand import MAX_BRACKETS, expand
-from gcrules.algebra.given import holds, resolve
+from gcrules.algebra.language.statements import parse_assumption, parse_script
+from gcrules.algebra.language.syntax import MAX_TEXT, Context, parse, parse_equation
 from gcrules.algebra.prove import prove
-from gcrules.algebra.statements import parse_assumption, parse_script
-from gcrules.algebra.straighten import is_zero, next_syzygy, straighten, straighten_steps
-from gcrules.algebra.syntax import MAX_TEXT, Context, parse, parse_equation
-from gcrules.cli import cli
-from gcrules.cli import factor as factor_command
-from gcrules.cli import shorten as shorten_command
-from gcrules.cli.limits import AROUND, SECONDS
+from gcrules.algebra.straightening.diagonal import normal_form
+from gcrules.algebra.straightening.straighten import is_zero, next_syzygy, straighten, straighten_steps
+from gcrules.apps.cli import cli
+from gcrules.apps.cli import factor as factor_command
+from gcrules.apps.cli import shorten as shorten_command
+from gcrules.apps.cli.limits import AROUND, SECONDS
+from gcrules.apps.repl.interpreter import Interpreter
+from gcrules.apps.repl.state import Settings
+from gcrules.apps.studio import worker
+from gcrules.apps.studio.methods import METHODS
 from gcrules.core import alarm, budget, memory
 from gcrules.core.budget import Count, checkpoint, seconds_left, waiting, watched, within
-from gcrules.errors import InputError, LimitReached
-from gcrules.repl.interpreter import Interpreter
-from gcrules.repl.state import Settings
-from gcrules.rewriting import rewrite
+from gcrules.core.errors import InputError, LimitReached
 from gcrules.rules import rule_file
 from gcrules.rules.elementary import ELEMENTARY
-from gcrules.studio import worker
-from gcrules.studio.methods import METHODS
+from gcrules.rules.rewriting import rewrite
 
 POWERS = "[abcd]**64 " * 9_000
 BRACKETS = "[abcd]" * 16_000
@@ -434,7 +434,7 @@ def test_a_shortening_of_many_brackets_is_shown_in_short() -> None:
 
 
 def test_a_shortening_names_the_seconds_that_were_given(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("gcrules.shortening.shorten._PREPARATION", 0.3)
+    monkeypatch.setattr("gcrules.algebra.shortening.shorten._PREPARATION", 0.3)
     with pytest.raises(LimitReached, match=r"more than 0\.25 seconds"):
         gc.shorten("[[ab, cd, ef, gh, ij, kl]]**12", seconds=0.25)
 

@@ -18,11 +18,11 @@ from hypothesis import strategies as st
 
 import gcrules as gc
 from gcrules.algebra.expr import points_of
-from gcrules.analysis import Analysis, analyze
-from gcrules.cli import cli
-from gcrules.errors import InputError
-from gcrules.legs import read_legs
-from gcrules.plugins import load_rules
+from gcrules.algebra.language.legs_text import read_legs
+from gcrules.apps.cli import cli
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.core.errors import InputError
+from gcrules.rules.plugins import load_rules
 
 Points = dict[str, tuple[Fraction, ...]]
 

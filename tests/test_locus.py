@@ -17,21 +17,21 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import gcrules as gc
-from gcrules.catalog_file import load
-from gcrules.cli import cli
-from gcrules.errors import EngineFault, InputError, LimitReached
-from gcrules.loci import locus as module
-from gcrules.loci.expansion import expansion
-from gcrules.loci.factors import Candidate, factored, primitive
-from gcrules.loci.form import Form
-from gcrules.loci.known import rational_ring, whole_ring
-from gcrules.loci.locus import locus
-from gcrules.loci.variables import question
-from gcrules.numeric.cubic import superbracket_at, translation_polynomial
-from gcrules.numeric.pose import Pose, parse_pose
-from gcrules.numeric.rig import rig
-from gcrules.numeric.turns import from_vector
-from gcrules.robots.geometry import Platform, parse_platform
+from gcrules.apps.cli import cli
+from gcrules.core.errors import EngineFault, InputError, LimitReached
+from gcrules.mechanisms.description.platform_file import Platform, parse_platform
+from gcrules.mechanisms.moving_platform import rig
+from gcrules.poses.loci import locus as module
+from gcrules.poses.loci.expansion import expansion
+from gcrules.poses.loci.factors import Candidate, factored, primitive
+from gcrules.poses.loci.form import Form
+from gcrules.poses.loci.known import rational_ring, whole_ring
+from gcrules.poses.loci.locus import locus
+from gcrules.poses.loci.variables import question
+from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
+from gcrules.rules.catalog.file import load
+from gcrules.screws.pose import Pose, parse_pose
+from gcrules.screws.rotations import from_vector
 
 F = Fraction
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"

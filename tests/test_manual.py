@@ -24,12 +24,12 @@ from hypothesis import strategies as st
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, Evaluator, evaluate, random_points, vanishes
 from gcrules.algebra.expr import mul
-from gcrules.cli import cli
-from gcrules.errors import FileError, InputError, LimitReached
-from gcrules.manual import MOVES, REASONS, Session
-from gcrules.manual.board import Board
-from gcrules.manual.evidence import bracket_divides, dividing_brackets, relation
-from gcrules.manual.file import parse_session, session_yaml
+from gcrules.apps.cli import cli
+from gcrules.conditions.manual import MOVES, REASONS, Session
+from gcrules.conditions.manual.board import Board
+from gcrules.conditions.manual.evidence import bracket_divides, dividing_brackets, relation
+from gcrules.conditions.manual.file import parse_session, session_yaml
+from gcrules.core.errors import FileError, InputError, LimitReached
 
 CLASSES: list[dict[str, Any]] = yaml.safe_load(
     (Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8")
@@ -843,7 +843,7 @@ def test_limits(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
     def limited(*_: Any, **__: Any) -> None:
         raise LimitReached("more than 0 terms", hint="raise the limit")
 
-    monkeypatch.setattr("gcrules.manual.conditions.straighten", limited)
+    monkeypatch.setattr("gcrules.conditions.manual.conditions.straighten", limited)
     path = str(tmp_path / "session.yaml")
     result = run(
         "analyze", OCTAHEDRON, "--session", path, *proposals("plane abc", r"condition abc /\ aef /\ bdf /\ cde")
@@ -930,7 +930,7 @@ def test_prompt(tmp_path: Path) -> None:
     """On a terminal: an answer, a fault, Ctrl-C in the middle of a line, Ctrl-D; all without a traceback."""
     path = tmp_path / "session.yaml"
     master, slave = pytest.importorskip("pty").openpty()
-    code = "from gcrules.cli import main; main()"
+    code = "from gcrules.apps.cli import main; main()"
     process = subprocess.Popen(
         [sys.executable, "-c", code, "analyze", OCTAHEDRON, "--manual", "--session", str(path)],
         stdin=slave, stdout=slave, stderr=slave, start_new_session=True, preexec_fn=_controlling,

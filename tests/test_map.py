@@ -24,26 +24,27 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import gcrules as gc
-from gcrules.analysis import Analysis, analyze
-from gcrules.cli import cli
-from gcrules.compiling.compiled import compiled
-from gcrules.errors import GcrulesError, InputError, LimitReached
-from gcrules.mapping import maps, outputs, report, store, surface, tracing, values
-from gcrules.mapping.axes import parse_axis, read_axes
-from gcrules.mapping.bernstein import coefficients, corners, halves, tolerance
-from gcrules.mapping.cells import CROSSED, FREE, UNDECIDED, certified
-from gcrules.mapping.grid import Grid, grid
-from gcrules.mapping.joining import joined
-from gcrules.mapping.limits import parse_limits
-from gcrules.mapping.maps import singular_map
-from gcrules.mapping.mesh import Mesh, glb, ply
-from gcrules.mapping.report import SingularMap
-from gcrules.mapping.slices import Factor, factors, middle, slice_polynomial
-from gcrules.mapping.tracing import traced
-from gcrules.numeric.cubic import superbracket_at
-from gcrules.numeric.pose import Pose, parse_pose
-from gcrules.numeric.rig import Rig, rig
-from gcrules.robots.geometry import parse_platform
+from gcrules.apps.cli import cli
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.poses.compiling.compiled import compiled
+from gcrules.poses.maps import maps, report, store, surface, tracing, values
+from gcrules.poses.maps.axes import parse_axis, read_axes
+from gcrules.poses.maps.bernstein import coefficients, corners, halves, tolerance
+from gcrules.poses.maps.cells import CROSSED, FREE, UNDECIDED, certified
+from gcrules.poses.maps.grid import Grid, grid
+from gcrules.poses.maps.joining import joined
+from gcrules.poses.maps.limits import parse_limits
+from gcrules.poses.maps.maps import singular_map
+from gcrules.poses.maps.mesh import Mesh, glb, ply
+from gcrules.poses.maps.report import SingularMap
+from gcrules.poses.maps.slices import Factor, factors, middle, slice_polynomial
+from gcrules.poses.maps.tracing import traced
+from gcrules.poses.numbers.cubic import superbracket_at
+from gcrules.screws.pose import Pose, parse_pose
+from gcrules.views.plots import map_files as outputs
 
 F = Fraction
 EXAMPLES = ("octahedral", "platform-6-3", "platform-6-4", "platform-6-6", "four-dof")
@@ -670,7 +671,7 @@ def test_data_are_read_back(robots: dict[str, Analysis], tmp_path: Path, monkeyp
 def test_pictures(
     robots: dict[str, Analysis], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, over: list[str], options: Any
 ) -> None:
-    map_surface = pytest.importorskip("gcrules.render.map_surface")
+    map_surface = pytest.importorskip("gcrules.views.plots.map_surface")
     pytest.importorskip("skimage")
     monkeypatch.setattr(map_surface, "_PIXELS", 150)
     names = [str(tmp_path / f"map.{kind}") for kind in ("svg", "png")]
@@ -875,7 +876,7 @@ def test_room_is_looked_for_first(tmp_path: Path) -> None:
 LARGE = """
 import sys
 from click.testing import CliRunner
-from gcrules.cli import cli
+from gcrules.apps.cli import cli
 done = CliRunner().invoke(cli, ["map", *sys.argv[1:]])
 status = open("/proc/self/status").read()  # unlike getrusage, it knows nothing of the process that started this one
 print(done.exit_code, status.split("VmHWM:")[1].split()[0])

@@ -9,12 +9,12 @@ import pytest
 from click.testing import CliRunner, Result
 from commands import assert_refused
 
-from gcrules.cli import cli
+from gcrules.apps.cli import cli
+from gcrules.apps.repl.interpreter import Interpreter
+from gcrules.core.errors import GcrulesError, LimitReached
 from gcrules.core.hints import files_like, number_with_unit, run_together
-from gcrules.errors import GcrulesError, LimitReached
-from gcrules.repl.interpreter import Interpreter
-from gcrules.robots.model import Robot
-from gcrules.yamlfile import Document
+from gcrules.core.yaml_file import Document
+from gcrules.mechanisms.robot import Robot
 
 ROOT = Path(__file__).resolve().parent.parent
 PLATFORM = str(ROOT / "examples" / "octahedral.yaml")

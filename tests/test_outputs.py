@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from gcrules.cli import cli
+from gcrules.apps.cli import cli
+from gcrules.core.errors import FileError
 from gcrules.core.files import check_target, held, replacing, write_file
-from gcrules.errors import FileError
 
 LEGS = "ab af cb cd ed ef"
 PATH = ("path", "ROBOT", "--at", "0 0 0", "--at", "0 0 -3", "--samples", "2")

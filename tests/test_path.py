@@ -20,22 +20,22 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import gcrules as gc
-from gcrules.analysis import Analysis, analyze
-from gcrules.cli import cli
-from gcrules.cli import path as path_command
-from gcrules.errors import GcrulesError, InputError, LimitReached
-from gcrules.numeric.cubic import superbracket_at, translation_polynomial
-from gcrules.numeric.pose import Pose, parse_pose
-from gcrules.numeric.rig import Rig, rig
-from gcrules.numeric.turns import product as turn_product
-from gcrules.paths import table as path_file
-from gcrules.paths.report import PathReport
-from gcrules.paths.roots import WIDTH, integers, roots, sign_after, sign_before
-from gcrules.paths.segment import Segment, segments
-from gcrules.paths.table import read_poses
-from gcrules.paths.zeros import Stretch, places, stretches
-from gcrules.render.path_plot import _determinant
-from gcrules.robots.geometry import parse_platform
+from gcrules.apps.cli import cli
+from gcrules.apps.cli import path as path_command
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
+from gcrules.poses.paths import table as path_file
+from gcrules.poses.paths.report import PathReport
+from gcrules.poses.paths.roots import WIDTH, integers, roots, sign_after, sign_before
+from gcrules.poses.paths.segment import Segment, segments
+from gcrules.poses.paths.table import read_poses
+from gcrules.poses.paths.zeros import Stretch, places, stretches
+from gcrules.screws.pose import Pose, parse_pose
+from gcrules.screws.rotations import product as turn_product
+from gcrules.views.plots.path_plot import _determinant
 
 F = Fraction
 EXAMPLES = ("octahedral", "platform-6-3", "platform-6-4", "platform-6-6", "four-dof")

@@ -14,13 +14,13 @@ import pytest
 from click.testing import CliRunner
 
 import gcrules as gc
-from gcrules.cli import cli
-from gcrules.errors import FileError, InputError
-from gcrules.plugins import load_rules, plugins_in, shipped_folder
+from gcrules.apps.cli import cli
+from gcrules.core.errors import FileError, InputError
 from gcrules.rules.check import check_rules
+from gcrules.rules.plugins import load_rules, plugins_in, shipped_folder
 
 RULE = """
-from gcrules.plugins import Incidence, bracket, mul, points
+from gcrules.rules.plugins import Incidence, bracket, mul, points
 
 RULES = (
     Incidence(

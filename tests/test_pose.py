@@ -18,27 +18,27 @@ from hypothesis import strategies as st
 
 import gcrules as gc
 from gcrules.algebra.evaluate import evaluate
-from gcrules.analysis import Analysis, analyze
-from gcrules.cli import cli
-from gcrules.errors import GcrulesError, InputError
-from gcrules.legs import read_legs
-from gcrules.nearest.cover import free_angle, free_distance
-from gcrules.nearest.multistart import Determinant, best_zero
-from gcrules.nearest.poses import _checked
-from gcrules.nearest.taylor import taylor
-from gcrules.nearest.zero import fibonacci, nearest_zero
-from gcrules.numeric.arrays import from_poses, from_vectors, matrices, read_arrays
-from gcrules.numeric.closeness import closeness, noise
-from gcrules.numeric.cubic import EXPONENTS, Cubic, determinant, superbracket_at, translation_polynomial
-from gcrules.numeric.extensors import mutual_moment, normalised, plane_equation
-from gcrules.numeric.jacobian import Jacobian, jacobian
-from gcrules.numeric.motion import dependence, exact_dependence
-from gcrules.numeric.pose import Pose, parse_pose
-from gcrules.numeric.readings import NEAR_ZERO, readings
-from gcrules.numeric.threshold import parse_threshold
-from gcrules.numeric.turns import from_euler, product, rotation
-from gcrules.numeric.variety import signature, variety
-from gcrules.robots.geometry import Platform, parse_platform
+from gcrules.algebra.language.legs_text import read_legs
+from gcrules.apps.cli import cli
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.core.errors import GcrulesError, InputError
+from gcrules.mechanisms.description.platform_file import Platform, parse_platform
+from gcrules.poses.nearest.cover import free_angle, free_distance
+from gcrules.poses.nearest.multistart import Determinant, best_zero
+from gcrules.poses.nearest.poses import _checked
+from gcrules.poses.nearest.taylor import taylor
+from gcrules.poses.nearest.zero import fibonacci, nearest_zero
+from gcrules.poses.numbers.arrays import from_poses, from_vectors, matrices, read_arrays
+from gcrules.poses.numbers.cubic import EXPONENTS, Cubic, determinant, superbracket_at, translation_polynomial
+from gcrules.poses.numbers.extensors import mutual_moment, normalised, plane_equation
+from gcrules.poses.numbers.guarantees import closeness, noise
+from gcrules.poses.numbers.incidence_measures import NEAR_ZERO, readings
+from gcrules.poses.numbers.jacobian import Jacobian, jacobian
+from gcrules.poses.numbers.motion import dependence, exact_dependence
+from gcrules.poses.numbers.threshold import parse_threshold
+from gcrules.poses.numbers.variety import signature, variety
+from gcrules.screws.pose import Pose, parse_pose
+from gcrules.screws.rotations import from_euler, product, rotation
 
 F = Fraction
 EXAMPLES = ("octahedral", "platform-6-3", "platform-6-4", "platform-6-6", "four-dof")
@@ -875,7 +875,7 @@ def test_many_poses_have_the_numbers_of_each(
             assert (r.part, r.name) == (s.part, s.name)
             assert (s.value is None and not r.valid[i]) or r.values[i] == pytest.approx(s.value, rel=1e-9)
     assert json.loads(json.dumps(many.to_json()))["verdict"] == many.verdict.tolist()
-    monkeypatch.setattr("gcrules.numeric.many.CHUNK", 2)
+    monkeypatch.setattr("gcrules.poses.numbers.many.CHUNK", 2)
     parts = gc.pose(a, shifts, rotation_vector=turns, about="centroid")
     assert parts.verdict.tolist() == many.verdict.tolist()
     assert np.allclose(parts.closeness, many.closeness, rtol=1e-12)

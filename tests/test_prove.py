@@ -14,7 +14,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
 from gcrules.algebra.expr import Expr, points_of, sub
 from gcrules.algebra.prove import Proof, prove
-from gcrules.errors import StepError
+from gcrules.core.errors import StepError
 
 PROVED = [
     (r"ab /\ cd == [abcd]", 4, ""),

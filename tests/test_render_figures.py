@@ -16,21 +16,21 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from gcrules.algebra.syntax import parse
-from gcrules.analysis import Analysis, analyze
-from gcrules.catalog_file import load
-from gcrules.condition import Certificate, Condition
-from gcrules.errors import FileError, InputError
-from gcrules.legs import legs_text
-from gcrules.numeric.incidence import common_point, factors, free_motions
-from gcrules.render.drawing import Circle, Drawing, Line, Polygon, Run, Text, name_runs, save, text_width
-from gcrules.render.figures import graph_figure, incidence_in_words, robot_figure, thumbnail
-from gcrules.render.graph import count_crossings, draw_graph, layered_order
-from gcrules.render.labels import Label, label_box, overlap, place_labels
-from gcrules.render.legend import rounded
-from gcrules.render.palette import ROLES
-from gcrules.render.scene import draw_platform, sample_coordinates
-from gcrules.robots.geometry import Platform, load_platform
+from gcrules.algebra.language.legs_text import legs_text
+from gcrules.algebra.language.syntax import parse
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.gained_motion import common_point, factors, free_motions
+from gcrules.core.errors import FileError, InputError
+from gcrules.mechanisms.description.platform_file import Platform, load_platform
+from gcrules.rules.catalog.file import load
+from gcrules.rules.condition import Certificate, Condition
+from gcrules.views.drawing.drawing import Circle, Drawing, Line, Polygon, Run, Text, name_runs, save, text_width
+from gcrules.views.drawing.figures import graph_figure, incidence_in_words, robot_figure, thumbnail
+from gcrules.views.drawing.graph import count_crossings, draw_graph, layered_order
+from gcrules.views.drawing.labels import Label, label_box, overlap, place_labels
+from gcrules.views.drawing.legend import rounded
+from gcrules.views.drawing.palette import ROLES
+from gcrules.views.drawing.scene import draw_platform, sample_coordinates
 
 CLASSES = {e.id: legs_text(e.legs) for e in load().entries}
 
@@ -108,8 +108,8 @@ def test_svg_is_xml(name: str) -> None:
 def test_figures_are_the_same_in_every_process() -> None:
     """Whatever the seed of Python's hashes, on which the sequence of a set depends."""
     code = (
-        "from gcrules.analysis import analyze; from gcrules.catalog_file import load\n"
-        "from gcrules.render.figures import graph_figure, robot_figure\n"
+        "from gcrules.conditions.analysis import analyze; from gcrules.rules.catalog.file import load\n"
+        "from gcrules.views.drawing.figures import graph_figure, robot_figure\n"
         "for e in load().entries[::4]:\n"
         "    a = analyze(e.structure)\n"
         "    print(e.id, graph_figure(a).svg(), robot_figure(a).svg())"
@@ -445,7 +445,7 @@ def test_faults_of_save(tmp_path: Path, name: str, error: type[Exception], words
 
 
 def test_pdfs_can_be_made_in_several_threads() -> None:
-    from gcrules.render.pdf import pdf  # needs matplotlib
+    from gcrules.views.drawing.pdf import pdf  # needs matplotlib
 
     with ThreadPoolExecutor(4) as pool:
         assert len(set(pool.map(pdf, [SMALL] * 12))) == 1
@@ -460,7 +460,7 @@ def test_pdf_without_matplotlib(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
 
 def test_svg_needs_no_library() -> None:
     code = (
-        "import sys; from gcrules.render.scene import draw_platform, sample_coordinates as at; "
+        "import sys; from gcrules.views.drawing.scene import draw_platform, sample_coordinates as at; "
         "legs = [('a', 'b'), ('c', 'b')]; draw_platform(legs, at(legs, 'ac', 'b'), 'ac', 'b').svg(); "
         "sys.exit(bool({'matplotlib', 'numpy', 'networkx', 'yaml', 'sympy'} & set(sys.modules)))"
     )

@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from strategies import RANKS, expressions
 
 from gcrules.algebra.expr import Expr, Sum
-from gcrules.algebra.syntax import parse
-from gcrules.render.latex import latex, latex_aligned, latex_lines, latex_name
-from gcrules.render.mathml import mathml, mathml_terms
+from gcrules.algebra.language.syntax import parse
+from gcrules.views.formulas.latex import latex, latex_aligned, latex_lines, latex_name
+from gcrules.views.formulas.mathml import mathml, mathml_terms
 
 CASES = {
     "point": ("a", "a"),

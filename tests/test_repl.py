@@ -18,21 +18,21 @@ from click.testing import CliRunner, Result
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from gcrules.algebra.statements import parse_script
-from gcrules.algebra.syntax import parse
-from gcrules.cli import cli
-from gcrules.errors import GcrulesError
-from gcrules.repl.answers import Answer, worst, wrapped
-from gcrules.repl.commands import HANDLERS
-from gcrules.repl.completion import candidates
-from gcrules.repl.help import TOPICS, help_text
-from gcrules.repl.highlight import KINDS, tokens
-from gcrules.repl.history import history_path, private_file
-from gcrules.repl.interpreter import Interpreter
-from gcrules.repl.reading import Source, pieces, statements, unfinished
-from gcrules.repl.state import Settings, State
-from gcrules.repl.tables import COMMANDS, KEYS, RELATIONS, RULE_WORDS, STATEMENTS, SYMBOLS
-from gcrules.script import run_script
+from gcrules.algebra.language.statements import parse_script
+from gcrules.algebra.language.syntax import parse
+from gcrules.apps.cli import cli
+from gcrules.apps.repl.answers import Answer, worst, wrapped
+from gcrules.apps.repl.commands import HANDLERS
+from gcrules.apps.repl.completion import candidates
+from gcrules.apps.repl.help import TOPICS, help_text
+from gcrules.apps.repl.highlight import KINDS, tokens
+from gcrules.apps.repl.history import history_path, private_file
+from gcrules.apps.repl.interpreter import Interpreter
+from gcrules.apps.repl.reading import Source, pieces, statements, unfinished
+from gcrules.apps.repl.state import Settings, State
+from gcrules.apps.repl.tables import COMMANDS, KEYS, RELATIONS, RULE_WORDS, STATEMENTS, SYMBOLS
+from gcrules.core.errors import GcrulesError
+from gcrules.rules.script import run_script
 
 OCTAHEDRON = "ab af cb cd ed ef"
 MEET = r"rule meet: ab /\ cde => [acde] b - [bcde] a"
@@ -286,7 +286,7 @@ def test_limits_are_answers(repl: Interpreter) -> None:
 
 
 def test_an_interrupt_keeps_the_state(repl: Interpreter, monkeypatch: pytest.MonkeyPatch) -> None:
-    import gcrules.script
+    import gcrules.rules.script
 
     said(repl, "points left")
     before = repl.state
@@ -295,7 +295,7 @@ def test_an_interrupt_keeps_the_state(repl: Interpreter, monkeypatch: pytest.Mon
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr(gcrules.script, "prove", interrupted)
+        patch.setattr(gcrules.rules.script, "prove", interrupted)
         with pytest.raises(KeyboardInterrupt):
             said(repl, "claim [abcd] == 0")
         assert repl.state == before
@@ -771,14 +771,14 @@ def test_a_pipe_that_is_no_text(run: Callable[..., Result]) -> None:
 
 def test_the_prompt_library_loads_for_the_prompt_only() -> None:
     code = (
-        "import sys, gcrules.cli, gcrules.cli.repl, gcrules.repl.interpreter; from gcrules.cli import cli; "
+        "import sys, gcrules.apps.cli.repl, gcrules.apps.repl.interpreter; from gcrules.apps.cli import cli; "
         "cli(['repl', '-e', '[abcd]'], standalone_mode=False); print(*sys.modules)"
     )
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     assert not {"prompt_toolkit", "sympy", "matplotlib"} & set(loaded)
-    code = "import sys, gcrules.cli; print(*sys.modules)"
+    code = "import sys, gcrules.apps.cli; print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
-    assert "gcrules.repl" not in loaded
+    assert "gcrules.apps.repl" not in loaded
 
 
 def test_long_sums_are_broken_before_signs() -> None:
@@ -831,7 +831,7 @@ def typed(repl: Interpreter) -> Callable[[str], list[str]]:
     from prompt_toolkit.input import create_pipe_input
     from prompt_toolkit.output import DummyOutput
 
-    from gcrules.repl.terminal import make_session
+    from gcrules.apps.repl.terminal import make_session
 
     def type_(keys: str) -> list[str]:
         found = []
@@ -879,7 +879,7 @@ def test_the_loop(repl: Interpreter, capsys: pytest.CaptureFixture[str]) -> None
     from prompt_toolkit.input import create_pipe_input
     from prompt_toolkit.output import DummyOutput
 
-    from gcrules.repl.terminal import make_session, run_terminal
+    from gcrules.apps.repl.terminal import make_session, run_terminal
 
     with create_pipe_input() as pipe:
         pipe.send_text(f"ab/\\cde{ENTER}ab/\\c{ENTER}{CTRL_C}:quit{ENTER}ab{ENTER}")
@@ -892,8 +892,8 @@ def test_the_loop(repl: Interpreter, capsys: pytest.CaptureFixture[str]) -> None
 def test_no_fault_ends_the_session(
     repl: Interpreter, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    import gcrules.script
-    from gcrules.repl.terminal import respond
+    import gcrules.rules.script
+    from gcrules.apps.repl.terminal import respond
 
     for error, words in (
         (KeyboardInterrupt(), "interrupted"),
@@ -904,7 +904,7 @@ def test_no_fault_ends_the_session(
         def broken(*args: object, error: BaseException = error, **options: object) -> None:
             raise error
 
-        monkeypatch.setattr(gcrules.script, "expand", broken)
+        monkeypatch.setattr(gcrules.rules.script, "expand", broken)
         respond(repl, "show [abcd]")
         out, err = capsys.readouterr()
         assert out == ""
@@ -947,10 +947,10 @@ def test_an_interrupt_in_a_destructor_is_not_lost(capsys: pytest.CaptureFixture[
 def test_an_interrupt_of_what_is_collected_first_is_not_lost(
     repl: Interpreter, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    import gcrules.script
-    from gcrules.repl.terminal import respond
+    import gcrules.rules.script
+    from gcrules.apps.repl.terminal import respond
 
-    monkeypatch.setattr(gcrules.script, "expand", lambda *args, **options: pause())
+    monkeypatch.setattr(gcrules.rules.script, "expand", lambda *args, **options: pause())
     left = Interrupted()
     left.itself = left  # type: ignore[attr-defined]
     del left
@@ -973,7 +973,7 @@ def test_other_faults_of_destructors_are_still_told(monkeypatch: pytest.MonkeyPa
 
 
 def test_toolbar(repl: Interpreter) -> None:
-    from gcrules.repl.terminal import toolbar
+    from gcrules.apps.repl.terminal import toolbar
 
     assert toolbar(repl) == " rank 4"
     said(repl, f"points left right\ngiven collinear(a, b, c)\nlet p = a\n{MEET}")
@@ -981,7 +981,7 @@ def test_toolbar(repl: Interpreter) -> None:
 
 
 def test_history_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from gcrules.repl import terminal
+    from gcrules.apps.repl import terminal
 
     path = tmp_path / "history"
     monkeypatch.setenv("GCRULES_HISTORY", str(path))
@@ -1003,7 +1003,7 @@ class Terminal:
 
         self.child, self.handle = pty.fork()
         if self.child == 0:  # pragma: no cover
-            code = "from gcrules.cli import main; main()"
+            code = "from gcrules.apps.cli import main; main()"
             os.execve(sys.executable, [sys.executable, "-c", code, "repl", *arguments], os.environ | env)
         fcntl.ioctl(self.handle, termios.TIOCSWINSZ, struct.pack("HHHH", 30, 100, 0, 0))
         self.shown = ""

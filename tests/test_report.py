@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 import gcrules as gc
-from gcrules.catalog_file import load
-from gcrules.render.report import fragment
-from gcrules.render.stages import Formula, stages
+from gcrules.rules.catalog.file import load
+from gcrules.views.report.report import fragment
+from gcrules.views.report.stages import Formula, stages
 
 EXAMPLES = sorted((Path(__file__).resolve().parent.parent / "examples").glob("*.yaml"))
 STRUCTURES = ["Aa Ab Bc Cd De Ef", "Aa Ba Ca Db Eb Fb", "ab bc ca ad be cf", "ab bc ca de ef fd", "ab cd ef gh ij kl"]

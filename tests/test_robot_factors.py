@@ -15,17 +15,17 @@ from click.testing import CliRunner
 
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME
-from gcrules.algebra.text import text
-from gcrules.cli import cli
-from gcrules.errors import GcrulesError, InputError
-from gcrules.robots.discovery import robots
-from gcrules.robots.family import circles
-from gcrules.robots.overlaps import of_several_kinds
-from gcrules.robots.parts import ASIDE, Part, at_member, ranks
-from gcrules.robots.relations import Values
-from gcrules.robots.robot_analysis import RobotAnalysis
-from gcrules.robots.singular import divided, gcd, interpolated, radical, roots
-from gcrules.robots.subsets import Subset
+from gcrules.algebra.language.text import text
+from gcrules.apps.cli import cli
+from gcrules.core.errors import GcrulesError, InputError
+from gcrules.mechanisms.conditions.common_factor import Subset
+from gcrules.mechanisms.conditions.factor_causes import ASIDE, Part, at_member, ranks
+from gcrules.mechanisms.conditions.overlaps import of_several_kinds
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.description.family import circles
+from gcrules.mechanisms.description.relations import Values
+from gcrules.mechanisms.lines.singular import divided, gcd, interpolated, radical, roots
 from gcrules.screws import RATIONALS, RESIDUES, axis, jacobian, product
 
 FILES = Path(__file__).parent / "data" / "robots"

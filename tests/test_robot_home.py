@@ -11,10 +11,10 @@ from click.testing import CliRunner
 from commands import assert_refused
 
 import gcrules as gc
-from gcrules.cli import cli
-from gcrules.plugins import shipped_folder
-from gcrules.robots.discovery import robots
-from gcrules.rules.listing import agreeing, listed, of_kind
+from gcrules.apps.cli import cli
+from gcrules.core.english import agreeing, listed, of_kind
+from gcrules.mechanisms.description.discovery import robots
+from gcrules.rules.plugins import shipped_folder
 
 ROBOTS = [one.id for one in robots(())]
 

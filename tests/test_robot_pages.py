@@ -17,38 +17,32 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import gcrules as gc
-from gcrules.cli import cli
-from gcrules.render import (
-    bsp,
-    frame,
-    labels,
-    legend,
-    robot_chain,
-    robot_drawing,
-    robot_forces,
-    robot_lines,
-    robot_picture,
-    robot_scene,
-    robot_sky,
-    robot_symbols,
-    solids,
-    view,
-)
-from gcrules.render.drawing import Drawing, Text
-from gcrules.render.labels import label_box, overlap
-from gcrules.render.markdown import inline
-from gcrules.render.robot_chain import Place
-from gcrules.render.robot_drawing import draw_robot, draw_singular, robot_thumbnail
-from gcrules.render.robot_pages import FIGURES, HEAD, robot_pages
-from gcrules.render.robot_poses import SingularPose, home_parameters, live_parts, singular_pose
-from gcrules.render.robot_roots import polynomial, rational_roots
-from gcrules.render.robot_symbols import sign
-from gcrules.robots.checks import home_values
-from gcrules.robots.discovery import robots
-from gcrules.robots.parts import ranks
-from gcrules.robots.robot_analysis import RobotAnalysis
+from gcrules.apps.cli import cli
+from gcrules.mechanisms.conditions.checks import home_values
+from gcrules.mechanisms.conditions.factor_causes import ranks
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.discovery import robots
 from gcrules.screws import JOINTS, RATIONALS, RESIDUES
 from gcrules.screws.screw import product
+from gcrules.views.drawing import bsp, frame, labels, legend, solids
+from gcrules.views.drawing import viewpoint as view
+from gcrules.views.drawing.drawing import Drawing, Text
+from gcrules.views.drawing.labels import label_box, overlap
+from gcrules.views.pages.markdown import inline
+from gcrules.views.pages.robot_pages import FIGURES, HEAD, robot_pages
+from gcrules.views.robots import forces as robot_forces
+from gcrules.views.robots import infinity_view as robot_sky
+from gcrules.views.robots import joint_chain as robot_chain
+from gcrules.views.robots import lines as robot_lines
+from gcrules.views.robots import picture as robot_picture
+from gcrules.views.robots import robot_drawing
+from gcrules.views.robots import scene as robot_scene
+from gcrules.views.robots import symbols as robot_symbols
+from gcrules.views.robots.joint_chain import Place
+from gcrules.views.robots.rational_roots import polynomial, rational_roots
+from gcrules.views.robots.robot_drawing import draw_robot, draw_singular, robot_thumbnail
+from gcrules.views.robots.singular_poses import SingularPose, home_parameters, live_parts, singular_pose
+from gcrules.views.robots.symbols import sign
 
 ALL = [one.id for one in robots()]
 FEW = ["3-upu", "3-rpr"]
@@ -317,7 +311,7 @@ def test_rational_roots(roots: list[Fraction]) -> None:
 @pytest.fixture
 def one_robot(monkeypatch: pytest.MonkeyPatch) -> None:
     """The command takes the robots of the folder that it is given, and of the shipped ones only a planar one."""
-    from gcrules.cli import robot_docs
+    from gcrules.apps.cli import robot_docs
 
     def quick(folders: tuple[str, ...]) -> list[object]:
         return [one for one in robots(folders) if one.owner != "gcrules" or one.id == "3-rpr"]

@@ -22,20 +22,20 @@ from hypothesis import strategies as st
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Bracket, Expr, Point, points_of
-from gcrules.algebra.syntax import Context, parse
-from gcrules.cli import cli
-from gcrules.errors import GcrulesError, InputError
-from gcrules.plugins import shipped_folder
-from gcrules.robots.checks import notes
-from gcrules.robots.discovery import robots
-from gcrules.robots.family import Path as MemberPath
-from gcrules.robots.limbs import read_joints
-from gcrules.robots.parts import ranks
-from gcrules.robots.relations import RELATIONS, Values, relation
-from gcrules.robots.robot_analysis import RobotAnalysis, _statement
-from gcrules.robots.singular import interpolated, roots
-from gcrules.robots.skeleton import skeleton
-from gcrules.robots.words import Words
+from gcrules.algebra.language.syntax import Context, parse
+from gcrules.apps.cli import cli
+from gcrules.core.errors import GcrulesError, InputError
+from gcrules.mechanisms.conditions.checks import notes
+from gcrules.mechanisms.conditions.factor_causes import ranks
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis, _statement
+from gcrules.mechanisms.conditions.words import Words
+from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.description.family import Path as MemberPath
+from gcrules.mechanisms.description.limb_file import read_joints
+from gcrules.mechanisms.description.relations import RELATIONS, Values, relation
+from gcrules.mechanisms.description.skeleton import skeleton
+from gcrules.mechanisms.lines.singular import interpolated, roots
+from gcrules.rules.plugins import shipped_folder
 from gcrules.screws import JOINTS, RATIONALS, RESIDUES
 
 IDS = tuple(one.id for one in robots())
@@ -876,7 +876,7 @@ def test_robots_of_installed_packages(folder: Path, monkeypatch: pytest.MonkeyPa
     (folder / "mine").rename(package / "mine")
     monkeypatch.syspath_prepend(str(folder))
     entry = type("Entry", (), {"name": "others", "value": "robots_of_others", "dist": None})
-    monkeypatch.setattr("gcrules.robots.discovery.metadata.entry_points", lambda group: [entry])
+    monkeypatch.setattr("gcrules.mechanisms.description.discovery.metadata.entry_points", lambda group: [entry])
     assert gc.Robot.load("mine").owner == "package robots_of_others"
 
 
@@ -941,7 +941,7 @@ def test_a_new_robot_passes_its_check(tmp_path: Path, monkeypatch: pytest.Monkey
 
 # --- the schema for editors ------------------------------------------------------------------------------------------
 
-SCHEMA = json.loads((Path(gc.__file__).parent / "robots" / "robot.schema.json").read_text("utf-8"))
+SCHEMA = json.loads((Path(gc.__file__).parent / "mechanisms" / "description" / "robot.schema.json").read_text("utf-8"))
 
 
 def fits(value: Any, schema: Any) -> bool:

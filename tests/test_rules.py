@@ -18,21 +18,21 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.rule_text import Order
+from gcrules.algebra.language.rule_text import Order
+from gcrules.algebra.language.statements import parse_assumption, parse_script
+from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.space import Space
-from gcrules.algebra.statements import parse_assumption, parse_script
-from gcrules.algebra.syntax import parse
-from gcrules.errors import GcrulesError, InputError, LimitReached
-from gcrules.plugins import load_rules
-from gcrules.rewriting import rewrite
+from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.rules.check import check_cases, check_rules, fires_on
 from gcrules.rules.entities import LEFT_OVER_PLANE, PLANES, TETRAHEDRA
 from gcrules.rules.identity import Identity, rewrite_all
 from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.matching import match_monomial, trials
+from gcrules.rules.plugins import load_rules
+from gcrules.rules.rewriting import rewrite
 from gcrules.rules.rule import Incidence, RewriteRule, Rule
 from gcrules.rules.rule_file import check_script, identities, load_rule_file
-from gcrules.script import run_script
+from gcrules.rules.script import run_script
 
 OCTAHEDRON = "ab af cb cd ed ef"
 
@@ -532,7 +532,7 @@ def test_libraries_have_families() -> None:
 def shell() -> Callable[..., object]:
     from click.testing import CliRunner
 
-    from gcrules.cli import cli
+    from gcrules.apps.cli import cli
 
     return lambda *words: CliRunner().invoke(cli, list(words))
 

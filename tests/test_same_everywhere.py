@@ -11,7 +11,7 @@ import pytest
 
 SCRIPT = """
 import contextlib, io, sys
-from gcrules.cli import cli
+from gcrules.apps.cli import cli
 for words in {commands!r}:
     print("$", *words)
     with contextlib.suppress(SystemExit):

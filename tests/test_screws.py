@@ -17,9 +17,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, random_rational_points
-from gcrules.algebra.syntax import parse
-from gcrules.errors import InputError, LimitReached
-from gcrules.numeric.variety import variety
+from gcrules.algebra.language.syntax import parse
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.poses.numbers.variety import variety
 from gcrules.screws import (
     FLOATS,
     JOINTS,
@@ -510,7 +510,7 @@ def test_every_kind_has_an_example() -> None:
     assert SYSTEMS.keys() | AXES.keys() == KINDS.keys()
 
 
-PROJECTIVE = {  # how `gcrules.numeric.variety` names spans of lines, points at infinity being points
+PROJECTIVE = {  # how `gcrules.poses.numbers.variety` names spans of lines, points at infinity being points
     "a single line": ("force", "couple"),
     "two skew lines": ("two forces", "force and couple"),
     "a planar pencil": ("planar pencil", "parallel pencil", "two couples"),

@@ -23,22 +23,22 @@ import gcrules as gc
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, sorted_row
 from gcrules.algebra.evaluate import Evaluator, random_points, random_rational_points, vanishes
 from gcrules.algebra.expr import sub
-from gcrules.algebra.shortest import superbracket_form
-from gcrules.algebra.straighten import straighten
-from gcrules.algebra.syntax import parse
-from gcrules.catalog_check import check_entry
-from gcrules.catalog_file import load
-from gcrules.cli import cli
-from gcrules.errors import InputError, LimitReached
-from gcrules.factoring.residues import random_positions, values
-from gcrules.shortening.exact import combination
-from gcrules.shortening.exhaustive import Work, certain, combinations_of, spans
-from gcrules.shortening.linear_program import maximized
-from gcrules.shortening.merging import MergingBound, merging_bound
-from gcrules.shortening.monomials import Monomials, canonical
-from gcrules.shortening.residues import MODULUS, PRIMES, determinants, inverse, minor, reduced
-from gcrules.shortening.shorten import shorten
-from gcrules.shortening.symmetry import Action, orbits, symmetry
+from gcrules.algebra.factoring.residues import random_positions, values
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.shortening.exact import combination
+from gcrules.algebra.shortening.exhaustive import Work, certain, combinations_of, spans
+from gcrules.algebra.shortening.linear_program import maximized
+from gcrules.algebra.shortening.merging import MergingBound, merging_bound
+from gcrules.algebra.shortening.monomials import Monomials, canonical
+from gcrules.algebra.shortening.residues import MODULUS, PRIMES, determinants, inverse, minor, reduced
+from gcrules.algebra.shortening.shorten import shorten
+from gcrules.algebra.shortening.symmetry import Action, orbits, symmetry
+from gcrules.algebra.straightening.straighten import straighten
+from gcrules.algebra.superbrackets.shortest import superbracket_form
+from gcrules.apps.cli import cli
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.rules.catalog.check import check_entry
+from gcrules.rules.catalog.file import load
 
 CLASSES = yaml.safe_load((Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8"))["classes"]
 REGULAR = [c for c in CLASSES if c["regular"]]

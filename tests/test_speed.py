@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from gcrules.algebra.straighten import straighten_terms
+from gcrules.algebra.straightening.straighten import straighten_terms
 
 
 @pytest.fixture(scope="module")

@@ -11,19 +11,26 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gcrules.algebra import diagonal, levels
-from gcrules.algebra import straighten as module
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, vanishes
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import sub
-from gcrules.algebra.straighten import is_standard, is_zero, straighten, straighten_steps, straighten_terms
-from gcrules.algebra.superbracket import form_terms
-from gcrules.algebra.syntax import parse
-from gcrules.algebra.text import text
-from gcrules.algebra.two_rows import exchange, offending_column, syzygy
-from gcrules.algebra.work import Work
-from gcrules.errors import LimitReached
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.language.text import text
+from gcrules.algebra.straightening import batch as levels
+from gcrules.algebra.straightening import diagonal
+from gcrules.algebra.straightening import straighten as module
+from gcrules.algebra.straightening.straighten import (
+    is_standard,
+    is_zero,
+    straighten,
+    straighten_steps,
+    straighten_terms,
+)
+from gcrules.algebra.straightening.syzygies import exchange, offending_column, syzygy
+from gcrules.algebra.straightening.work import Work
+from gcrules.algebra.superbrackets.superbracket import form_terms
+from gcrules.core.errors import LimitReached
 
 
 @st.composite

@@ -27,11 +27,11 @@ from hypothesis import strategies as st
 
 import gcrules as gc
 from gcrules.algebra.evaluate import evaluate, random_rational_points
-from gcrules.cli import cli
-from gcrules.errors import EngineFault, FileError, InputError, LimitReached
-from gcrules.render.latex import latex
-from gcrules.render.robot_values import value_at
-from gcrules.robots.geometry import parse_platform
+from gcrules.apps.cli import cli
+from gcrules.core.errors import EngineFault, FileError, InputError, LimitReached
+from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.views.formulas.latex import latex
+from gcrules.views.robots.exact_values import value_at
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 
@@ -42,18 +42,18 @@ from starlette.websockets import WebSocketDisconnect
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from gcrules.studio import answer_views, serving, theory, token_file, views
-from gcrules.studio.app import MOST_PAGES, make_app
-from gcrules.studio.formulas import pieces
-from gcrules.studio.guard import COOKIE
-from gcrules.studio.methods import LONGEST, METHODS
-from gcrules.studio.numbers import exact_pose, numbers
-from gcrules.studio.pages import Pages
-from gcrules.studio.pool import Pool
-from gcrules.studio.stages import stage_views
-from gcrules.studio.study import study
-from gcrules.studio.subject import examples, known_as, read_subject
-from gcrules.studio.wire import framed
+from gcrules.apps.studio import answer_views, serving, theory, token_file, views
+from gcrules.apps.studio.app import MOST_PAGES, make_app
+from gcrules.apps.studio.formulas import pieces
+from gcrules.apps.studio.guard import COOKIE
+from gcrules.apps.studio.methods import LONGEST, METHODS
+from gcrules.apps.studio.numbers import exact_pose, numbers
+from gcrules.apps.studio.pages import Pages
+from gcrules.apps.studio.pool import Pool
+from gcrules.apps.studio.stages import stage_views
+from gcrules.apps.studio.study import study
+from gcrules.apps.studio.subject import examples, known_as, read_subject
+from gcrules.apps.studio.wire import framed
 
 PORT = 8747
 TOKEN = "x" * 43
@@ -583,7 +583,7 @@ def test_robot_of_legs_moves_as_a_platform(page: Page) -> None:
 
 
 def test_bundle_is_small(root: Path) -> None:
-    files = [p for p in (root / "gcrules" / "studio" / "static").rglob("*") if p.is_file()]
+    files = [p for p in (root / "gcrules" / "apps" / "studio" / "static").rglob("*") if p.is_file()]
     if not files:
         pytest.skip("the page is not built")
     assert sum(len(gzip.compress(p.read_bytes())) for p in files) <= 1_500_000
@@ -885,7 +885,7 @@ def test_a_job_that_ends_every_worker_is_a_fault_and_the_next_is_none() -> None:
 
 def test_what_a_worker_prints_is_no_frame() -> None:
     script = (
-        "import os, sys, gcrules.studio.worker as w\n"
+        "import os, sys, gcrules.apps.studio.worker as w\n"
         "w.done = lambda *given: (os.write(1, b'loud'), print('loud'), ('done', 1, None))[2]\n"
         "w.serve()\n"
     )
@@ -1119,8 +1119,8 @@ def test_worker_ends_when_the_server_is_killed() -> None:
     """In the middle of work, which nobody waits for any more."""
     script = (
         "import subprocess, sys, time\n"
-        "from gcrules.studio.wire import framed\n"
-        "worker = subprocess.Popen([sys.executable, '-m', 'gcrules.studio.worker'], stdin=-1, stdout=1)\n"
+        "from gcrules.apps.studio.wire import framed\n"
+        "worker = subprocess.Popen([sys.executable, '-m', 'gcrules.apps.studio.worker'], stdin=-1, stdout=1)\n"
         "worker.stdin.write(framed(('bench', {'text': '[abcd]' * 15_000}, None)))\n"
         "worker.stdin.flush()\n"
         "print('at work', flush=True)\n"
@@ -1209,7 +1209,7 @@ def test_studio_refuses_what_a_page_could_not_send() -> None:
 def test_without_the_extra_it_is_said_how_to_get_it() -> None:
     code = (
         "import sys; sys.modules['starlette'] = None; sys.modules['uvicorn'] = None\n"
-        "from gcrules.cli import main; sys.argv = ['gcrules', 'studio', '--no-browser']; main()"
+        "from gcrules.apps.cli import main; sys.argv = ['gcrules', 'studio', '--no-browser']; main()"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 2

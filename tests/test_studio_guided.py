@@ -17,10 +17,10 @@ from conftest import find_browser
 
 import gcrules as gc
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.algebra.text import text
-from gcrules.analysis import Analysis
-from gcrules.catalog_file import load as load_catalog
-from gcrules.legs import legs_text
+from gcrules.algebra.language.legs_text import legs_text
+from gcrules.algebra.language.text import text
+from gcrules.conditions.analysis import Analysis
+from gcrules.rules.catalog.file import load as load_catalog
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 pytest.importorskip("playwright", reason="needs the extra gcrules[dev]")

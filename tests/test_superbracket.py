@@ -16,15 +16,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import gcrules as gc
-from gcrules.algebra.determinant import determinant_terms
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, random_rational_points
 from gcrules.algebra.expand import expand_superbracket
 from gcrules.algebra.expr import Number, join, mul, permutation_sign, sub, substitute
-from gcrules.algebra.shortest import Line, counts, shortest_forms, superbracket_form
-from gcrules.algebra.straighten import straighten
-from gcrules.algebra.superbracket import FORMS, form_terms
-from gcrules.errors import LimitReached, StepError
-from gcrules.render.latex import latex
+from gcrules.algebra.straightening.straighten import straighten
+from gcrules.algebra.superbrackets.determinant import determinant_terms
+from gcrules.algebra.superbrackets.shortest import Line, counts, shortest_forms, superbracket_form
+from gcrules.algebra.superbrackets.superbracket import FORMS, form_terms
+from gcrules.core.errors import LimitReached, StepError
+from gcrules.views.formulas.latex import latex
 
 CLASSES: list[dict[str, Any]] = yaml.safe_load(
     (Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8")

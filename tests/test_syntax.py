@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 from strategies import LONG_NAMES, RANKS, SHORT_NAMES, expressions
 
 import gcrules as gc
-from gcrules import errors
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import (
     Bracket,
@@ -29,11 +28,12 @@ from gcrules.algebra.expr import (
     Superbracket,
     points_of,
 )
-from gcrules.algebra.statements import Claim, Show, parse_assumption, parse_script
-from gcrules.algebra.syntax import Context, parse, parse_equation
-from gcrules.algebra.text import text
-from gcrules.errors import GcrulesError, InputError, StepError, SyntaxFault
-from gcrules.render.latex import latex
+from gcrules.algebra.language.statements import Claim, Show, parse_assumption, parse_script
+from gcrules.algebra.language.syntax import Context, parse, parse_equation
+from gcrules.algebra.language.text import text
+from gcrules.core import errors
+from gcrules.core.errors import GcrulesError, InputError, StepError, SyntaxFault
+from gcrules.views.formulas.latex import latex
 
 
 def pts(names: str) -> tuple[Point, ...]:

@@ -15,13 +15,13 @@ from pathlib import Path
 
 import pytest
 
+from gcrules.algebra.assumptions.assumed import equations
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, points_of
-from gcrules.algebra.given import equations
-from gcrules.algebra.statements import Claim, Script, parse_script
-from gcrules.algebra.syntax import parse
-from gcrules.script import run_script
+from gcrules.algebra.language.statements import Claim, Script, parse_script
+from gcrules.algebra.language.syntax import parse
+from gcrules.rules.script import run_script
 
 THEOREMS = sorted((Path(__file__).resolve().parent.parent / "examples" / "theorems").glob("*.gca"))
 NAMES = [p.stem for p in THEOREMS]

@@ -19,14 +19,14 @@ from hypothesis import strategies as st
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, evaluate
 from gcrules.algebra.expr import Expr, meet, points_of
-from gcrules.algebra.syntax import parse
-from gcrules.condition import Condition
-from gcrules.errors import InputError
-from gcrules.legs import Structure, legs_text, read_legs
+from gcrules.algebra.language.legs_text import Structure, legs_text, read_legs
+from gcrules.algebra.language.syntax import parse
+from gcrules.core.errors import InputError
 from gcrules.rules.common_lines import FourLegs
+from gcrules.rules.condition import Condition
 from gcrules.rules.line_cofactors import balance
-from gcrules.rules.oracle import Oracle
-from gcrules.rules.state import extensor
+from gcrules.rules.random_witness import Oracle
+from gcrules.rules.recognition_state import extensor
 from gcrules.rules.transversals import TRANSVERSALS, find, readings
 
 CLASSES = yaml.safe_load((Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8"))["classes"]

@@ -17,29 +17,29 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import gcrules as gc
-from gcrules import catalog_proofs
 from gcrules.algebra import claims
-from gcrules.algebra.construction import Construction
+from gcrules.algebra.assumptions.assumed import resolve
+from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
 from gcrules.algebra.expr import Expr, Point, sub, substitute
-from gcrules.algebra.given import resolve
+from gcrules.algebra.language.legs_text import read_legs
+from gcrules.algebra.language.statements import parse_assumption
+from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.prove import Proof, prove
-from gcrules.algebra.statements import parse_assumption
-from gcrules.algebra.syntax import Context
-from gcrules.analysis import analyze
-from gcrules.catalog_check import check_digests, check_entry
-from gcrules.catalog_file import load, load_file
-from gcrules.cli import cli
+from gcrules.apps.cli import cli
+from gcrules.conditions.analysis import analyze
+from gcrules.conditions.manual.file import load_session
+from gcrules.conditions.manual.session import Session
 from gcrules.core import proof_memory, seeds
-from gcrules.errors import FileError, InputError, LimitReached
-from gcrules.legs import read_legs
-from gcrules.manual.file import load_session
-from gcrules.manual.session import Session
-from gcrules.plugins import load_rules
-from gcrules.robots.robot_analysis import analyze_robot
-from gcrules.robots.robot_file import parse_robot
+from gcrules.core.errors import FileError, InputError, LimitReached
+from gcrules.mechanisms.conditions.robot_analysis import analyze_robot
+from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.rules import rule_file
-from gcrules.rules.oracle import Oracle
+from gcrules.rules.catalog import proofs as catalog_proofs
+from gcrules.rules.catalog.check import check_digests, check_entry
+from gcrules.rules.catalog.file import load, load_file
+from gcrules.rules.plugins import load_rules
+from gcrules.rules.random_witness import Oracle
 from gcrules.rules.rule import Incidence
 from gcrules.rules.step import Step
 from tests.attacks import LEGS, MERSENNE, attacks, guessed
@@ -103,7 +103,7 @@ def test_no_check_takes_a_false_identity_for_true(false: Expr) -> None:
 SCRIPT = """
 import gcrules.core.seeds as s
 from gcrules.algebra.evaluate import PRIME, random_points
-from gcrules.legs import read_legs
+from gcrules.algebra.language.legs_text import read_legs
 from gcrules.screws import RESIDUES
 print(PRIME, s.seed("claim"), random_points("ab", seed=1), read_legs("ab bc ca de fg hi").construction.random_points(1))
 """
@@ -472,8 +472,8 @@ def test_a_false_rule_file_is_refused(own: Any) -> None:
 
 
 PLUGIN = """
-from gcrules.algebra.syntax import parse
-from gcrules.plugins import Incidence
+from gcrules.algebra.language.syntax import parse
+from gcrules.rules.plugins import Incidence
 
 RULES = (
     Incidence(
@@ -508,7 +508,7 @@ def test_a_true_rule_of_a_plugin_is_proved_and_marked(own: Any, monkeypatch: pyt
     def limited(*_: Any, **__: Any) -> bool:
         raise LimitReached("more than 10 terms")
 
-    monkeypatch.setattr("gcrules.rules.conditions.is_zero", limited)
+    monkeypatch.setattr("gcrules.rules.claims.is_zero", limited)
     a = analyze(LEGS, strategy=strategy)
     found = next(c for c in (a.condition, *a.readings) if c.kind == "mine")
     assert found.certificate.method == "random-points"

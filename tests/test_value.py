@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Point, join
-from gcrules.analysis import analyze
-from gcrules.legs import read_legs
-from gcrules.numeric.value import XYZ, line_measure, line_points, measure, pose_value
-from gcrules.numeric.verdict import CLOSE
+from gcrules.algebra.language.legs_text import read_legs
+from gcrules.conditions.analysis import analyze
+from gcrules.poses.numbers.value import XYZ, line_measure, line_points, measure, pose_value
+from gcrules.poses.numbers.verdict import CLOSE
 
 Pose = dict[str, tuple[int, int, int]]
 LEGS = ["ab af cb cd ed ef", "Aa Bb Cc Dd Ee Ff", "Aa Ab Ba Bb Cc Dd", "Aa Ab Ac Bd Be Cf", "Aa Ab Bc Cd De Ef"]

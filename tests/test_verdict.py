@@ -14,12 +14,12 @@ import numpy as np
 import pytest
 
 import gcrules as gc
-from gcrules.numeric.threshold import DEFAULT, closeness_of
-from gcrules.numeric.verdict import CLOSE, VERDICTS, decide, rank
-from gcrules.render.scene_json import Scenery
-from gcrules.robots.geometry import Platform, parse_platform
-from gcrules.studio.numbers import numbers
-from gcrules.studio.subject import read_subject
+from gcrules.apps.studio.numbers import numbers
+from gcrules.apps.studio.subject import read_subject
+from gcrules.mechanisms.description.platform_file import Platform, parse_platform
+from gcrules.poses.numbers.threshold import DEFAULT, closeness_of
+from gcrules.poses.numbers.verdict import CLOSE, VERDICTS, decide, rank
+from gcrules.views.report.scene_json import Scenery
 
 LEGS = "A1B1 A1B3 A2B1 A2B2 A3B2 A3B3"
 BASE = {"A1": (3, 0), "A2": (-2, 3), "A3": (-2, -3)}

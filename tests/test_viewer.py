@@ -18,19 +18,19 @@ import pytest
 from click.testing import CliRunner
 
 import gcrules as gc
-from gcrules.catalog_file import load
-from gcrules.cli import cli
-from gcrules.errors import InputError
-from gcrules.numeric.pose import parse_pose
-from gcrules.numeric.value import measure
-from gcrules.render.palette import ROLES
-from gcrules.render.report_page import in_script
-from gcrules.render.robot_report import robot_scene
-from gcrules.render.scene_json import Scenery, drawable, scene
+from gcrules.apps.cli import cli
+from gcrules.core.errors import InputError
+from gcrules.poses.numbers.value import measure
+from gcrules.rules.catalog.file import load
+from gcrules.screws.pose import parse_pose
+from gcrules.views.drawing.palette import ROLES
+from gcrules.views.report.report_page import in_script
+from gcrules.views.report.robot_report import robot_scene
+from gcrules.views.report.scene_json import Scenery, drawable, scene
 
 ROOT = Path(__file__).resolve().parent.parent
 EXAMPLES = ROOT / "examples"
-STATIC = ROOT / "gcrules" / "studio" / "static"
+STATIC = ROOT / "gcrules" / "apps" / "studio" / "static"
 SOURCES = ROOT / "studio-ui" / "src" / "viewer"
 OCTAHEDRAL = gc.analyze(gc.load_platform(EXAMPLES / "octahedral.yaml"))
 STRUCTURES = {
@@ -285,7 +285,7 @@ def test_a_widget_of_a_robot_stays_at_home() -> None:
 
 def test_without_the_extra_a_widget_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "anywidget", None)
-    monkeypatch.delitem(sys.modules, "gcrules.widget", raising=False)
+    monkeypatch.delitem(sys.modules, "gcrules.apps.notebook.widget", raising=False)
     with pytest.raises(InputError, match="needs the package anywidget") as fault:
         gc.view("ab af cb cd ed ef")
     assert fault.value.hint == 'pip install "gcrules[widget]"'
@@ -774,7 +774,7 @@ MODEL = """async ([code, scene]) => {
 @pytest.mark.browser
 def test_the_widget_in_a_page(open_page: Open) -> None:
     shown = open_page("<!doctype html><meta charset=utf-8><title>cell</title>")
-    code = str(pytest.importorskip("gcrules.widget").RobotWidget._esm)
+    code = str(pytest.importorskip("gcrules.apps.notebook.widget").RobotWidget._esm)
     shown.page.evaluate(MODEL, [code, scene(OCTAHEDRAL)])
     assert shown.page.locator(".gcx-unit").all_inner_texts() == [*["mm"] * 3, *["°"] * 3]
     slider = shown.page.get_by_role("slider", name="shift along z")

@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from gcrules.core.errors import FileError, GcrulesError
 from gcrules.core.hints import near
-from gcrules.errors import FileError, GcrulesError
-from gcrules.yamlfile import MAX_BYTES, Document, read_text
+from gcrules.core.yaml_file import MAX_BYTES, Document, read_text
 
 
 def scalar(text: str) -> Document:

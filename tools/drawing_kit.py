@@ -1,4 +1,4 @@
-"""A small kit for pictures of points, lines and planes in space, drawn with `gcrules.render`."""
+"""A small kit for pictures of points, lines and planes in space, drawn with `gcrules.views`."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from math import cos, dist, hypot, pi, sin
 
-from gcrules.render.bsp import XYZ, Piece, cross, dot, minus, painted
-from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs
-from gcrules.render.labels import Label, place_labels
-from gcrules.render.solids import center, flat_normal, patch, stretched, tetrahedron
-from gcrules.render.view import View
+from gcrules.views.drawing.bsp import XYZ, Piece, cross, dot, minus, painted
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs
+from gcrules.views.drawing.labels import Label, place_labels
+from gcrules.views.drawing.solids import center, flat_normal, patch, stretched, tetrahedron
+from gcrules.views.drawing.viewpoint import View
 
 __all__ = ["BLUE", "DOT", "GREEN", "ORANGE", "Look", "Space", "between", "caption", "side_by_side", "times"]
 

@@ -1,7 +1,7 @@
 """The drawings of the guide, by name; `python tools/site_drawings.py FOLDER` writes them as SVG files.
 
 Pages ask for a drawing with a line `<!-- drawing: NAME | caption -->`. Everything is drawn by gcrules itself
-(`gcrules.render`), so the bytes are the same everywhere, and the colours follow the page from light to dark.
+(`gcrules.views`), so the bytes are the same everywhere, and the colours follow the page from light to dark.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from pathlib import Path
 from drawing_kit import BLUE, DOT, GREEN, ORANGE, Look, Space, between, caption, side_by_side, times
 
 import gcrules as gc
-from gcrules.render.bsp import XYZ, Piece
-from gcrules.render.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs, text_width
-from gcrules.render.figures import graph_figure, robot_figure
-from gcrules.render.labels import Label, place_labels
-from gcrules.render.solids import stretched
+from gcrules.views.drawing.bsp import XYZ, Piece
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs, text_width
+from gcrules.views.drawing.figures import graph_figure, robot_figure
+from gcrules.views.drawing.labels import Label, place_labels
+from gcrules.views.drawing.solids import stretched
 
 ROOT = Path(__file__).resolve().parent.parent
 

@@ -18,9 +18,9 @@ from typing import Any
 import yaml
 from lark import Lark, Token, Tree
 
-from gcrules.algebra.statements import parse_script
-from gcrules.algebra.syntax import parse
-from gcrules.errors import GcrulesError
+from gcrules.algebra.language.statements import parse_script
+from gcrules.algebra.language.syntax import parse
+from gcrules.core.errors import GcrulesError
 
 ROOT = Path(__file__).resolve().parent.parent
 GRAMMAR = ROOT / "gcrules" / "grammar.lark"

@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.text import SHORT_NAME, text
+from gcrules.algebra.language.text import SHORT_NAME, text
 from gcrules.core.budget import watched
-from gcrules.errors import InputError, StepError
-from gcrules.frozen import FrozenMap
+from gcrules.core.errors import InputError, StepError
+from gcrules.core.frozen import FrozenMap
 
 if TYPE_CHECKING:
     import sympy
@@ -110,7 +110,7 @@ class _Shown(ABC):
 
     def latex(self) -> str:
         """The LaTeX of the polynomial, without dollar signs."""
-        from gcrules.render.latex import latex  # needed for LaTeX only
+        from gcrules.views.formulas.latex import latex  # needed for LaTeX only
 
         return latex(self.to_expr())
 

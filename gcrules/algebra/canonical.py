@@ -6,8 +6,8 @@ in what is said of them have different ones; where several are left with one col
 and the arrangement is kept in which the assumptions, brought into one form, come first in the order of texts. What is
 left to choose is a symmetry of the assumptions, and then the claim decides in the same way.
 
->>> from gcrules.algebra.statements import parse_assumption
->>> from gcrules.algebra.syntax import Context
+>>> from gcrules.algebra.language.statements import parse_assumption
+>>> from gcrules.algebra.language.syntax import Context
 >>> for text in ("incident(x, ab), [xac] == [dbx]", "[acd] == [dbe], incident(d, ea)"):
 ...     given = parse_assumption(text, Context(rank=3)).given
 ...     print(*canonical(3, points_of(*(e for a in given for e in a.args)), (), given).given, sep=", ")
@@ -26,21 +26,13 @@ from itertools import pairwise
 from typing import Any, TypeVar
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import (
-    Dotted,
-    Expr,
-    Number,
-    Point,
-    Power,
-    Sum,
-    points_of,
-)
+from gcrules.algebra.expr import Dotted, Expr, Number, Point, Power, Sum, points_of
+from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.space import Assumption
 from gcrules.algebra.spelling import Key, normal, split
-from gcrules.algebra.text import SHORT_NAME
 from gcrules.core.budget import checkpoint
-from gcrules.errors import GcrulesError
-from gcrules.frozen import FrozenMap
+from gcrules.core.errors import GcrulesError
+from gcrules.core.frozen import FrozenMap
 
 __all__ = ["Canonical", "canonical", "renamings"]
 

@@ -1,6 +1,6 @@
 r"""What an identity claims, as a digest, and how sure it is that it holds if it does so at random points.
 
->>> from gcrules.algebra.syntax import parse
+>>> from gcrules.algebra.language.syntax import parse
 >>> digest(parse("[abcd]")) == digest(parse("[a b c d]")), digest(parse("[abcd]")) == digest(parse("[abce]"))
 (True, False)
 >>> size(parse("3 [abcd][efgh]"))
@@ -17,19 +17,7 @@ from fractions import Fraction
 from hashlib import blake2b
 from math import ceil, comb, factorial, log2
 
-from gcrules.algebra.expr import (
-    Bracket,
-    Dotted,
-    Expr,
-    Join,
-    Meet,
-    Number,
-    Point,
-    Power,
-    Product,
-    Sum,
-    Superbracket,
-)
+from gcrules.algebra.expr import Bracket, Dotted, Expr, Join, Meet, Number, Point, Power, Product, Sum, Superbracket
 from gcrules.core import seeds
 
 __all__ = ["Size", "digest", "error_below", "size"]

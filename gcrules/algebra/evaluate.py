@@ -5,7 +5,7 @@ the list of its C(d, k) Plücker coordinates, indexed by the k-subsets of the ro
 rank 4: 12, 13, 14, 23, 24, 34); the bracket is the determinant with the points as columns.
 
     >>> corner = {"a": (0, 0, 0, 1), "b": (1, 0, 0, 1), "c": (0, 1, 0, 1), "d": (0, 0, 1, 1)}
-    >>> from gcrules.algebra.syntax import parse
+    >>> from gcrules.algebra.language.syntax import parse
     >>> evaluate(parse("[abcd]"), corner)       # minus six times the oriented volume
     -1
     >>> evaluate(parse("ab"), corner)
@@ -40,8 +40,8 @@ from gcrules.algebra.expr import (
     rank_of,
 )
 from gcrules.core.budget import checkpoint
+from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.seeds import DRAWN, PRIME, drawn
-from gcrules.errors import InputError, LimitReached
 
 __all__ = [
     "PRIME",

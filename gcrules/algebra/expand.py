@@ -1,6 +1,6 @@
 r"""Expansion: any expression of joins, meets, brackets and superbrackets as a polynomial in brackets of points.
 
->>> from gcrules.algebra.syntax import parse
+>>> from gcrules.algebra.language.syntax import parse
 >>> print(expand(parse("ab /\\ cde")))
 [acde] * b - [bcde] * a
 >>> print(expand(parse("abf /\\ ace /\\ edf /\\ cbd")))
@@ -27,7 +27,6 @@ from gcrules.algebra.bracket import (
     sorted_row,
     tableau_order,
 )
-from gcrules.algebra.determinant import Pair, determinant_terms
 from gcrules.algebra.expr import (
     MAX_COEFFICIENT_BITS,
     Bracket,
@@ -47,9 +46,10 @@ from gcrules.algebra.expr import (
     superbracket,
     too_many_bits,
 )
-from gcrules.algebra.superbracket import form_terms
+from gcrules.algebra.superbrackets.determinant import Pair, determinant_terms
+from gcrules.algebra.superbrackets.superbracket import form_terms
 from gcrules.core.budget import MORE_TERMS, checkpoint, watched
-from gcrules.errors import LimitReached
+from gcrules.core.errors import LimitReached
 
 __all__ = ["MAX_BRACKETS", "MAX_TERMS", "Expander", "Multivector", "expand", "expand_superbracket", "shuffles"]
 

@@ -23,7 +23,7 @@ from math import comb, factorial, isqrt, prod
 from numbers import Integral, Rational
 
 from gcrules.core.budget import watched
-from gcrules.errors import InputError, LimitReached, StepError
+from gcrules.core.errors import InputError, LimitReached, StepError
 
 __all__ = [
     "ZERO",
@@ -80,12 +80,12 @@ class Expr:
         return ()
 
     def __str__(self) -> str:
-        from gcrules.algebra.text import text  # the renderer needs the classes below
+        from gcrules.algebra.language.text import text  # the renderer needs the classes below
 
         return text(self)
 
     def _repr_latex_(self) -> str:
-        from gcrules.render.latex import latex
+        from gcrules.views.formulas.latex import latex
 
         return f"$\\displaystyle {latex(self)}$"
 

@@ -2,7 +2,7 @@ r"""Equality of expressions, decided: proved by equal normal forms, or refuted b
 
 Under assumptions both sides are written out with the points that satisfy them by construction (see `given`).
 
->>> from gcrules.algebra.syntax import parse_equation
+>>> from gcrules.algebra.language.syntax import parse_equation
 >>> print(prove(*parse_equation("ab /\\ cd == [abcd]")).verdict)
 proved
 >>> print(prove(*parse_equation("ab /\\ cde == cde /\\ ab")).verdict)
@@ -19,21 +19,21 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
+from gcrules.algebra.assumptions.assumed import kinds
+from gcrules.algebra.assumptions.construction import Construction
+from gcrules.algebra.assumptions.nondegeneracy import fewest, words
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.claims import error_below
-from gcrules.algebra.construction import Construction
 from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, ZERO, Expr, common_rank, neg, points_of, sub
-from gcrules.algebra.given import kinds
-from gcrules.algebra.nonzero import fewest, words
+from gcrules.algebra.language.text import text
 from gcrules.algebra.space import Assumption, Space
-from gcrules.algebra.straighten import is_zero
-from gcrules.algebra.text import text
+from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.algebra.weights import unit_weights
 from gcrules.core.budget import checkpoint
-from gcrules.errors import LimitReached, StepError
-from gcrules.frozen import FrozenMap
+from gcrules.core.errors import LimitReached, StepError
+from gcrules.core.frozen import FrozenMap
 
 __all__ = ["KindVerdict", "Proof", "prove"]
 
@@ -139,7 +139,7 @@ class Proof:
 
     def latex(self) -> str:
         """The sides with the sign that the verdict calls for, without dollar signs."""
-        from gcrules.render.latex import latex  # needed for LaTeX only
+        from gcrules.views.formulas.latex import latex  # needed for LaTeX only
 
         return f"{latex(self.left)} {_SIGNS[self.verdict]} {latex(self.right)}"
 

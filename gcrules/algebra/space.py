@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, field
 
 from gcrules.algebra.expr import Expr
-from gcrules.errors import InputError, Span
+from gcrules.core.errors import InputError, Span
 
 __all__ = ["MAX_NAMES", "NAME", "NAMES_HINT", "RANKS", "Assumption", "Place", "Space", "shortened"]
 

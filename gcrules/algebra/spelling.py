@@ -1,6 +1,6 @@
 r"""One form of expressions that may be written in several: sorted, with signs and numbers taken out.
 
->>> from gcrules.algebra.syntax import parse
+>>> from gcrules.algebra.language.syntax import parse
 >>> place = {n: i for i, n in enumerate("abcd")}
 >>> for text in ("[bad] - 2[cab]", "4[cab] + 2[abd]"):
 ...     found = normal(parse(text, rank=3), place, 3)

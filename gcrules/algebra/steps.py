@@ -2,7 +2,7 @@ r"""The single steps that a computation with brackets is made of, each as a func
 
 Every function gives an expression equal to the one it is given, or None where there is nothing for it to do.
 
->>> from gcrules.algebra.syntax import parse
+>>> from gcrules.algebra.language.syntax import parse
 >>> e = parse(r"ab /\ cde /\ agh")
 >>> for step in (expanded_meets, multiplied_out, expanded_meets, without_zeros, in_order):
 ...     e = step(e, Space())
@@ -40,10 +40,10 @@ from gcrules.algebra.expr import (
 )
 from gcrules.algebra.parts import everywhere, first_part, rebuilt
 from gcrules.algebra.space import Space
-from gcrules.algebra.straighten import next_syzygy
-from gcrules.algebra.superbracket import form_terms
+from gcrules.algebra.straightening.straighten import next_syzygy
+from gcrules.algebra.superbrackets.superbracket import form_terms
 from gcrules.core.budget import checkpoint
-from gcrules.errors import LimitReached
+from gcrules.core.errors import LimitReached
 
 __all__ = [
     "common_factors",

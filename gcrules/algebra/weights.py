@@ -4,7 +4,7 @@ A claim is about all homogeneous coordinates of its points, so each of them coun
 terms in which a point occurs unequally often, such as [aij] == [bij] for i, j at infinity in the plane, is then false.
 It may hold, as this one does, where the last coordinate of every finite point is 1.
 
->>> from gcrules.algebra.syntax import parse
+>>> from gcrules.algebra.language.syntax import parse
 >>> plane = Construction(3, ("i", "j", "a", "b"), ("i", "j"))
 >>> unit_weights(parse("[aij] - [bij]", rank=3), plane), unit_weights(parse("[abi] - [abj]", rank=3), plane)
 (True, False)
@@ -17,8 +17,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.algebra.construction import Construction
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.expr import Bracket, Expr, Number, Point

@@ -8,7 +8,7 @@ r"""What a public function takes: a table of kinds of arguments, checked in one 
 >>> double("4")
 Traceback (most recent call last):
     ...
-gcrules.errors.InputError: gc.double: `number` must be a whole number, got '4'
+gcrules.core.errors.InputError: gc.double: `number` must be a whole number, got '4'
 
 A missing argument and an unknown keyword stay Python's own TypeError of the call.
 """
@@ -26,7 +26,7 @@ from numbers import Integral, Real
 from os import PathLike
 from typing import Any, ParamSpec, TypeVar
 
-from gcrules.errors import InputError
+from gcrules.core.errors import InputError
 
 __all__ = [
     "ANYTHING",

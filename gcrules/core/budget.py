@@ -10,7 +10,7 @@ held is counted by each stage for itself (by `Count`), for terms of different st
     >>> with within(seconds=0):
     ...     checkpoint()
     Traceback (most recent call last):
-    gcrules.errors.LimitReached: this takes more than 0 seconds
+    gcrules.core.errors.LimitReached: this takes more than 0 seconds
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from numbers import Real
 from time import monotonic
 from typing import Any, TypeVar
 
+from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.memory import GIGABYTE, memory_in_use
-from gcrules.errors import InputError, LimitReached
 
 __all__ = [
     "MORE_SECONDS",
@@ -199,7 +199,7 @@ class Count:
 
     >>> Count(2, "matching a rule", "trials").spend(3)
     Traceback (most recent call last):
-    gcrules.errors.LimitReached: matching a rule takes more than 2 trials
+    gcrules.core.errors.LimitReached: matching a rule takes more than 2 trials
     """
 
     most: int

@@ -10,7 +10,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field
 
 from gcrules.core import budget, interrupts, streams
-from gcrules.errors import FileError
+from gcrules.core.errors import FileError
 
 __all__ = [
     "after_writing",

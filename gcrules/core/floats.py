@@ -15,7 +15,7 @@ from numbers import Real
 from typing import Any
 
 from gcrules.core.arguments import described, is_truth
-from gcrules.errors import InputError
+from gcrules.core.errors import InputError
 
 __all__ = ["as_float", "decimal", "exact", "exact_float"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from gcrules.errors import InputError
+from gcrules.core.errors import InputError
 
 __all__ = ["GIGABYTE", "memory_in_use", "memory_limit"]
 

@@ -13,8 +13,8 @@ from hashlib import sha256
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+from gcrules.core.errors import FileError
 from gcrules.core.files import write_file
-from gcrules.errors import FileError
 
 __all__ = ["digest_of", "engine", "folder", "remember", "remembered"]
 

@@ -7,12 +7,12 @@ from fractions import Fraction
 from functools import lru_cache
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra.assumptions.assumed import holds
 from gcrules.algebra.bracket import BracketPolynomial, Coefficient, Monomial, Terms, sorted_row
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Point, Power, Product, Sum, substitute
-from gcrules.algebra.given import holds
+from gcrules.algebra.language.rule_text import Instance, Order
 from gcrules.algebra.parts import first_part
-from gcrules.algebra.rule_text import Instance, Order
 from gcrules.algebra.space import Assumption, Space
 from gcrules.rules.matching import match_monomial, matches, trials
 

@@ -11,22 +11,22 @@ from typing import Any
 
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.expr import mul
-from gcrules.algebra.shortest import shortest_forms
+from gcrules.algebra.language.legs_text import read_legs
+from gcrules.algebra.language.statements import parse_script
+from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.space import Space
-from gcrules.algebra.statements import parse_script
-from gcrules.algebra.syntax import parse
-from gcrules.errors import FileError, GcrulesError, InputError
-from gcrules.legs import read_legs
-from gcrules.plugins import load_rules, packs
+from gcrules.algebra.superbrackets.shortest import shortest_forms
+from gcrules.core.errors import FileError, GcrulesError, InputError
+from gcrules.core.yaml_file import read_text
 from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.foreign import place_of
 from gcrules.rules.library import ENGINE, Library
-from gcrules.rules.oracle import Oracle
+from gcrules.rules.plugins import load_rules, packs
+from gcrules.rules.random_witness import Oracle
+from gcrules.rules.recognition_state import State
 from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, RewriteRule, Rule, StructureRule
 from gcrules.rules.rule_file import RuleCheck, check_rule, check_script, identities
-from gcrules.rules.state import State
 from gcrules.rules.strategy import Strategy, recognise
-from gcrules.yamlfile import read_text
 
 __all__ = ["CaseCheck", "check_cases", "check_rules", "fires_on"]
 

@@ -19,9 +19,9 @@ from itertools import combinations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, Point, join, meet
+from gcrules.algebra.language.legs_text import Leg, leg_text
 from gcrules.core.budget import checkpoint
-from gcrules.legs import Leg, leg_text
-from gcrules.rules.state import extensor
+from gcrules.rules.recognition_state import extensor
 
 __all__ = ["FREE", "CommonLine", "FourLegs", "letters"]
 

@@ -13,11 +13,11 @@ from itertools import permutations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Point
-from gcrules.condition import ONE, Certificate, Condition
-from gcrules.legs import Structure
-from gcrules.rules.oracle import Oracle
+from gcrules.algebra.language.legs_text import Structure
+from gcrules.rules.condition import ONE, Certificate, Condition
+from gcrules.rules.random_witness import Oracle
 from gcrules.rules.rule import StructureRule
-from gcrules.rules.words import sentence
+from gcrules.rules.sentences import sentence
 
 __all__ = ["COUPLES", "FORCES_AND_COUPLES", "forces_and_couples"]
 

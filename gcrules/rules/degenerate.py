@@ -9,12 +9,12 @@ from itertools import combinations
 
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, join, meet
+from gcrules.algebra.language.legs_text import Leg, Structure, leg_text
 from gcrules.core.budget import checkpoint
-from gcrules.gauss import rank
-from gcrules.legs import Leg, Structure, leg_text
-from gcrules.rules.listing import listed
-from gcrules.rules.oracle import Oracle
-from gcrules.rules.state import extensor
+from gcrules.core.english import listed
+from gcrules.core.linear_algebra import rank
+from gcrules.rules.random_witness import Oracle
+from gcrules.rules.recognition_state import extensor
 
 __all__ = ["Degeneracy", "explain"]
 

@@ -1,6 +1,6 @@
 r"""Derivations: chains of equal expressions, each link with the rule that made it, replayable on the exact oracle.
 
->>> from gcrules.algebra.syntax import parse
+>>> from gcrules.algebra.language.syntax import parse
 >>> start = parse("[[ab, af, cb, cd, ed, ef]]")
 >>> two_terms = parse("[abce][abdf][cdef] - [abcf][acde][bdef]")
 >>> d = Derivation((Step("superbracket", start, two_terms, "brackets with a repeated point are 0"),))
@@ -16,7 +16,7 @@ from typing import Any
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.space import Space
-from gcrules.errors import LimitReached
+from gcrules.core.errors import LimitReached
 from gcrules.rules.rule import Rule
 from gcrules.rules.step import Step, joined
 from gcrules.rules.unfold import unfold
@@ -82,13 +82,13 @@ class Derivation:
 
     def text(self, *, unicode: bool = False, full: bool = False) -> str:
         """The chain, each expression with the reason below; `full` shows every single step."""
-        from gcrules.render.derivation import as_text
+        from gcrules.views.text.derivation import as_text
 
         return as_text(self.unfolded() if full else self, unicode=unicode)
 
     def latex(self, *, full: bool = False) -> str:
         r"""The chain in an `aligned` environment (package amsmath), without dollar signs."""
-        from gcrules.render.derivation import as_aligned
+        from gcrules.views.text.derivation import as_aligned
 
         return as_aligned(self.unfolded() if full else self)
 

@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Point
-from gcrules.algebra.shortest import SuperbracketForm
-from gcrules.condition import ONE, Condition
-from gcrules.legs import Structure, leg_text
+from gcrules.algebra.language.legs_text import Structure, leg_text
+from gcrules.algebra.superbrackets.shortest import SuperbracketForm
+from gcrules.rules.condition import ONE, Condition
+from gcrules.rules.condition_rule import Claim
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.factorization import BRACKETS_ONLY
-from gcrules.rules.incidence import Claim
-from gcrules.rules.oracle import Oracle
+from gcrules.rules.random_witness import Oracle
+from gcrules.rules.recognition_state import State
 from gcrules.rules.rule import EntityRule, Rule
-from gcrules.rules.state import State
 from gcrules.rules.strategy import FACTORIZATION
 
 __all__ = ["derived", "derived_zero", "from_catalog", "from_claim", "terms_of"]

@@ -1,6 +1,6 @@
 r"""The elementary steps: the computations that derivations are made of, as rules.
 
->>> from gcrules.algebra.syntax import parse
+>>> from gcrules.algebra.language.syntax import parse
 >>> expansion = next(rule for rule in ELEMENTARY if rule.id == "expansion")
 >>> print(expansion.rewrite(parse(r"ab /\ cde"), Space()))
 [acde] * b - [bcde] * a
@@ -14,7 +14,6 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr, Point, Sum
 from gcrules.algebra.parts import first_part
-from gcrules.algebra.shortest import shortest_forms
 from gcrules.algebra.space import Space
 from gcrules.algebra.steps import (
     common_factors,
@@ -27,8 +26,9 @@ from gcrules.algebra.steps import (
     without_dots,
     without_zeros,
 )
-from gcrules.algebra.straighten import straighten
-from gcrules.errors import InputError
+from gcrules.algebra.straightening.straighten import straighten
+from gcrules.algebra.superbrackets.shortest import shortest_forms
+from gcrules.core.errors import InputError
 from gcrules.rules.instance import of_the_catalog, structure_of
 from gcrules.rules.rule import Elementary
 
@@ -61,7 +61,7 @@ def _factored(e: Expr, space: Space) -> Expr | None:
     """A sum as coefficient · Π brackets · one expression, if there is one."""
     if not isinstance(e, Sum) or e.step:
         return None
-    from gcrules.factoring.factorize import factor  # numpy, for an expression that may factor
+    from gcrules.algebra.factoring.factorize import factor  # numpy, for an expression that may factor
 
     if not straighten(e, points=space.points, ideal=space.ideal, rank=space.rank):
         return None

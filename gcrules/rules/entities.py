@@ -13,9 +13,9 @@ from itertools import combinations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
 from gcrules.algebra.expr import Expr
-from gcrules.rules.oracle import Oracle
+from gcrules.rules.random_witness import Oracle
+from gcrules.rules.recognition_state import State
 from gcrules.rules.rule import EntityRule
-from gcrules.rules.state import State
 
 __all__ = ["ENTITY_RULES", "LEFT_OVER_LINE", "LEFT_OVER_LINES", "LEFT_OVER_PLANE", "LINES", "PLANES", "TETRAHEDRA"]
 

@@ -12,15 +12,15 @@ from time import monotonic
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr
-from gcrules.condition import ONE, Certificate, Condition
+from gcrules.algebra.factoring.result import Factorization
+from gcrules.algebra.language.legs_text import Structure
 from gcrules.core.budget import checkpoint
-from gcrules.errors import GcrulesError, LimitReached
-from gcrules.factoring.result import Factorization
-from gcrules.legs import Structure
-from gcrules.rules.conditions import certify
-from gcrules.rules.oracle import Oracle
+from gcrules.core.errors import GcrulesError, LimitReached
+from gcrules.rules.claims import certify
+from gcrules.rules.condition import ONE, Certificate, Condition
+from gcrules.rules.random_witness import Oracle
+from gcrules.rules.sentences import sentence
 from gcrules.rules.strategy import FACTORIZATION
-from gcrules.rules.words import sentence
 
 __all__ = ["BRACKETS_ONLY", "SECONDS", "Outcome", "factored"]
 
@@ -55,7 +55,7 @@ def factored(
     first that has one with a cofactor; else at least the brackets that divide. The polynomials equal the superbracket
     up to sign where the assumptions hold; which of them are given and in what order does not matter.
     """
-    from gcrules.factoring.factorize import factor  # numpy, which few analyses need
+    from gcrules.algebra.factoring.factorize import factor  # numpy, which few analyses need
 
     end = monotonic() + seconds
     candidates = [p for p in _in_order(polynomials) if len(p) <= _MANY_TERMS or seconds > SECONDS]

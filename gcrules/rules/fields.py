@@ -7,9 +7,9 @@ from itertools import islice
 from typing import Any
 
 from gcrules.algebra.expr import Expr, Power
-from gcrules.condition import Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.foreign import Misfit
-from gcrules.rules.state import State
+from gcrules.rules.recognition_state import State
 
 __all__ = ["FIELDS", "MAX_WEIGHT", "RESULTS", "expression_or_none", "is_text"]
 

@@ -22,7 +22,7 @@ from typing import Any, NoReturn
 from gcrules.core import files, interrupts
 from gcrules.core.alarm import ringing
 from gcrules.core.budget import seconds_left, within
-from gcrules.errors import FileError, GcrulesError, LimitReached
+from gcrules.core.errors import FileError, GcrulesError, LimitReached
 
 __all__ = ["SECONDS", "Guarded", "Misfit", "PluginFault", "foreign", "is_foreign", "place_of"]
 

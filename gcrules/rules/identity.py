@@ -12,12 +12,12 @@ from dataclasses import dataclass
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr, Sum, points_of
+from gcrules.algebra.language.rule_text import Instance
 from gcrules.algebra.parts import first_part
 from gcrules.algebra.prove import prove
-from gcrules.algebra.rule_text import Instance
 from gcrules.algebra.space import Space
 from gcrules.core.budget import checkpoint
-from gcrules.errors import LimitReached
+from gcrules.core.errors import LimitReached
 from gcrules.rules.applying import applications, left_terms, only_brackets, polynomial_of, rewrite_expression
 from gcrules.rules.rule import RewriteRule, reductions
 

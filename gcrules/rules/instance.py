@@ -1,6 +1,6 @@
 r"""Instances of the catalog's identities: what the superbracket of the legs of a known class equals.
 
->>> from gcrules.algebra.syntax import parse
+>>> from gcrules.algebra.language.syntax import parse
 >>> print(of_the_catalog(parse("[[ab, af, cb, cd, ed, ef]]"), Space()))
 -(ace /\ abf /\ cbd /\ efd)
 """
@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Join, Point, Product, Superbracket, substitute
+from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.space import Space
-from gcrules.catalog_proofs import standing
-from gcrules.errors import InputError
-from gcrules.legs import Structure
+from gcrules.core.errors import InputError
+from gcrules.rules.catalog.proofs import standing
 
 __all__ = ["of_the_catalog", "structure_of", "structures_in"]
 
@@ -48,7 +48,7 @@ def of_the_catalog(e: Expr, space: Space) -> Expr | None:
     structures = structures_in(e, space)
     if not structures:
         return None
-    from gcrules.catalog_file import load  # a file to read and to check, for an expression that may hold legs
+    from gcrules.rules.catalog.file import load  # a file to read and to check, for an expression that may hold legs
 
     catalog = load()
     for structure in structures:

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from gcrules.core.arguments import TEXT, TEXTS, checked, instance, listed, optional, read
+from gcrules.core.errors import InputError
 from gcrules.core.hints import near
-from gcrules.errors import InputError
+from gcrules.rules.condition_rule import INCIDENCES
 from gcrules.rules.couples import FORCES_AND_COUPLES
 from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.entities import ENTITY_RULES, TETRAHEDRA
-from gcrules.rules.incidence import INCIDENCES
 from gcrules.rules.rule import SHIPPED, Incidence, Rule
 from gcrules.rules.strategy import CATALOG, FACTORIZATION, FORMS, SHORTEST, Strategy
 from gcrules.rules.transversals import TRANSVERSALS

@@ -28,8 +28,8 @@ from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, meet
 from gcrules.core.budget import checkpoint
 from gcrules.rules.common_lines import FREE, CommonLine, FourLegs, letters
-from gcrules.rules.oracle import Oracle
-from gcrules.rules.state import extensor
+from gcrules.rules.random_witness import Oracle
+from gcrules.rules.recognition_state import extensor
 
 __all__ = ["Balance", "balance", "compared", "quotient"]
 

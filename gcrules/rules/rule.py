@@ -14,14 +14,14 @@ from string import Formatter
 from typing import Any, ClassVar
 
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.space import Space
-from gcrules.condition import ONE, Condition
-from gcrules.errors import InputError
-from gcrules.legs import Structure
+from gcrules.core.errors import InputError
+from gcrules.rules.condition import ONE, Condition
 from gcrules.rules.fields import FIELDS, RESULTS, expression_or_none, is_text
 from gcrules.rules.foreign import Guarded, foreign, is_foreign, place_of
-from gcrules.rules.oracle import Oracle
-from gcrules.rules.state import State
+from gcrules.rules.random_witness import Oracle
+from gcrules.rules.recognition_state import State
 
 __all__ = ["SHIPPED", "Elementary", "EntityRule", "Incidence", "RewriteRule", "Rule", "StructureRule", "reductions"]
 

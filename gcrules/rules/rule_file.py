@@ -12,14 +12,14 @@ from typing import Any
 from gcrules.algebra import claims
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import points_of
+from gcrules.algebra.language.rule_text import Case, Instance, Order, RuleText
+from gcrules.algebra.language.statements import Script, parse_script
 from gcrules.algebra.prove import Proof, prove
-from gcrules.algebra.rule_text import Case, Instance, Order, RuleText
 from gcrules.algebra.space import Space
-from gcrules.algebra.statements import Script, parse_script
+from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReached, join_faults
 from gcrules.core.proof_memory import digest_of, remember, remembered
-from gcrules.errors import FileError, GcrulesError, InputError, LimitReached, join_faults
+from gcrules.core.yaml_file import read_text
 from gcrules.rules.identity import Identity, instance_fault, rewrite_all
-from gcrules.yamlfile import read_text
 
 __all__ = ["RuleCheck", "check_rule", "check_script", "identities", "load_rule_file"]
 

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
+from gcrules.algebra.assumptions.assumed import resolve
 from gcrules.algebra.claims import digest
 from gcrules.algebra.evaluate import Evaluator, random_rational_points, vanishes
 from gcrules.algebra.expr import Expr, points_of, sub
-from gcrules.algebra.given import resolve
+from gcrules.algebra.language.text import text
 from gcrules.algebra.space import Space
-from gcrules.algebra.text import text
 from gcrules.core.seeds import DRAWN, seed
 
 __all__ = ["Step", "joined"]

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from gcrules.algebra.shortest import SuperbracketForm
+from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.space import Space
+from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.core.arguments import TEXT, instance, listed, read
 from gcrules.core.budget import checkpoint
-from gcrules.errors import InputError, LimitReached
-from gcrules.legs import Structure
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.rules.condition_rule import Claim, claims
 from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.identity import Identity, rewritten
-from gcrules.rules.incidence import Claim, claims
-from gcrules.rules.oracle import Oracle
+from gcrules.rules.random_witness import Oracle
+from gcrules.rules.recognition_state import State
 from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, Rule, StructureRule
-from gcrules.rules.state import State
 
 __all__ = ["CATALOG", "FACTORIZATION", "FORMS", "MAX_TERMS", "SHORTEST", "Strategy", "of_plugins", "recognise"]
 

@@ -7,7 +7,7 @@ and h allows these turns in one ratio only; the robot is singular where the rati
 
 Every choice of g and h is tried. p and q are rational in the joints where two of the other legs share one.
 
->>> from gcrules.legs import read_legs
+>>> from gcrules.algebra.language.legs_text import read_legs
 >>> structure = read_legs("Aa Ab Ba Cc Dd Ee")
 >>> best = find(structure, Oracle(structure))[0]
 >>> print(best.cofactor, "|", *(line for _, line in best.lines))
@@ -21,15 +21,15 @@ from itertools import combinations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.text import text
-from gcrules.condition import Condition
+from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.language.text import text
 from gcrules.core.budget import checkpoint
-from gcrules.legs import Structure
 from gcrules.rules.common_lines import FourLegs
+from gcrules.rules.condition import Condition
 from gcrules.rules.line_cofactors import balance
-from gcrules.rules.oracle import Oracle
+from gcrules.rules.random_witness import Oracle
 from gcrules.rules.rule import StructureRule
-from gcrules.rules.turns import KIND, Reading, reading_of, written_into
+from gcrules.rules.two_transversals import KIND, Reading, reading_of, written_into
 
 __all__ = ["TRANSVERSALS", "find", "readings"]
 

@@ -3,7 +3,7 @@ r"""Steps of a derivation as chains of single steps.
 Both sides of a step are taken down by the elementary rules until they meet; the chain goes down the one side and up
 the other: before = … = where they meet = … = after.
 
->>> from gcrules.algebra.syntax import parse
+>>> from gcrules.algebra.language.syntax import parse
 >>> step = Step("example", parse("[abde] * c + [bcde] * a"), parse(r"ac /\ bde"), "")
 >>> for s in unfold(step):
 ...     print(s.after, f"({'up by' if s.upward else 'by'} {s.rule})")
@@ -20,10 +20,10 @@ from itertools import pairwise
 from gcrules.algebra.expr import Expr, Sum, mul
 from gcrules.algebra.space import Space
 from gcrules.core.budget import Count
-from gcrules.errors import LimitReached
+from gcrules.core.errors import LimitReached
 from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.instance import structures_in
-from gcrules.rules.oracle import Oracle
+from gcrules.rules.random_witness import Oracle
 from gcrules.rules.rule import RewriteRule, Rule, StructureRule, reductions
 from gcrules.rules.step import Step
 

@@ -15,8 +15,8 @@ from math import gcd, isqrt, lcm
 from typing import Any
 
 from gcrules.algebra.evaluate import PRIME
-from gcrules.errors import InputError, LimitReached
-from gcrules.gauss import echelon, kernel
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.core.linear_algebra import echelon, kernel
 from gcrules.screws.field import Field, Matrix, Row
 
 __all__ = ["RATIONALS", "RESIDUES", "Exact", "Rationals", "Residues"]

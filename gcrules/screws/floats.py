@@ -17,7 +17,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.errors import InputError
+from gcrules.core.errors import InputError
 from gcrules.screws.field import Field, Matrix, Row, Vector
 
 __all__ = ["FLOATS", "Floats"]

@@ -20,7 +20,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from gcrules.errors import InputError
+from gcrules.core.errors import InputError
 from gcrules.screws.fields import Field, Matrix, field_of
 from gcrules.screws.limbs import Limb
 

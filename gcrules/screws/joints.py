@@ -24,8 +24,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from gcrules.errors import InputError
-from gcrules.frozen import FrozenMap
+from gcrules.core.errors import InputError
+from gcrules.core.frozen import FrozenMap
 from gcrules.screws.fields import Field, Row, field_of
 from gcrules.screws.screw import direction, helix_of, slide_of, turn_of
 

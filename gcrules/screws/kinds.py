@@ -11,7 +11,8 @@ to all of S) and its rank on S / N decide, for dimensions 1 to 3:
 Dimension 4 and 5 are told by the reciprocal system of dimension 2 or 1: their lines are those that meet all its lines.
 The sign of a residue is unknown: modulo a prime every form counts as indefinite. Derived here.
 
-`gcrules.numeric.variety` names spans of lines in projective words, for reports of poses; it has no need of the lines.
+`gcrules.poses.numbers.variety` names spans of lines in projective words, for reports of poses; it has no need of the
+lines.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from gcrules.frozen import FrozenMap
+from gcrules.core.frozen import FrozenMap
 from gcrules.screws.field import Field, Row
 from gcrules.screws.lines import LineFamily, family, number_text, undecided, vector_text
 from gcrules.screws.screw import Axis, axis, join_of, meet_of, product

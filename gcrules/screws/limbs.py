@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from gcrules.errors import InputError
+from gcrules.core.errors import InputError
 from gcrules.screws.fields import Field, Matrix, field_of
 from gcrules.screws.joints import Joint
 from gcrules.screws.systems import ScrewSystem, actuation, reciprocal

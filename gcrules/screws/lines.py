@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gcrules.errors import LimitReached
+from gcrules.core.errors import LimitReached
 from gcrules.screws.field import Field, Row
 
 __all__ = ["LineFamily", "common_planes", "common_points", "family", "number_text", "vector_text"]

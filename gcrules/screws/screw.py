@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gcrules.errors import InputError
+from gcrules.core.errors import InputError
 from gcrules.screws.fields import Field, Matrix, Row, Vector, field_of
 
 __all__ = [

@@ -2,7 +2,7 @@
 
 from itertools import combinations
 
-from gcrules.plugins import Incidence, State, bracket, extensor, leg_text, meet, mul, points
+from gcrules.rules.plugins import Incidence, State, bracket, extensor, leg_text, meet, mul, points
 
 
 def crossing(state: State, row: tuple[int, ...]) -> tuple[tuple[str, str], tuple[str, str]] | None:

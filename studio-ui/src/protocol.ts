@@ -1,7 +1,7 @@
 // What the page and the server say to each other over one websocket: JSON, one object a message.
 //
 // The server keeps nothing between messages but caches: a request holds all that it needs (the source, the pose), so
-// that a restarted server goes on where the old one stopped. The same shapes are dataclasses in gcrules/studio/views.py.
+// that a restarted server goes on where the old one stopped. The same shapes are dataclasses in gcrules/apps/studio/views.py.
 
 export type Vec3 = [number, number, number];
 /** Unit quaternion, scalar first. */

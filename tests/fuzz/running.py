@@ -59,7 +59,7 @@ def limit_memory(size: int = MEMORY) -> None:
 
 
 def last_frame(fault: BaseException | None) -> str:
-    """Type of a fault, and the last place in gcrules where it was: `ValueError at gcrules/legs.py:read_legs`."""
+    """Type of a fault, and the last place in gcrules where it was: `ValueError at gcrules/…/legs_text.py:read_legs`."""
     if fault is None:
         return ""
     frames = [f for f in traceback.extract_tb(fault.__traceback__) if "/gcrules/" in f.filename]
@@ -90,7 +90,7 @@ def run_command(case: Case, jail: Jail, *, around: Around = nullcontext) -> Outc
     """Run `gcrules ARGV` with standard streams of its own, as the entry point does, but the process goes on after it;
     `around` surrounds it.
     """
-    from gcrules import cli
+    from gcrules.apps import cli
     from gcrules.core import files, interrupts, streams
 
     def program() -> int:
@@ -141,7 +141,7 @@ def _forget_signals() -> None:
 
 def run_call(case: Case, jail: Jail, call: Callable[[], Sequence[str]]) -> Outcome:
     """Call Python: gcrules' own errors are answers; anything that is printed is not. `call` returns what is wrong."""
-    from gcrules.errors import GcrulesError
+    from gcrules.core.errors import GcrulesError
 
     def body() -> tuple[str, ...]:
         try:

@@ -57,7 +57,11 @@ def test_inputs_are_the_same_each_time_and_can_be_kept(name: str) -> None:
 GOOD = Outcome(0, "[abcd]\n")
 COMMAND = Case("expressions", ("expand", "[abcd]"))
 WRONG = {
-    "traceback": (COMMAND, Outcome(None, trace="…", frame="ValueError at gcrules/legs.py:read_legs"), "ValueError at"),
+    "traceback": (
+        COMMAND,
+        Outcome(None, trace="…", frame="ValueError at gcrules/algebra/language/legs_text.py:read_legs"),
+        "ValueError at",
+    ),
     "exit code": (COMMAND, Outcome(70, "", "…"), "exit code 70"),
     "file left": (COMMAND, Outcome(2, "", "error: …", left=(".out.txt.1",)), "files left"),
     "output on refusal": (Case("e", ("expand", "x", "-o", "o")), Outcome(2, "", "error: …", left=("o",)), "files left"),

@@ -1,4 +1,4 @@
-// Colours by role, for light and dark surroundings: those of gcrules/render/palette.py (a test compares them).
+// Colours by role, for light and dark surroundings: those of gcrules/views/drawing/palette.py (a test compares them).
 import type { Theme } from "./types";
 
 export const ROLES = {

@@ -35,14 +35,14 @@ def _numpy() -> Any:
 
 @cache
 def _robot() -> Any:
-    from gcrules.robots.model import Robot
+    from gcrules.mechanisms.robot import Robot
 
     return Robot.load("3-rpr")
 
 
 @cache
 def _platform() -> Any:
-    from gcrules.robots.geometry import parse_platform
+    from gcrules.mechanisms.description.platform_file import parse_platform
 
     return parse_platform(corpus("platforms")[0])
 
@@ -163,7 +163,7 @@ _USUAL: Mapping[str, tuple[str, ...]] = {
 
 def _functions() -> Mapping[str, Callable[..., Any]]:
     import gcrules as gc
-    from gcrules.robots.model import Robot
+    from gcrules.mechanisms.robot import Robot
 
     names = (
         "analyze",

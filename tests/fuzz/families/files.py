@@ -334,14 +334,14 @@ def tables(rng: Random) -> Case:
 
 @cache
 def _analyzed() -> Any:
-    from gcrules import moving
+    from gcrules.poses import pose_inputs as moving
 
     return lru_cache(maxsize=8)(moving.analyze)
 
 
 def run_table(case: Case, jail: Jail) -> Outcome:
     """The platform is nearly always the same one, and is analysed once."""
-    from gcrules import moving
+    from gcrules.poses import pose_inputs as moving
 
     analyzed = _analyzed()
     with patch.object(moving, "analyze", analyzed):

@@ -57,7 +57,7 @@ def run(case: Case, jail: Jail) -> Outcome:
 
 
 def _context(data: Mapping[str, Any]) -> Any:
-    from gcrules.algebra.syntax import Context
+    from gcrules.algebra.language.syntax import Context
 
     return Context(data["rank"], (), tuple(data["ideal"]))
 
@@ -83,7 +83,7 @@ def _equal(left: Any, right: Any, data: Mapping[str, Any]) -> bool:
 
 def _expand(data: Mapping[str, Any]) -> Iterator[str]:
     import gcrules as gc
-    from gcrules.algebra.syntax import parse
+    from gcrules.algebra.language.syntax import parse
 
     e = parse(data["text"], context=_context(data))
     found = gc.expand(e, rank=data["rank"], ideal=data["ideal"])
@@ -95,7 +95,7 @@ def _expand(data: Mapping[str, Any]) -> Iterator[str]:
 
 def _straighten(data: Mapping[str, Any]) -> Iterator[str]:
     import gcrules as gc
-    from gcrules.algebra.syntax import parse
+    from gcrules.algebra.language.syntax import parse
 
     e = parse(data["text"], context=_context(data))
     found = gc.straighten(e, rank=data["rank"], ideal=data["ideal"])
@@ -106,9 +106,9 @@ def _straighten(data: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _text(data: Mapping[str, Any]) -> Iterator[str]:
-    from gcrules.algebra.syntax import parse
-    from gcrules.algebra.text import text
-    from gcrules.render.latex import latex
+    from gcrules.algebra.language.syntax import parse
+    from gcrules.algebra.language.text import text
+    from gcrules.views.formulas.latex import latex
 
     at = _context(data)
     e = parse(data["text"], context=at)
@@ -121,7 +121,7 @@ def _text(data: Mapping[str, Any]) -> Iterator[str]:
 
 def _prove(data: Mapping[str, Any]) -> Iterator[str]:
     import gcrules as gc
-    from gcrules.algebra.syntax import parse_equation
+    from gcrules.algebra.language.syntax import parse_equation
 
     left, right = parse_equation(data["text"], context=_context(data))
     proof = gc.prove(data["text"], rank=data["rank"], ideal=data["ideal"])
@@ -151,8 +151,8 @@ def _counterexample(proof: Any, left: Any, right: Any, data: Mapping[str, Any]) 
 
 def _given(data: Mapping[str, Any]) -> Iterator[str]:
     import gcrules as gc
-    from gcrules.algebra.statements import parse_assumption
-    from gcrules.algebra.syntax import parse_equation
+    from gcrules.algebra.language.statements import parse_assumption
+    from gcrules.algebra.language.syntax import parse_equation
 
     at = parse_assumption(data["given"], _context(data))
     left, right = parse_equation(data["text"], context=at)
@@ -220,7 +220,7 @@ def _rewrite(data: Mapping[str, Any]) -> Iterator[str]:
 
 def _factor(data: Mapping[str, Any]) -> Iterator[str]:
     import gcrules as gc
-    from gcrules.algebra.syntax import parse
+    from gcrules.algebra.language.syntax import parse
 
     e = parse(data["text"], context=_context(data))
     found = gc.factor(e, rank=data["rank"], seconds=0.3)
@@ -231,7 +231,7 @@ def _factor(data: Mapping[str, Any]) -> Iterator[str]:
 
 def _shorten(data: Mapping[str, Any]) -> Iterator[str]:
     import gcrules as gc
-    from gcrules.algebra.syntax import parse
+    from gcrules.algebra.language.syntax import parse
 
     e = parse(data["text"], context=_context(data))
     found = gc.shorten(e, rank=data["rank"], seconds=0.3)

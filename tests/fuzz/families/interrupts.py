@@ -19,8 +19,8 @@ from time import monotonic, sleep
 from types import FrameType
 from typing import Any
 
+from gcrules.apps.main import main
 from gcrules.core import interrupts
-from gcrules.main import main
 
 from ..case import Case
 from ..corpus import corpus

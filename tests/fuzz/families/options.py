@@ -136,7 +136,7 @@ def _commands() -> tuple[tuple[tuple[str, ...], Any], ...]:
     """All commands with the words that name them, as click knows them."""
     import click
 
-    from gcrules.cli import cli
+    from gcrules.apps.cli import cli
 
     def below(group: click.Group, words: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Any]]:
         ctx = click.Context(group)
@@ -236,7 +236,7 @@ def run(case: Case, jail: Jail) -> Outcome:
     """As any command line, but nothing is served."""
     if case.argv[:1] != ("studio",):
         return run_command(case, jail)
-    from gcrules.studio import serving
+    from gcrules.apps.studio import serving
 
     serve = serving.serve
     serving.serve = lambda *args, **kwargs: None

@@ -131,7 +131,7 @@ _PLACES = (
     "/ws",
     "/..",
     "/%2e%2e/%2e%2e/etc/passwd",
-    "/../gcrules/cli/__init__.py",
+    "/../gcrules/apps/cli/__init__.py",
     "//",
     "/a\0b",
     "/x" * 999,
@@ -191,8 +191,8 @@ class _Pool:
     async def run(self, job: Any, seconds: float, tell: Callable[[str], None]) -> tuple[Any, Any]:
         import pickle
 
-        from gcrules.studio.pool import Told
-        from gcrules.studio.worker import done
+        from gcrules.apps.studio.pool import Told
+        from gcrules.apps.studio.worker import done
 
         await asyncio.sleep(0)
         kind, value, subject = pickle.loads(pickle.dumps(done(job, self.known, tell)))
@@ -227,7 +227,7 @@ class _Socket:
 
 @cache
 def _service() -> Any:
-    from gcrules.studio.service import Service
+    from gcrules.apps.studio.service import Service
 
     service = Service(None)
     service.pool = _Pool()  # type: ignore[assignment]
@@ -238,7 +238,7 @@ def _service() -> Any:
 
 @cache
 def _app() -> Any:
-    from gcrules.studio.app import make_app
+    from gcrules.apps.studio.app import make_app
 
     return make_app(8747, "x" * 43, None, ("t",))
 
@@ -250,7 +250,7 @@ def run(case: Case, jail: Jail) -> Outcome:
 
 async def _talked(data: Any) -> list[str]:
     """Every message gets one answer, each is JSON, and none is a fault of gcrules."""
-    from gcrules.studio.session import Session
+    from gcrules.apps.studio.session import Session
 
     socket = _Socket(data["messages"])
     await Session(socket, _service()).run()  # type: ignore[arg-type]

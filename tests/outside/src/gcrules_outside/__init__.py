@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from gcrules.plugins import Incidence, Plugin, bracket, mul, points
+from gcrules.rules.plugins import Incidence, Plugin, bracket, mul, points
 
 
 def volumes(state):

@@ -1,0 +1,125 @@
+r"""What a construction must not let vanish, and what that means in words.
+
+>>> from gcrules.algebra.language.syntax import parse
+>>> e = parse(r"ab /\ cd", rank=3)
+>>> print(*fewest([parse("ab"), e]), "--", words(e))
+ab /\ cd -- ab and cd meet in one point
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.assumptions.construction import Step
+from gcrules.algebra.assumptions.incidences import Helper
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
+from gcrules.algebra.language.text import text
+
+__all__ = ["assumed", "fewest", "words"]
+
+
+def assumed(
+    steps: Sequence[Step],
+    more: Sequence[Expr],
+    free: tuple[str, ...],
+    ideal: tuple[str, ...],
+    helpers: Mapping[str, Helper],
+    rank: int,
+) -> tuple[Expr, ...] | None:
+    """The extensors that a construction must not let vanish, in the user's points; None where they cannot be told."""
+    found: list[Expr] = list(more)
+    seen: set[str] = set()
+    for s in steps:
+        names = {s.name, *points_of(s.within)}
+        if not (s.exact or _determinantal(s, seen, free, ideal)):
+            found += s.nonzero
+        seen |= names
+    told = [_told(e, helpers, rank) for e in found if not _point(e, helpers)]
+    if any(e is None for e in told):
+        return None
+    return tuple(e for e in told if e is not None)
+
+
+def fewest(found: Iterable[Expr]) -> tuple[Expr, ...]:
+    """Without those that cannot vanish where the others do not."""
+    kept: list[Expr] = []
+    for e in found:
+        if not any(_implies(other, e) for other in kept):
+            kept = [*(other for other in kept if not _implies(e, other)), e]
+    return tuple(kept)
+
+
+def _point(e: Expr, helpers: Mapping[str, Helper]) -> bool:
+    """Whether it is a point that exists, and so is not zero."""
+    return isinstance(e, Point) and (e.name not in helpers or helpers[e.name].meet is None)
+
+
+def _determinantal(s: Step, seen: set[str], free: tuple[str, ...], ideal: tuple[str, ...]) -> bool:
+    """Whether the step says no more than that free points and the new one, none of them used before, are dependent.
+
+    Such matrices of less than full rank form an irreducible variety, and so do the positions of independent groups of
+    points. Later steps add a linear space over each position, of one dimension as long as their extensors do not
+    vanish, which leaves it irreducible. The positions that this step reaches are dense there, so that an identity that
+    holds on them holds everywhere.
+    """
+    args = s.within.args if isinstance(s.within, Join) else (s.within,)
+    names = [a.name for a in args if isinstance(a, Point)]
+    return (
+        len(names) == len(args)
+        and all(n in free and n not in ideal and n not in seen and ":" not in n for n in names)
+        and s.name not in seen
+    )
+
+
+def _told(e: Expr, helpers: Mapping[str, Helper], rank: int) -> Expr | None:
+    """The extensor without helpers: their meets in their place; or one that vanishes wherever it does."""
+    names: dict[str, Expr] = {}
+    for n in points_of(e):
+        h = helpers.get(n)
+        if h is not None and h.meet is not None:
+            names[n] = h.meet
+        elif h is not None:
+            # A ∨ q for some point q of the line L is not zero if A ∨ L is not.
+            if not (isinstance(e, Join) and Point(n) in e.args and h.line is not None):
+                return None
+            rest = [a for a in e.args if a != Point(n)]
+            if any(n in points_of(a) for a in rest) or sum(a.step for a in rest) + h.line.step > rank:
+                return None
+            return _told(ex.join(*rest, h.line, rank=rank), helpers, rank)
+    return ex.substitute(e, names, rank) if names else e
+
+
+def _implies(whole: Expr, part: Expr) -> bool:
+    """Whether an extensor that is not zero has this part, which then is not zero either."""
+    if whole == part:
+        return True
+    match whole:
+        case Join(args=args) | Bracket(args=args):
+            if isinstance(part, Join) and not Counter(part.args) - Counter(args):
+                return True
+            return any(_implies(a, part) for a in args)
+        case Meet(args=args):
+            return any(_implies(a, part) for a in args)
+        case Product(factors=factors):
+            return any(_implies(f, part) for f in factors)
+    return False
+
+
+def words(e: Expr, names: Iterable[str] = ()) -> str:
+    """What it means that an extensor does not vanish, where there are short words for it."""
+    shown = [text(a, names=names) for a in e.children]
+    match e:
+        case Join(args=args) | Bracket(args=args) if (
+            all(isinstance(a, Point) for a in args) and len(args) <= len(_WORDS) + 1
+        ):
+            return _WORDS[len(args) - 2].format(", ".join(shown[:-1]), shown[-1])
+        case Meet() if e.step == 1:
+            return f"{', '.join(shown[:-1])} and {shown[-1]} meet in one point"
+        case Meet() if e.step == 2:
+            return f"{', '.join(shown[:-1])} and {shown[-1]} meet in one line"
+    return ""
+
+
+_WORDS = ("the points {} and {} differ", "{} and {} are not on a line", "{} and {} are not in a plane")

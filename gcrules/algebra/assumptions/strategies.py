@@ -1,0 +1,169 @@
+r"""Roads to a construction: the conditions of all assumptions, as they are written, or brought into another form.
+
+As written, each assumption is read by itself. Where that leads nowhere, assumptions are read together (several points
+on one plane, several equations between the same points), or points that are written as meets get names of their own, as
+do those of the line of Pascal of a conic.
+
+>>> from gcrules.algebra.language.statements import parse_assumption
+>>> given = parse_assumption("incident(x, abc), incident(y, abc)").given
+>>> for road in (as_written, together):
+...     print(*(c.equation for f in road(given, 4) for c in f.conditions), sep=", ")
+[abcx], [abcy]
+[abcx], [abcy], [abxy], [acxy], [bcxy]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from math import comb
+from typing import TypeVar
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.assumptions.conics import hexagon, pascal
+from gcrules.algebra.assumptions.incidences import (
+    MAX_CONDITIONS,
+    Facts,
+    Helper,
+    all_of,
+    dependent,
+    equal,
+    facts,
+    fault,
+    name_key,
+    of_points,
+    on,
+    small_first,
+)
+from gcrules.algebra.assumptions.linear import is_extensor, weights
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, points_of
+from gcrules.algebra.space import Assumption
+from gcrules.core.errors import StepError
+
+__all__ = ["ROADS", "as_written", "on_pascal_line", "together", "understood", "with_named_meets"]
+
+_T = TypeVar("_T")
+
+
+def understood(assumption: Assumption, read: Callable[[Assumption], _T]) -> _T:
+    """What is read from an assumption; extensors that cannot be joined or met as it asks are its fault."""
+    try:
+        return read(assumption)
+    except StepError as wrong:
+        raise fault(assumption, wrong.message, wrong.hint) from None
+
+
+def as_written(given: Sequence[Assumption], rank: int) -> list[Facts]:
+    """The conditions of each assumption by itself."""
+    return [understood(a, lambda a: facts(a, rank)) for a in given]
+
+
+# --- assumptions of the same points --------------------------------------------------------------------------------
+
+
+def together(given: Sequence[Assumption], rank: int) -> list[Facts] | None:
+    """Points on one line or plane lie there together, and equations are solved together; None if there are no such."""
+    merged = {**_on_flats(given, rank), **_solved(given, rank)}
+    if not merged:
+        return None
+    return [merged[i] if i in merged else understood(a, lambda a: facts(a, rank)) for i, a in enumerate(given)]
+
+
+def _on_flats(given: Sequence[Assumption], rank: int) -> Mapping[int, Facts]:
+    """Points x, y on the plane abc, which is not zero: any four of a, b, c, x, y are in a plane."""
+    flats: dict[frozenset[Expr], dict[int, tuple[Expr, ...]]] = {}
+    for i, a in enumerate(given):
+        if a.kind == "incident":
+            X, Y = small_first(*a.args)
+            if isinstance(Y, Join) and of_points(X) and of_points(Y):
+                flats.setdefault(frozenset(Y.args), {})[i] = X.args if isinstance(X, Join) else (X,)
+    found: dict[int, Facts] = {}
+    for span, members in flats.items():
+        points = span.union(*members.values())
+        size = len(span) + 1
+        if len(points) > size and comb(len(points), size) <= MAX_CONDITIONS:
+            first, *others = members
+            plane = small_first(*given[first].args)[1]
+            any_of_them = dependent(given[first], sorted(points, key=name_key), size, rank)
+            found[first] = all_of([any_of_them, Facts(nonzero=(plane,))])
+            found.update(dict.fromkeys(others, Facts()))
+    return found
+
+
+def _solved(given: Sequence[Assumption], rank: int) -> Mapping[int, Facts]:
+    """Equations between points, reduced: each is solved for a point that occurs in no other."""
+    rows = {i: weights(a.args[0]) for i, a in enumerate(given) if a.kind == "zero" and a.args[0].step == 1}
+    if len(rows) < 2:
+        return {}
+    hidden = {n for row in rows.values() for e in row if not isinstance(e, Point) for n in points_of(e)}
+    for i, row in rows.items():
+        points = [e for e in row if isinstance(e, Point) and e.name not in hidden]
+        if points:
+            pivot = max(points, key=name_key)
+            for j in rows:
+                if j != i and pivot in rows[j]:
+                    rows[j] = _without(pivot, rows[j], row)
+    return {i: equal(given[i], row, rank) for i, row in rows.items()}
+
+
+def _without(pivot: Expr, row: Mapping[Expr, Fraction], other: Mapping[Expr, Fraction]) -> dict[Expr, Fraction]:
+    """The row minus the multiple of the other that leaves the pivot out."""
+    factor = row[pivot] / other[pivot]
+    found = {e: row.get(e, Fraction(0)) - factor * other.get(e, Fraction(0)) for e in {**row, **other}}
+    return {e: c for e, c in found.items() if c}
+
+
+# --- names for meets -----------------------------------------------------------------------------------------------
+
+
+def with_named_meets(given: Sequence[Assumption], rank: int) -> list[Facts] | None:
+    """The conditions with a new point in place of each point that is written as a meet; None if there are none such.
+
+    Six points on a conic are read as three such points on a line.
+    """
+    helpers: dict[Expr, Helper] = {}
+    found = [understood(on_pascal_line(a, rank), lambda a: _named_meets(a, rank, helpers)) for a in given]
+    return found if helpers else None
+
+
+def on_pascal_line(a: Assumption, rank: int) -> Assumption:
+    """An assumption that six points lie on a conic as one about the points in which opposite sides meet; or itself."""
+    six = hexagon(a.args[0], rank) if a.kind == "zero" else None
+    return a if six is None else Assumption("collinear", pascal(six), a.text, a.place)
+
+
+def _named_meets(assumption: Assumption, rank: int, helpers: dict[Expr, Helper]) -> Facts:
+    new: list[Helper] = []
+
+    def walk(e: Expr) -> Expr:
+        match e:
+            # The meet lies on what is met only if that is a line or a plane, and not a sum of lines.
+            case Meet(args=args) if e.step == 1 and all(is_extensor(a, rank) for a in args):
+                if e not in helpers:
+                    helpers[e] = Helper(f"meet:{len(helpers) + 1}", meet=e)
+                    new.append(helpers[e])
+                return Point(helpers[e].name)
+            case Join(args=args):
+                return ex.join(*map(walk, args), rank=rank)
+            case Meet(args=args):
+                return ex.meet(*map(walk, args), rank=rank)
+            case Bracket(args=args):
+                return ex.bracket(*map(walk, args), rank=rank)
+        return e
+
+    def inside(e: Expr) -> Expr:
+        """That a meet is zero says nothing of a point."""
+        return ex.meet(*map(walk, e.args), rank=rank) if isinstance(e, Meet) and assumption.kind == "zero" else walk(e)
+
+    args = tuple(map(inside, assumption.args))
+    renamed = Assumption(assumption.kind, args, assumption.text, assumption.place)
+    conditions = [on(renamed, Point(h.name), a, rank) for h in new for a in _met(h)]
+    meets = tuple(h.meet for h in new if h.meet is not None)
+    return all_of([facts(renamed, rank), Facts(tuple(conditions), meets, tuple(new))])
+
+
+def _met(helper: Helper) -> tuple[Expr, ...]:
+    return helper.meet.args if isinstance(helper.meet, Meet) else ()
+
+
+ROADS: tuple[Callable[[Sequence[Assumption], int], list[Facts] | None], ...] = (as_written, together, with_named_meets)

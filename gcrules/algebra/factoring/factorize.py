@@ -1,0 +1,111 @@
+r"""Factorization: is a bracket polynomial a product of brackets and one expression of joins and meets?
+
+>>> from gcrules.algebra.language.syntax import parse
+>>> print(factor(parse("[abfc][acde][bdef] + [abfd][acbe][cdef]")).to_expr())
+abc /\ aef /\ bdf /\ cde
+>>> print(factor(parse("[[Aa, Ab, Ac, Bd, Be, Cf]]")).to_expr())
+[ABCf][ABde][Aabc]
+>>> factor(parse("[[ab, cd, ef, gh, ij, kl]]")).found
+False
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from time import monotonic
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS, Budget, terms_held
+from gcrules.algebra.factoring.normal import zero
+from gcrules.algebra.factoring.once import each_once
+from gcrules.algebra.factoring.pieces import Pieces, taken_apart
+from gcrules.algebra.factoring.products import Groups
+from gcrules.algebra.factoring.rational import with_cofactor
+from gcrules.algebra.factoring.result import Factorization, Family, brackets_of
+from gcrules.algebra.factoring.whole import Whole
+from gcrules.core.budget import checkpoint, within
+from gcrules.rules.condition import Certificate
+
+__all__ = ["factor"]
+
+BRACKETS = "products of brackets"
+ONE_EXPRESSION = "products of brackets and one expression of joins and meets, all with the polynomial's multidegree"
+SEVERAL = "products of brackets and of expressions of joins and meets, all together with the polynomial's multidegree"
+
+_EQUAL_FORMS = Certificate("normal-form", "the product of the brackets has the normal form of the input")
+
+
+def factor(
+    e: Expr | BracketPolynomial | ExtensorPolynomial,
+    *,
+    points: Iterable[str] = (),
+    ideal: Iterable[str] = (),
+    rank: int | None = None,
+    limit: int = MAX_EXTENSORS,
+    seconds: float = SECONDS,
+    every: bool = False,
+    cofactor: bool = False,
+    progress: Callable[[str], None] | None = None,
+) -> Factorization:
+    """Decide whether an expression of step 0 is coefficient · Π brackets · ONE expression of joins and meets, or
+    several where there are several irreducible factors.
+
+    What is found is proved by normal forms, or the answer is not `proved` and says so, where the time does not
+    suffice. `every` asks for all expressions instead of the simplest. Where there is none, `cofactor` asks for one that
+    equals a bracket, or meets of constructed lines, times the polynomial. `limit` is the number of extensors that may
+    be held (a quarter of it that of terms, which is 200,000 at least); `progress` is told what goes on. Raises
+    InputError for zero, for extensors and where a point does not occur equally often in all terms, LimitReached where
+    the answer takes more than a limit.
+
+    Source: White1991 for the steps of the multilinear case, else derived here (docs/factor.md).
+    """
+    terms = terms_held(limit)
+    with within(seconds):
+        checkpoint()
+        budget = Budget(limit, progress)
+        pieces = taken_apart(e, what="factored", points=points, ideal=ideal, rank=rank, limit=terms)
+        if not pieces.number:
+            raise zero()
+        if not pieces.ideal and pieces.once:
+            found = each_once(pieces, terms)
+        else:
+            found = _in_groups(pieces, budget, terms, every)
+        return with_cofactor(found, budget, terms=terms, every=every) if cofactor and not found.found else found
+
+
+def _in_groups(pieces: Pieces, budget: Budget, terms: int, every: bool) -> Factorization:
+    """Search for what the brackets leave, in groups of its irreducible factors, brackets left inside where need be."""
+    start = monotonic()
+    whole = Whole.of(pieces, terms)
+    if not whole.parts:
+        rows = brackets_of(whole.rows.elements(), pieces.points)
+        return Factorization(
+            pieces.rank, pieces.points, whole.number, rows, ex.Number(1), Family(BRACKETS), _EQUAL_FORMS
+        )
+    groups = Groups(whole.rows, whole.parts, whole.times, budget)
+    cover = groups.cover()
+    name = ONE_EXPRESSION if sum(whole.times) == 1 else SEVERAL
+    family = Family(name, budget.products, groups.built, monotonic() - start)
+    if cover is None:
+        alone = [next((w.expression for w in groups.alone(i)), None) for i in range(len(whole.parts))]
+        return whole.none(family, _exhausted(whole), alone, terms)
+    found = whole.found(cover, family, terms, every=every)
+    return replace(found, family=replace(family, seconds=monotonic() - start))
+
+
+def _exhausted(whole: Whole) -> Certificate:
+    number = sum(whole.times)
+    alone = number == 1 and whole.irreducible
+    detail = "every expression was refuted by its values at exact positions"
+    if whole.rows:
+        detail += ", also with brackets that divide left inside it"
+    if alone:
+        detail += "; what the brackets leave is irreducible, so no other expression of joins and meets equals it"
+    elif number > 1:
+        detail += f"; so were those of all groups of the {number} irreducible factors of what the brackets leave"
+    if not whole.irreducible:
+        detail += "; products of several expressions that are no brackets were not tested"
+    return Certificate("exhaustive-search", detail, {"irreducible": alone})

@@ -1,0 +1,110 @@
+"""The expressions that are multiples of a polynomial: candidates of the search, confirmed by the oracle."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from functools import cached_property
+from itertools import combinations
+from math import factorial, prod
+
+from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.factoring.brackets import vanishing_pairs
+from gcrules.algebra.factoring.extensors import Extensors, Letters, Tree, leaves
+from gcrules.algebra.factoring.limits import Budget
+from gcrules.algebra.factoring.residues import values
+from gcrules.algebra.factoring.search import Candidate, candidates
+from gcrules.algebra.factoring.trees import Written, simplest
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import LimitReached
+
+__all__ = ["search"]
+
+_SEEDS = 20
+_FORMS = 10_000
+
+
+def search(
+    poly: BracketPolynomial, budget: Budget, given: Sequence[tuple[Tree, int]] = (), *, first: bool = False
+) -> tuple[list[Written], int]:
+    """All expressions without a scalar part that are multiples of a polynomial, simplest first, and how many extensors
+    they were made of. With `given` (trees and their steps) only those that hold these extensors; with
+    `first` the one that comes first alone.
+
+    Each holds at the test's positions and at two of the oracle's. Raises LimitReached.
+    """
+    degrees = poly.degrees()
+    assert degrees is not None
+    names = tuple(n for n in poly.points if n in degrees)
+    spent = Counter(n for tree, _ in given for n in leaves(tree))
+    letters = Letters(names, tuple(degrees[n] - spent[n] for n in names), poly.rank, tuple(given))
+    ideal = sum(n in degrees for n in poly.points[: poly.ideal])
+    restricted = poly.over(names, ideal)
+    apart = set(combinations(range(len(names)), 2)) - vanishing_pairs(restricted)
+    for seed in range(_SEEDS):
+        extensors = Extensors(letters, ideal=ideal, seed=seed, budget=budget, apart=apart)
+        at = [int(v) for v in values(restricted, extensors.positions, extensors.field.p)]
+        if all(at):
+            break
+    else:
+        raise LimitReached(f"the polynomial vanishes at {_SEEDS} random positions modulo {extensors.field.p}")
+    oracle = _Oracle(restricted)
+    found: dict[str, Written] = {}
+    for candidate in candidates(extensors, at):
+        w = _confirmed(candidate, extensors, oracle)
+        if w is not None:
+            found.setdefault(str(w), w)
+            if first:
+                break
+    if not found and _most(letters, ideal) >= extensors.field.p:
+        raise LimitReached(
+            "the constant between an expression and the polynomial might be a multiple of the prime "
+            f"{extensors.field.p} of the test, as points occur so often"
+        )
+    built = sum(map(len, extensors.levels.values()))
+    budget.held -= built
+    return sorted(found.values(), key=lambda w: w.key), built
+
+
+def _most(letters: Letters, ideal: int) -> int:
+    """No constant between an expression of these letters and a primitive polynomial is larger: it divides all
+    coefficients of the expression in the coordinates of the points, of which so many may be unit vectors as there are
+    coordinates.
+    """
+    fixed = 0 if ideal or letters.given else letters.rank
+    return prod(map(factorial, sorted(letters.degrees, reverse=True)[fixed:]))
+
+
+class _Oracle:
+    """Whether an expression is a multiple of the polynomial at two exact random positions modulo a prime."""
+
+    def __init__(self, poly: BracketPolynomial) -> None:
+        ideal = poly.points[: poly.ideal]
+        points = (random_points(poly.points, rank=poly.rank, ideal=ideal, seed=("factor", n)) for n in range(2))
+        self.poly = poly
+        self.at = [Evaluator(p, poly.rank, PRIME) for p in points]
+
+    @cached_property
+    def values(self) -> list[int]:
+        """Those of the polynomial; most searches come to no candidate that asks for them."""
+        e = self.poly.to_expr()
+        return [at.value(e)[0] for at in self.at]
+
+    def confirms(self, e: Expr) -> bool:
+        one, other = (at.value(e)[0] for at in self.at)
+        first, second = self.values
+        return bool(one) and (one * second - other * first) % PRIME == 0
+
+
+def _confirmed(candidate: Candidate, extensors: Extensors, oracle: _Oracle) -> Written | None:
+    letters = extensors.letters
+    for number, (a, b) in enumerate(candidate.trees(extensors)):
+        checkpoint()
+        w = simplest(a, b, rank=letters.rank, order=letters.names)
+        if oracle.confirms(w.expression):
+            return w
+        if number >= _FORMS:
+            raise LimitReached(f"more than {_FORMS:,} expressions agree at the positions of the test")
+    return None

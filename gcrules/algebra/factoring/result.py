@@ -1,0 +1,249 @@
+"""What a factorization is, as a frozen value that shows itself."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import chain, repeat
+from typing import Any
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.bracket import BracketPolynomial, Row
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.text import text
+from gcrules.rules.condition import ONE, Certificate
+
+__all__ = ["Factorization", "Family", "Form", "Part", "brackets_of"]
+
+MANY = 10
+"""Equal factors that a text for people shows as a power."""
+
+
+@dataclass(frozen=True)
+class Family:
+    """The expressions among which one was sought.
+
+    `size` counts the expressions tested, `extensors` the different extensors that they were made of (different: not
+    equal up to one constant at the positions of the test), `seconds` the time. The multilinear algorithm makes no
+    extensors; `size` then counts the meets of atomic extensors that were tried.
+    """
+
+    name: str
+    size: int = 0
+    extensors: int = 0
+    seconds: float = field(default=0.0, compare=False, repr=False)
+
+    def searched(self) -> str:
+        """What was tested, in words; the time is in `to_json` only, for it differs from run to run."""
+        if self.extensors:
+            return f"{self.size:,} expressions made of {self.extensors:,} extensors"
+        return f"{self.size:,} meets of atomic extensors" if self.size else "nothing; no search was needed"
+
+    def to_json(self) -> dict[str, Any]:
+        """Without the time, so that equal answers are equal texts."""
+        return {"name": self.name, "size": self.size, "extensors": self.extensors}
+
+
+@dataclass(frozen=True)
+class Form:
+    """cofactor · input = coefficient · Π factors · expression."""
+
+    coefficient: int | Fraction
+    factors: tuple[Expr, ...]
+    expression: Expr
+    cofactor: Expr = ONE
+
+    def product(self) -> Expr:
+        """The right side."""
+        return ex.mul(ex.Number(self.coefficient), *self.factors, self.expression)
+
+
+def brackets_of(rows: Iterable[Row], names: tuple[str, ...]) -> tuple[Expr, ...]:
+    """Brackets given by the places of their points, sorted; each is made once, however often it occurs."""
+    counted = sorted(Counter(rows).items())
+    made = ((ex.Bracket(tuple(ex.Point(names[i]) for i in row)), n) for row, n in counted)
+    return tuple(chain.from_iterable(repeat(bracket, n) for bracket, n in made))
+
+
+@dataclass(frozen=True)
+class Part:
+    """A factor that is no bracket, and how often it occurs; `expression` is a multiple of it, if one was found.
+
+    `irreducible` says whether it is known that it does not split further.
+    """
+
+    polynomial: BracketPolynomial
+    times: int
+    expression: Expr | None
+    irreducible: bool
+
+
+@dataclass(frozen=True)
+class Factorization:
+    """input = coefficient · Π factors · expression, or the certificate that the family holds no such expression.
+
+    The expression is a product where there are several irreducible factors that are no brackets. `points` is the
+    tableau order. Where there is none, `expression` is None and input = coefficient · Π factors · `remainder`; where
+    the remainder is a product, `parts` are its factors. `alternatives` are further expressions, each with its own
+    coefficient; `more` counts those that were found but not asked for. Where a cofactor was sought, `rational` holds
+    the expressions found with one (cofactor · input = coefficient · Π factors · expression), `excluded` says in words
+    which cofactors were tried in vain, and `undecided` which were left at a limit.
+    """
+
+    rank: int
+    points: tuple[str, ...]
+    coefficient: int | Fraction
+    factors: tuple[Expr, ...]
+    expression: Expr | None
+    family: Family
+    certificate: Certificate
+    alternatives: tuple[Form, ...] = ()
+    more: int = 0
+    remainder: BracketPolynomial | None = None
+    rational: tuple[Form, ...] = ()
+    excluded: tuple[str, ...] = ()
+    undecided: tuple[str, ...] = ()
+    parts: tuple[Part, ...] = ()
+
+    @property
+    def found(self) -> bool:
+        """Whether there is an expression."""
+        return self.expression is not None
+
+    @property
+    def proved(self) -> bool:
+        """Whether the answer is certain; else an expression was found that was tested at random points only."""
+        return self.certificate.method != "random-points"
+
+    def to_expr(self) -> Expr | None:
+        """coefficient · Π factors · expression, equal to the input; None if no expression exists in the family."""
+        if self.expression is None:
+            return None
+        return Form(self.coefficient, self.factors, self.expression).product()
+
+    def to_json(self) -> dict[str, Any]:
+        """`{coefficient, factors, expression, alternatives, more, family, certificate}`, text of the language.
+
+        Where no expression exists `remainder` is the polynomial that has none, and `parts` are its factors where there
+        are several. `rational`, `excluded` and `undecided` are there if a cofactor was sought.
+        """
+        found: dict[str, Any] = {
+            "coefficient": _number(self.coefficient),
+            "factors": [self._text(f) for f in self.factors],
+            "expression": None if self.expression is None else self._text(self.expression),
+            "alternatives": [self._form(form) for form in self.alternatives],
+            "more": self.more,
+            "family": self.family.to_json(),
+            "certificate": self.certificate.to_json(),
+        }
+        if self.remainder is not None:
+            found["remainder"] = str(self.remainder)
+        if self.parts:
+            found["parts"] = [
+                {
+                    "polynomial": str(part.polynomial),
+                    "times": part.times,
+                    "expression": None if part.expression is None else self._text(part.expression),
+                    "irreducible": part.irreducible,
+                }
+                for part in self.parts
+            ]
+        if self.rational or self.excluded or self.undecided:
+            found["rational"] = [{"cofactor": self._text(f.cofactor), **self._form(f)} for f in self.rational]
+            found["excluded"] = list(self.excluded)
+            found["undecided"] = list(self.undecided)
+        return found
+
+    def text(self, *, unicode: bool = False) -> str:
+        """The factorization, or that there is none, with the family and the certificate."""
+        lines = [
+            self._headline(unicode),
+            f"  family       {self.family.name}",
+            f"  searched     {self.family.searched()}",
+            f"  certificate  {self.certificate.method}: {self.certificate.detail}",
+        ]
+        lines += [f"  factor       {self._shown(part, unicode)}" for part in self.parts]
+        for form in self.alternatives:
+            lines.append(f"  also         {self._text(short(form.product()), unicode)}")
+        if self.more:
+            lines.append(f"  also         {self.more} other expression{'s' * (self.more != 1)} (shown with --all)")
+        times = " · " if unicode else " * "
+        for form in self.rational:
+            left, right = self._text(form.cofactor, unicode), self._text(short(form.product()), unicode)
+            lines.append(f"  cofactor     {left}{times}input = {right}")
+        if (self.excluded or self.undecided) and not self.rational:
+            lines.append("  cofactor     none found")
+        lines += [f"  excluded     {e}" for e in self.excluded]
+        lines += [f"  undecided    {e}" for e in self.undecided]
+        return "\n".join(lines)
+
+    def latex(self) -> str:
+        """The factorization as LaTeX without dollar signs; what is left stands as a bracket polynomial. Where cofactors
+        were found, the identities with them.
+        """
+        from gcrules.views.formulas.latex import latex  # needed for LaTeX only
+
+        if not self.rational:
+            return latex(self._whole())
+        rows = [f"{latex(ex.mul(f.cofactor, self._whole()))} = {latex(f.product())}" for f in self.rational]
+        return " \\\\\n".join(rows)
+
+    def _whole(self) -> Expr:
+        if self.expression is not None:
+            return Form(self.coefficient, self.factors, self.expression).product()
+        assert self.remainder is not None
+        if self.parts:
+            left = (p.polynomial.to_expr() for p in self.parts for _ in range(p.times))
+            return Form(self.coefficient, self.factors, ex.mul(*left)).product()
+        return Form(self.coefficient, self.factors, self.remainder.to_expr()).product()
+
+    def _headline(self, unicode: bool) -> str:
+        if self.expression is not None:
+            return self._text(short(self._whole()), unicode)
+        equal = Counter(self.factors).items()
+        left = " · ".join(self._text(f if n < MANY else ex.Power(f, n), unicode) for f, n in equal)
+        return "none exists in the family" + (f" for what is left after the brackets {left}" if left else "")
+
+    def _shown(self, part: Part, unicode: bool) -> str:
+        """A factor as its expression, or else as its polynomial, with what is known of it."""
+        if part.expression is None:
+            shown = f"{part.polynomial.text(unicode=unicode)}: no expression"
+        else:
+            shown = self._text(part.expression, unicode)
+        known = "" if part.irreducible else ", not known to be irreducible"
+        return shown + known + (f", {part.times} times" if part.times > 1 else "")
+
+    def _form(self, form: Form) -> dict[str, Any]:
+        return {
+            "coefficient": _number(form.coefficient),
+            "factors": [self._text(f) for f in form.factors],
+            "expression": self._text(form.expression),
+        }
+
+    def _text(self, e: Expr, unicode: bool = False) -> str:
+        return text(e, unicode=unicode, names=self.points)
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+
+def short(e: Expr) -> Expr:
+    """A product with the factors that occur many times as powers, in the order of their first occurrence."""
+    if not isinstance(e, ex.Product):
+        return e
+    equal = Counter(e.factors)
+    if max(equal.values()) < MANY:
+        return e
+    factors: list[Expr] = []
+    for f, n in equal.items():
+        factors += [f] * n if n < MANY else [ex.Power(f, n)]
+    return factors[0] if len(factors) == 1 else ex.Product(tuple(factors))
+
+
+def _number(value: int | Fraction) -> int | str:
+    return int(value) if value.denominator == 1 else str(value)

@@ -1,0 +1,232 @@
+r"""Scripts: the statements of a `.gca` file, and assumptions as the command line takes them.
+
+>>> script = parse_script("given collinear(a, b, c)   claim [abcd] == 0")
+>>> [str(a) for a in script.context.given], script.statements[0].label
+(['collinear(a, b, c)'], '[abcd] == 0')
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.assumption_text import read_assumption
+from gcrules.algebra.language.rule_text import Case, RuleText, instances
+from gcrules.algebra.language.syntax import Builder, Context, Node, read, span_of, whole
+from gcrules.algebra.space import NAME, NAMES_HINT, Place, shortened
+from gcrules.core.errors import GcrulesError, InputError
+
+__all__ = [
+    "Claim",
+    "Rewrite",
+    "Script",
+    "Show",
+    "Statement",
+    "parse_assumption",
+    "parse_script",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """`claim LHS == RHS` of a script, with its line and the context it was made in."""
+
+    left: Expr
+    right: Expr
+    label: str
+    line: int
+    context: Context
+
+
+@dataclass(frozen=True, slots=True)
+class Show:
+    """`show EXPR` of a script."""
+
+    expr: Expr
+    label: str
+    line: int
+    context: Context
+
+
+@dataclass(frozen=True, slots=True)
+class Rewrite:
+    """`rewrite EXPR` of a script: by the rules that stand before it."""
+
+    expr: Expr
+    label: str
+    line: int
+    context: Context
+
+
+Statement = Claim | Show | Rewrite | RuleText
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """The statements of a file that ask for an answer, and the context at its end; `source` is the text itself."""
+
+    statements: tuple[Statement, ...]
+    context: Context
+    source: str = ""
+    filename: str = "<input>"
+
+    @property
+    def rules(self) -> tuple[RuleText, ...]:
+        return tuple(s for s in self.statements if isinstance(s, RuleText))
+
+
+def parse_script(text: str, filename: str = "<input>", context: Context | None = None) -> Script:
+    """Read the statements of a `.gca` file: rank, points, ideal, given, let, claim, show, rule, rewrite.
+
+    `context` is what came before, for texts that are read piece by piece. Raises SyntaxFault, StepError and
+    InputError with line and column.
+    """
+    return read(text, "script", filename, lambda tree: _Reader(text, filename, context).script(tree))
+
+
+def parse_assumption(text: str, context: Context | None = None) -> Context:
+    """The context with more assumptions, as `given` takes them: "collinear(a, b, c), [abcd] == 0", "ideal i j"."""
+    return read(text, "assumptions", "<input>", lambda tree: _Reader(text, "<input>", context).assumed(tree))
+
+
+class _Reader:
+    """Collects the statements; one method for each."""
+
+    def __init__(self, text: str, filename: str, context: Context | None) -> None:
+        self.text = text
+        self.filename = filename
+        self.ranked = False  # whether the file chooses a rank, in which all its rules stand
+        self.context = context or Context()
+        self.statements: list[Statement] = []
+        self.ids: dict[str, int] = {}
+
+    def script(self, tree: Node) -> Script:
+        for item in tree.children:
+            try:
+                getattr(self, f"_{item.data}")(item)
+            except GcrulesError as fault:
+                fault.span = fault.span or span_of(item)
+                raise
+        return Script(tuple(self.statements), self.context, self.text, self.filename)
+
+    def _line(self, item: Node) -> int:
+        return span_of(item).line_column(self.text)[0]
+
+    def _source(self, *trees: Node) -> str:
+        start, end = span_of(trees[0]).start, span_of(trees[-1]).end
+        return " ".join(self.text[start:end].split())
+
+    def _rank(self, item: Node) -> None:
+        if self.statements or self.context != Context() or self.ranked:
+            raise InputError("`rank` must come before every other statement")
+        self.context = replace(self.context, rank=whole(item.children[0], "a rank"))
+        self.ranked = True
+
+    def _points(self, item: Node) -> None:
+        """Every word is one name."""
+        self.context = replace(self.context, points=self._declared(self.context.points, item.children[0].children))
+
+    def _ideal(self, item: Node) -> None:
+        self.context = replace(self.context, ideal=self._declared(self.context.ideal, item.children[0].children))
+
+    def _declared(self, known: tuple[str, ...], tokens: Iterable[Node]) -> tuple[str, ...]:
+        names = []
+        for token in tokens:
+            name = str(token)
+            if name in self.context.bound:
+                raise InputError(f"{shortened(name)} is already bound by `let`", span=span_of(token))
+            if not NAME.fullmatch(name):
+                raise InputError(f"{shortened(name)!r} cannot name a point", span=span_of(token), hint=NAMES_HINT)
+            names.append(name)
+        return tuple(dict.fromkeys((*known, *names)))
+
+    def _let(self, item: Node) -> None:
+        token, body = item.children
+        name, at = str(token), self.context
+        if name in at.declared():
+            raise InputError(f"{shortened(name)} is already declared", span=span_of(token), hint="choose another name")
+        if not NAME.fullmatch(name):
+            raise InputError(f"{shortened(name)!r} cannot be bound", span=span_of(token), hint=NAMES_HINT)
+        self.context = replace(at, bound={**at.bound, name: Builder(at).value(body)})
+
+    def _claim(self, item: Node) -> None:
+        label, equation = item.children
+        left, right = Builder(self.context).equation(equation)
+        shown = str(label or "").strip('"') or self._source(equation)
+        self.statements.append(Claim(left, right, shown, self._line(item), self.context))
+
+    def _show(self, item: Node) -> None:
+        (body,) = item.children
+        shown = Builder(self.context).value(body)
+        self.statements.append(Show(shown, self._source(body), self._line(item), self.context))
+
+    def _rewrite(self, item: Node) -> None:
+        (body,) = item.children
+        e = Builder(self.context).value(body)
+        self.statements.append(Rewrite(e, self._source(body), self._line(item), self.context))
+
+    # --- assumptions ---
+
+    def _given(self, item: Node) -> None:
+        self.assumed(item)
+
+    def assumed(self, tree: Node) -> Context:
+        for part in tree.children:
+            try:
+                self.assume(part)
+            except GcrulesError as fault:
+                fault.span = fault.span or span_of(part)
+                raise
+        return self.context
+
+    def assume(self, tree: Node) -> Context:
+        if tree.data == "at_infinity":
+            self._check_points(tree)
+            self.context = replace(self.context, ideal=self._declared(self.context.ideal, tree.children))
+        else:
+            place = Place(span_of(tree), self.text, self.filename)
+            found = read_assumption(tree, Builder(self.context), self._source(tree), place)
+            self.context = replace(self.context, given=(*self.context.given, found))
+        return self.context
+
+    def _check_points(self, tree: Node) -> None:
+        builder = Builder(self.context)
+        for token in tree.children:
+            if len(builder.split(token)) > 1:
+                hint = f"write them apart: {' '.join(n for n, _ in builder.split(token))}"
+                raise InputError(f"{shortened(token)} is several points", span=span_of(token), hint=hint)
+
+    # --- rules ---
+
+    def _case(self, tree: Node) -> Case:
+        return Case(Builder(self.context).value(tree), self._source(tree), span_of(tree))
+
+    def _rule(self, item: Node) -> None:
+        token, sentence, left, right, *rest = item.children
+        name, at = str(token), self.context
+        if name in self.ids:
+            fault = f"the rule {name} stands in line {self.ids[name]} already"
+            raise InputError(fault, span=span_of(token), hint="choose another id")
+        self.ids[name] = self._line(item)
+        parts: dict[str, list[Node]] = {"guards": [], "source": [], "fires": [], "silent": []}
+        for tree in filter(None, rest):
+            parts[tree.data] += tree.children
+        if len(parts["source"]) > 1:
+            raise InputError("a rule has one source", span=span_of(parts["source"][1]))
+        any_rank = not self.ranked and at.rank == Context().rank
+        text = self._source(left, *(parts["guards"] or [right]))
+        self.statements.append(
+            RuleText(
+                id=name,
+                sentence=str(sentence or "").strip('"') or text,
+                source=str(parts["source"][0]).strip('"') if parts["source"] else "derived here",
+                text=text,
+                instances=tuple(instances(at, any_rank, left, right, parts["guards"], self._source)),
+                fires=tuple(map(self._case, parts["fires"])),
+                silent=tuple(map(self._case, parts["silent"])),
+                span=span_of(item),
+                line=self._line(item),
+                context=at,
+            )
+        )

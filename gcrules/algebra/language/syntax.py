@@ -1,0 +1,393 @@
+r"""From text to expressions; every fault carries its place.
+
+>>> parse(r"(ab /\ cde) f").step
+2
+>>> parse("[.a d e f][.b g h i]") == parse("[ȧdef][ḃghi]")
+True
+>>> parse("[abc]")
+Traceback (most recent call last):
+gcrules.core.errors.StepError: <input>:1:1: a bracket of 3 points, expected 4 in rank 4
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.syntax_faults import call_hint, syntax_fault
+from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.space import Space, shortened
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import GcrulesError, Span, StepError, SyntaxFault
+from gcrules.core.frozen import FrozenMap
+
+if TYPE_CHECKING:
+    from lark import Lark
+
+_T = TypeVar("_T")
+Node = Any  # a lark Tree or Token; lark loads when text is read
+
+__all__ = ["Builder", "Context", "parse", "parse_equation", "read", "run_name", "span_of", "whole"]
+
+MAX_TEXT = 100_000
+MAX_NESTING = 100
+MAX_DEPTH = 100
+MAX_NODES = 50_000
+MAX_DIGITS = 2_000
+MAX_WORD = 1_000
+
+_EXPRESSIONS = ("expression", "equation")
+
+
+@dataclass(frozen=True, slots=True)
+class Context(Space):
+    """What names mean: a space, and the names bound by `let`."""
+
+    bound: Mapping[str, Expr] = FrozenMap()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "bound", FrozenMap(self.bound))
+        Space.__post_init__(self)
+
+    def declared(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys((*self.points, *self.ideal, *self.bound)))
+
+
+def parse(text: str, *, rank: int = 4, points: Iterable[str] = (), context: Context | None = None) -> Expr:
+    """Read one expression.
+
+    `points` declares names of several letters (and the tableau order). Raises SyntaxFault or StepError
+    with line, column and caret.
+    """
+    context = context or Context(rank, tuple(points))
+    return read(text, "expression", "<input>", lambda tree: Builder(context).value(tree.children[0]))
+
+
+def parse_equation(
+    text: str, *, rank: int = 4, points: Iterable[str] = (), context: Context | None = None
+) -> tuple[Expr, Expr]:
+    """Read `LHS == RHS`."""
+    context = context or Context(rank, tuple(points))
+    return read(text, "equation", "<input>", lambda tree: Builder(context).equation(tree))
+
+
+def read(text: str, start: str, filename: str, build: Callable[[Node], _T]) -> _T:
+    """What `build` makes of the parse tree of a text; faults are given the text's name and place."""
+    try:
+        _check_size(text)
+        return build(_tree(text, start))
+    except GcrulesError as fault:
+        if isinstance(fault, (SyntaxFault, StepError)) and fault.span is not None and fault.source in (None, text):
+            fault.hint = call_hint(text, fault.span.start, relations=start not in _EXPRESSIONS) or fault.hint
+        raise fault.located(text, filename) from None
+
+
+@cache
+def _grammar(scripts: bool) -> Lark:
+    """Two parsers, so that the words of statements (`if`, `show`, …) stay points side by side in lone expressions."""
+    from lark import Lark
+
+    source = files("gcrules").joinpath("grammar.lark").read_text(encoding="utf-8")
+    return Lark(
+        source,
+        parser="lalr",
+        start=[*(("script", "assumptions") if scripts else _EXPRESSIONS)],
+        propagate_positions=True,
+        maybe_placeholders=True,
+        lexer_callbacks=dict.fromkeys(_FREQUENT, _token),
+    )
+
+
+_FREQUENT = ("WORD", "NUMBER", "LPAR", "LSQB")  # no long text is without one of these
+
+
+def _token(token: Node) -> Node:
+    checkpoint()
+    return token
+
+
+def _check_size(text: str) -> None:
+    if len(text) > MAX_TEXT:
+        raise SyntaxFault(f"the input has {len(text):,} characters; the limit is {MAX_TEXT:,}")
+    depth = 0
+    for match in re.finditer(r'#[^\n]*|"[^"\n]*"|[(\[]|[)\]]', text):
+        depth += {"(": 1, "[": 1, ")": -1, "]": -1}.get(match[0], 0)
+        if depth > MAX_NESTING:
+            raise SyntaxFault(
+                f"nested more than {MAX_NESTING} deep",
+                span=Span(*match.span()),
+                hint="name a part with `let` in a file",
+            )
+
+
+def _tree(text: str, start: str) -> Node:
+    from lark.exceptions import UnexpectedInput
+
+    grammar = _grammar(start not in _EXPRESSIONS)
+    try:
+        return grammar.parse(text, start=start)
+    except UnexpectedInput as found:
+        raise syntax_fault(found, text, {t.name: t.pattern.value for t in grammar.terminals}) from None
+
+
+# --- from the tree to values ---------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _DottedRun:
+    """Points written side by side, at least one of them dotted; has a meaning only directly inside a bracket."""
+
+    points: tuple[tuple[str, bool], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _DottedBracket:
+    points: tuple[tuple[str, bool], ...]
+
+
+_Value = Expr | _DottedRun | _DottedBracket
+
+
+class Builder:
+    """Turns a parse tree into an expression: one short method for each rule of the grammar.
+
+    `runs` gives the points that a run (`R...`) stands for; outside rules there are none.
+    """
+
+    def __init__(self, context: Context, runs: Mapping[str, tuple[str, ...]] | None = None) -> None:
+        self.context = context
+        self.runs = runs
+        self.rank = context.rank
+        self.level = 0
+        self.parts = 0  # size of the names bound by `let` that were written out
+        self.sizes: dict[str, tuple[int, int]] = {}
+        self.long_names = sorted(
+            (n for n in context.declared() if not SHORT_NAME.fullmatch(n)), key=lambda n: (-len(n), n)
+        )
+
+    def value(self, tree: Node) -> Expr:
+        """The expression of a subtree; dots that are not inside a bracket of points are faults here."""
+        return self._plain(self.any(tree), tree)
+
+    def _plain(self, found: _Value, tree: Node) -> Expr:
+        if isinstance(found, _DottedBracket):
+            return ex.dotted(found.points, rank=self.rank)
+        if isinstance(found, _DottedRun):
+            raise SyntaxFault(
+                "a dot outside a bracket", span=span_of(tree), hint="dots mark points of brackets: [.a b c d]"
+            )
+        return found
+
+    def any(self, tree: Node) -> _Value:
+        self.level += 1
+        checkpoint()
+        try:
+            if self.level > MAX_DEPTH:
+                raise SyntaxFault(f"more than {MAX_DEPTH} operations inside each other")
+            found: _Value = getattr(self, tree.data)(tree)
+            return found
+        except GcrulesError as fault:
+            fault.span = fault.span or span_of(tree)
+            raise
+        finally:
+            self.level -= 1
+
+    def equation(self, tree: Node) -> tuple[Expr, Expr]:
+        left, right = map(self.value, tree.children)
+        if left.step != right.step and ex.ZERO not in (left, right):
+            names = (ex.step_name(left.step, self.rank), ex.step_name(right.step, self.rank))
+            raise StepError(f"{names[0]} cannot equal {names[1]}", span=span_of(tree))
+        return left, right
+
+    def sum(self, tree: Node) -> Expr:
+        first, *rest = tree.children
+        terms = [self.value(first)]
+        for sign, term in zip(rest[::2], rest[1::2], strict=True):
+            terms.append(ex.neg(self.value(term)) if sign.type == "MINUS" else self.value(term))
+            if terms[-1].step != terms[0].step and ex.ZERO not in (terms[-1], terms[0]):
+                names = (ex.step_name(terms[-1].step, self.rank), ex.step_name(terms[0].step, self.rank))
+                raise StepError(
+                    f"cannot add {names[0]} to {names[1]}",
+                    span=span_of(term),
+                    hint="terms of a sum must have equal steps",
+                )
+        return ex.add(*terms, rank=self.rank)
+
+    def signed(self, tree: Node) -> Expr:
+        *signs, operand = tree.children
+        negative = sum(s.type == "MINUS" for s in signs) % 2
+        return ex.neg(self.value(operand)) if negative else self.value(operand)
+
+    def product(self, tree: Node) -> Expr:
+        return ex.mul(*map(self.value, tree.children))
+
+    def meet(self, tree: Node) -> Expr:
+        return ex.meet(*map(self.value, tree.children), rank=self.rank)
+
+    def join(self, tree: Node) -> Expr:
+        parts: list[Expr] = []
+        for part in tree.children:
+            parts.append(self.value(part))
+            if sum(p.step for p in parts[-self.rank - 1 :]) > self.rank:
+                break  # a fault, whatever follows
+        return ex.join(*parts, rank=self.rank)
+
+    def juxtaposition(self, tree: Node) -> _Value:
+        trees = self._present(tree.children)
+        parts = [self.any(t) for t in trees]
+        if any(isinstance(p, _DottedRun) for p in parts):
+            return _DottedRun(tuple(entry for p, t in zip(parts, trees, strict=True) for entry in self._entries(p, t)))
+        dotted = [p.points for p in parts if isinstance(p, _DottedBracket)]
+        plain = [p for p in parts if isinstance(p, Expr)]
+        return ex.join(*plain, *([ex.dotted(*dotted, rank=self.rank)] if dotted else []), rank=self.rank)
+
+    def _entries(self, part: _Value, tree: Node) -> tuple[tuple[str, bool], ...]:
+        match part:
+            case _DottedRun(points=points):
+                return points
+            case ex.Point(name=name):
+                return ((name, False),)
+            case ex.Join(args=args) if all(isinstance(a, ex.Point) for a in args):
+                return tuple((str(a), False) for a in args)
+        raise SyntaxFault("a dotted bracket can only hold points", span=span_of(tree))
+
+    def power(self, tree: Node) -> Expr:
+        base, exponent = tree.children
+        n = whole(exponent, "an exponent")
+        if n > ex.MAX_EXPONENT:
+            raise SyntaxFault(f"an exponent above the limit {ex.MAX_EXPONENT}", span=span_of(exponent))
+        return ex.power(self.value(base), n, rank=self.rank)
+
+    def word(self, tree: Node) -> _Value:
+        entries = self.split(tree.children[0])
+        if any(d for _, d in entries):
+            return _DottedRun(tuple(entries))
+        return ex.join(*(self._named(n) for n, _ in entries), rank=self.rank)
+
+    def dotted_word(self, tree: Node) -> _DottedRun:
+        (first, _), *rest = self.split(tree.children[0])
+        return _DottedRun(((first, True), *rest))
+
+    def run(self, tree: Node) -> _Value:
+        if self.runs is None:
+            raise SyntaxFault("a run of points stands in rules only", span=span_of(tree), hint="write the points")
+        points = self.runs[run_name(tree)]
+        if not points:
+            raise SyntaxFault("this run is empty here, and can only stand beside other points", span=span_of(tree))
+        return ex.join(*map(ex.Point, points), rank=self.rank)
+
+    def _present(self, trees: list[Node]) -> list[Node]:
+        """Without runs that are empty in this rank."""
+        return [t for t in trees if t.data != "run" or not self.runs or self.runs[run_name(t)]]
+
+    def number(self, tree: Node) -> Expr:
+        token = tree.children[0]
+        try:
+            return ex.Number(Fraction(_digits(token)))
+        except ZeroDivisionError:
+            raise SyntaxFault("division by zero", span=span_of(token)) from None
+
+    def bracket(self, tree: Node) -> _Value:
+        first = tree.children[0]
+        if len(tree.children) == 1 and first.data == "bracket" and span_of(first).start == span_of(tree).start + 1:
+            return ex.superbracket(*map(self.value, first.children), rank=self.rank)
+        sizes = [self._size(t) for t in tree.children]
+        if None not in sizes and sum(n or 0 for n in sizes) > self.rank:
+            ex.bracket(*[ex.Point("a")] * sum(n or 0 for n in sizes), rank=self.rank)  # raises, naming the bracket
+        trees = self._present(tree.children)
+        parts = [self.any(t) for t in trees]
+        if any(isinstance(p, _DottedRun) for p in parts):
+            entries = [e for p, t in zip(parts, trees, strict=True) for e in self._entries(p, t)]
+            if len(entries) != self.rank:
+                raise StepError(f"a bracket of {len(entries)} points, expected {self.rank} in rank {self.rank}")
+            return _DottedBracket(tuple(entries))
+        return ex.bracket(*map(self._plain, parts, trees), rank=self.rank)
+
+    def _size(self, tree: Node) -> int | None:
+        """The number of points if there are only points side by side."""
+        words = tree.children if tree.data == "juxtaposition" else [tree]
+        if any(w.data != "word" for w in words):
+            return None
+        names = [n for w in words for n, _ in self.split(w.children[0])]
+        return None if any(n in self.context.bound for n in names) else len(names)
+
+    def _named(self, name: str) -> Expr:
+        bound = self.context.bound.get(name)
+        if bound is None:
+            return ex.Point(name)
+        if name not in self.sizes:
+            self.sizes[name] = _measure(bound)
+        size, depth = self.sizes[name]
+        self.parts += size
+        if self.parts > MAX_NODES:
+            raise SyntaxFault(f"names bound by `let` stand for more than {MAX_NODES:,} parts here")
+        if self.level + depth > MAX_DEPTH:
+            raise SyntaxFault(f"with {shortened(name)} written out this is more than {MAX_DEPTH} operations deep")
+        return bound
+
+    def split(self, token: Node) -> list[tuple[str, bool]]:
+        """Points of a word: a declared name, else declared long names and short names from left to right."""
+        if len(token) > MAX_WORD:
+            raise SyntaxFault(f"a word of {len(token):,} characters; the limit is {MAX_WORD:,}", span=span_of(token))
+        if str(token) in self.long_names:
+            return [(str(token), False)]
+        word = unicodedata.normalize("NFD", token)
+        entries, at = [], 0
+        while at < len(word):
+            name = next((n for n in self.long_names if word.startswith(n, at)), None)
+            match = SHORT_NAME.match(word, at)
+            if name is None and match is None:
+                hint = "points are a letter with digits or primes: a, S1, S_2, A'"
+                raise SyntaxFault(f"{shortened(token)!r} is not made of point names", span=span_of(token), hint=hint)
+            name = name or (match[0] if match else "")
+            at += len(name)
+            dotted = word[at : at + 1] == "\u0307"
+            if dotted:
+                suffix = re.compile(r"(?:_?[0-9]+)?'*").match(word, at + 1)
+                name += suffix[0] if suffix else ""
+                at += 1 + (len(suffix[0]) if suffix else 0)
+            entries.append((name, dotted))
+        return entries
+
+
+def span_of(item: Node) -> Span:
+    meta: Any = getattr(item, "meta", item)
+    return Span(meta.start_pos or 0, meta.end_pos or 0)
+
+
+def _digits(token: Node) -> str:
+    if len(token) > MAX_DIGITS:
+        raise SyntaxFault(f"a number of {len(token):,} characters; the limit is {MAX_DIGITS:,}", span=span_of(token))
+    return str(token)
+
+
+def run_name(tree: Node) -> str:
+    """The name R of a run R..."""
+    return str(tree.children[0]).rstrip(".…")
+
+
+def whole(token: Node, what: str) -> int:
+    if "/" in token:
+        raise SyntaxFault(f"{what} must be a whole number", span=span_of(token))
+    return int(_digits(token))
+
+
+def _measure(e: Expr) -> tuple[int, int]:
+    """Number of parts (shared ones counted each time they occur) and depth of an expression."""
+    known: dict[int, tuple[int, int]] = {}
+
+    def walk(x: Expr) -> tuple[int, int]:
+        if id(x) not in known:
+            parts = [walk(c) for c in x.children]
+            known[id(x)] = (1 + sum(s for s, _ in parts), 1 + max((d for _, d in parts), default=0))
+        return known[id(x)]
+
+    return walk(e)

@@ -1,0 +1,84 @@
+"""What was found of the shortest form of a polynomial, as a frozen value that shows itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.rules.condition import Certificate
+
+__all__ = ["Shortening"]
+
+
+@dataclass(frozen=True)
+class Shortening:
+    """`polynomial` equals the input (proved by normal forms), and no bracket polynomial with fewer than `lower` terms
+    does; `bound` says why.
+
+    `given` is the number of terms of the input as it was expanded, `monomials` that of the bracket monomials of its
+    multidegree among which was searched (0 where the answer did not take it), `symmetries` the number of permutations
+    of the points known to take the input to plus or minus itself. `notes` say what stopped a search.
+    """
+
+    polynomial: BracketPolynomial
+    given: int
+    lower: int
+    bound: Certificate
+    certificate: Certificate
+    monomials: int = 0
+    symmetries: int = 1
+    notes: tuple[str, ...] = ()
+
+    @property
+    def terms(self) -> int:
+        """The number of terms of the polynomial."""
+        return len(self.polynomial)
+
+    @property
+    def minimal(self) -> bool:
+        """Whether it is proved that no bracket polynomial with fewer terms equals the input."""
+        return self.lower == self.terms
+
+    def to_json(self) -> dict[str, Any]:
+        """`{polynomial, terms, given, lower, minimal, monomials, symmetries, bound, certificate, notes}`."""
+        return {
+            "polynomial": str(self.polynomial),
+            "terms": self.terms,
+            "given": self.given,
+            "lower": self.lower,
+            "minimal": self.minimal,
+            "monomials": self.monomials,
+            "symmetries": self.symmetries,
+            "bound": self.bound.to_json(),
+            "certificate": self.certificate.to_json(),
+            "notes": list(self.notes),
+        }
+
+    def text(self, *, unicode: bool = False, short: bool = False) -> str:
+        """The polynomial (`short`: with powers), its number of terms, whether fewer are possible and why, and the
+        certificate."""
+        sure = "proved minimal" if self.minimal else f"best found; at least {self.lower} are needed"
+        lines = [
+            self.polynomial.text(unicode=unicode, short=short),
+            f"  terms        {self.terms} of {self.given}: {sure}",
+            f"  lower bound  {self.bound.method}: {self.bound.detail}",
+            f"  certificate  {self.certificate.method}: {self.certificate.detail}",
+        ]
+        if self.monomials:
+            lines.insert(2, f"  searched     {self._searched()}")
+        return "\n".join([*lines, *(f"  note         {note}" for note in self.notes)])
+
+    def _searched(self) -> str:
+        plural = "y" if self.symmetries == 1 else "ies"
+        return f"{self.monomials:,} bracket monomials, {self.symmetries:,} symmetr{plural}"
+
+    def latex(self) -> str:
+        """The LaTeX of the polynomial, without dollar signs."""
+        return self.polynomial.latex()
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return self.polynomial._repr_latex_()

@@ -1,0 +1,466 @@
+"""The public functions, which take text or expressions; `import gcrules` forwards to this module."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
+from gcrules.algebra.evaluate import evaluate as _evaluate
+from gcrules.algebra.expand import MAX_TERMS
+from gcrules.algebra.expand import expand as _expand
+from gcrules.algebra.expr import Expr, common_rank
+from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS
+from gcrules.algebra.factoring.result import Factorization
+from gcrules.algebra.language.legs_text import Structure, read_legs, read_order
+from gcrules.algebra.language.statements import parse_assumption
+from gcrules.algebra.language.syntax import Context, parse_equation
+from gcrules.algebra.language.syntax import parse as _parse
+from gcrules.algebra.language.text import Names, split_names
+from gcrules.algebra.prove import Proof
+from gcrules.algebra.prove import prove as _prove
+from gcrules.algebra.shortening.limits import MAX_MONOMIALS
+from gcrules.algebra.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
+from gcrules.algebra.shortening.result import Shortening
+from gcrules.algebra.space import Space
+from gcrules.algebra.straightening.straighten import straighten as _straighten
+from gcrules.algebra.superbrackets.shortest import SuperbracketForm, shortest_forms, superbracket_form
+from gcrules.api.signatures import public
+from gcrules.apps.notebook.view import view as _view
+from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.analysis import analyze as _analyze
+from gcrules.conditions.transversals import Transversals
+from gcrules.conditions.transversals import transversals as _transversals
+from gcrules.core import budget
+from gcrules.core.errors import GcrulesError, InputError, LimitReached, StepError, SyntaxFault
+from gcrules.core.seeds import repeated
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.description.platform_file import load_platform as _load_platform
+from gcrules.mechanisms.robot import Robot
+from gcrules.rules.condition import Condition
+from gcrules.rules.library import Library
+from gcrules.rules.plugins import Plugin
+from gcrules.rules.plugins import load_rules as _load_rules
+from gcrules.rules.rewriting import Rewriting
+from gcrules.rules.rewriting import rewrite as _rewrite
+from gcrules.rules.rule import RewriteRule
+from gcrules.rules.strategy import Strategy
+from gcrules.views.report.report import report as _report
+
+if TYPE_CHECKING:  # they load numpy
+    from gcrules.poses.compiling.compiled import CompiledCondition
+    from gcrules.poses.loci.report import Locus
+    from gcrules.poses.maps.report import SingularMap
+    from gcrules.poses.numbers.many import PoseNumbers
+    from gcrules.poses.numbers.report import PoseReport
+    from gcrules.poses.paths.report import PathReport
+
+__all__ = [
+    "Analysis",
+    "BracketPolynomial",
+    "Condition",
+    "Expr",
+    "ExtensorPolynomial",
+    "Factorization",
+    "GcrulesError",
+    "InputError",
+    "Library",
+    "LimitReached",
+    "Platform",
+    "Plugin",
+    "Proof",
+    "Rewriting",
+    "Robot",
+    "RobotAnalysis",
+    "Shortening",
+    "StepError",
+    "Strategy",
+    "Structure",
+    "SyntaxFault",
+    "Transversals",
+    "analyze",
+    "compiled",
+    "evaluate",
+    "expand",
+    "factor",
+    "load_platform",
+    "load_rules",
+    "locus",
+    "parse",
+    "path",
+    "pose",
+    "prove",
+    "report",
+    "rewrite",
+    "seeded",
+    "shorten",
+    "shortest",
+    "singular_map",
+    "straighten",
+    "superbracket",
+    "transversals",
+    "view",
+    "within",
+]
+
+analyze = public(_analyze)
+load_platform = public(_load_platform)
+load_rules = public(_load_rules)
+parse = public(_parse)
+report = public(_report)
+transversals = public(_transversals)
+view = public(_view)
+
+
+def _expression(e: str | Expr, rank: int | None, points: Names, ideal: Names) -> Expr:
+    context = Context(rank or 4, split_names(points), split_names(ideal))
+    return e if isinstance(e, Expr) else _parse(e, context=context)
+
+
+@public
+def expand(
+    e: str | Expr,
+    *,
+    rank: int | None = None,
+    points: Names = (),
+    ideal: Names = (),
+    limit: int = MAX_TERMS,
+) -> BracketPolynomial | ExtensorPolynomial:
+    """Expand an expression into brackets (step 0) or Σ (bracket polynomial) · extensor (any other step).
+
+    `rank` is that of the expression (4 for text that is read); `points` declares long names and the tableau order,
+    `ideal` the points at infinity, as sequences or as text ("left right"). Raises SyntaxFault or StepError for text
+    that does not make sense or another rank, LimitReached beyond `limit` terms.
+    """
+    expression = _expression(e, rank, points, ideal)
+    return _expand(expression, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit)
+
+
+@public
+def straighten(
+    e: str | Expr | BracketPolynomial | ExtensorPolynomial,
+    *,
+    rank: int | None = None,
+    points: Names = (),
+    ideal: Names = (),
+    limit: int = MAX_TERMS,
+) -> BracketPolynomial | ExtensorPolynomial:
+    """The normal form of standard tableaux; arguments and errors as for `expand`."""
+    if isinstance(e, (BracketPolynomial, ExtensorPolynomial)):
+        return _straighten(e, limit=limit)
+    expression = _expression(e, rank, points, ideal)
+    return _straighten(expression, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit)
+
+
+@public
+def factor(
+    e: str | Expr | BracketPolynomial | ExtensorPolynomial,
+    *,
+    rank: int | None = None,
+    points: Names = (),
+    ideal: Names = (),
+    all: bool = False,
+    cofactor: bool = False,
+    limit: int = MAX_EXTENSORS,
+    seconds: float = SECONDS,
+) -> Factorization:
+    """Decide whether a scalar is coefficient · Π brackets · ONE expression of joins and meets of its points.
+
+    The answer has `found`, `expression` (None where the family that it names holds none) and `certificate`. `all` asks
+    for every expression instead of the simplest, `cofactor` for an expression that equals a multiple of the scalar
+    where there is none. Raises InputError for zero and for what is not homogeneous in the points, LimitReached beyond
+    `limit` extensors or `seconds`.
+    """
+    from gcrules.algebra.factoring.factorize import factor as decided  # numpy, for this function only
+
+    given = e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, rank, points, ideal)
+    return decided(
+        given,
+        points=split_names(points),
+        ideal=split_names(ideal),
+        rank=rank,
+        limit=limit,
+        seconds=seconds,
+        every=all,
+        cofactor=cofactor,
+    )
+
+
+@public
+def shorten(
+    e: str | Expr | BracketPolynomial | ExtensorPolynomial,
+    *,
+    rank: int | None = None,
+    points: Names = (),
+    ideal: Names = (),
+    limit: int = MAX_MONOMIALS,
+    seconds: float = SECONDS_TO_SHORTEN,
+) -> Shortening:
+    """The bracket polynomial with the fewest terms that was found for a scalar, any rational coefficients allowed.
+
+    The answer has `polynomial` (equal to the scalar, proved by normal forms), `terms`, `lower` (no bracket polynomial
+    with fewer terms equals it; `bound` says why) and `minimal` (whether these agree). After `seconds` what was found is
+    the answer. Raises InputError for extensors, LimitReached where there are more than `limit` bracket monomials of the
+    multidegree.
+    """
+    from gcrules.algebra.shortening.shorten import shorten as shortened  # numpy, for this function only
+
+    given = e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, rank, points, ideal)
+    return shortened(
+        given, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit, seconds=seconds
+    )
+
+
+@public
+def prove(
+    claim: str | Expr,
+    right: str | Expr | None = None,
+    *,
+    rank: int | None = None,
+    points: Names = (),
+    ideal: Names = (),
+    given: str | Iterable[str] = (),
+    limit: int = MAX_TERMS,
+) -> Proof:
+    """Decide "LHS == RHS" (one text, or two expressions): proved, refuted with exact points, or undecided.
+
+    `given` holds assumptions, as one text or several: "collinear(a, b, c), incident(p, X)", coplanar, concurrent,
+    "LHS == RHS", "ideal i j". Only positions that satisfy them count, and `assumed` of the proof lists what else was
+    assumed not to vanish. Raises InputError for assumptions that are not resolved.
+    """
+    written_in = common_rank(rank, *(e for e in (claim, right) if isinstance(e, Expr)))
+    at = Context(written_in, split_names(points), split_names(ideal))
+    for written in [given] if isinstance(given, str) else given:
+        at = parse_assumption(written, at)
+    if right is None:
+        if isinstance(claim, Expr):
+            raise InputError("one expression is no claim", hint='gc.prove(left, right), or "LHS == RHS" as text')
+        sides = parse_equation(claim, context=at)
+    else:
+        left, other = (e if isinstance(e, Expr) else _parse(e, context=at) for e in (claim, right))
+        sides = left, other
+    return _prove(*sides, points=at.points, ideal=at.ideal, rank=written_in, given=at.given, limit=limit)
+
+
+@public
+def rewrite(
+    e: str | Expr,
+    rules: Iterable[str | RewriteRule],
+    *,
+    rank: int | None = None,
+    points: Names = (),
+    ideal: Names = (),
+) -> Rewriting:
+    """Apply rules, the first that fires each time, until all stay silent; every application is a step of the answer.
+
+    `rules` are names of rewriting rules (of the engine and of plugins), rules, or names of `.gca` files. Raises
+    InputError for a rule that is none or that is wrong, LimitReached where rewriting does not end.
+    """
+    expression = _expression(e, rank, points, ideal)
+    space = Space(common_rank(rank, expression), split_names(points), split_names(ideal))
+    return _rewrite(expression, _rewriting_rules(rules), space)
+
+
+def _rewriting_rules(rules: Iterable[str | RewriteRule]) -> list[RewriteRule]:
+    found: list[RewriteRule] = []
+    for rule in [rules] if isinstance(rules, str) else rules:
+        if isinstance(rule, RewriteRule):
+            found.append(rule)
+        elif rule.endswith(".gca"):
+            found += Plugin(files=(rule,)).identities()
+        else:
+            named = _load_rules()[rule]
+            if not isinstance(named, RewriteRule):
+                raise InputError(f"the rule {rule} recognises entities; it rewrites no expressions")
+            found.append(named)
+    return found
+
+
+@public
+def evaluate(e: str | Expr, points: dict[str, Any], *, rank: int | None = None, modulus: int | None = None) -> Any:
+    """The value of an expression at points given by homogeneous coordinates (exact numbers, or arrays of floats)."""
+    return _evaluate(_expression(e, rank, tuple(points), ()), points, modulus=modulus)
+
+
+@public
+def pose(
+    robot: Platform | Analysis | str | PathLike[str],
+    at: Any = None,
+    *,
+    quaternion: Any = None,
+    rotation_vector: Any = None,
+    euler: tuple[str, Any] | None = None,
+    degrees: bool = False,
+    about: str | Sequence[Any] = "origin",
+    threshold: str = "0.5 deg",
+    accuracy: str | float | None = None,
+    nearest: bool = True,
+) -> PoseReport | PoseNumbers:
+    """How close a robot is to a singularity at one pose (a `PoseReport`), or at N poses (`PoseNumbers`, arrays).
+
+    `robot` is a platform with coordinates, its analysis, or the name of its geometry file. `at` is text as for
+    `gcrules pose --at`, a translation of three numbers, or N of these: a list of texts or an array (N, 3). The turn
+    beside it is one of `quaternion` (w, x, y, z), `rotation_vector`, `euler` = ("zyx", angles), each one row or N rows;
+    angles are in radians unless `degrees`. The file's coordinates are the identity; the platform turns `about` the
+    file's origin, the "centroid" of the platform's joints, or a point. `threshold` is an angle or a length ("2 deg",
+    "5 mm"), `accuracy` a length up to which the joints' places are known. `nearest=False` leaves out the search for
+    singular poses, which takes a second or two. Raises InputError for what is no pose and for degenerate robots.
+    """
+    from gcrules.poses.pose_report import pose as posed  # numpy, for this function only
+
+    return posed(
+        robot,
+        at,
+        quaternion=quaternion,
+        rotation_vector=rotation_vector,
+        euler=euler,
+        degrees=degrees,
+        about=about,
+        threshold=threshold,
+        accuracy=accuracy,
+        nearest=nearest,
+    )
+
+
+@public
+def path(
+    robot: Platform | Analysis | str | PathLike[str],
+    poses: str | PathLike[str] | Sequence[Any],
+    *,
+    samples: int = 200,
+    about: str | Sequence[Any] = "origin",
+    threshold: str = "0.5 deg",
+) -> PathReport:
+    """Every singular pose on a path through given poses, proved complete, and numbers along it (a `PathReport`).
+
+    `robot` and `about` are those of `pose`. `poses` is the name of a table as for `gcrules path --poses`, or two poses
+    or more, each text as for `--at`, a translation of three numbers or a `Pose`. Between two of them the centre moves
+    on a straight line and the platform turns about one axis, the shorter way. `samples` is the number of places at
+    which values are given; singular poses are found between them, too. `threshold` is an angle. Raises InputError for
+    what is no path and for degenerate robots.
+    """
+    from gcrules.poses.path_report import path as along  # numpy, for this function only
+
+    return along(robot, poses, samples=samples, about=about, threshold=threshold)
+
+
+@public
+def locus(
+    robot: Platform | Analysis | str | PathLike[str],
+    over: str | Sequence[str] | None = None,
+    *,
+    fix: str | Mapping[str, Any] | None = None,
+    at: Any = None,
+    rotation: str = "quaternion",
+    about: str | Sequence[Any] = "origin",
+    limit: int = 300,
+) -> Locus:
+    """The polynomial whose zeros are the robot's singular poses, exact, with degrees and factors (a `Locus`).
+
+    `robot` and `about` are those of `pose`. The variables are x, y, z, the translation, and those of the `rotation`:
+    "quaternion" (e0, e1, e2, e3, of any length), "rodrigues" (c1, c2, c3 = e1/e0, e2/e0, e3/e0), or a sequence of Euler
+    angles such as "zyx" (t1, t2, t3, tangents of the half angles). `over` names those that stay free ("x, y", or
+    "translation", "rotation", "all"), `fix` gives values to others ("x=0, e1=1/2", or a mapping), and the rest is taken
+    from the pose `at`, text or a `Pose`; without `over` all that is not fixed is free. Polynomials of up to `limit`
+    terms are searched for factors where no proof decides. Raises InputError for unknown variables, where nothing is
+    free, and for degenerate robots.
+    """
+    from gcrules.poses.loci.locus import locus as computed  # numpy and sympy, for this function only
+
+    return computed(robot, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
+
+
+@public
+def compiled(
+    robot: Platform | Analysis | str | PathLike[str],
+    expression: str | Expr | None = None,
+    *,
+    about: str | Sequence[Any] = "origin",
+    engine: str | None = None,
+) -> CompiledCondition:
+    """A condition compiled for many poses (a `CompiledCondition`): call it with arrays, it gives an array of values.
+
+    `robot` is a platform with coordinates, its analysis, or the name of its geometry file; for the analysis of legs
+    without coordinates the joints themselves are the arguments. The value is the superbracket of the legs as typed, or
+    `expression`, any scalar of the robot's joints (a condition, a cofactor). Poses turn `about` the same centre as in
+    `pose`. `engine` is "numba" or "numpy", with equal values; numba where it is installed if it is not given. Raises
+    InputError for other expressions, for joints at infinity and for degenerate robots.
+    """
+    from gcrules.poses.compiling.compiled import compiled as made  # numpy, for this function only
+
+    return made(robot, expression, about=about, engine=engine)
+
+
+@public
+def singular_map(
+    robot: Platform | Analysis | str | PathLike[str],
+    over: Sequence[Any],
+    at: Any = None,
+    *,
+    about: str | Sequence[Any] = "origin",
+    limits: str | None = None,
+    threshold: str = "0.5 deg",
+    measure: str = "closeness",
+    work: str | PathLike[str] | None = None,
+    restart: bool = False,
+) -> SingularMap:
+    """The singular poses over two or three coordinates (a `SingularMap`): arrays, curves or a surface, and what is
+    proved free of them.
+
+    `robot`, `at` (one pose, for the other coordinates) and `about` are those of `pose`. `over` lists coordinates with
+    start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"]. `limits` is text such as
+    "leg lengths 1..3"; `threshold` is an angle. `measure` is "closeness", or "value" for the superbracket alone, which
+    is quick. `work` names a folder for the chunks of a large map: a run that was interrupted goes on from there, unless
+    `restart` throws them away; `.store.close()` removes it. Raises InputError for what makes no sense and for
+    degenerate robots, LimitReached for maps that are too large.
+    """
+    from gcrules.poses.maps.maps import singular_map as made  # numpy, for this function only
+
+    return made(
+        robot,
+        over,
+        at,
+        about=about,
+        limits=limits,
+        threshold=threshold,
+        measure=measure,
+        work=work,
+        restart=restart,
+    )
+
+
+@public
+def superbracket(
+    legs: str | Iterable[str | Sequence[str]],
+    *,
+    order: str | Sequence[int | str] | None = None,
+    form: int = 24,
+    points: Names = (),
+    ideal: Names = (),
+) -> SuperbracketForm:
+    """The superbracket of six legs as a bracket polynomial, in the 24-term or 16-term form."""
+    structure = read_legs(legs, points=points, ideal=ideal)
+    chosen = range(6) if order is None else read_order(order, structure)
+    return superbracket_form(structure.legs, chosen, form, points=structure.points, ideal=structure.ideal)
+
+
+@public
+def shortest(legs: str | Iterable[str | Sequence[str]], *, points: Names = (), ideal: Names = ()) -> SuperbracketForm:
+    """The shortest superbracket over all 720 orders and both forms."""
+    structure = read_legs(legs, points=points, ideal=ideal)
+    return shortest_forms(structure.legs, points=structure.points, ideal=structure.ideal)[0]
+
+
+@public
+def seeded(seed: int) -> AbstractContextManager[None]:
+    """Inside `with gcrules.seeded(7):` exact random checks take the same points in every run, and answers say so.
+
+    Without it nobody can foresee the points, which is what makes an answer that rests on them sure.
+    """
+    return repeated(seed)
+
+
+within = public(budget.within)

@@ -1,0 +1,84 @@
+"""The command line: `gcrules COMMAND …`; one module for each family of commands, loaded when it is used."""
+
+from __future__ import annotations
+
+import traceback
+
+import click
+
+from gcrules import __version__
+from gcrules.apps.cli.base import LazyGroup, colour_choice
+from gcrules.apps.main import main
+from gcrules.core import interrupts
+
+__all__ = ["answered", "cli", "main"]
+
+INTERNAL_FAULT = 70
+
+COMMANDS = {
+    "analyze": ("gcrules.apps.cli.legs:analyze", "Tell when and why a robot with six legs is singular."),
+    "pose": ("gcrules.apps.cli.pose:pose", "Tell how close a robot is to a singularity in a pose."),
+    "path": ("gcrules.apps.cli.path:path", "Find every singular pose on a path of a robot."),
+    "locus": ("gcrules.apps.cli.locus:locus", "Compute the polynomial whose zeros are a robot's singular poses."),
+    "map": ("gcrules.apps.cli.map:map_", "Map the singular poses over two or three coordinates."),
+    "report": ("gcrules.apps.cli.legs:report", "Write the analysis as a self-contained HTML page."),
+    "studio": ("gcrules.apps.cli.studio:studio", "Open a page that leads through an analysis, in the browser."),
+    "prove": ("gcrules.apps.cli.algebra:prove", 'Decide an identity "LHS == RHS".'),
+    "expand": ("gcrules.apps.cli.algebra:expand", "Expand an expression into brackets."),
+    "straighten": (
+        "gcrules.apps.cli.algebra:straighten",
+        "Bring an expression into its normal form of standard tableaux.",
+    ),
+    "factor": ("gcrules.apps.cli.factor:factor", "Decide whether a scalar is one expression of joins and meets."),
+    "transversals": (
+        "gcrules.apps.cli.transversals:transversals",
+        "Compare the turns about two lines that meet four legs.",
+    ),
+    "shorten": ("gcrules.apps.cli.shorten:shorten", "Find the shortest bracket polynomial that equals a scalar."),
+    "run": ("gcrules.apps.cli.algebra:run", "Run a script of statements and report every claim."),
+    "rewrite": ("gcrules.apps.cli.algebra:rewrite", "Rewrite an expression by rules, step by step."),
+    "repl": ("gcrules.apps.cli.repl:repl", "Type expressions and statements, and get an answer to each."),
+    "rules": ("gcrules.apps.cli.rules:rules", "List, show and check rules."),
+    "robot": ("gcrules.apps.cli.robot:robot", "List, show, check or analyse robots described by their joints."),
+    "catalog": ("gcrules.apps.cli.catalog:catalog", "List, show, check or enumerate the classes of platforms."),
+    "completion": ("gcrules.apps.cli.completion:completion", "Print the script that completes commands in a shell."),
+}
+
+
+@click.group(
+    cls=LazyGroup,
+    table=COMMANDS,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    epilog="Exit codes: 0 done or proved, 1 a definite no, 2 the input is at fault, 3 not decided within a limit;"
+    " 130 interrupted, 143 terminated. Output files are written with code 0 or 1 only.",
+)
+@click.version_option(__version__, message="gcrules %(version)s")
+@click.pass_context
+def cli(ctx: click.Context) -> None:
+    """Tells when, and why, a parallel robot is singular.
+
+    \b
+    gcrules analyze "ab af cb cd ed ef"
+    gcrules prove "ab /\\ cd == [abcd]"
+    """
+    ctx.color = colour_choice()
+
+
+def answered() -> int:
+    """The exit code of the command line, whose answer is printed. A fault of gcrules itself shows its traceback and has
+    code 70, unlike any answer.
+    """
+    try:
+        return int(cli.main(prog_name="gcrules", standalone_mode=False) or 0)
+    except click.ClickException as fault:
+        fault.show()
+        return fault.exit_code
+    except KeyboardInterrupt:
+        raise
+    except BaseException as fault:
+        if interrupts.pending() is None:
+            traceback.print_exception(fault)
+            click.echo(
+                "This is a fault of gcrules, not of your input; please report it with the lines above.", err=True
+            )
+        return INTERNAL_FAULT

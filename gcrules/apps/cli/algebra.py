@@ -1,0 +1,252 @@
+"""The commands of the algebra: prove, expand, straighten, run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from textwrap import indent
+from typing import Any
+
+import click
+
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
+from gcrules.algebra.expand import MAX_TERMS
+from gcrules.algebra.expand import expand as expanded
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.statements import Script, parse_script
+from gcrules.algebra.language.syntax import parse, parse_equation
+from gcrules.algebra.prove import prove as decide
+from gcrules.algebra.straightening.straighten import Straightening, straighten_steps
+from gcrules.algebra.straightening.straighten import straighten as straightened
+from gcrules.apps.cli.base import (
+    ExpressionCommand,
+    Output,
+    Space,
+    given_option,
+    limit_option,
+    output_options,
+    space_options,
+)
+from gcrules.apps.cli.expressions import context_of, given_text, read_expression
+from gcrules.apps.cli.files import read_stdin, working
+from gcrules.apps.cli.limits import SECONDS, time_limit
+from gcrules.apps.cli.rules import Choice, rules_options
+from gcrules.core.alarm import paced
+from gcrules.core.errors import InputError
+from gcrules.core.yaml_file import read_text
+from gcrules.rules.rewriting import rewrite as rewritten
+from gcrules.rules.script import Result, ScriptResult, results
+
+__all__ = ["expand", "prove", "rewrite", "run", "straighten"]
+
+EXIT_CODES = {"proved": 0, "refuted": 1, "undecided": 3}
+COLOURS = {"proved": "green", "refuted": "red", "undecided": "yellow"}
+
+_limit = limit_option(MAX_TERMS, "Give up beyond this many terms.")
+_seconds = time_limit()
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("claim", metavar='"LHS == RHS"')
+@given_option
+@space_options()
+@_limit
+@_seconds
+@output_options()
+@click.pass_context
+def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: Space, limit: int, out: Output) -> None:
+    """Decide whether two expressions are equal for all positions of their points; "-" reads standard input.
+
+    \b
+    gcrules prove "ab /\\ cde == [acde] b - [bcde] a"
+    gcrules prove "[[Aa,Ab,Ac,Bd,Be,Cf]] == [Aabc][ABde][ABCf]" --json
+    gcrules prove "[bcd] == 0" --rank 3 --given "collinear(a, b, c), collinear(a, b, d)"
+
+    With --given only positions that satisfy the assumptions count, and the answer says what else was assumed not to
+    vanish. (expand and straighten do without assumptions: their polynomials hold for all positions.)
+
+    Exit code 0: proved, by equal normal forms. 1: refuted; exact points at which the sides differ are shown.
+    3: not decided within the limit.
+    """
+    at = context_of(space, assumptions)
+    sides = parse_equation(given_text(claim), context=at)
+    with working("proving"):
+        proof = decide(*sides, points=at.points, ideal=at.ideal, rank=at.rank, given=at.given, limit=limit)
+    if out.latex:
+        out.write(
+            "\n".join([proof.latex(), f"% {proof.verdict}: {proof.reason}", *(f"%{c}" for c in proof.conditions())])
+        )
+    else:
+        out.show(proof, _coloured(proof.verdict, proof.text(unicode=out.unicode)))
+    ctx.exit(EXIT_CODES[proof.verdict])
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("expression", metavar="EXPR")
+@rules_options
+@given_option
+@space_options()
+@_seconds
+@output_options()
+def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space: Space, out: Output) -> None:
+    """Rewrite an expression by rules, the first that fires each time, until all stay silent; every step is shown.
+
+    \b
+    gcrules rewrite "[abce][abdf] - [abcd][abef]" --rules mine.gca
+    gcrules rewrite "ab /\\ cde" --rules expansion
+
+    --rules takes files of identities and names of rewriting rules (see `gcrules rules list`). Rules that ask for
+    collinear points and the like fire where --given says so.
+    """
+    at = context_of(space, assumptions)
+    e = parse(given_text(expression), context=at)
+    rules = choice.rewriting()
+    if not rules:
+        raise InputError("no rules to rewrite by", hint="name some:  --rules mine.gca  or  --rules expansion")
+    with working("rewriting"):
+        out.show(rewritten(e, rules, at))
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("expression", metavar="EXPR")
+@space_options()
+@_limit
+@_seconds
+@output_options()
+def expand(expression: str, space: Space, limit: int, out: Output) -> None:
+    """Expand an expression into brackets: a bracket polynomial, or a sum of extensors with such coefficients.
+
+    \b
+    gcrules expand "abf /\\ ace /\\ edf /\\ cbd"
+    gcrules expand "[[ab,af,cb,cd,ed,ef]]" --latex
+
+    "-" reads standard input. The result is text of the language again.
+    """
+    e = read_expression(expression, space)
+    with working("expanding"):
+        found = expanded(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
+    out.show(_Polynomial(found, short=out.terminal))
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("expression", metavar="EXPR")
+@click.option("--steps", is_flag=True, help="Show every syzygy that is used (scalars only).")
+@space_options()
+@_limit
+@_seconds
+@output_options()
+def straighten(expression: str, steps: bool, space: Space, limit: int, out: Output) -> None:
+    """The normal form of an expression: its bracket monomials as standard tableaux.
+
+    \b
+    gcrules straighten "[p1p4p5][p1p5p6][p2p3p4]" --rank 3 --steps
+    gcrules straighten "[afgl][behk][cdij]"
+
+    The tableau order is that of --points, else sorted; points at infinity come first. "-" reads standard input.
+    """
+    e = read_expression(expression, space)
+    with working("straightening"):
+        found = expanded(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
+        if not steps:
+            out.show(_Polynomial(straightened(found, limit=limit), short=out.terminal))
+            return
+        if not isinstance(found, BracketPolynomial):
+            raise InputError(f"--steps shows scalars only, this is an expression of step {found.step}")
+        normal, syzygies = straighten_steps(found)
+    out.show(_Polynomial(normal, syzygies, short=out.terminal))
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("files", metavar="FILE.gca…", nargs=-1, required=True)
+@_limit
+@time_limit(SECONDS, "Give a statement up after this time.", itself=True)
+@output_options(latex=False)
+@click.pass_context
+def run(ctx: click.Context, files: tuple[str, ...], limit: int, seconds: float, out: Output) -> None:
+    """Run scripts and report every claim with its line; "-" reads standard input.
+
+    \b
+    gcrules run octahedron.gca
+    gcrules run examples/theorems/*.gca
+    A file may hold
+        let s = [[ab, af, cb, cd, ed, ef]]
+        claim "alternate faces": s == ace /\\ abf /\\ cbd /\\ edf
+
+    Statements: rank, points, ideal, given, let, claim, show, rule, rewrite. Exit code 1 if any claim or rule is
+    refuted, 3 if any is undecided.
+    """
+    scripts = [parse_script(*((read_stdin(), "<stdin>") if f == "-" else (read_text(f), f))) for f in files]
+    answers = [_answered(script, limit, seconds) for script in scripts]
+    shown = [
+        "\n".join([*(_coloured(r.verdict, r.text(unicode=out.unicode)) for r in a.results), *a.totals]) for a in answers
+    ]
+    whole = ScriptResult(tuple(r for a in answers for r in a.results))
+    if len(files) == 1:
+        out.show(answers[0], shown[0])
+    else:
+        parts = (f"{s.filename}\n{indent(text, '  ')}" for s, text in zip(scripts, shown, strict=True))
+        out.show(_Scripts(scripts, answers, whole), "\n\n".join([*parts, "\n".join(whole.totals)]))
+    ctx.exit(EXIT_CODES[whole.verdict])
+
+
+def _answered(script: Script, limit: int, seconds: float) -> ScriptResult:
+    found: list[Result] = []
+    with working(f"running {script.filename}") as status:
+        for result in paced(results(script, limit=limit), seconds, each=True):
+            found.append(result)
+            status.tell(f"{len(found)} of {len(script.statements)}, past line {result.line}")
+    return ScriptResult(tuple(found))
+
+
+@dataclass(frozen=True)
+class _Scripts:
+    """The results of several scripts."""
+
+    scripts: list[Script]
+    answers: list[ScriptResult]
+    whole: ScriptResult
+
+    def to_json(self) -> dict[str, Any]:
+        files = [{"file": s.filename, **a.to_json()} for s, a in zip(self.scripts, self.answers, strict=True)]
+        return {"verdict": self.whole.verdict, "files": files}
+
+
+@dataclass(frozen=True)
+class _Polynomial:
+    """A polynomial with its steps, in the forms in which it is shown."""
+
+    value: BracketPolynomial | ExtensorPolynomial
+    steps: tuple[Straightening, ...] | None = None
+    short: bool = False
+
+    def to_json(self) -> dict[str, Any]:
+        found = self.value.to_json()
+        if self.steps is not None:
+            found["steps"] = [{"rule": "syzygy", "before": str(s.before), "after": str(s.after)} for s in self.steps]
+        return found
+
+    def text(self, *, unicode: bool = False) -> str:
+        def shown(p: BracketPolynomial | ExtensorPolynomial) -> str:
+            return p.text(unicode=unicode, short=self.short)
+
+        return "\n".join(self._lines(shown, "", " = "))
+
+    def latex(self) -> str:
+        return "\n".join(self._lines(lambda p: _latex(p.to_expr()), " \\\\", " = "))
+
+    def _lines(
+        self, shown: Callable[[BracketPolynomial | ExtensorPolynomial], str], end: str, equals: str
+    ) -> list[str]:
+        steps = [f"{shown(s.before)}{equals}{shown(s.after)}{end}" for s in self.steps or ()]
+        return [*steps, shown(self.value)]
+
+
+def _latex(e: Expr) -> str:
+    from gcrules.views.formulas.latex import latex  # needed for --latex only
+
+    return latex(e)
+
+
+def _coloured(verdict: str, shown: str) -> str:
+    colour = COLOURS.get(verdict)
+    return shown.replace(verdict, click.style(verdict, fg=colour, bold=True), 1) if colour else shown

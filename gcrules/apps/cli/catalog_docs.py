@@ -1,0 +1,72 @@
+"""`gcrules catalog docs`: write the catalog's pages, or tell whether they are stale."""
+
+from __future__ import annotations
+
+import shlex
+
+import click
+
+from gcrules.apps.cli.base import Output, catalog_option
+from gcrules.apps.cli.files import Status, working
+from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.page_files import renew
+from gcrules.apps.cli.rules import plugins_option
+from gcrules.core.errors import FileError, GcrulesError, join_faults
+from gcrules.rules.catalog.catalog import SHIPPED, Catalog
+from gcrules.rules.catalog.file import load
+from gcrules.rules.plugins import load_rules
+
+__all__ = ["docs"]
+
+OUT = "docs/catalog"
+
+
+@click.command()
+@click.option("--check", is_flag=True, help="Write nothing; exit code 1 if a page is stale.")
+@click.option("--out", default=OUT, show_default=True, metavar="DIR", help="The folder of the pages.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@time_limit(None)
+@catalog_option
+@plugins_option
+@click.pass_context
+def docs(
+    ctx: click.Context, check: bool, out: str, as_json: bool, catalogs: tuple[str, ...], folders: tuple[str, ...]
+) -> None:
+    """Write a page for each class of the catalog, with figures, and an index.
+
+    \b
+    gcrules catalog docs
+    gcrules catalog docs --check
+    gcrules catalog docs --out build/catalog --catalog mine.yaml
+    """
+    from gcrules.views.pages.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages
+
+    strategy = load_rules(folders=folders, identities=bool(folders)).strategy()
+    loaded = load(catalogs, (r.id for r in strategy.incidences))
+    own = [*(("catalog", path) for path in catalogs), *(("plugins", folder) for folder in folders)]
+    options = "".join(f" --{word} {shlex.quote(path)}" for word, path in own)
+    with working("proving the entries") as status:
+        _prove(loaded, options, status)
+    with working("computing the pages") as status:
+        pages = catalog_pages(loaded, bibliography(), catalogs, strategy, tell=status.tell)
+    command = f"gcrules catalog docs{options}" + (f" --out {shlex.quote(out)}" if out != OUT else "")
+    done = renew(pages, out, head=HEAD, figures=FIGURES, command=command, check=check)
+    Output(json=as_json).show(done)
+    ctx.exit(1 if check and done.stale else 0)
+
+
+def _prove(loaded: Catalog, options: str, status: Status) -> None:
+    """Prove what the user's own classes say, before the pages of all classes are computed.
+
+    Raises FileError with all that is false; what is shipped is proved by its tests.
+    """
+    from gcrules.rules.catalog.check import false_identities  # slower to load than the other commands need
+
+    faults: list[GcrulesError] = []
+    for entry in loaded.entries:
+        if entry.owner != SHIPPED:
+            status.tell(entry.id)
+            hint = f"`gcrules catalog check{options}` checks all that it says"
+            faults += (FileError(words, filename=entry.place, hint=hint) for words in false_identities(entry))
+    if faults:
+        raise join_faults(faults)

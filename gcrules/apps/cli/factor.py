@@ -1,0 +1,65 @@
+"""The command `factor`."""
+
+from __future__ import annotations
+
+import click
+
+from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS
+from gcrules.apps.cli.base import ExpressionCommand, Output, Space, limit_option, output_options, space_options
+from gcrules.apps.cli.expressions import read_expression
+from gcrules.apps.cli.files import working
+from gcrules.apps.cli.limits import AROUND, limited, time_limit
+
+__all__ = ["factor"]
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("expression", metavar="EXPR")
+@click.option("--all", "every", is_flag=True, help="Show every expression, not the simplest only.")
+@click.option("--cofactor", is_flag=True, help="Where there is none, seek one that equals a cofactor times EXPR.")
+@limit_option(MAX_EXTENSORS, "Give up beyond this many extensors.")
+@time_limit(SECONDS, "Give up after this time.", itself=True)
+@space_options()
+@output_options()
+@click.pass_context
+def factor(
+    ctx: click.Context,
+    expression: str,
+    every: bool,
+    cofactor: bool,
+    limit: int,
+    seconds: float,
+    space: Space,
+    out: Output,
+) -> None:
+    """Decide whether a scalar is a product of brackets and one expression of joins and meets.
+
+    \b
+    gcrules factor "[abfc][acde][bdef] + [abfd][acbe][cdef]"
+    gcrules factor "[[Aa,Ab,Bc,Bd,Ca,Dc]]" --cofactor --json
+    gcrules factor "[abd][ace] - [abe][acd]" --rank 3 --all
+
+    "-" reads standard input. What is found is proved by normal forms; "none exists" is the result of testing every
+    expression of the family that is named. docs/factor.md says what it covers.
+
+    Exit code 0: found and proved. 1: none exists in the family, whether one with a cofactor was found or not. 3: not
+    decided within the limits; or found, and shown, but tested at random points only, as the proof took too long.
+    """
+    from gcrules.algebra.factoring.factorize import factor as factored  # numpy, for this command only
+
+    with limited(seconds, AROUND):
+        e = read_expression(expression, space)
+        with working("factoring") as status:
+            found = factored(
+                e,
+                points=space.points,
+                ideal=space.ideal,
+                rank=space.rank,
+                limit=limit,
+                seconds=seconds,
+                every=every,
+                cofactor=cofactor,
+                progress=status.tell,
+            )
+        out.show(found)
+    ctx.exit(1 if not found.found else 0 if found.proved else 3)

@@ -1,0 +1,303 @@
+"""The commands about six legs: analyze, report."""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from gcrules.apps.cli.base import (
+    ExpressionCommand,
+    Output,
+    Space,
+    catalog_option,
+    given_option,
+    output_options,
+    search_option,
+    space_options,
+)
+from gcrules.apps.cli.files import OutputFile, read_stdin, working
+from gcrules.apps.cli.limits import beside, limited, time_limit
+from gcrules.apps.cli.manual import Manual, manual_options, run_manual
+from gcrules.apps.cli.rules import Choice, rules_options
+from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.analysis import analyze as analyzed
+from gcrules.core.errors import InputError
+from gcrules.core.files import write_file
+from gcrules.core.hints import near
+from gcrules.core.yaml_file import Document
+from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
+from gcrules.rules.factorization import SECONDS
+
+if TYPE_CHECKING:
+    from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+    from gcrules.mechanisms.robot import Robot
+
+__all__ = ["analyze", "report"]
+
+_order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
+_recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
+_search = search_option(SECONDS)
+_LEGS = "LEGS|FILE.yaml|ROBOT"
+_SPACE = Space(4, (), ())  # where no option says otherwise
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("legs", nargs=-1, metavar=_LEGS)
+@_order
+@_recheck
+@manual_options
+@click.option("--full", is_flag=True, help="Show every single step of the derivation.")
+@click.option(
+    "--figure",
+    type=OutputFile(".svg", ".pdf"),
+    metavar="FILE",
+    help="Draw the robot (FILE.yaml) or the graph of its legs: .svg or .pdf.",
+)
+@given_option
+@_search
+@time_limit(itself=True)
+@catalog_option
+@rules_options
+@space_options()
+@output_options()
+def analyze(
+    legs: tuple[str, ...],
+    order: str | None,
+    recheck: bool,
+    manual: Manual,
+    full: bool,
+    figure: str | None,
+    assumptions: tuple[str, ...],
+    search: float,
+    seconds: float,
+    catalogs: tuple[str, ...],
+    choice: Choice,
+    space: Space,
+    out: Output,
+) -> None:
+    """Tell when and why a robot with six legs is singular: every stage, the proved condition, a sentence.
+
+    \b
+    gcrules analyze "ab af cb cd ed ef"
+    gcrules analyze S1A1 S1B1 S1C1 S2A2 S3A3 S3B3 --json
+    gcrules analyze platform.yaml --figure platform.svg
+    gcrules analyze 3-rps
+
+    A leg is a joint of one body and a joint of the other, in this sequence throughout; joints that legs share bear
+    one name. "-" reads legs or a geometry file from standard input. A robot that is described by its joints, an id or a
+    robot file, is answered as by `gcrules robot analyze`.
+
+    \b
+    gcrules analyze "Aa Ab Bc Bd Ce Cf" --given "coplanar(A, B, a, b)"
+    gcrules analyze "Aa Bb Cc ij jk ki" --ideal "i j k"
+    gcrules analyze "ab, cd, ef, ag, ch, bdf /\\ egh"
+    gcrules analyze "ab cd ef" --rank 3
+
+    Any six lines do: with --given the points are in special position, those of --ideal are at infinity (a line at
+    infinity is a couple), and a line may be the meet of two planes. --rank 3 takes three lines of the plane, --rank N
+    the N (N - 1) / 2 lines of two rigid bodies joined by so many bars.
+
+    With --manual you propose the entities and the condition, and each is confirmed or refused with the reason; commands
+    come from a prompt, from standard input, or from --propose. Then the exit code is 1 if anything was refused.
+    """
+    special = assumptions or space.rank != 4 or search != SECONDS
+    if manual.wanted:
+        refused = recheck or full or catalogs or figure or choice.words or choice.without or out.latex or special
+        _check_manual(legs, refused, manual)
+        run_manual(_platform_or_legs(legs) if legs else None, order, manual, space, out, seconds)
+    if not legs:
+        raise click.UsageError(f"Missing argument '{_LEGS}...'.")
+    others = order or recheck or full or figure or assumptions or catalogs or space != _SPACE
+    with limited(seconds, beside(search)):
+        if of_joints := _of_joints(legs, choice, search, others):
+            out.show(of_joints)
+            return
+        analysis = _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
+        if figure:
+            _draw(analysis, figure)
+        out.show(_InFull(analysis) if full else analysis)
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("legs", nargs=-1, required=True, metavar=_LEGS)
+@click.option("-o", "--output", "path", type=OutputFile(), default="-", metavar="FILE.html", help="Write to a file.")
+@_order
+@_recheck
+@given_option
+@_search
+@time_limit(plus="search")
+@catalog_option
+@rules_options
+@space_options()
+@click.option("--3d/--no-3d", "interactive", default=True, help="Leave the 3D viewer out: a small file.")
+def report(
+    legs: tuple[str, ...],
+    path: str,
+    order: str | None,
+    recheck: bool,
+    assumptions: tuple[str, ...],
+    search: float,
+    catalogs: tuple[str, ...],
+    choice: Choice,
+    space: Space,
+    interactive: bool,
+) -> None:
+    """Write the analysis as a self-contained HTML page: formulas, figures, and for a geometry file the numbers.
+
+    \b
+    gcrules report "ab af cb cd ed ef" -o octahedron.html
+    gcrules report platform.yaml -o platform.html
+    gcrules report 3-rps -o 3-rps.html
+
+    It takes the same lines as `gcrules analyze`: with --given, --ideal and --rank too; and robots that are described by
+    their joints, as `gcrules robot analyze` does: an id, or a robot file. In the page the robot is seen in 3D, and its
+    platform can be moved; the page loads nothing, and works from a file. --no-3d leaves that out.
+    """
+    from gcrules.views.report.report import report as rendered  # not needed by analyze
+
+    _check_page(path)
+    others = order or recheck or assumptions or catalogs or space != _SPACE
+    found: Analysis | RobotAnalysis | None = _of_joints(legs, choice, search, others)
+    found = found or _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
+    write_file(path, rendered(found, interactive=interactive))
+
+
+_OTHER_FORMATS = {
+    **{f".{e}": "print the page from a browser for a PDF" for e in ("pdf", "ps", "eps")},
+    **{f".{e}": f"`gcrules analyze … --figure FILE.{e}` draws a figure" for e in ("svg",)},
+    **{f".{e}": "take the picture of the page in a browser" for e in ("png", "jpg", "jpeg", "gif", "webp")},
+    **{f".{e}": "`gcrules analyze … --json` prints the data" for e in ("json", "yaml", "yml", "csv", "xml", "toml")},
+    **{f".{e}": "`gcrules analyze … --latex` prints LaTeX" for e in ("tex", "latex")},
+    **{f".{e}": "`gcrules analyze …` prints text" for e in ("md", "txt", "rst", "doc", "docx", "odt", "rtf")},
+    **{f".{e}": "a file of this kind would not open" for e in ("zip", "gz", "ipynb", "py", "gca", "xls", "xlsx")},
+}
+"""Endings of files that are no pages, and what makes such a file, or comes near it."""
+
+
+def _check_page(path: str) -> None:
+    """Raises InputError for a name that is known to stand for another format than HTML."""
+    ending = os.path.splitext(path)[1].lower()
+    if ending in _OTHER_FORMATS:
+        page = os.path.splitext(path)[0] + ".html"
+        raise InputError(
+            f"a report is a page in HTML, and {path} is the name of another kind of file",
+            hint=f"write {page}; {_OTHER_FORMATS[ending]}",
+        )
+
+
+def _of_joints(words: tuple[str, ...], choice: Choice, search: float, others: object) -> RobotAnalysis | None:
+    """The analysis of a robot described by its joints; None for legs and geometry files.
+
+    Raises UsageError for options that are for legs only: `others` is true if there are any.
+    """
+    robot = _robot(words, choice.folders)
+    if robot is None:
+        return None
+    if others or choice.words or choice.without:
+        raise click.UsageError("A robot of joints takes --search, --plugins and the options of output only.")
+    with working("analysing"):
+        found = robot.analyze(search=search)
+        remark = robot.home_remark(found)
+    if remark:
+        click.echo(f"warning: {remark}", err=True)
+    return found
+
+
+def _robot(words: tuple[str, ...], folders: tuple[str, ...]) -> Robot | None:
+    """The robot of an id or a robot file; None for legs and geometry files."""
+    if len(words) != 1 or words[0] == "-":
+        return None
+    (word,) = words
+    path = _is_path(word)
+    if not path and re.search(r"[\s,]", word):  # legs, for which the modules of robots need not be loaded
+        return None
+    from gcrules.mechanisms.description.discovery import robots
+    from gcrules.mechanisms.description.robot_file import describes_joints
+    from gcrules.mechanisms.robot import Robot
+
+    if path:
+        return Robot.load(word, plugins=folders) if describes_joints(Document.load(word)) else None
+    known = {one.id for one in robots(folders)}
+    return Robot.load(word, plugins=folders) if word in known or near(word, known) else None
+
+
+@dataclass(frozen=True)
+class _InFull:
+    """An analysis shown with every single step of its derivation."""
+
+    analysis: Analysis
+
+    def to_json(self) -> dict[str, Any]:
+        return self.analysis.to_json(full=True)
+
+    def text(self, *, unicode: bool = False) -> str:
+        return self.analysis.text(unicode=unicode, full=True)
+
+    def latex(self) -> str:
+        return self.analysis.latex(full=True)
+
+
+def _check_manual(legs: tuple[str, ...], others: object, manual: Manual) -> None:
+    """Raises UsageError for what does not go with manual mode."""
+    if others:
+        raise click.UsageError("Manual mode goes with --order, --points, --ideal and --json, no other options.")
+    if "-" in legs and not manual.proposals:
+        raise click.UsageError("In manual mode standard input holds the commands, not the legs.")
+
+
+def _analysis(
+    legs: tuple[str, ...],
+    order: str | None,
+    recheck: bool,
+    assumptions: tuple[str, ...],
+    search: float,
+    catalogs: tuple[str, ...],
+    choice: Choice,
+    space: Space,
+) -> Analysis:
+    found = _platform_or_legs(legs)
+    with working("analysing"):
+        answer = analyzed(
+            found,
+            order=order,
+            points=space.points,
+            ideal=space.ideal,
+            given=assumptions,
+            rank=space.rank,
+            catalogs=catalogs,
+            recheck=recheck,
+            strategy=choice.strategy(),
+            search=search,
+        )
+    for warning in answer.platform.warnings if answer.platform else ():
+        click.echo(f"warning: {warning}", err=True)
+    return answer
+
+
+def _platform_or_legs(words: tuple[str, ...]) -> Platform | str:
+    """A geometry file if the single word names one (or looks like a path), else the text of the legs."""
+    if len(words) > 1:
+        if "-" in words or any(_is_path(w) for w in words):
+            raise InputError("expected one geometry file, or legs", hint="give one file at a time")
+        return " ".join(words)
+    (word,) = words
+    if word == "-":
+        source = read_stdin()
+        return parse_platform(source, "<stdin>") if re.search(r"^\s*[\"']?legs", source, re.MULTILINE) else source
+    return load_platform(word) if _is_path(word) else word
+
+
+def _is_path(word: str) -> bool:
+    without_meets = re.sub(r"/\\|\\/", "", word)
+    return word.lower().endswith((".yaml", ".yml")) or os.sep in without_meets or os.path.isfile(word)
+
+
+def _draw(analysis: Analysis, path: str) -> None:
+    from gcrules.views.drawing.drawing import save  # figures are rarely asked for
+    from gcrules.views.drawing.figures import graph_figure, robot_figure
+
+    save(robot_figure(analysis) if analysis.platform else graph_figure(analysis), path)

@@ -1,0 +1,63 @@
+"""The command locus: the singular poses of a robot as the zeros of a polynomial."""
+
+from __future__ import annotations
+
+import click
+
+from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, limit_option, output_options
+from gcrules.apps.cli.files import working
+from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.platforms import read_platform
+from gcrules.poses.loci.factors import MAX_TERMS
+from gcrules.poses.loci.form import FORMATS
+from gcrules.poses.loci.locus import locus as computed
+
+__all__ = ["locus"]
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("file", metavar="FILE.yaml|ID")
+@click.option("--over", metavar="VARIABLES", help="The free variables: x,y,e3, or translation, rotation, all.")
+@click.option("--fix", metavar="VALUES", help='Values of variables, "x=0, e1=1/2"; without --over the others are free.')
+@click.option("--at", metavar="POSE", help="Where the variables that are neither free nor fixed come from.")
+@click.option(
+    "--rotation",
+    default="quaternion",
+    show_default=True,
+    metavar="KIND",
+    help="quaternion (e0 to e3), rodrigues (c1 to c3), or a sequence zyx: tangents of half the angles (t1 to t3).",
+)
+@about_option
+@click.option("--export", metavar="|".join(FORMATS), help="Print the polynomial alone, for that program.")
+@limit_option(MAX_TERMS, "Search for factors of polynomials of so many terms, where no proof decides.")
+@time_limit()
+@output_options()
+def locus(
+    file: str,
+    over: str | None,
+    fix: str | None,
+    at: str | None,
+    rotation: str,
+    about: str | None,
+    export: str | None,
+    limit: int,
+    out: Output,
+) -> None:
+    """Compute the polynomial whose zeros are the singular poses, exactly, with its degrees and factors.
+
+    \b
+    gcrules locus robot.yaml
+    gcrules locus robot.yaml --over translation --at "0 0 0; euler zyx 90 0 0 deg"
+    gcrules locus robot.yaml --fix "e1=0, e2=0" --json
+    gcrules locus robot.yaml --rotation rodrigues --export maple -o locus.mpl
+
+    The variables are x, y, z (the translation in the file's unit) and those of the rotation. "-" reads the file from
+    standard input; the id of a robot with six legs, as of "gcrules robot list", does as well.
+    """
+    if export is not None and (out.json or out.latex):
+        raise click.UsageError("--export excludes --json and --latex.")
+    platform, centre = read_platform(file, about)
+    with working("computing"):
+        found = computed(platform, over, fix=fix, at=at, rotation=rotation, about=centre, limit=limit)
+        text = found.text(unicode=out.unicode) if export is None else found.written(export)
+    out.show(found, text)

@@ -1,0 +1,138 @@
+"""The command map: singular poses over two or three coordinates."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+import click
+
+from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
+from gcrules.apps.cli.files import OutputFile, Status, working
+from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.platforms import read_platform
+from gcrules.core.errors import InputError
+from gcrules.core.files import after_writing
+from gcrules.poses.maps.axes import read_axes
+from gcrules.poses.maps.maps import MEASURES, bytes_of, done, planned
+from gcrules.poses.maps.store import check_room
+from gcrules.views.plots.map_files import SUFFIXES, check_outputs
+
+__all__ = ["map_"]
+
+_BAR = 24
+
+
+@click.command("map", cls=ExpressionCommand)
+@click.argument("file", metavar="FILE.yaml|ID")
+@click.option(
+    "--over",
+    multiple=True,
+    metavar="RANGE",
+    help='A coordinate with start:stop:number, "x -200:200:201" or "rz -90:90:181 deg"; give two or three.',
+)
+@click.option("--at", metavar="POSE", help="The pose of the other coordinates, as in gcrules pose; the file's own.")
+@about_option
+@click.option(
+    "--limits",
+    metavar="RANGES",
+    help='What the legs reach, in the unit of the file: "leg lengths 1..3", or "ab 1..3, cd 2..".',
+)
+@click.option(
+    "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
+)
+@click.option(
+    "--measure",
+    default="closeness",
+    show_default=True,
+    type=click.Choice(MEASURES),
+    help="closeness σ and leg lengths too, or the superbracket only, which is quick.",
+)
+@time_limit(None)
+@click.option("--restart", is_flag=True, help="Throw away finished chunks of an earlier run and begin anew.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@click.option(
+    "--unicode/--ascii", " /--plain", "mathematics", default=None, help="Unicode or plain ASCII; by default what fits."
+)
+@click.option(
+    "-o",
+    "--output",
+    "outputs",
+    type=OutputFile(),
+    multiple=True,
+    metavar="FILE",
+    help=f"Write a file, as often as you like; its suffix says what: {' '.join(SUFFIXES)}.",
+)
+def map_(
+    file: str,
+    over: tuple[str, ...],
+    at: str | None,
+    about: str | None,
+    limits: str | None,
+    threshold: str,
+    measure: str,
+    restart: bool,
+    as_json: bool,
+    mathematics: bool | None,
+    outputs: tuple[str, ...],
+) -> None:
+    """Map the singular poses over two or three coordinates: curves or surfaces, with proof of what is free.
+
+    \b
+    gcrules map robot.yaml --over "x -200:200:201" --over "z -400:100:251" -o map.svg
+    gcrules map robot.yaml --over "x -1:1:101" --over "y -1:1:101" --over "z 0:1:51" -o map.nc -o surface.glb
+    gcrules map robot.yaml --over "rx -60:60:121 deg" --over "ry -60:60:121 deg" --at "0 0 50" --limits "legs 1..3"
+
+    The coordinates are x, y, z (translation), rx, ry, rz (rotation vector), zyx1, zyx2, zyx3 or another sequence of
+    Euler angles, or azimuth, tilt, torsion; angles end with deg or rad. A long run may be interrupted: with -o the
+    finished chunks are kept in a folder FILE.part, and the same command goes on from there. "-" reads the robot's
+    file from standard input; the id of a robot with six legs, as of "gcrules robot list", does as well.
+    """
+    platform, centre = read_platform(file, about)
+    check_outputs(outputs, len(read_axes(over, platform.units)))
+    work = _folder(outputs)
+    if work is None and restart:
+        raise InputError("--restart without -o", hint="chunks are kept only where -o names a file")
+    analysis, task, limit = planned(platform, over, at, centre, limits, threshold, measure)
+    if work is not None:
+        if task.number == 1 and not os.path.isdir(work):
+            work = None
+        check_room(outputs[0], bytes_of(task) * ((work is not None) + any(o.lower().endswith(".nc") for o in outputs)))
+    with working("computing") as status:
+        try:
+            found = done(
+                analysis,
+                task,
+                limit,
+                work=work,
+                restart=restart,
+                tell=lambda poses, number: status.tell(_bar(poses, number)),
+            )
+            _save(found, outputs, status)
+        except KeyboardInterrupt:
+            if work is not None:
+                click.echo(f"\ninterrupted; finished chunks are kept in {work}: run the same command again", err=True)
+            raise
+    out = Output(json=as_json, mathematics=mathematics)
+    if as_json:
+        click.echo(json.dumps(found.to_json()))
+    else:
+        out.show(found)
+    after_writing(found.store.close)
+
+
+def _folder(outputs: tuple[str, ...]) -> str | None:
+    data = [o for o in outputs if o.lower().endswith(".nc")] or list(outputs)
+    return f"{data[0]}.part" if data else None
+
+
+def _save(found: Any, outputs: tuple[str, ...], status: Status) -> None:
+    for path in outputs:
+        status.tell(f"writing {path}")
+        found.save(path)
+
+
+def _bar(done: int, number: int) -> str:
+    full = done * _BAR // number
+    return f"[{'#' * full}{'.' * (_BAR - full)}] {100 * done // number:3d} % of {number:,} poses"

@@ -1,0 +1,88 @@
+"""The command path: a robot along a path."""
+
+from __future__ import annotations
+
+import click
+
+from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, output_options
+from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.platforms import read_platform
+from gcrules.core.files import write_file
+from gcrules.core.streams import is_stdout
+from gcrules.poses.path_report import SAMPLES
+from gcrules.poses.path_report import path as along
+from gcrules.views.drawing.drawing import save
+
+__all__ = ["path"]
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("file", metavar="FILE.yaml|ID")
+@click.option("--poses", "table", metavar="POSES.csv", help="A table of poses, two or more.")
+@click.option("--at", multiple=True, metavar="POSE", help="A pose, as in gcrules pose; give two or more.")
+@about_option
+@click.option("--samples", default=SAMPLES, show_default=True, metavar="N", help="Places at which values are given.")
+@click.option(
+    "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
+)
+@click.option(
+    "--csv",
+    "values",
+    type=OutputFile(alone=True),
+    metavar="FILE.csv",
+    help="Write the values along the path; - prints them instead of the answer.",
+)
+@click.option(
+    "--plot",
+    type=OutputFile(".svg", ".pdf"),
+    metavar="FILE.svg|FILE.pdf",
+    help="Draw closeness and superbracket along the path.",
+)
+@time_limit(None)
+@output_options(latex=False)
+def path(
+    file: str,
+    table: str | None,
+    at: tuple[str, ...],
+    about: str | None,
+    samples: int,
+    threshold: str,
+    values: str | None,
+    plot: str | None,
+    out: Output,
+) -> None:
+    """Find every singular pose on a path through given poses, and say why it is singular.
+
+    \b
+    gcrules path robot.yaml --at "0 0 0" --at "0 0 -300; euler zyx 40 0 0 deg"
+    gcrules path robot.yaml --poses poses.csv --csv values.csv --plot path.svg
+
+    Between two poses the centre moves on a straight line and the platform turns about one axis, the shorter way. None
+    is missed, however few samples there are: the superbracket is an exact polynomial there. The first line of a table
+    names its columns: x, y, z, and qw, qx, qy, qz, or rx [deg], ry [deg], rz [deg], or zyx1 [deg], zyx2 [deg],
+    zyx3 [deg]. "-" reads the robot's file from standard input; the id of a robot
+    with six legs, as of "gcrules robot list", does as well.
+    """
+    if (table is None) == (not at):
+        raise click.UsageError("Give the poses either by --poses POSES.csv or by --at, twice or more.")
+    platform, centre = read_platform(file, about)
+    try:
+        with working("computing") as status:
+            found = along(
+                platform,
+                list(at) if table is None else table,
+                samples=samples,
+                about=centre,
+                threshold=threshold,
+                tell=status.tell,
+            )
+    except KeyboardInterrupt:
+        click.echo(f"interrupted while {status.text}; nothing was written", err=True)
+        raise
+    if plot is not None:
+        save(found.plot(), plot)
+    if values is not None:
+        write_file(values, found.csv())
+    if values is None or out.path is not None or not is_stdout(values):
+        out.show(found)

@@ -1,0 +1,76 @@
+"""The command `repl`: a session at the prompt, or one that is read from standard input."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from gcrules.algebra.expand import MAX_TERMS
+from gcrules.apps.cli.base import ExpressionCommand, Output
+from gcrules.apps.cli.limits import SECONDS, time_limit
+from gcrules.apps.repl.answers import worst
+from gcrules.apps.repl.interpreter import Interpreter
+from gcrules.apps.repl.lines import run_pieces, stdin_pieces, tell_all
+from gcrules.apps.repl.reading import pieces
+from gcrules.apps.repl.state import Settings
+
+__all__ = ["repl"]
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("file", required=False, metavar="[FILE.gca]")
+@click.option("-e", "--eval", "texts", multiple=True, metavar="TEXT", help="Answer this input, then leave; repeatable.")
+@click.option("--echo", is_flag=True, help="Show every input before its answer (not at the prompt).")
+@click.option(
+    "--limit",
+    type=click.IntRange(min=1),
+    default=MAX_TERMS,
+    show_default=True,
+    metavar="N",
+    help="Give up beyond this many terms.",
+)
+@time_limit(SECONDS, "Give an input up after this time.", itself=True)
+@click.option(
+    "--unicode/--ascii",
+    " /--plain",
+    "mathematics",
+    default=None,
+    help="Unicode mathematics or plain ASCII; by default what the output can show.",
+)
+@click.pass_context
+def repl(
+    ctx: click.Context,
+    file: str | None,
+    texts: tuple[str, ...],
+    echo: bool,
+    limit: int,
+    seconds: float,
+    mathematics: bool | None,
+) -> None:
+    """Type expressions, equations and statements, and get an answer to each; :help says what there is.
+
+    \b
+    gcrules repl
+    gcrules repl plane.gca              with all that the script declares
+    gcrules repl < session.txt          inputs from a file or a pipe
+    gcrules repl -e "ab /\\ cde" -e ":latex"
+
+    Without a terminal the exit code is 2 where any input was at fault, else 1 where anything was refuted, else 3 where
+    anything was not decided. GCRULES_HISTORY names the file of the history; none is written where it is empty.
+    """
+    settings = Settings(
+        Output(mathematics=mathematics).unicode, limit=limit, seconds=seconds, short=sys.stdout.isatty()
+    )
+    session = Interpreter(settings=settings)
+    codes = [tell_all(session.load(file))] if file is not None else []
+    if not texts and sys.stdin.isatty() and sys.stdout.isatty():
+        from gcrules.apps.repl.terminal import run_terminal  # loads prompt_toolkit
+
+        run_terminal(session)
+        return
+    for text in texts:
+        codes.append(run_pieces(session, pieces(text.split("\n")), "<input>", echo=echo))
+    if not texts:
+        codes.append(run_pieces(session, stdin_pieces(), "<stdin>", echo=echo))
+    ctx.exit(worst(codes))

@@ -1,0 +1,239 @@
+"""The commands about robots: robot list, show, check, analyze, pose, docs, new."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+
+from gcrules.apps.cli.base import SEEDED, ExpressionCommand, Output, output_options, search_option, seeded
+from gcrules.apps.cli.files import Command, OutputFile, working
+from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.robot_docs import docs
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import FileError, GcrulesError, LimitReached
+from gcrules.core.files import write_file
+from gcrules.mechanisms.conditions.checks import notes
+from gcrules.mechanisms.description.discovery import FILE, robots
+from gcrules.mechanisms.description.family import Definition
+from gcrules.mechanisms.description.skeleton import skeleton
+from gcrules.mechanisms.robot import Robot
+from gcrules.rules.factorization import SECONDS
+
+__all__ = ["robot"]
+
+_plugins = click.option("--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins.")
+_name = click.argument("name", metavar="ID|FILE")
+
+
+@click.group()
+def robot() -> None:
+    """Robots described by their joints: when, and why, is one singular?
+
+    \b
+    gcrules robot list
+    gcrules robot analyze 3-rps
+    gcrules robot new my-robot
+    gcrules robot check my-robot/robot.yaml
+
+    A robot is a file of data, `robot.yaml`, in a folder that bears its id; docs/robots.md describes it.
+    """
+
+
+@robot.command("list", short_help="List all robots that are known.")
+@_plugins
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+def list_command(folders: tuple[str, ...], as_json: bool) -> None:
+    """List all robots that are known: id, mobility of the platform, title."""
+    found = [(one, Robot.load(one.path)) for one in robots(folders)]
+    if as_json:
+        rows = [
+            {"id": one.id, "title": r.title, "limbs": r.chain, "mobility": r.mobility, "owner": one.owner}
+            for one, r in found
+        ]
+        click.echo(json.dumps({"robots": rows}, indent=2))
+        return
+    width = max((len(one.id) for one, _ in found), default=0)
+    for one, r in found:
+        owner = "" if one.owner == "gcrules" else f" ({one.owner})"
+        click.echo(f"{one.id:<{width}}  {r.mobility}  {r.title}{owner}")
+
+
+@robot.command("show", short_help="Show what a robot's file says.")
+@_name
+@_plugins
+def show_command(name: str, folders: tuple[str, ...]) -> None:
+    """Show a robot: its points and directions with the relations that make them, and its limbs."""
+    click.echo("\n".join(_shown(Robot.load(name, plugins=folders))))
+
+
+def _by_number(d: Definition) -> tuple[str, int]:
+    digits = "".join(c for c in d.name if c.isdigit())
+    return d.name.replace(digits, ""), int(digits or 0)
+
+
+def _shown(r: Robot) -> Iterator[str]:
+    yield f"{r.title} ({r.id}): {r.chain or 'given by its lines'}, mobility {r.mobility}"
+    for key, value in (("source", r.source), ("note", r.note), ("file", r.filename)):
+        if value:
+            yield f"{key}: {os.path.relpath(value) if key == 'file' else value}"
+    for sort in ("point", "direction"):
+        made = [d for d in r.family.definitions if d.sort == sort]
+        if made:
+            yield f"{sort}s:"
+        yield from (f"  {d.name}: {d.text}" for d in sorted(made, key=_by_number))
+    if r.limbs:
+        yield "limbs:"
+        yield from (f"  {limb.name}: {' '.join(j.text for j in limb.joints)}" for limb in r.limbs)
+    if r.lines:
+        yield f"lines: {' '.join(''.join(line) for line in r.lines)}"
+    if r.platform:
+        yield f"platform: {' '.join(r.platform)}"
+
+
+@robot.command("check", short_help="Check robot files; all, if none is named.")
+@click.argument("names", nargs=-1, metavar="[ID|FILE]...")
+@_plugins
+@time_limit(None)
+@click.pass_context
+def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str, ...]) -> None:
+    """Check robots (all, if none is named): their files, on random exact members, and the published condition.
+
+    Exit code 0: all are sound. 1: a published condition is refuted. 2: a file is at fault. 3: a robot is not decided
+    within the time; with --seconds those after it are left out, and counted.
+    """
+    code = 0
+    chosen = names or [one.path for one in robots(folders)]
+    for number, name in enumerate(chosen):
+        try:
+            checkpoint()
+        except LimitReached as over:
+            left = f"{len(chosen) - number} of {len(chosen)} robots are not checked"
+            raise LimitReached(f"{over.message}: {left}", hint=over.hint) from None
+        try:
+            found = Robot.load(name, plugins=folders)
+            analysis = found.analyze()
+        except GcrulesError as fault:
+            if fault.place is None:
+                fault.filename = name
+            click.echo(fault.render(), err=True)
+            code = max(code, fault.exit_code)
+            continue
+        published = analysis.published
+        said = f"; published condition {published.verdict}: {published.detail}" if published else ""
+        if published and published.verdict == "refuted":
+            code = max(code, 1)
+        home = "home satisfies the relations" if found.home is not None else "no home"
+        click.echo(
+            f"{found.id}: mobility {analysis.structure.mobility}, {home},"
+            f" {analysis.members} members and {analysis.met} singular members checked{said}"
+        )
+        if remark := found.home_remark(analysis):
+            click.echo(f"  warning: {remark}")
+        for note in notes(found):
+            click.echo(f"  note: {note}")
+    ctx.exit(code)
+
+
+@robot.command("analyze", short_help="Tell when and why a robot is singular.")
+@_name
+@_plugins
+@search_option(SECONDS)
+@time_limit(plus="search")
+@output_options()
+def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Output) -> None:
+    """Tell when and why a robot is singular: wrenches of its limbs, equivalent lines, condition, sentence.
+
+    \b
+    gcrules robot analyze 3-rps
+    gcrules robot analyze my-robot/robot.yaml --json
+    """
+    with working("analysing"):
+        read = Robot.load(name, plugins=folders)
+        found = read.analyze(search=search)
+        remark = read.home_remark(found)
+    if remark:
+        click.echo(f"warning: {remark}", err=True)
+    out.show(found)
+
+
+@robot.command("pose", cls=ExpressionCommand, short_help="Tell how close it is to a singularity, and solve its joints.")
+@_name
+@_plugins
+@click.option("--at", metavar="POSE", help='"z=0.2, roll=5deg, …" or "x y z; euler zyx a b c deg"; home by default.')
+@click.option("--actuators", metavar="VALUES", help='Instead of a pose: "q1=0.1, q2=5deg", from home.')
+@click.option(
+    "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
+)
+@time_limit()
+@click.option("--search", is_flag=True, help="Seek the first singular configuration on the way there from home.")
+@output_options()
+def pose_command(
+    name: str,
+    folders: tuple[str, ...],
+    at: str | None,
+    actuators: str | None,
+    threshold: str,
+    search: bool,
+    out: Output,
+) -> None:
+    """Tell how close a robot is to a singularity in a configuration, and why; solve its joints for a pose.
+
+    \b
+    gcrules robot pose 3-rps
+    gcrules robot pose 3-rps --at "z=0.2, roll=5deg, pitch=0deg"
+    gcrules robot pose 3-rps --actuators "q1=0.1, q2=0.2" --json
+    gcrules robot pose 3-rps --at "z=0, roll=60deg, pitch=0deg" --search
+
+    Coordinates are x, y, z of the platform's centre and roll, pitch, yaw about the fixed axes (or rx, ry, rz, the
+    rotation vector), as many as the platform has freedoms; the others follow. All are from home.
+    """
+    read = Robot.load(name, plugins=folders)
+    with working("computing"):
+        if not search:
+            found = read.pose(at, actuators=actuators, threshold=threshold)
+        else:
+            singular = read.singular(at, actuators=actuators, threshold=threshold)
+            if singular is None:
+                raise LimitReached(
+                    f"no singular configuration was found on the way to {at or actuators}",
+                    hint="it is sought at samples of the way: go farther, or in another direction",
+                )
+            found = singular
+    out.show(found)
+
+
+@robot.command("new", cls=Command, short_help="Write a robot file to begin with.")
+@click.argument("robot_id", metavar="ID")
+@click.option(
+    "-o",
+    "--output",
+    "path",
+    type=OutputFile(),
+    metavar="FILE",
+    help="Where to write it; ID/robot.yaml by default.",
+)
+def new_command(robot_id: str, path: str | None) -> None:
+    """Write a commented robot file to begin with; it passes `gcrules robot check`."""
+    text = skeleton(robot_id)
+    if path is None:
+        folder = Path(robot_id)
+        try:
+            folder.mkdir(exist_ok=True)
+        except OSError as fault:
+            raise FileError(f"cannot be made: {fault.strerror}", filename=str(folder)) from None
+        path = str(folder / FILE)
+    if path != "-" and os.path.exists(path):
+        raise FileError("there is a file of this name already", filename=path)
+    write_file(path, text)
+    if path != "-":
+        click.echo(f"{path} is written; check it with: gcrules robot check {path}")
+
+
+robot.add_command(docs)
+for _decides in SEEDED:
+    if _decides in robot.commands:
+        seeded(robot.commands[_decides])

@@ -1,0 +1,41 @@
+"""`gcrules robot docs`: write a page for each robot, or tell whether the pages are stale."""
+
+from __future__ import annotations
+
+import click
+
+from gcrules.apps.cli.base import Output
+from gcrules.apps.cli.files import working
+from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.page_files import renew
+from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.robot import Robot
+
+__all__ = ["docs"]
+
+
+@click.command()
+@click.option("--check", is_flag=True, help="Write nothing; exit code 1 if a page is stale.")
+@click.option("--out", default="docs/robots", show_default=True, metavar="DIR", help="The folder of the pages.")
+@click.option("--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins.")
+@time_limit(None)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@click.pass_context
+def docs(ctx: click.Context, check: bool, out: str, folders: tuple[str, ...], as_json: bool) -> None:
+    """Write a page for each robot, with drawings, and a gallery.
+
+    A page shows the joints and wrenches of a robot, its equivalent structure, the condition, and singular
+    configurations.
+
+    \b
+    gcrules robot docs
+    gcrules robot docs --check
+    gcrules robot docs --out build/robots --plugins mine
+    """
+    from gcrules.views.pages.robot_pages import FIGURES, HEAD, robot_pages
+
+    with working("computing the pages"):
+        pages = robot_pages([Robot.load(one.path, plugins=folders) for one in robots(folders)])
+    done = renew(pages, out, head=HEAD, figures=FIGURES, command="gcrules robot docs", check=check)
+    Output(json=as_json).show(done)
+    ctx.exit(1 if check and done.stale else 0)

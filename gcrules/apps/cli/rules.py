@@ -1,0 +1,226 @@
+"""The commands about rules: list, show, check; and the options with which other commands choose rules."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import wraps
+from typing import Any
+
+import click
+
+from gcrules.apps.cli.base import LazyGroup, Output, decorated, output_options
+from gcrules.apps.cli.files import working
+from gcrules.apps.cli.limits import time_limit
+from gcrules.core.errors import InputError
+from gcrules.rules.library import Library
+from gcrules.rules.plugins import load_rules
+from gcrules.rules.rule import Rule
+from gcrules.rules.strategy import Strategy
+
+__all__ = ["Choice", "check", "list_rules", "plugins_option", "rules", "rules_options", "show"]
+
+plugins_option = click.option(
+    "--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins (its rules.py files are run)."
+)
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Which rules the user wants: files and ids of --rules, ids of --without, folders of --plugins."""
+
+    words: tuple[str, ...] = ()
+    without: tuple[str, ...] = ()
+    folders: tuple[str, ...] = ()
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        return tuple(w for w in self._pieces if _is_file(w))
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        return tuple(w for w in self._pieces if not _is_file(w))
+
+    @property
+    def _pieces(self) -> tuple[str, ...]:
+        return tuple(p for w in self.words for p in ([w] if os.path.isfile(w) else w.replace(",", " ").split()))
+
+    @property
+    def library(self) -> Library:
+        return load_rules(self.files, self.folders)
+
+    def strategy(self) -> Strategy | None:
+        """None where nothing was said. Files add their identities to the rules named, or to the default ones."""
+        if not (self.words or self.without or self.folders):
+            return None
+        library = load_rules(self.files, self.folders, identities=bool(self.ids or self.folders))
+        strategy = library.strategy(self.ids or None, self.without)
+        return Strategy((*(r for r in _of_files(library, self.files) if r not in strategy.rules), *strategy.rules))
+
+    def rewriting(self) -> tuple[Any, ...]:
+        """The rewriting rules named, and those of files."""
+        library = self.library
+        chosen = [library[i] for i in self.ids]
+        for rule in chosen:
+            if rule.family != "rewriting":
+                raise InputError(f"the rule {rule.id} recognises entities; it rewrites no expressions")
+        for name in self.without:
+            library[name]  # an id that is not there is a fault
+        found = (*(r for r in _of_files(library, self.files) if r not in chosen), *chosen)
+        return tuple(r for r in found if r.id not in self.without)
+
+
+def _is_file(word: str) -> bool:
+    return word.endswith(".gca") or os.sep in word or os.path.isfile(word)
+
+
+def _of_files(library: Library, files: Iterable[str]) -> tuple[Rule, ...]:
+    starts = tuple(f"{f}:" for f in files)
+    return tuple(r for r in library if r.owner.startswith(starts)) if starts else ()
+
+
+def rules_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """--rules, --without, --plugins; the command receives them as `choice`."""
+
+    @wraps(command)
+    def with_choice(**options: Any) -> Any:
+        choice = Choice(options.pop("words"), options.pop("without"), options.pop("folders"))
+        return command(choice=choice, **options)
+
+    named = "Add the rules of a .gca file; or run just the rules named, in this order: planes,four-planes."
+    decorators = [
+        click.option("--rules", "words", multiple=True, metavar="FILE|IDS", help=named),
+        click.option("--without", multiple=True, metavar="IDS", callback=_ids, help="Leave rules out: four-planes."),
+        plugins_option,
+    ]
+    return decorated(with_choice, decorators)
+
+
+def _ids(ctx: click.Context, option: click.Parameter, words: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(i for w in words for i in w.replace(",", " ").split())
+
+
+@click.group(
+    cls=LazyGroup,
+    table={
+        "list": ("gcrules.apps.cli.rules:list_rules", "List the rules of the engine, of plugins and of files."),
+        "show": ("gcrules.apps.cli.rules:show", "Show one rule: sentence, source, cases, and who brought it."),
+        "check": ("gcrules.apps.cli.rules:check", "Prove the rules of a file, the rules named, or all that are known."),
+    },
+)
+def rules() -> None:
+    """List, show and check the rules that rewrite expressions and recognise incidences.
+
+    \b
+    gcrules rules list
+    gcrules rules show four-planes
+    gcrules rules check mine.gca
+    """
+
+
+_files = click.option("--rules", "words", multiple=True, metavar="FILE", help="Add the rules of a .gca file.")
+
+
+@click.command(name="list")
+@_files
+@plugins_option
+@time_limit()
+@output_options(latex=False)
+def list_rules(words: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
+    """List the rules in the order in which a strategy runs them.
+
+    \b
+    gcrules rules list
+    gcrules rules list --rules mine.gca --json
+    """
+    library = Choice(words, folders=folders).library
+    if out.json:
+        out.write(json.dumps([_json(r) for r in library], indent=2))
+        return
+    width = max(len(r.id) for r in library)
+    lines: list[str] = []
+    for family in dict.fromkeys(r.family for r in library):
+        lines += ["", click.style(f"{family}", bold=True)]
+        for r in library:
+            if r.family == family:
+                owner = "" if r.owner == "gcrules" else f"  ({r.owner})"
+                lines.append(f"  {r.id:<{width}}  {r.sentence}{owner}")
+    out.write("\n".join(lines[1:]))
+
+
+@click.command()
+@click.argument("rule_id", metavar="ID")
+@_files
+@plugins_option
+@time_limit()
+@output_options(latex=False)
+def show(rule_id: str, words: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
+    """Show one rule.
+
+    \b
+    gcrules rules show four-planes
+    """
+    rule = Choice(words, folders=folders).library[rule_id]
+    if out.json:
+        out.write(json.dumps(_json(rule), indent=2))
+        return
+    facts = {key: value for key, value in _json(rule).items() if value not in (None, [], "")}
+    lines = []
+    for key, value in facts.items():
+        values = value if isinstance(value, list) else [value]
+        lines += [f"{key if i == 0 else '':<10} {v}" for i, v in enumerate(values)]
+    out.write("\n".join(lines))
+
+
+@click.command()
+@click.argument("words", nargs=-1, metavar="[FILE.gca|ID]...")
+@plugins_option
+@time_limit(None)
+@output_options(latex=False)
+@click.pass_context
+def check(ctx: click.Context, words: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
+    """Prove every rule of a file, or the rules named, and try their cases; by default all rules of the engine and of
+    plugins.
+
+    \b
+    gcrules rules check mine.gca
+    gcrules rules check four-planes
+    gcrules rules check
+
+    Exit code 0: all hold. 1: a rule is no identity, loops, or a case fails; exact points that refute it are shown.
+    """
+    from gcrules.rules.check import check_rules  # tries rules on whole analyses, which nothing else here does
+
+    with working("proving"):
+        chosen = Choice(words)
+        found = list(check_rules(chosen.files, folders, chosen.ids))
+    if out.json:
+        out.write(json.dumps({"ok": all(f.ok for f in found), "rules": [f.to_json() for f in found]}, indent=2))
+    else:
+        for f in found:
+            if f.fault is not None:
+                click.echo(f.fault.render(), err=True)
+        width = max((len(f.rule.id) for f in found), default=0)
+        wrong = sum(not f.ok for f in found)
+        lines = [f"{'ok   ' if f.ok else 'wrong'} {f.rule.id:<{width}}  {f.reason}" for f in found]
+        count = "1 rule" if len(found) == 1 else f"{len(found)} rules"
+        out.write("\n".join([*lines, f"{count}: {len(found) - wrong} hold, {wrong} wrong"]))
+    if any(f.verdict == "undecided" for f in found):
+        ctx.exit(3)
+    ctx.exit(0 if all(f.ok for f in found) else 1)
+
+
+def _json(rule: Rule) -> dict[str, Any]:
+    return {
+        "id": rule.id,
+        "family": rule.family,
+        "sentence": rule.sentence,
+        "rule": getattr(rule, "text", None),
+        "source": rule.source,
+        "fires": list(rule.fires),
+        "silent": list(rule.silent),
+        "group": getattr(rule, "group", None),
+        "owner": rule.owner,
+    }

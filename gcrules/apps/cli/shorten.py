@@ -1,0 +1,48 @@
+"""The command `shorten`."""
+
+from __future__ import annotations
+
+import click
+
+from gcrules.algebra.shortening.limits import MAX_MONOMIALS, SECONDS
+from gcrules.apps.cli.base import ExpressionCommand, Output, Space, limit_option, output_options, space_options
+from gcrules.apps.cli.expressions import read_expression
+from gcrules.apps.cli.files import working
+from gcrules.apps.cli.limits import AROUND, limited, time_limit
+
+__all__ = ["shorten"]
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("expression", metavar="EXPR")
+@limit_option(MAX_MONOMIALS, "Give up beyond this many bracket monomials.")
+@time_limit(SECONDS, "Search for no longer than this; what was found is the answer.", itself=True)
+@space_options()
+@output_options()
+def shorten(expression: str, limit: int, seconds: float, space: Space, out: Output) -> None:
+    """Find the bracket polynomial with the fewest terms that equals a scalar.
+
+    \b
+    gcrules shorten "[[Aa,Bb,Cc,Dd,Ee,Ff]]"
+    gcrules shorten "[abc][def] - [abd][cef] + [abe][cdf]" --rank 3 --json
+
+    "-" reads standard input. What is found is proved by normal forms. The answer says whether it is proved that no
+    bracket polynomial has fewer terms, or how many are needed at least. docs/shorten.md says how.
+
+    Exit code 0: an answer was given. 3: there are more bracket monomials than the limit allows.
+    """
+    from gcrules.algebra.shortening.shorten import shorten as shortened  # numpy, for this command only
+
+    with limited(seconds, AROUND):
+        e = read_expression(expression, space)
+        with working("shortening") as status:
+            found = shortened(
+                e,
+                points=space.points,
+                ideal=space.ideal,
+                rank=space.rank,
+                limit=limit,
+                seconds=seconds,
+                progress=status.tell,
+            )
+        out.show(found, found.text(unicode=out.unicode, short=True) if out.terminal else None)

@@ -1,0 +1,62 @@
+"""The command studio: the page that leads through an analysis."""
+
+from __future__ import annotations
+
+import os
+
+import click
+
+from gcrules.apps.cli.files import read_stdin
+from gcrules.core.errors import FileError, InputError
+
+__all__ = ["studio"]
+
+_LARGEST = 400_000  # characters of a file, as many as a page may send
+_PORT = "The port, 8747 if not given; if it is taken, the next free one. 0 is any."
+
+
+@click.command()
+@click.argument("source", metavar="[FILE|ID|LEGS]", required=False)
+@click.option("--port", type=click.IntRange(0, 65535), default=None, metavar="N", help=_PORT)
+@click.option("--no-browser", is_flag=True, help="Print the address only.")
+def studio(source: str | None, port: int | None, no_browser: bool) -> None:
+    """Open the studio: a page on your own machine that leads through an analysis.
+
+    \b
+    gcrules studio
+    gcrules studio robot.yaml
+    gcrules studio 3-rps
+    gcrules studio "ab af cb cd ed ef" --port 9000 --no-browser
+
+    What it is given is opened at once: a platform file or a robot file ("-" is standard input), the id of a class, of
+    a robot or of an example, or six legs. The server listens on 127.0.0.1 only, and nothing leaves the machine. Ctrl-C
+    closes it.
+    """
+    try:
+        from gcrules.apps.studio.serving import PORT, serve  # an extra of the installation
+    except ImportError as missing:
+        if (missing.name or "").split(".")[0] not in ("starlette", "uvicorn", "websockets"):
+            raise
+        raise InputError(
+            f"the studio needs {missing.name}, which is not installed", hint='pip install "gcrules[studio]"'
+        ) from None
+    opened = None if source is None else _source(source)
+    serve(opened, port=PORT if port is None else port, browser=not no_browser, say=click.echo)
+
+
+def _source(word: str) -> dict[str, str]:
+    """What the word means: a file, an id, or legs. Faults show here, before a page is opened."""
+    from gcrules.apps.studio.subject import known_as, read_subject
+    from gcrules.core.yaml_file import read_text
+
+    if word == "-":
+        found = {"kind": "file", "text": read_stdin(), "name": "<stdin>"}
+    elif os.path.isfile(word) or word.endswith((".yaml", ".yml")):
+        found = {"kind": "file", "text": read_text(word), "name": os.path.basename(word)}
+    else:
+        found = known_as(word) or {"kind": "legs", "legs": word}
+    if len(found.get("text", "")) > _LARGEST:
+        raise FileError(f"the file has more than {_LARGEST:,} characters", filename=found["name"])
+    if found["kind"] != "class":
+        read_subject(found)
+    return found

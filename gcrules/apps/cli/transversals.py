@@ -1,0 +1,52 @@
+"""The command `transversals`."""
+
+from __future__ import annotations
+
+import click
+
+from gcrules.apps.cli.base import ExpressionCommand, Output, Space, given_option, output_options, space_options
+from gcrules.apps.cli.files import read_stdin, working
+from gcrules.apps.cli.limits import time_limit
+
+__all__ = ["transversals"]
+
+NOT_DECIDED = 3
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("legs", nargs=-1, required=True, metavar="LEGS")
+@click.option("--all", "every", is_flag=True, help="Show every reading, not the simplest only.")
+@given_option
+@time_limit()
+@space_options(rank=False)
+@output_options()
+@click.pass_context
+def transversals(
+    ctx: click.Context,
+    legs: tuple[str, ...],
+    every: bool,
+    assumptions: tuple[str, ...],
+    space: Space,
+    out: Output,
+) -> None:
+    """Compare the turns about two lines: the lines that meet four legs, found from the common joints of the legs.
+
+    \b
+    gcrules transversals "Aa Ab Bc Cd De Ef"
+    gcrules transversals "ab bc ca de fg hi" --all
+    gcrules transversals "Aa Ab Ba Cc Dd Ee" --json
+
+    Without two of the legs the platform can turn about each of two lines. Each of the two legs allows these turns in
+    one ratio only; the robot is singular where the ratios agree. "-" reads the legs from standard input.
+
+    Exit code 0: found. 1: there is no such condition. 3: none was found, though there may be one.
+    """
+    from gcrules.conditions.transversals import (
+        transversals as compared,  # the name of this command is that of the function
+    )
+
+    source = read_stdin() if legs == ("-",) else " ".join(legs)
+    with working("looking for transversals"):
+        found = compared(source, every=every, points=space.points, ideal=space.ideal, given=assumptions)
+    out.show(found)
+    ctx.exit(0 if found.found else 1 if found.definite else NOT_DECIDED)

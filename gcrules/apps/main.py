@@ -1,0 +1,51 @@
+"""The entry point: whenever a signal comes, the program ends in order, without a traceback."""
+
+from __future__ import annotations
+
+import atexit
+import os
+import sys
+
+from gcrules.core import interrupts  # what else is needed is imported when signals are heard
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import NoReturn
+
+__all__ = ["main"]
+
+
+def main() -> NoReturn:
+    """Answer the command line. A fault of gcrules itself shows its traceback and ends with code 70."""
+    code = interrupts.run(_answered)
+    interrupts.ignore()
+    _tidy()
+    if interrupts.pending() is None and not _waits():
+        sys.exit(code)
+    # Python would wait for a thread that a plugin has left behind, and kill itself where it remembers an interrupt.
+    atexit._run_exitfuncs()
+    os._exit(code)
+
+
+def _answered() -> int:
+    from gcrules.apps.cli import answered  # loads click
+    from gcrules.core import streams
+
+    streams.prepare()
+    return answered()
+
+
+def _tidy() -> None:
+    """Leave no unfinished file; what is printed from now on, by a plugin that is called at the end, is no answer."""
+    from gcrules.core import files, streams
+
+    files.remove_unfinished()
+    streams.flush()
+    streams.silence()
+
+
+def _waits() -> bool:
+    """Whether the interpreter would not end before somebody else does."""
+    import threading
+
+    return any(not t.daemon for t in threading.enumerate() if t is not threading.main_thread())

@@ -1,0 +1,41 @@
+"""A robot in a notebook cell: the 3D viewer as a widget, with the pose in both worlds."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis, analyze_robot
+from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.description.robot_spec import RobotText
+
+if TYPE_CHECKING:
+    from gcrules.apps.notebook.widget import RobotWidget
+
+__all__ = ["view"]
+
+
+def view(robot: Platform | Analysis | RobotText | RobotAnalysis | str, *, pose: Any = None) -> RobotWidget:
+    """A widget that shows a robot in 3D and moves its platform, for Jupyter and other notebooks.
+
+    `robot` is a platform (`load_platform`), an analysis, legs as text, or a robot described by its joints, which stays
+    at home unless it is a platform on six legs. `pose` is where the platform begins: text as for `gcrules pose`, a
+    `Pose`, or a mapping with `translation` and `quaternion`; turns are about the centroid of the platform's joints. The
+    widget's traits `pose`, `closeness` and `verdict` follow the platform, and setting `pose` moves it; `numbers()` is
+    the full report there.
+
+    Raises InputError where the optional dependency is missing, and for lines that are no legs between finite joints.
+    """
+    try:
+        from gcrules.apps.notebook.widget import RobotWidget
+    except ImportError as fault:
+        raise InputError(
+            f"a widget needs the package {fault.name}, which is not installed",
+            hint='pip install "gcrules[widget]"',
+        ) from fault
+    if isinstance(robot, RobotText):
+        robot = analyze_robot(robot)
+    elif not isinstance(robot, (Analysis, RobotAnalysis)):
+        robot = analyze(robot)
+    return RobotWidget(robot, pose)

@@ -1,0 +1,167 @@
+"""Answers as text, in the form that the settings ask for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
+from gcrules.algebra.expr import Expr, step_name
+from gcrules.algebra.language.syntax import Context
+from gcrules.algebra.language.text import text
+from gcrules.apps.repl.reading import as_typed
+from gcrules.apps.repl.state import Settings
+from gcrules.core.errors import GcrulesError, LimitReached
+from gcrules.rules.script import ClaimResult, Result, RewriteResult, ShowResult
+from gcrules.views.formulas.latex import latex
+
+__all__ = [
+    "Answer",
+    "answer_of",
+    "bound_text",
+    "fault_answer",
+    "polynomial_text",
+    "result_of",
+    "value_text",
+    "worst",
+    "wrapped",
+]
+
+Polynomial = BracketPolynomial | ExtensorPolynomial
+
+_CODES = {"proved": 0, "refuted": 1, "undecided": 3}
+_ELSEWHERE = (
+    ("--limit (in Python limit=...)", ":limit N"),
+    ("--seconds (in Python within(seconds=...))", ":seconds S"),
+    ("--seconds (in Python seconds=...)", ":seconds S"),
+    ("leave out --steps", "use :straighten"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What is printed. `verdict` is proved, refuted, undecided, shown, done, or fault.
+
+    `wraps` tells whether long lines are formulas, which may be broken to the width of a terminal.
+    """
+
+    text: str
+    verdict: str = "done"
+    fault: GcrulesError | None = None
+    wraps: bool = True
+
+    @property
+    def code(self) -> int:
+        """The exit code that the answer calls for."""
+        return self.fault.exit_code if self.fault is not None else _CODES.get(self.verdict, 0)
+
+
+_SEVERITY = (0, 3, 1, 2)
+
+
+def worst(codes: Iterable[int]) -> int:
+    """One exit code for several answers: the input is at fault, else a definite no, else not decided."""
+    return max(codes, key=_SEVERITY.index, default=0)
+
+
+def fault_answer(fault: GcrulesError) -> Answer:
+    """The message with its place; a limit that was reached leaves the question undecided."""
+    return Answer(_here(fault.render()), "undecided" if isinstance(fault, LimitReached) else "fault", fault)
+
+
+def answer_of(result: Result, settings: Settings, *, brief: bool, line: int | None = None) -> Answer:
+    """The answer to a claim, show, rule or rewrite; `brief` for statements, whose label stands for the formula."""
+    shown = _latex(result) if settings.latex else None
+    if shown is None and isinstance(result, RewriteResult) and result.rewriting is not None and line is None:
+        shown = result.rewriting.text(unicode=settings.unicode)
+    if shown is None and not brief:
+        shown = _in_full(result, settings)
+    if shown is None:
+        shown = result.text(unicode=settings.unicode).removeprefix(f"line {result.line}: ")
+    hinted = any(words in _here(shown) for words in (":limit", ":seconds"))
+    if isinstance(result, ShowResult | ClaimResult) and result.verdict == "undecided" and not hinted:
+        shown += "\nhint: :limit N allows more terms"
+    return Answer(_here(as_typed(shown if line is None else f"line {line}: {shown}")), result.verdict)
+
+
+def _in_full(result: Result, settings: Settings) -> str | None:
+    if isinstance(result, ClaimResult) and result.proof is not None:
+        return result.proof.text(unicode=settings.unicode)
+    if isinstance(result, ShowResult) and result.polynomial is not None:
+        return value_text(
+            result.polynomial.to_expr(short=settings.short), settings, (*result.names, *result.polynomial.points)
+        )
+    return None
+
+
+def _latex(result: Result) -> str | None:
+    match result:
+        case ClaimResult(proof=proof) if proof is not None:
+            return f"{proof.latex()}\n% {proof.verdict}: {proof.reason}"
+        case ShowResult(polynomial=polynomial) if polynomial is not None:
+            return latex(polynomial.to_expr())
+        case RewriteResult(rewriting=rewriting) if rewriting is not None:
+            return f"\\begin{{align*}}\n{rewriting.latex()}\n\\end{{align*}}"
+    return None
+
+
+def result_of(result: Result) -> Expr | None:
+    """What % stands for after a result."""
+    match result:
+        case ShowResult(polynomial=polynomial) if polynomial is not None:
+            return polynomial.to_expr()
+        case RewriteResult(rewriting=rewriting) if rewriting is not None:
+            return rewriting.after
+    return None
+
+
+def value_text(e: Expr, settings: Settings, names: tuple[str, ...]) -> str:
+    """An expression as the settings ask for it; `names` are the declared points."""
+    return latex(e) if settings.latex else text(e, unicode=settings.unicode, names=names)
+
+
+def polynomial_text(p: Polynomial, settings: Settings, context: Context) -> str:
+    """A polynomial as the settings ask for it."""
+    return value_text(p.to_expr(short=settings.short), settings, (*context.points, *p.points))
+
+
+def bound_text(name: str, context: Context, settings: Settings) -> str:
+    """A name with what it stands for: "p = ab ∧ cde, a point (step 1)"."""
+    e = context.bound[name]
+    names = (*context.points, *context.ideal)
+    return f"{name} = {value_text(e, settings, names)}" + (
+        "" if settings.latex else f", {step_name(e.step, context.rank)}"
+    )
+
+
+def wrapped(shown: str, width: int) -> str:
+    """Lines that are too long broken before the signs of sums; a single term may be wider.
+
+    >>> print(wrapped("x = [abcd] + [abce] - [abcf]", 20))
+    x = [abcd] + [abce]
+      - [abcf]
+    """
+    return "\n".join(part for line in shown.split("\n") for part in _wrapped_line(line, width))
+
+
+def _wrapped_line(line: str, width: int) -> Iterator[str]:
+    if len(line) <= width:
+        yield line
+        return
+    held, *terms = re.split(r" (?=[-+−] )", line)
+    indent = " " * (len(line) - len(line.lstrip()) + 2)
+    for term in terms:
+        if len(held) + 1 + len(term) > width:
+            yield held
+            held = indent + term
+        else:
+            held += " " + term
+    yield held
+
+
+def _here(shown: str) -> str:
+    """With advice in the words of the session."""
+    for words, here in _ELSEWHERE:
+        shown = shown.replace(words, here)
+    return shown

@@ -1,0 +1,293 @@
+"""The commands that begin with a colon: one function for each, which answers a request to an interpreter."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from math import inf, nan
+from os.path import expanduser
+from typing import TYPE_CHECKING
+
+from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.expand import expand
+from gcrules.algebra.expr import Expr, points_of, step_name
+from gcrules.algebra.language.legs_text import Structure, read_legs
+from gcrules.algebra.language.statements import parse_script
+from gcrules.algebra.straightening.straighten import straighten, straighten_steps
+from gcrules.apps.repl.answers import Answer, bound_text, polynomial_text, value_text
+from gcrules.apps.repl.help import help_text
+from gcrules.apps.repl.reading import Source, is_blank
+from gcrules.apps.repl.state import State
+from gcrules.apps.repl.tables import Command
+from gcrules.conditions.analysis import analyze
+from gcrules.core.errors import GcrulesError, InputError, Span
+from gcrules.core.files import write_file
+from gcrules.core.hints import near
+from gcrules.mechanisms.description.platform_file import Platform, load_platform
+from gcrules.rules.identity import Identity
+from gcrules.views.formulas.latex import latex
+
+if TYPE_CHECKING:
+    from gcrules.apps.repl.interpreter import Interpreter
+
+__all__ = ["HANDLERS", "Request"]
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """A command with what stands behind it; `source` has the same for the parser."""
+
+    command: Command
+    argument: str
+    source: Source
+
+    @property
+    def span(self) -> Span:
+        """Where the argument stands, or the command where there is none."""
+        begin = self.source.text.rindex(self.argument or ":")
+        return Span(begin, begin + len(self.argument) if self.argument else len(self.source.text.rstrip()))
+
+    def fault(self, message: str, hint: str | None = None) -> GcrulesError:
+        return InputError(message, hint=hint).located(self.source.text, self.source.filename, self.span)
+
+
+def _asked(repl: Interpreter, request: Request) -> Expr:
+    """The expression behind a command, or the last result where there is none."""
+    if not is_blank(request.argument):
+        return repl.expression(request.source)
+    if not repl.state.results:
+        raise request.fault("there is no result yet")
+    return repl.state.results[0]
+
+
+# --- algebra -------------------------------------------------------------------------------------------------------
+
+
+def _expand(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    return repl.shown(_asked(repl, request), request.source)
+
+
+def _straighten(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    at, limit = repl.state.context, repl.settings.limit
+    e = _asked(repl, request)
+    found = straighten(e, points=at.points, ideal=at.ideal, rank=at.rank, limit=limit)
+    repl.remember(found.to_expr())
+    yield Answer(polynomial_text(found, repl.settings, at), "shown")
+
+
+def _steps(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    at, settings = repl.state.context, repl.settings
+    e = _asked(repl, request)
+    found = expand(e, points=at.points, ideal=at.ideal, rank=at.rank, limit=settings.limit)
+    if not isinstance(found, BracketPolynomial):
+        raise request.fault(f"the steps of scalars are shown; this is {step_name(found.step, at.rank)}")
+    normal, steps = straighten_steps(found)
+    repl.remember(normal.to_expr())
+    lines = [f"{polynomial_text(s.before, settings, at)} = {polynomial_text(s.after, settings, at)}" for s in steps]
+    end = " \\\\" if settings.latex else ""
+    yield Answer("\n".join([*(f"{line}{end}" for line in lines), polynomial_text(normal, settings, at)]), "shown")
+
+
+def _prove(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    if is_blank(request.argument):
+        raise request.fault("no equation to prove", request.command.usage)
+    return repl.equation(request.source)
+
+
+def _analyze(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    at = repl.state.context
+    if at.rank != 4:
+        raise request.fault(f"platforms with six legs are in rank 4, and this is rank {at.rank}", ":reset begins anew")
+    if is_blank(request.argument):
+        raise request.fault("no legs", "six legs, each its two joints:  :analyze ab af cb cd ed ef")
+    found = analyze(_legs(repl, request))
+    repl.remember(found.condition.expression)
+    settings = repl.settings
+    text = found.latex() if settings.latex else found.text(unicode=settings.unicode)
+    yield Answer(text.rstrip("\n"), "shown", wraps=False)
+
+
+def _legs(repl: Interpreter, request: Request) -> Structure | Platform:
+    at = repl.state.context
+    word = request.argument.partition("#")[0].strip()
+    if word.lower().endswith((".yaml", ".yml")):
+        return load_platform(expanduser(word))
+    text = request.source.text
+    place = request.span
+    try:
+        legs = read_legs(word, points=(*at.points, *at.ideal), built=True)
+        known = {*legs.names, *at.points}
+        given = tuple(a for a in at.given if known.issuperset(points_of(*a.args)))
+        return replace(legs, points=at.points, ideal=tuple(n for n in at.ideal if n in legs.names), given=given)
+    except GcrulesError as fault:
+        if fault.source == word and fault.span is not None:
+            fault.source = text
+            fault.span = Span(fault.span.start + place.start, fault.span.end + place.start)
+            fault.filename = request.source.filename
+        raise fault.located(text, request.source.filename, place) from None
+
+
+# --- how answers are shown -----------------------------------------------------------------------------------------
+
+
+def _switch(request: Request, now: bool) -> bool:
+    word = request.argument
+    if word not in ("on", "off", ""):
+        raise request.fault(f"{word!r} is neither on nor off", request.command.usage)
+    return {"on": True, "off": False, "": now}[word]
+
+
+def _latex(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    if request.argument in ("on", "off"):
+        repl.settings = replace(repl.settings, latex=_switch(request, False))
+        yield Answer(f"LaTeX {request.argument}")
+    else:
+        yield Answer(latex(_asked(repl, request)), "shown")
+
+
+def _unicode(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    on = _switch(request, repl.settings.unicode)
+    repl.settings = replace(repl.settings, unicode=on)
+    yield Answer(f"Unicode {'on' if on else 'off'}")
+
+
+def _limit(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    word = request.argument.replace(",", "").replace("_", "")
+    if word:
+        if not (word.isascii() and word.isdigit() and len(word) < 19 and int(word)):
+            raise request.fault("the limit is a number of terms, 1 or more")
+        repl.settings = replace(repl.settings, limit=int(word))
+    yield Answer(f"limit {repl.settings.limit:,} terms")
+
+
+def _seconds(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    if request.argument:
+        try:
+            found = float(request.argument)
+        except ValueError:
+            found = nan
+        if not found >= 0:
+            raise request.fault("the limit is a number of seconds, 0 or more; inf is none")
+        repl.settings = replace(repl.settings, seconds=found)
+    yield Answer("no limit of time" if repl.settings.seconds == inf else f"limit {repl.settings.seconds:g} seconds")
+
+
+# --- what is declared ----------------------------------------------------------------------------------------------
+
+
+def _context(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    at, settings = repl.state.context, replace(repl.settings, latex=False)
+    facts = {
+        "rank": [str(at.rank)],
+        "points": [" ".join(at.points)] if at.points else [],
+        "ideal": [" ".join(at.ideal)] if at.ideal else [],
+        "given": [str(a) for a in at.given],
+        "let": [bound_text(n, at, settings) for n in at.bound],
+        "rules": [", ".join(r.id for r in repl.state.rules)] if repl.state.rules else [],
+        "%": [value_text(e, settings, at.points) for e in repl.state.results[:1]],
+    }
+    yield Answer("\n".join(f"{key if i == 0 else '':<10}  {v}" for key, vs in facts.items() for i, v in enumerate(vs)))
+
+
+def _rules(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    rules = repl.state.rules
+    if is_blank(request.argument):
+        shown = [f"{r.id}: {r.text if isinstance(r, Identity) else r.sentence}" for r in rules]
+        yield Answer("\n".join(shown) or 'no rules yet; write  rule ID "sentence": LHS => RHS')
+        return
+    rule = next((r for r in rules if r.id == request.argument), None)
+    if rule is None:
+        raise request.fault(
+            f"there is no rule {request.argument[:40]}",
+            near(request.argument, [r.id for r in rules]) or ":rules lists them",
+        )
+    facts = {"rule": rule.id, "sentence": rule.sentence, "text": getattr(rule, "text", ""), "source": rule.source}
+    if isinstance(rule, Identity):
+        facts["ranks"] = " ".join(str(i.rank) for i in rule.instances)
+    facts |= {"fires": ", ".join(rule.fires), "silent": ", ".join(rule.silent)}
+    yield Answer("\n".join(f"{key:<10}  {value}" for key, value in facts.items() if value))
+
+
+def _help(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    yield Answer(help_text(request.argument), wraps=False)
+
+
+# --- files ---------------------------------------------------------------------------------------------------------
+
+
+def _file(request: Request) -> str:
+    name = request.argument
+    if len(name) > 1 and name[0] == name[-1] and name[0] in "\"'":
+        name = name[1:-1]
+    if not name:
+        raise request.fault("no name of a file", request.command.usage)
+    return expanduser(name)
+
+
+def _load(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    return repl.script(_file(request))
+
+
+def _save(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    name, script = _file(request), repl.state.script()
+    if not script:
+        raise request.fault("there are no statements to save")
+    if name == "-":
+        yield Answer(script.rstrip("\n"))
+        return
+    parse_script(script, name)  # what is written can be run
+    write_file(name, script)
+    count = len(repl.state.statements)
+    yield Answer(f"{count} statement{'s' * (count != 1)} written to {name}")
+
+
+# --- the session ---------------------------------------------------------------------------------------------------
+
+
+def _undo(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    if not repl.past:
+        raise request.fault("there is nothing to take back")
+    before = repl.state.statements
+    repl.state, repl.past = repl.past[-1], repl.past[:-1]
+    after = repl.state.statements
+    if len(after) < len(before):
+        yield Answer(f"taken back: {_few(before[len(after) :])}")
+    else:
+        yield Answer(f"back again: {_few(after[len(before) :])}")
+
+
+def _few(statements: tuple[str, ...]) -> str:
+    return " ".join(statements[0].split()) if len(statements) == 1 else f"{len(statements)} statements"
+
+
+def _reset(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    before = repl.state.statements
+    with repl.step():
+        repl.state = State()
+    yield Answer(f"forgotten: {_few(before)}; :undo brings this back" if before else "nothing is declared")
+
+
+def _quit(repl: Interpreter, request: Request) -> Iterator[Answer]:
+    repl.over = True
+    yield from ()
+
+
+HANDLERS: Mapping[str, Callable[[Interpreter, Request], Iterator[Answer]]] = {
+    "help": _help,
+    "analyze": _analyze,
+    "expand": _expand,
+    "straighten": _straighten,
+    "steps": _steps,
+    "prove": _prove,
+    "latex": _latex,
+    "unicode": _unicode,
+    "limit": _limit,
+    "seconds": _seconds,
+    "context": _context,
+    "rules": _rules,
+    "load": _load,
+    "save": _save,
+    "undo": _undo,
+    "reset": _reset,
+    "quit": _quit,
+}

@@ -1,0 +1,137 @@
+"""What can be typed: the words that begin statements, the commands, the signs with a name. Help and completion read
+the same tables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from gcrules.core.errors import InputError
+from gcrules.core.hints import near
+
+__all__ = [
+    "COMMANDS",
+    "KEYS",
+    "OPERATIONS",
+    "RELATIONS",
+    "RULE_WORDS",
+    "STATEMENTS",
+    "SYMBOLS",
+    "Command",
+    "command",
+    "meant",
+]
+
+STATEMENTS: Mapping[str, tuple[str, str]] = {
+    "rank": ("rank N", "the rank, before everything else; 4 if left out"),
+    "points": ("points NAMES", "long names, and the tableau order"),
+    "ideal": ("ideal NAMES", "points at infinity"),
+    "given": ("given collinear(a, b, c), …", "what is assumed: coplanar, concurrent, incident, LHS == RHS too"),
+    "let": ("let NAME = EXPR", "a name for an expression"),
+    "claim": ('claim ["label":] LHS == RHS', "an equation to prove, and to save"),
+    "show": ("show EXPR", "an expression to expand, and to save"),
+    "rule": ('rule ID ["sentence"]: LHS => RHS [if …]', "a rule to prove and to rewrite by"),
+    "rewrite": ("rewrite EXPR", "an expression rewritten by the rules so far"),
+}
+"""How each statement is written and what it is."""
+
+RULE_WORDS = ("if", "source", "fires", "silent")
+RELATIONS = ("collinear", "coplanar", "concurrent", "incident", "ideal")
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """`takes` says what stands behind the command: an expression, an equation, legs, a file, one of `words`, …"""
+
+    name: str
+    usage: str
+    help: str
+    takes: str = ""
+    words: tuple[str, ...] = ()
+
+
+_SWITCH = ("on", "off")
+
+COMMANDS: Mapping[str, Command] = {
+    c.name: c
+    for c in (
+        Command("help", ":help [TOPIC]", "this list, or more about a statement, a command or a topic", "topic"),
+        Command("analyze", ":analyze LEGS", "when and why a robot with six legs is singular", "legs"),
+        Command("expand", ":expand [EXPR]", "expand into brackets, as an expression alone does", "expression"),
+        Command("straighten", ":straighten [EXPR]", "the normal form of standard tableaux", "expression"),
+        Command("steps", ":steps [EXPR]", "straighten a scalar, every single syzygy shown", "expression"),
+        Command("prove", ":prove LHS == RHS", "decide an equation, as an equation alone does", "equation"),
+        Command("latex", ":latex [EXPR|on|off]", "LaTeX of an expression, or of all answers", "latex", _SWITCH),
+        Command("unicode", ":unicode [on|off]", "Unicode mathematics in answers and while typing", "switch", _SWITCH),
+        Command("limit", ":limit [N]", "give up beyond this many terms", "number"),
+        Command("seconds", ":seconds [S]", "give an input up after this time", "number"),
+        Command("context", ":context", "what is declared and assumed"),
+        Command("rules", ":rules [ID]", "the rules so far", "rule"),
+        Command("load", ":load FILE.gca", "run a script; what it declares holds from here on", "file"),
+        Command("save", ":save FILE.gca", "write the statements so far as a script", "file"),
+        Command("undo", ":undo", "take back the last input that declared or claimed something"),
+        Command("reset", ":reset", "forget everything that is declared, assumed and claimed"),
+        Command("quit", ":quit", "leave, as Ctrl-D does"),
+    )
+}
+
+SYMBOLS: Mapping[str, str] = {
+    "\\wedge": "∧",
+    "\\meet": "∧",
+    "\\vee": "∨",
+    "\\join": "∨",
+    "\\cdot": "·",
+    "\\times": "×",
+    "\\minus": "−",
+    "\\dot": "\u0307",
+    "\\dots": "…",
+}
+"""What Tab makes of a name; `\\dot` puts a dot above the letter before it."""
+
+OPERATIONS: tuple[tuple[str, str], ...] = (
+    ("abc", "points side by side: their join"),
+    ("a \\/ bc", "join: ∨ \\vee"),
+    ("ab /\\ cde", "meet: ∧ ^ \\wedge"),
+    ("2 [abcd] * (ab /\\ cd)", "product; a space or nothing between scalars"),
+    ("[abcd]**2", "power"),
+    ("[abcd], [(ab /\\ cde), f, gh]", "bracket: the determinant of points, or of extensors"),
+    ("[[ab, cd, ef, gh, ij, kl]]", "superbracket of six lines"),
+    ("[.a d e f][.b g h i]", "dotted points: the signed sum over all ways to share them out"),
+    ("LHS == RHS", "an equation, proved or refuted"),
+    ("%, %%, …", "the last result, the one before it, …"),
+)
+
+KEYS: tuple[tuple[str, str], ...] = (
+    ("Enter", "answer; the next line where something is open (Enter on an empty line answers anyway)"),
+    ("Alt-Enter", "the next line"),
+    ("Tab", "complete a word, a command, a file; \\wedge becomes ∧"),
+    ("Up, Down, Ctrl-R", "earlier inputs"),
+    ("Right", "take the suggestion shown in grey"),
+    ("Ctrl-C", "stop the computation, or clear the line; what is declared stays"),
+    ("Ctrl-X Ctrl-E", "edit the input in $EDITOR"),
+    ("Ctrl-D", "leave"),
+)
+
+
+def meant(begun: str, names: Iterable[str] = COMMANDS) -> list[str]:
+    """The names that a word may stand for: its own, else those that begin so."""
+    names = list(names)
+    return [begun] if begun in names else [n for n in names if n.startswith(begun)]
+
+
+def command(name: str) -> Command:
+    """The command of this name or of the one name that begins so. Raises InputError, with a suggestion."""
+    found = meant(name) if name else []
+    if len(found) == 1:
+        return COMMANDS[found[0]]
+    if found:
+        raise InputError(f"several commands begin so: {', '.join(f':{n}' for n in found)}")
+    hint = near(name, COMMANDS)
+    hint = _with_colons(hint) if hint else ":help lists the commands"
+    raise InputError(f"there is no command :{name[:40]}", hint=hint)
+
+
+def _with_colons(hint: str) -> str:
+    """ "did you mean load?" with the names as they are typed."""
+    return " ".join(f":{w}" if w.rstrip("?") in COMMANDS else w for w in hint.split())

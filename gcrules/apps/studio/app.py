@@ -1,0 +1,53 @@
+"""The application: the page's files and its websocket, behind the guard."""
+
+from __future__ import annotations
+
+from collections.abc import AsyncIterator, Iterable
+from contextlib import asynccontextmanager
+
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.routing import Route, WebSocketRoute
+from starlette.websockets import WebSocket
+
+from gcrules.apps.studio.guard import Guard
+from gcrules.apps.studio.pages import Pages
+from gcrules.apps.studio.service import Service
+from gcrules.apps.studio.session import Session
+from gcrules.apps.studio.views import SourceJson
+
+__all__ = ["MOST_PAGES", "make_app"]
+
+MOST_PAGES = 32
+"""Connections at a time; one more is turned away."""
+
+
+def make_app(port: int, token: str, opened: SourceJson | None = None, tickets: Iterable[str] = ()) -> Starlette:
+    """The application that is served at http://127.0.0.1:port to whom the token, or one of the tickets, is known."""
+    service = Service(opened)
+    pages = Pages()
+
+    sessions: set[Session] = set()
+
+    async def talk(socket: WebSocket) -> None:
+        if len(sessions) >= MOST_PAGES:
+            await socket.close(1013, "too many pages are open")
+            return
+        session = Session(socket, service)
+        sessions.add(session)
+        try:
+            await session.run()
+        finally:
+            sessions.discard(session)
+
+    @asynccontextmanager
+    async def lifespan(_: Starlette) -> AsyncIterator[None]:
+        await service.start()
+        yield
+        await service.close()
+
+    return Starlette(
+        routes=[WebSocketRoute("/ws", talk), Route("/", pages.answer), Route("/{name:path}", pages.answer)],
+        middleware=[Middleware(Guard, port=port, token=token, tickets=tickets)],
+        lifespan=lifespan,
+    )

@@ -1,0 +1,122 @@
+"""What there is to begin with: the classes of the catalog, robots and examples, each with a small drawing.
+
+Nothing is analysed here: the first page is there at once.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+from gcrules.algebra.language.legs_text import legs_text
+from gcrules.algebra.structure import Structure
+from gcrules.apps.studio.drawings import sketch
+from gcrules.apps.studio.subject import examples
+from gcrules.apps.studio.views import Gallery, GalleryItem
+from gcrules.core.errors import GcrulesError
+from gcrules.mechanisms.description.discovery import Found, robots
+from gcrules.mechanisms.description.platform_file import load_platform
+from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.robot import Robot
+from gcrules.rules.catalog.catalog import Entry
+from gcrules.rules.catalog.file import load as load_catalog
+from gcrules.views.drawing.sample import sample_coordinates
+
+__all__ = ["gallery"]
+
+KIND_WORDS = {
+    "three-tetrahedra": "Singular when a tetrahedron is flat.",
+    "tetrahedron-planes-line": "Singular when a tetrahedron is flat, or two planes and a line meet in a point.",
+    "tetrahedron-four-lines": "Singular when a tetrahedron is flat, or two legs allow two turns in one ratio.",
+    "four-planes": "Singular when four planes meet in a point.",
+    "two-planes-three-lines": "Singular when two legs allow two turns in one ratio.",
+    "transversals": "Singular when two legs allow the turns about two transversals in one ratio.",
+    "one-incidence": "Singular when constructed planes and lines meet in a point.",
+    "linear-complex": "Singular when the six legs belong to one linear complex.",
+    "always-singular": "Singular in every pose.",
+}
+"""The kinds of conditions in a few words; the whole sentence names the points."""
+
+GROUPS = {
+    "a": "Six lines",
+    "b": "Two planes and three lines",
+    "c": "Four planes",
+    "d": "A tetrahedron, two planes and a line",
+    "e": "A tetrahedron and four lines",
+    "f": "Two tetrahedra and two lines",
+    "g": "Three tetrahedra",
+}
+
+
+@cache
+def gallery() -> Gallery:
+    """All that can be opened by name."""
+    return {
+        "classes": [_of_class(e) for e in load_catalog().entries],
+        "robots": [item for one in robots() if (item := _of_robot(one))],
+        "examples": [_of_example(name) for name in examples()],
+    }
+
+
+def _of_class(e: Entry) -> GalleryItem:
+    kind = e.condition.kind
+    regular = GROUPS.get(e.group or "", "Beyond the published procedure")
+    return {
+        "id": e.id,
+        "title": e.id + (f" · {e.name}" if e.name else ""),
+        "detail": legs_text(e.legs),
+        "group": "Always singular" if kind == "always-singular" else regular,
+        "statement": KIND_WORDS.get(kind, ""),
+        "svg": _of_structure(e.structure),
+        "source": {"kind": "class", "id": e.id},
+    }
+
+
+def _of_structure(s: Structure) -> str:
+    shape = sample_coordinates(s.oriented, s.base, s.platform)
+    return sketch(shape, s.oriented, {"base": s.base, "platform": s.platform})
+
+
+def _of_robot(one: Found) -> GalleryItem | None:
+    try:
+        robot = Robot.load(one.path)
+    except GcrulesError:  # a plugin of the user's that is at fault shows when it is asked for by name
+        return None
+    return {
+        "id": one.id,
+        "title": robot.title,
+        "detail": robot.chain,
+        "group": f"{robot.mobility} degrees of freedom",
+        "statement": robot.note,
+        "svg": _of_limbs(robot),
+        "source": {"kind": "robot", "id": one.id},
+    }
+
+
+def _of_limbs(robot: RobotText) -> str:
+    """The limbs as chains through the points of their joints."""
+    home = robot.home or {}
+    points = {n: [float(c) for c in p] for n, p in home.items() if robot.family.sorts.get(n) == "point"}
+    chains = [[n for j in limb.joints for n in _places(j.names, points)] for limb in robot.limbs]
+    used = {n for chain in chains for n in chain}
+    base = [chain[0] for chain in chains if chain and chain[0] not in robot.platform]
+    bodies = {"base": base, "platform": robot.platform}
+    return sketch({n: p for n, p in points.items() if n in used or n in robot.platform}, chains, bodies)
+
+
+def _places(names: tuple[str, ...], points: dict[str, list[float]]) -> list[str]:
+    return [n for n in names if n in points]
+
+
+def _of_example(name: str) -> GalleryItem:
+    given = load_platform(examples()[name])
+    s = Structure(given.legs)
+    points = {n: [float(c) for c in p] for n, p in given.points.items() if n in s.names}
+    return {
+        "id": name,
+        "title": given.title,
+        "detail": legs_text(given.legs),
+        "group": "Platforms with dimensions",
+        "statement": given.note,
+        "svg": sketch(points, s.oriented, {"base": s.base, "platform": s.platform}),
+        "source": {"kind": "example", "name": name},
+    }

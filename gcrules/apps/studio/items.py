@@ -1,0 +1,30 @@
+"""What a stage is made of."""
+
+from __future__ import annotations
+
+from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.expr import Expr
+from gcrules.apps.studio.formulas import monomials, pieces
+from gcrules.apps.studio.views import FactItem, FormulaItem, MonomialsItem, TextItem
+
+__all__ = ["fact", "formula", "said", "table"]
+
+
+def said(words: str) -> TextItem:
+    """A sentence."""
+    return {"kind": "text", "text": words}
+
+
+def fact(key: str, value: str) -> FactItem:
+    """A key and its value."""
+    return {"kind": "fact", "key": key, "value": value}
+
+
+def formula(left: Expr | None, right: Expr) -> FormulaItem:
+    """left = right, in pieces."""
+    return {"kind": "formula", "left": [] if left is None else pieces(left), "right": pieces(right)}
+
+
+def table(poly: BracketPolynomial, sign: int = 1) -> MonomialsItem:
+    """The terms of a polynomial."""
+    return {"kind": "monomials", "monomials": monomials(poly, sign)}

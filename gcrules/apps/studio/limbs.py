@@ -1,0 +1,101 @@
+"""Robots with limbs: what does not change with the configuration, and the two steps to the equivalent lines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.legs_text import leg_text
+from gcrules.algebra.language.text import text
+from gcrules.apps.studio.items import fact, formula, said
+from gcrules.apps.studio.views import Item, RobotView
+from gcrules.mechanisms.conditions.factor_causes import KINDS, Part
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.lines.equivalent import FRAME
+from gcrules.views.drawing.drawing import Drawing
+from gcrules.views.formulas.latex import latex
+from gcrules.views.robots.limb_views import Values, limb_views
+from gcrules.views.robots.robot_drawing import draw_robot
+
+__all__ = ["limb_stages", "part_items", "robot_drawing", "robot_view"]
+
+
+def robot_view(robot: RobotAnalysis, home: Values) -> RobotView:
+    """What does not change with the configuration, with the limbs at home."""
+    found: RobotView = {
+        "mobility": robot.structure.mobility if robot.structure.limbs else robot.robot.mobility,
+        "limbs": limb_views(robot, home),
+        "parts": [
+            {"text": _words(p.expression, robot), "tex": latex(p.expression), "kind": p.kind, "statement": _told(p)}
+            for p in robot.parts
+        ],
+    }
+    if robot.structure.limbs:
+        found["figure"] = robot_drawing(robot, home).svg()
+    return found
+
+
+def robot_drawing(robot: RobotAnalysis, values: Values) -> Drawing:
+    """The robot with its wrenches beside the lines that stand for them."""
+    exact = {n: (Fraction(x), Fraction(y), Fraction(z)) for n, (x, y, z) in values.items()}
+    return draw_robot(robot, exact)
+
+
+def _words(e: Expr, robot: RobotAnalysis) -> str:
+    return text(e, unicode=True, names=robot.lines.structure.names if robot.lines else ())
+
+
+def _told(part: Part) -> str:
+    return part.statement or part.reason or KINDS[part.kind]
+
+
+def limb_stages(robot: RobotAnalysis) -> Iterator[tuple[str, list[Item]]]:
+    """The limbs with their wrenches, then the lines that stand for them."""
+    s = robot.structure
+    if not s.limbs:
+        return
+    numbers = [
+        fact("limbs", robot.robot.chain),
+        fact("mobility of the platform", str(s.mobility)),
+        *([fact("overconstraints", str(s.over))] if s.over else []),
+        *([fact("idle freedoms", str(s.idle))] if s.idle else []),
+    ]
+    words: list[Item] = [fact(f"{one.limb.name}, {one.limb.chain}", one.kind) for one in s.limbs]
+    serial: list[Item] = [
+        said(f"{one.limb} by itself is singular where {sentence}.")
+        for one in robot.limbs
+        for _, sentence in one.conditions
+    ]
+    yield "limbs", [*numbers, *words, *serial]
+    yield "equivalent", list(_equivalent(robot))
+
+
+def _of(limb: str) -> str:
+    return "all limbs together" if limb == FRAME else limb
+
+
+def _equivalent(robot: RobotAnalysis) -> Iterator[Item]:
+    s = robot.structure
+    if s.lines is None:
+        yield said(robot.statement)
+        return
+    for line in s.lines:
+        role = "constraint " if line.role == "constraint" else ""
+        yield fact(leg_text(line.ends), f"{role}{'couple' if line.couple else 'force'} of {_of(line.limb)}")
+    if s.ideal:
+        yield fact("at infinity", ", ".join(s.ideal))
+    for name, what in s.named:
+        yield fact(name, f"the direction {what}")
+    if s.incidences:
+        yield fact("known of the points", ", ".join(s.incidences))
+
+
+def part_items(robot: RobotAnalysis) -> Iterator[Item]:
+    """The factors of the condition, each with what it means for this robot."""
+    if not robot.parts:
+        return
+    yield said("Its factors, told apart by the ranks of the joint screws at exact singular members of the family:")
+    for part in robot.parts:
+        yield formula(None, part.expression)
+        yield fact(part.kind, _told(part))

@@ -1,0 +1,27 @@
+"""Where all points of a subject are in a pose, points at infinity among them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.apps.studio.moving import values_at
+from gcrules.apps.studio.numbers import numbers
+from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.views import PoseJson
+from gcrules.views.robots.limb_views import all_places, directions
+
+__all__ = ["HOME", "homogeneous_at"]
+
+HOME: PoseJson = {"translation": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0]}
+
+
+def homogeneous_at(subject: Subject, pose: PoseJson) -> dict[str, NDArray[np.float64]]:
+    """Homogeneous coordinates (1, 4) of all points, of a robot's directions too. Raises InputError for a pose that
+    cannot be.
+    """
+    if subject.limbed and subject.robot is not None:
+        places = all_places(subject.robot, values_at(subject, pose))
+        far = directions(subject.robot)
+        return {n: np.array([[*v, float(n not in far)]]) for n, v in places.items()}
+    return {n: np.array([[*p, 1.0]]) for n, p in numbers(subject, pose)["points"].items()}

@@ -1,0 +1,106 @@
+"""What answers requests: the table of methods, the subjects that are known, the workers."""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import secrets
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from gcrules import __version__
+from gcrules.apps.studio.methods import METHODS
+from gcrules.apps.studio.pool import Pool
+from gcrules.apps.studio.views import Hello, SourceJson
+from gcrules.apps.studio.wire import Tell, key_of
+from gcrules.core.budget import Budget, within
+
+if TYPE_CHECKING:
+    from gcrules.apps.studio.subject import Subject
+
+__all__ = ["Service"]
+
+_KEPT = 24
+_ENGINE = "gcrules.apps.studio.answers"  # loaded beside the first page, not before it
+
+
+def _numbers(name: str, subject: Subject, args: Mapping[str, Any], running: list[Budget]) -> Any:
+    with within(METHODS[name].seconds) as budget:
+        running.append(budget)
+        return import_module(_ENGINE).answer(name, subject, args, lambda _: None)
+
+
+def _load() -> None:
+    """Load the engine. What it consists of stays: the garbage collector, which would stop sliders for 30 ms to look
+    through all of it, leaves it out.
+    """
+    import_module(_ENGINE)
+    gc.freeze()
+
+
+class Service:
+    """Answers for all pages; `opened` is the source that the command was given."""
+
+    def __init__(self, opened: SourceJson | None = None) -> None:
+        self.opened = opened
+        self.instance = secrets.token_hex(8)
+        self.pool = Pool()
+        self.numbers = ThreadPoolExecutor(2, "numbers")
+        self.subjects: dict[str, Subject] = {}
+        self.gallery: Any = None
+
+    def hello(self) -> Hello:
+        return {"version": __version__, "instance": self.instance, "opened": self.opened}
+
+    async def answer(self, name: str, args: Mapping[str, Any], tell: Tell) -> Any:
+        """The result of a method whose arguments were checked. Raises GcrulesError; cancelling it ends its worker."""
+        if name == "hello":
+            return self.hello()
+        if name == "gallery" and self.gallery is not None:
+            return self.gallery
+        method = METHODS[name]
+        source = args.get("source")
+        known = self._known(source)
+        if method.where == "numbers":
+            if known is None:
+                _, known = await self.pool.run(("subject", {"source": source}, None), METHODS["open"].seconds, tell)
+                self._keep(source, known)
+            loop = asyncio.get_running_loop()
+            running: list[Budget] = []
+            try:
+                return await loop.run_in_executor(self.numbers, _numbers, name, known, args, running)
+            except asyncio.CancelledError:
+                for budget in running:
+                    budget.cancel()
+                raise
+        result, subject = await self.pool.run((name, args, known), method.seconds, tell)
+        self._keep(source, subject)
+        if name == "gallery":
+            self.gallery = result
+        return result
+
+    def _known(self, source: SourceJson | None) -> Subject | None:
+        if source is None:
+            return None
+        key = key_of(source)
+        found = self.subjects.pop(key, None)
+        if found is not None:
+            self.subjects[key] = found  # the latest stand last
+        return found
+
+    def _keep(self, source: SourceJson | None, subject: Subject | None) -> None:
+        if source is not None and subject is not None:
+            self.subjects[key_of(source)] = subject
+            while len(self.subjects) > _KEPT:
+                self.subjects.pop(next(iter(self.subjects)))
+
+    async def start(self) -> None:
+        """Have a worker ready for the first page, and the engine loaded, while the browser opens."""
+        self.pool.ready()
+        asyncio.get_running_loop().run_in_executor(self.numbers, _load)
+
+    async def close(self) -> None:
+        self.numbers.shutdown(wait=False, cancel_futures=True)
+        await self.pool.close()

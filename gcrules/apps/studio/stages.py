@@ -1,0 +1,182 @@
+"""The guided steps: what each stage of an analysis did, why, and what came of it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.superbrackets.shortest import counts
+from gcrules.apps.studio.formulas import pieces
+from gcrules.apps.studio.gallery import GROUPS
+from gcrules.apps.studio.items import fact, formula, said, table
+from gcrules.apps.studio.limbs import limb_stages, part_items
+from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.theory import STAGES
+from gcrules.apps.studio.views import Item, OrdersItem, Piece, StageView, StepView
+from gcrules.conditions.analysis import Analysis
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.rules.condition import Entity
+from gcrules.views.drawing.figures import distinct_entities
+from gcrules.views.drawing.scene_parts import entity_label
+from gcrules.views.report.stages import Fact, Formula, stages
+
+__all__ = ["stage_views"]
+
+_LONGEST_SUM = 200
+"""Terms of a polynomial in a step of a derivation that are shown; a longer one is told by its length."""
+
+
+def stage_views(subject: Subject) -> list[StageView]:
+    """All stages in sequence; a robot of limbs begins with them and with its equivalent lines."""
+    found: list[StageView] = []
+    if subject.robot is not None:
+        found += [stage(key, items) for key, items in limb_stages(subject.robot)]
+    if subject.analysis is not None:
+        found += [stage(key, items) for key, items in _stages(subject.analysis, subject.robot)]
+    return found
+
+
+def stage(key: str, items: Iterable[Item]) -> StageView:
+    """A stage with the words that belong to it."""
+    told = STAGES[key]
+    return {"id": key, "title": told.title, "why": told.why, "more": list(told.more), "items": list(items)}
+
+
+def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, list[Item]]]:
+    told = {s.title: s.items for s in stages(a)}
+    yield "structure", [_plain(i) for i in told["Structure"]]
+    n = len(a.typed.polynomial)
+    yield "superbracket", [said(f"{_terms(n)} left for the legs in the order typed."), table(a.typed.polynomial)]
+    if a.shortest.form:
+        yield "shortest", list(_shortest(a))
+    if a.claim is not None:
+        yield from _entities(a)
+    c = a.condition
+    left = ex.mul(c.cofactor, a.structure.superbracket)
+    parts = part_items(robot) if robot is not None else ()
+    yield "condition", [formula(left, c.right_side), *_condition_words(a), *parts]
+    others = [r.sentence for r in a.readings if r.statement not in ("", c.statement)]
+    if robot is None:
+        yield "statement", [said(c.sentence), *(said(f"Also: {words}") for words in others)]
+    else:
+        yield "statement", [said(robot.statement), said(f"Of its lines: {c.sentence}")]
+    certified = [fact(c.certificate.method, c.certificate.detail)]
+    if robot is not None:
+        certified.append(fact("the robot", robot.certificate))
+        if robot.published is not None:
+            p = robot.published
+            certified.append(fact("published condition", f"{p.condition}: {p.verdict}, {p.detail}"))
+    yield "check", [*certified, *_check(a), *map(said, a.notes)]
+
+
+def _plain(item: str | Fact | Formula) -> Item:
+    if isinstance(item, Fact):
+        return fact(item.key, item.value)
+    return formula(item.left, item.right) if isinstance(item, Formula) else said(item)
+
+
+def _terms(n: int) -> str:
+    return "1 term is" if n == 1 else f"{n} terms are"
+
+
+# --- the shortest form ---------------------------------------------------------------------------------------------
+
+
+def _shortest(a: Analysis) -> Iterator[Item]:
+    n = len(a.shortest.polynomial)
+    yield said(f"{_terms(n)} left in the {a.shortest.form}-term form with the legs in the best order.")
+    if not a.structure.dead:  # the search leaves out vanishing brackets, the tally does not
+        yield _orders(a)
+    yield table(a.shortest.polynomial, a.shortest.sign)
+    if a.typed.polynomial != a.shortest.polynomial:
+        yield said("Both sums are the same polynomial: they have the same normal form.")
+
+
+def _orders(a: Analysis) -> OrdersItem:
+    """How many of the orders, in both ways of writing, leave how many terms."""
+    s = a.structure.lifted
+    tally: Counter[int] = Counter()
+    for numbers in counts(s.neutral, points=s.points, ideal=s.ideal).values():
+        tally.update(map(int, numbers))
+    return {
+        "kind": "orders",
+        "tried": tally.total(),
+        "counts": [{"terms": t, "orders": tally[t]} for t in sorted(tally)],
+        "best": ", ".join(a.structure.words[i] for i in a.shortest.order),
+    }
+
+
+# --- entities ------------------------------------------------------------------------------------------------------
+
+
+def _entities(a: Analysis) -> Iterator[tuple[str, list[Item]]]:
+    """What was recognised in the terms, kind by kind, with the terms beside it."""
+    assert a.claim is not None
+    state = a.claim.state
+    rows = table(a.shortest.polynomial, a.shortest.sign)
+    sets = {kind: [e for e in a.entities if e.kind == kind] for kind in ("tetrahedron", "plane", "line")}
+    planes, more_planes = _cut(sets["plane"], len(state.planes))
+    lines, more_lines = _cut(sets["line"], len(state.lines))
+    yield "tetrahedra", [*_shown(a, sets["tetrahedron"], "No bracket stands in every term."), rows]
+    yield "planes", [*_shown(a, planes, "No three points stay together in every term."), rows]
+    items = _shown(a, lines, "No two further points stay together in every term.")
+    if state.planes or state.lines:
+        items += [said("With the entities in front:")]
+        items += [formula(a.structure.superbracket, ex.signed(state.sign, state.collected()))]
+    yield "lines", [*items, rows]
+    if state.left:
+        names = ", ".join(state.named(state.left))
+        what = "the last plane" if more_planes else "lines"
+        dotted = [step.after for step in a.derivation if step.rule.startswith("left-over")]
+        items = [said(f"Left over: {names}. They are taken as {what}."), *_shown(a, [*more_planes, *more_lines], "")]
+        yield "left-over", [*items, *(formula(a.structure.superbracket, e) for e in dotted)]
+
+
+def _cut(found: Sequence[Entity], n: int) -> tuple[list[Entity], list[Entity]]:
+    return list(found[:n]), list(found[n:])
+
+
+def _shown(a: Analysis, entities: Sequence[Entity], none: str) -> list[Item]:
+    """The entities by their ids, those that bear a name of their own (a line of joints) in words."""
+    ids = {(e.kind, frozenset(e.points)): f"e{i}" for i, e in enumerate(distinct_entities(a))}
+    known = [ids[k] for e in entities if (k := (e.kind, frozenset(e.points))) in ids]
+    named = [e for e in entities if (e.kind, frozenset(e.points)) not in ids]
+    items: list[Item] = [{"kind": "entities", "entities": list(dict.fromkeys(known))}] if known else []
+    items += [said(f"The {e.kind} {entity_label(e)}.") for e in named]
+    return items or ([said(none)] if none else [])
+
+
+# --- the condition and its proof -----------------------------------------------------------------------------------
+
+
+def _condition_words(a: Analysis) -> Iterator[Item]:
+    c = a.condition
+    words = {
+        "always-singular": "The superbracket is zero for all positions of the joints: no condition is left.",
+        "linear-complex": "No incidence of fewer entities was found; the superbracket itself is the condition.",
+    }
+    if c.kind in words:
+        yield said(words[c.kind])
+    for name, line in c.lines:
+        yield said(f"The line {name}:" if name else "The line:")
+        yield formula(None, line)
+    for e, meaning in a.assumed:
+        yield fact("assumed not to vanish", f"{e} ({meaning})" if meaning else e)
+    if a.group:
+        yield fact("published group", f"{a.group}: {GROUPS[a.group].lower()}")
+
+
+def _check(a: Analysis) -> Iterator[Item]:
+    steps: list[StepView] = [
+        {"rule": s.rule, "why": s.why, "before": _short(s.before), "after": _short(s.after)} for s in a.derivation
+    ]
+    yield said("Replayed at exact random points: every step holds.")
+    yield {"kind": "steps", "steps": steps}
+
+
+def _short(e: Expr) -> list[Piece]:
+    if isinstance(e, ex.Sum) and len(e.terms) > _LONGEST_SUM:
+        return [{"tex": rf"\text{{{len(e.terms)} terms}}", "points": [], "brackets": []}]
+    return pieces(e)

@@ -1,0 +1,102 @@
+"""The view of a subject that does not change with the pose: the structure, its stages, the condition."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import log10
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.language.text import text
+from gcrules.apps.studio.drawings import schematic
+from gcrules.apps.studio.formulas import pieces
+from gcrules.apps.studio.limbs import robot_view
+from gcrules.apps.studio.moving import actuator_axes
+from gcrules.apps.studio.stages import stage_views
+from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.views import Axis, ClassView, ConditionView, EntityView, Study
+from gcrules.conditions.analysis import Analysis
+from gcrules.rules.condition import Condition
+from gcrules.views.drawing.figures import distinct_entities
+from gcrules.views.report.scene_json import entity_data
+
+__all__ = ["condition_view", "entity_views", "study"]
+
+
+def study(subject: Subject, tell: Callable[[str], None]) -> Study:
+    """Everything about the structure, for the page."""
+    a = subject.analysis
+    tell("stages")
+    return {
+        "title": subject.title,
+        "note": subject.note,
+        "kind": "robot" if subject.limbed else "platform",
+        "legs": [list(leg) for leg in a.structure.joined if set(leg) <= set(subject.points)] if a else [],
+        "base": list(subject.feet),
+        "platform": list(subject.body),
+        "points": {n: [float(c) for c in p] for n, p in subject.points.items()},
+        "unit": subject.unit,
+        "invented": subject.invented,
+        "about": subject.about,
+        "size": subject.size,
+        "axes": _axes(subject),
+        "class": _class(a) if a else None,
+        "schematic": schematic(a.structure) if a and a.structure.joined and a.structure.rank == 4 else "",
+        "stages": stage_views(subject),
+        "entities": entity_views(a) if a else [],
+        "condition": condition_view(a.structure, a.condition) if a else _none(subject),
+        "readings": [condition_view(a.structure, r) for r in a.readings] if a else [],
+        "robot": robot_view(subject.robot, subject.home) if subject.robot else None,
+    }
+
+
+def _axes(subject: Subject) -> list[Axis]:
+    """Three shifts and three turns of a platform; the actuators of a robot with limbs."""
+    if subject.limbed:
+        return actuator_axes(subject)
+    if not subject.body:
+        return []
+    reach, unit = 1.5 * subject.size, subject.unit
+    step = 10.0 ** round(log10(subject.size) - 2.7)
+    shifts: list[Axis] = [{"name": n, "unit": unit, "low": -reach, "high": reach, "step": step} for n in "xyz"]
+    turns: list[Axis] = [{"name": f"r{n}", "unit": "deg", "low": -90.0, "high": 90.0, "step": 0.1} for n in "xyz"]
+    return shifts + turns
+
+
+def _class(a: Analysis) -> ClassView | None:
+    return {"id": a.match.entry.id, "name": a.match.entry.name or ""} if a.match else None
+
+
+def entity_views(a: Analysis) -> list[EntityView]:
+    """The entities that the figures show, in the same colours."""
+    if a.structure.rank != 4:
+        return []
+    return [entity_data(e, i) for i, e in enumerate(distinct_entities(a))]  # type: ignore[misc]
+
+
+def condition_view(s: Structure, c: Condition) -> ConditionView:
+    """An identity in pieces: cofactor · superbracket = coefficient · expression."""
+    names = s.names
+    return {
+        "kind": c.kind,
+        "left": pieces(ex.mul(c.cofactor, s.superbracket)),
+        "right": pieces(c.right_side),
+        "text": text(c.right_side, unicode=True, names=names),
+        "cofactor": text(c.cofactor, unicode=True, names=names),
+        "statement": c.sentence,
+        "certificate": {"method": c.certificate.method, "detail": c.certificate.detail},
+    }
+
+
+def _none(subject: Subject) -> ConditionView:
+    """Of a robot whose wrenches are no lines there is a sentence only."""
+    assert subject.robot is not None
+    return {
+        "kind": "none",
+        "left": [],
+        "right": [],
+        "text": "",
+        "cofactor": "1",
+        "statement": subject.robot.statement,
+        "certificate": {"method": "random-points", "detail": subject.robot.certificate},
+    }

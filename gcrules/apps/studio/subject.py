@@ -1,0 +1,256 @@
+"""What is studied: a source that a page names, read and analysed, with coordinates and what moves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from pathlib import Path
+
+from gcrules.algebra.language.legs_text import Structure, legs_text, read_legs
+from gcrules.apps.studio.views import SourceJson
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.core.errors import GcrulesError, InputError, Span
+from gcrules.core.frozen import FrozenMap
+from gcrules.core.hints import near
+from gcrules.core.yaml_file import Document
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.description.platform_file import Platform, parse_platform
+from gcrules.mechanisms.description.robot_file import describes_joints
+from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.kinematics.mechanism import Mechanism, mechanism
+from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.mechanisms.robot import Robot
+from gcrules.rules.catalog.file import load as load_catalog
+from gcrules.rules.plugins import shipped_folder
+from gcrules.screws import RATIONALS
+from gcrules.views.drawing.sample import sample_coordinates
+from gcrules.views.report.scene_json import Scenery, drawable
+
+__all__ = ["Subject", "examples", "known_as", "read_subject"]
+
+Vector = tuple[Fraction, Fraction, Fraction]
+
+SEARCH = 10.0
+"""Seconds for which a factorization is sought where no rule finds a condition."""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A structure with its analysis and coordinates.
+
+    `points` are the finite places of all joints in the pose of the file (`invented` where none were given); `moving` is
+    None where the platform's numbers cannot be told, `why_not` then says why. A robot of limbs has `robot`, with
+    `points` for all its named points at home; `analysis` is that of its equivalent lines, None where there are none.
+    """
+
+    source: SourceJson
+    title: str
+    analysis: Analysis | None
+    points: Mapping[str, Vector]
+    note: str = ""
+    unit: str = ""
+    invented: bool = False
+    scenery: Scenery | None = None
+    moving: Rig | None = None
+    why_not: str = ""
+    robot: RobotAnalysis | None = None
+
+    @property
+    def limbed(self) -> bool:
+        """Whether the page shows limbs, and moves their joints."""
+        return self.robot is not None and self.scenery is None
+
+    @cached_property
+    def structure(self) -> Structure | None:
+        return self.analysis.structure if self.analysis else None
+
+    @cached_property
+    def size(self) -> float:
+        """The root-mean-square distance of the points from their centroid."""
+        middle = self._middle(list(self.points))
+        square = [sum((float(c) - m) ** 2 for c, m in zip(p, middle, strict=True)) for p in self.points.values()]
+        return (sum(square) / len(square)) ** 0.5 or 1.0
+
+    @cached_property
+    def about(self) -> list[float]:
+        """The point that the platform turns about."""
+        if self.scenery:
+            return [float(c) for c in self.scenery.about]
+        return self._middle(list(self.body) or list(self.points))
+
+    @cached_property
+    def home(self) -> dict[str, list[float]]:
+        """Coordinates of all points and directions of a robot at home."""
+        assert self.robot is not None
+        return {n: [float(c) for c in v] for n, v in _values(self.robot.robot).items()}
+
+    @cached_property
+    def mechanism(self) -> Mechanism:
+        """The joints that move a robot with limbs. Raises InputError where they do not."""
+        assert self.robot is not None
+        return mechanism(self.robot.robot)
+
+    @property
+    def feet(self) -> tuple[str, ...]:
+        """The points of the base."""
+        if self.limbed and self.robot is not None:
+            found = (p for limb in self.robot.robot.limbs for p in limb.joints[0].names)
+            return tuple(dict.fromkeys(n for n in found if n in self.points and n not in self.body))
+        return self.structure.base if self.structure else ()
+
+    @property
+    def body(self) -> tuple[str, ...]:
+        """The points that move with the platform."""
+        if self.limbed and self.robot is not None:
+            return tuple(n for n in self.robot.robot.platform if n in self.points)
+        return self.structure.platform if self.structure else ()
+
+    def _middle(self, names: list[str]) -> list[float]:
+        return [sum(float(self.points[n][i]) for n in names) / len(names) for i in range(3)]
+
+
+def read_subject(source: SourceJson) -> Subject:
+    """Read and analyse a source. Raises GcrulesError for what cannot be read."""
+    return _READERS[source["kind"]](source)
+
+
+# --- kinds of sources ----------------------------------------------------------------------------------------------
+
+
+def _of_class(source: SourceJson) -> Subject:
+    catalog = load_catalog()
+    entry = next((e for e in catalog.entries if e.id == source["id"]), None)
+    if entry is None:
+        raise InputError(
+            f"there is no class {source['id'][:40]!r}", hint=near(source["id"], [e.id for e in catalog.entries])
+        )
+    title = f"Class {entry.id}" + (f", {entry.name}" if entry.name else "")
+    return _of_legs_alone(source, read_legs(legs_text(entry.legs)), title, entry.note or "")
+
+
+def _of_legs(source: SourceJson) -> Subject:
+    structure = read_legs(source["legs"])
+    return _of_legs_alone(source, structure, f"Legs {structure.text()}")
+
+
+def _of_example(source: SourceJson) -> Subject:
+    path = examples().get(source["name"])
+    if path is None:
+        raise InputError(f"there is no example {source['name'][:40]!r}", hint=near(source["name"], examples()))
+    return _of_text(source, path.read_text(encoding="utf-8"), path.name)
+
+
+def _of_robot(source: SourceJson) -> Subject:
+    known = {one.id: one for one in robots()}  # a path is no id: the page opens no files
+    if source["id"] not in known:
+        raise InputError(f"there is no robot {source['id'][:40]!r}", hint=near(source["id"], known))
+    return _of_limbs(source, Robot.load(known[source["id"]].path))
+
+
+def _of_file(source: SourceJson) -> Subject:
+    return _of_text(source, source["text"], source["name"])
+
+
+_READERS: Mapping[str, Callable[[SourceJson], Subject]] = {
+    "class": _of_class,
+    "legs": _of_legs,
+    "example": _of_example,
+    "robot": _of_robot,
+    "file": _of_file,
+}
+
+
+def examples() -> dict[str, Path]:
+    """The platform files that come with gcrules, by name without ending."""
+    shipped = shipped_folder()
+    folder = shipped.parent / ("_examples" if shipped.name == "_plugins" else "examples") if shipped else None
+    found = sorted(folder.glob("*.yaml")) if folder and folder.is_dir() else []
+    return {path.stem: path for path in found}
+
+
+def known_as(word: str) -> SourceJson | None:
+    """The class, robot or example of this name, in this sequence."""
+    if any(e.id == word for e in load_catalog().entries):
+        return {"kind": "class", "id": word}
+    if any(one.id == word for one in robots()):
+        return {"kind": "robot", "id": word}
+    return {"kind": "example", "name": word} if word in examples() else None
+
+
+# --- reading -------------------------------------------------------------------------------------------------------
+
+
+def _of_text(source: SourceJson, text: str, name: str) -> Subject:
+    """A platform file or a robot file, told apart by what it begins to describe."""
+    try:
+        if describes_joints(Document.parse(text, name)):
+            return _of_limbs(source, Robot.parse(text, name))
+        return _of_platform(source, parse_platform(text, name))
+    except GcrulesError as fault:
+        raise fault.located(text, name, Span(0, 1)) if fault.source is None else fault from None
+
+
+def _of_platform(source: SourceJson, given: Platform, robot: RobotAnalysis | None = None) -> Subject:
+    analysis = analyze(given, search=SEARCH)
+    note = " ".join(filter(None, [given.note, *given.warnings]))
+    points = {n: given.points[n] for n in analysis.structure.names}
+    found = Subject(source, given.title, analysis, FrozenMap(points), note, given.units, robot=robot)
+    return _with_rig(found, analysis.structure, given)
+
+
+def _of_legs_alone(source: SourceJson, structure: Structure, title: str, note: str = "") -> Subject:
+    analysis = analyze(structure, search=SEARCH)
+    shape = sample_coordinates(structure.oriented, structure.base, structure.platform)
+    points = {n: _exact(p) for n, p in shape.items()}
+    given = Platform(structure.legs, points, title, filename="sample.yaml")
+    found = Subject(source, title, analysis, FrozenMap(points), note, invented=True)
+    return _with_rig(found, structure, given)
+
+
+def _with_rig(subject: Subject, structure: Structure, given: Platform) -> Subject:
+    assert subject.analysis is not None
+    if drawable(subject.analysis):
+        subject = replace(subject, scenery=Scenery.of(subject.analysis))
+    try:
+        return replace(subject, moving=rig(structure, given, "centroid"))
+    except InputError as fault:
+        return replace(subject, why_not=fault.message)
+
+
+def _of_limbs(source: SourceJson, robot: Robot) -> Subject:
+    """A robot; one whose limbs are six legs between joints that stay and joints of the platform moves as a platform."""
+    found = robot.analyze(search=SEARCH)
+    home = {n: _vector(v) for n, v in _values(robot).items() if robot.family.sorts.get(n) == "point"}
+    told = (robot.note, robot.source and f"Source: {robot.source}")
+    note = " ".join(f"{words.rstrip('.')}." for words in told if words)
+    legs = found.structure.legs
+    if robot.mobility == 6 and all(limb.chain in _LEGS for limb in robot.limbs) and _finite(legs, home):
+        points = {n: home[n] for leg in legs for n in leg}
+        return _of_platform(source, Platform(legs, points, robot.title, note, filename=robot.filename), found)
+    return Subject(source, robot.title, found.lines, FrozenMap(home), note, robot=found)
+
+
+def _values(robot: RobotText) -> Mapping[str, tuple[Fraction, ...]]:
+    """Coordinates at home; of some member of the family where the file gives no home."""
+    return robot.values_at() if robot.home is not None else robot.family.member(1, RATIONALS)
+
+
+_LEGS = {"UP*S", "SP*U", "SP*S"}
+"""Limbs whose line of force joins a point of the frame to a point of the platform in every pose."""
+
+
+def _finite(legs: Sequence[Sequence[str]], home: Mapping[str, Vector]) -> bool:
+    return bool(legs) and all(n in home for leg in legs for n in leg)
+
+
+def _exact(p: tuple[float, float, float]) -> Vector:
+    x, y, z = (Fraction(repr(c)) for c in p)
+    return x, y, z
+
+
+def _vector(v: tuple[Fraction, ...]) -> Vector:
+    x, y, z = map(Fraction, v)
+    return x, y, z

@@ -1,0 +1,91 @@
+"""A worker process: takes one job after the other from its standard input, and can be ended at any time."""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+import traceback
+from time import sleep
+from typing import Any
+
+from gcrules.apps.studio.answers import answer
+from gcrules.apps.studio.faults import fault_view, limit, own_fault
+from gcrules.apps.studio.methods import METHODS
+from gcrules.apps.studio.subject import Subject, read_subject
+from gcrules.apps.studio.wire import Job, Tell, framed, key_of, read
+from gcrules.core.alarm import limited
+from gcrules.core.errors import GcrulesError
+
+__all__ = ["done", "serve"]
+
+_KEPT = 8
+_LOOK = 1.0  # seconds between two looks whether the server is there
+
+
+def done(job: Job, known: dict[str, Subject], tell: Tell) -> tuple[str, Any, Subject | None]:
+    """What came of a job: ("done", result, subject) or ("fault", fault, None). `known` are subjects of earlier ones."""
+    name, args, subject = job
+    try:
+        with limited(METHODS["open" if name == "subject" else name].seconds):
+            source = args.get("source")
+            if source is not None:
+                subject = _subject(source, subject, known, tell)
+            result = None if name == "subject" else answer(name, subject, args, tell)
+            return "done", result, subject
+    except GcrulesError as fault:
+        return "fault", fault_view(fault), None
+    except MemoryError:
+        return "fault", limit("there is not enough memory for this", "try something smaller"), None
+    except RecursionError:
+        return "fault", limit("this is nested too deeply", "try something smaller"), None
+    except Exception as fault:
+        traceback.print_exc()
+        return "fault", own_fault(f"{type(fault).__name__}: {fault}"), None
+
+
+def _subject(source: Any, given: Subject | None, known: dict[str, Subject], tell: Tell) -> Subject:
+    """A subject that was used before has more of itself worked out than one that was just sent."""
+    key = key_of(source)
+    found = known.pop(key, None) or given
+    if found is None:
+        tell("analysing")
+        found = read_subject(source)
+    known[key] = found
+    while len(known) > _KEPT:
+        known.pop(next(iter(known)))
+    return found
+
+
+def _watch(server: int) -> None:
+    """End in the middle of work too when the server has gone without a word."""
+    while os.getppid() == server:
+        sleep(_LOOK)
+    os._exit(0)
+
+
+def serve() -> None:
+    """Work until the server is gone."""
+    threading.Thread(target=_watch, args=(os.getppid(),), daemon=True).start()
+    inward, outward = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # nothing but frames goes to the server
+    sys.stdout = sys.stderr
+    known: dict[str, Subject] = {}
+
+    def put(frame: Any) -> None:
+        outward.write(framed(frame))
+        outward.flush()
+
+    while True:
+        try:
+            job = read(inward)
+        except EOFError:
+            return
+        put(done(job, known, lambda words: put(("progress", words, None))))
+
+
+if __name__ == "__main__":
+    try:
+        serve()
+    except (KeyboardInterrupt, BrokenPipeError):
+        sys.exit(0)

@@ -1,0 +1,293 @@
+r"""The pipeline: six legs -> superbracket -> shortest form -> entities -> condition -> statement -> certificate.
+
+>>> a = analyze("ab af cb cd ed ef")
+>>> a.match.entry.id, a.group
+('3-3.3', 'c')
+>>> print(a.condition.expression)
+abc /\ aef /\ bdf /\ cde
+>>> print(a.condition.statement)
+The robot is singular exactly when the four planes abc, aef, bdf and cde meet in a point (possibly at infinity).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from os import PathLike
+from typing import Any
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr, Meet
+from gcrules.algebra.language.legs_text import Structure, read_legs, read_order
+from gcrules.algebra.language.text import SHORT_NAME, Names, split_names, text
+from gcrules.algebra.superbrackets.shortest import SuperbracketForm
+from gcrules.conditions import superbracket_forms as forms
+from gcrules.conditions.find_conditions import Readings, always_zero, linear_complex, read
+from gcrules.core.errors import EngineFault, InputError
+from gcrules.core.seeds import remark
+from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.poses.numbers.value import PoseValue, pose_value
+from gcrules.rules.catalog.catalog import Match
+from gcrules.rules.catalog.file import load
+from gcrules.rules.condition import Condition, Entity, starred
+from gcrules.rules.condition_rule import Claim
+from gcrules.rules.degenerate import Degeneracy, explain
+from gcrules.rules.derivation import Derivation
+from gcrules.rules.deriving import derived, derived_zero
+from gcrules.rules.factorization import SECONDS
+from gcrules.rules.foreign import PluginFault
+from gcrules.rules.plugins import load_rules
+from gcrules.rules.strategy import SHORTEST, Strategy
+
+__all__ = ["Analysis", "analyze"]
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """All stages of the analysis of six legs, as frozen values.
+
+    `typed` is the superbracket of the legs in the order given, `shortest` its shortest form; `match` the class of the
+    catalog; `condition` the reading with the smallest cofactor and `readings` the others, each of them an identity
+    cofactor · superbracket = coefficient · expression; `derivation` the steps that lead to the condition. If the legs
+    came with coordinates, `platform` holds them and `pose` the numbers there. `strategy` holds the rules that were run.
+    """
+
+    structure: Structure
+    typed: SuperbracketForm
+    shortest: SuperbracketForm
+    match: Match | None
+    condition: Condition
+    readings: tuple[Condition, ...]
+    derivation: Derivation
+    strategy: Strategy
+    claim: Claim | None = None
+    degeneracy: Degeneracy | None = None
+    notes: tuple[str, ...] = ()
+    platform: Platform | None = None
+    pose: PoseValue | None = None
+
+    @property
+    def entities(self) -> tuple[Entity, ...]:
+        return self.condition.entities
+
+    @property
+    def group(self) -> str | None:
+        """The published group of entities, a … g; None where the procedure does not reach."""
+        return self.condition.group
+
+    @property
+    def lines(self) -> tuple[Expr, ...]:
+        """The legs as expressions of step 2."""
+        return self.structure.lines
+
+    @property
+    def assumed(self) -> tuple[tuple[str, str], ...]:
+        """What must not vanish for the assumptions to say what they are taken to say, each with its meaning."""
+        return self.structure.assumed
+
+    def unfolded(self) -> Derivation:
+        """The derivation, each step with the single steps that it is made of."""
+        return self.derivation.unfolded(self.strategy.rules)
+
+    def to_json(self, *, full: bool = False) -> dict[str, Any]:
+        """The interface's JSON object, schema 1; `full` gives each step of the derivation its single `steps`."""
+        names = self.structure.names
+        return {
+            "schema": 1,
+            "legs": [_pair(leg, line, names) for leg, line in zip(self.structure.legs, self.lines, strict=True)],
+            "lines": list(self.structure.words),
+            "rank": self.structure.rank,
+            "ideal": list(self.structure.ideal),
+            "given": [str(a) for a in self.structure.given],
+            "assumed": [e for e, _ in self.assumed],
+            "class": self.match.entry.id if self.match else None,
+            "mapping": dict(self.match.mapping) if self.match else None,
+            "points": list(names),
+            "base": list(self.structure.base),
+            "platform": list(self.structure.platform),
+            "superbracket": self.typed.to_json(),
+            "shortest": self.shortest.to_json(),
+            "entities": [e.to_json() for e in self.entities],
+            "group": self.group,
+            "condition": self.condition.to_json(names),
+            "readings": [r.to_json(names) for r in self.readings],
+            "certificate": self.condition.certificate.to_json(),
+            "derivation": (self.unfolded() if full else self.derivation).to_json(names),
+            "strategy": self.strategy.to_json(),
+            "pose": self.pose.to_json() if self.pose else None,
+            "notes": list(self.notes),
+        }
+
+    def text(self, *, unicode: bool = False, full: bool = False) -> str:
+        """Every stage as plain text; `full` adds every single step of the derivation, here as in the other forms."""
+        from gcrules.views.text.analysis_text import as_text
+
+        return as_text(self, unicode=unicode, full=full)
+
+    def latex(self, *, full: bool = False) -> str:
+        """Every stage as a LaTeX document that compiles with the article class and amsmath."""
+        from gcrules.views.formulas.latex_document import as_latex
+
+        return as_latex(self, full=full)
+
+    def __str__(self) -> str:
+        return self.text(unicode=True)
+
+    def __repr__(self) -> str:
+        name = self.match.entry.id if self.match else "no class"
+        return f"<Analysis {name}: {self.condition.kind}, {self.condition.expression}>"
+
+    def _repr_html_(self) -> str:
+        from gcrules.views.report.report import fragment
+
+        return fragment(self)
+
+    def _repr_latex_(self) -> str:
+        return self.condition.expression._repr_latex_()
+
+
+def analyze(
+    legs: str | Iterable[str | Sequence[str]] | Structure | Platform,
+    *,
+    order: str | Sequence[int | str] | None = None,
+    points: Names = (),
+    ideal: Names = (),
+    given: str | Iterable[str] = (),
+    rank: int = 4,
+    catalogs: Iterable[str | PathLike[str]] = (),
+    recheck: bool = False,
+    strategy: Strategy | None = None,
+    search: float = SECONDS,
+) -> Analysis:
+    """Analyse six legs: when is the platform singular, and why.
+
+    `legs` is text ("ab af cb cd ed ef") or pairs of names, a leg written with one body's joint first throughout, or a
+    platform with coordinates (`load_platform`), for which the numbers in its pose are given too. A line that is no pair
+    of joints is built from points: "abc /\\ def". `order` keeps the user's own order of legs instead of the shortest
+    one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points (as
+    `gcrules.prove` takes it), and `rank` another space, in which there are n (n − 1) / 2 lines.
+
+    `catalogs` adds files of the user's own; `strategy` says which rules run. With `recheck` readings that are instances
+    of catalog identities are proved from scratch. Where no rule finds a condition, a factorization is sought for
+    `search` seconds. Raises InputError for the wrong number of lines, for what is no line, and for assumptions that are
+    not resolved.
+    """
+    if isinstance(legs, Platform):
+        if given or rank != 4:
+            raise InputError(f"{legs.filename} gives coordinates: assumptions and other ranks are for legs without")
+        return _in_pose(legs, order, split_names(points), split_names(ideal), catalogs, recheck, strategy, search)
+    if isinstance(legs, Structure):
+        if points or ideal or given or rank not in (4, legs.rank):
+            raise InputError("a structure has its own points, assumptions and rank")
+        structure = legs
+    else:
+        structure = read_legs(legs, points=points, ideal=ideal, given=given, rank=rank, built=True)
+    strategy = strategy or load_rules(identities=False).strategy()
+    catalog = load(catalogs, (r.id for r in strategy.incidences))
+    typed = forms.typed_form(structure)
+    chosen = _chosen(order, structure, strategy)
+    matches = [] if structure.stand_ins else list(catalog.matches(structure))
+    match = matches[0] if matches else None
+    zero = always_zero(structure, typed)
+    if zero is not None:
+        why = explain(structure)
+        condition = Condition(
+            kind="always-singular",
+            expression=ex.ZERO,
+            statement=catalog.statements["always-singular"].format(reason=why.reason),
+            statement_source=catalog.statement_sources.get("always-singular", ""),
+            certificate=zero,
+            entities=starred([("line", tuple(map(str, why.line.children)))]) if isinstance(why.line, ex.Join) else (),
+            lines=(("", why.line),) if isinstance(why.line, Meet) else (),
+        )
+        shortest = forms.shortest(structure, strategy)[0]
+        derivation = derived_zero(structure, typed, shortest)
+        return Analysis(
+            structure, typed, shortest, match, condition, (), derivation, strategy, degeneracy=why, notes=_seed_note()
+        )
+    found = read(structure, matches, catalog, strategy, chosen=chosen, recheck=recheck, search=search)
+    conditions = (*found.conditions, linear_complex(structure, catalog))
+    derivation = _derivation(found, structure, conditions[0], chosen)
+    sign = 1 if structure.rank != 4 else structure.sign
+    shown = SuperbracketForm(found.form.form, found.form.order, found.form.polynomial * sign)
+    if not derivation.check():
+        for rule, _ in found.claim.state.trail if found.claim is not None else ():
+            if rule.foreign:
+                raise PluginFault(f"{rule.blame}a step of the rule {rule.id} is no identity", filename=rule.owner)
+        raise EngineFault(f"the derivation of {structure.superbracket} does not replay")
+    claim = found.claim
+    if claim is not None:  # what the rules did stands in the derivation
+        claim = replace(claim, state=replace(claim.state, trail=()))
+    return Analysis(
+        structure,
+        typed,
+        shown,
+        match,
+        conditions[0],
+        conditions[1:],
+        derivation,
+        strategy,
+        claim,
+        notes=(*found.notes, *_seed_note()),
+    )
+
+
+def _seed_note() -> tuple[str, ...]:
+    """What an analysis has to say of points that could be foreseen; nothing as a rule."""
+    return (f"checks at random points:{remark()}",) if remark() else ()
+
+
+def _chosen(
+    order: str | Sequence[int | str] | None, structure: Structure, strategy: Strategy
+) -> tuple[int, ...] | None:
+    """The order of the legs that the user wants; None for the shortest one."""
+    if structure.rank != 4:
+        if order is not None:
+            raise InputError("an order of the legs makes a difference for six legs in space only")
+        return None
+    chosen = None if order is None else read_order(order, structure)
+    return tuple(range(6)) if chosen is None and SHORTEST not in strategy.ids else chosen
+
+
+def _derivation(
+    found: Readings, structure: Structure, condition: Condition, chosen: tuple[int, ...] | None
+) -> Derivation:
+    own_order = chosen is not None and found.form.order == chosen
+    return derived(structure, found.form, condition, found.claim, found.oracle, own_order=own_order)
+
+
+def _pair(leg: tuple[str, str], line: Expr, names: tuple[str, ...]) -> list[str] | None:
+    """The two joints of a leg, the two planes of a line built as their meet; None for any other line."""
+    if ex.points_of(line) == leg:
+        return list(leg)
+    if isinstance(line, Meet) and len(line.args) == 2:
+        return [text(e, names=names) for e in line.args]
+    return None
+
+
+def _in_pose(
+    platform: Platform,
+    order: str | Sequence[int | str] | None,
+    points: tuple[str, ...],
+    ideal: tuple[str, ...],
+    catalogs: Iterable[str | PathLike[str]],
+    recheck: bool,
+    strategy: Strategy | None,
+    search: float,
+) -> Analysis:
+    """The analysis of a platform's legs with the numbers in its pose."""
+    if ideal:
+        raise InputError(f"{', '.join(ideal)} cannot lie at infinity: {platform.filename} gives finite coordinates")
+    long_names = (n for n in platform.points if not SHORT_NAME.fullmatch(n))
+    try:
+        structure = read_legs(platform.legs, points=tuple(dict.fromkeys((*points, *long_names))))
+    except InputError as fault:
+        fault.filename = platform.filename
+        raise
+    found = analyze(structure, order=order, catalogs=catalogs, recheck=recheck, strategy=strategy, search=search)
+    try:
+        pose = pose_value(found.structure, found.condition, platform.homogeneous(), unit=platform.units)
+    except InputError as fault:  # the condition holds all the same
+        said = f"{platform.filename}: there are no numbers for the pose of the file: {fault.message}"
+        return replace(found, platform=replace(platform, warnings=(*platform.warnings, said)))
+    return replace(found, platform=platform, pose=pose)

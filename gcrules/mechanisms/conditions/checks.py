@@ -1,0 +1,206 @@
+"""Checks of a robot on exact random members, and of its home configuration; faults are recorded at their nodes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from itertools import combinations, pairwise
+from typing import Any
+
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.core.yaml_file import Node
+from gcrules.mechanisms.description.family import Definition
+from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.relations import Values, combined
+from gcrules.mechanisms.description.robot_spec import Fact, RobotText
+from gcrules.screws import RATIONALS, RESIDUES, Limb
+
+__all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes"]
+
+_SEEDS = (11, 12)
+
+
+def check_family(robot: RobotText, places: Mapping[str, Node], facts: Sequence[tuple[Node, Fact]]) -> None:
+    """Zero directions, points that are one, points outside the plane, facts that do not hold.
+
+    Of copies, which stand at one node, only the first is reported, and nothing that only follows from another fault.
+    """
+    family = robot.family
+    members = [family.member(seed) for seed in _SEEDS]
+    bad: set[str] = set()
+    for d in family.definitions:
+        values = [m[d.name] for m in members]
+        before = len(places[d.name].document.faults)
+        if not bad.isdisjoint(d.relation.names) or any(places[n] == places[d.name] for n in bad):
+            bad.add(d.name)
+            continue
+        if d.sort == "direction" and not any(map(any, values)):
+            places[d.name].fault(
+                f"the direction {d.name} is zero in every member of the family",
+                "its relation names parallel directions or coincident points",
+            )
+        elif family.plane and any(v[2] for v in values):
+            places[d.name].fault(f"{d.name} does not lie in the plane z = 0 of a planar robot")
+        else:
+            _check_arguments(d, members[0], places[d.name])
+        if len(places[d.name].document.faults) > before:
+            bad.add(d.name)
+    points = [d.name for d in family.definitions if d.sort == "point" and d.name not in bad]
+    told: list[Node] = []
+    for a, b in combinations(points, 2):
+        if all(m[a] == m[b] for m in members) and places[b] not in told:
+            told.append(places[b])
+            places[b].fault(
+                f"{a} and {b} are one point in every member of the family", "use one name for both, or move one of them"
+            )
+    for node, fact in facts:
+        said = fact.said
+        if any(any(said.relation.residual(said.sort, RESIDUES, m, m[said.name])) for m in members):
+            node.fault(
+                f"{fact.text!r} contradicts the relations: it fails on a random member of the family",
+                "put it among the relations that make the point or direction",
+            )
+
+
+_SPANS = {"on line": ("line", 1), "in plane": ("plane", 2), "in plane normal to": ("plane", 2)}
+
+
+def _check_arguments(d: Definition, values: Values, node: Node) -> None:
+    """A line needs two different points, a plane two independent directions."""
+    if d.sort != "point" or d.relation.kind not in _SPANS:
+        return
+    what, wanted = _SPANS[d.relation.kind]
+    size = d.parameters
+    units = [[int(i == unit) for i in range(size)] for unit in range(size)]
+    origin, *ends = (d.relation.value(d.sort, RESIDUES, values, t) for t in ([0] * size, *units))
+    if RESIDUES.rank([tuple(a - b for a, b in zip(end, origin, strict=True)) for end in ends]) < wanted:
+        node.fault(
+            f"the {what} on which {d.name} lies is none",
+            "its points coincide, or its directions are parallel, in every member of the family",
+        )
+
+
+def check_limbs(robot: RobotText, nodes: Sequence[Node], mobility: Node) -> None:
+    """Joints that are none, actuators that do not fit the mobility, a platform that is never held.
+
+    Of the copies of a limb, which stand at one node, only the first that is at fault is reported.
+    """
+    member = robot.family.member(_SEEDS[0])
+    limbs: list[Limb] = []
+    faulty: list[Node] = []
+    for node, text in zip(nodes, robot.limbs, strict=True):
+        if node in faulty:
+            continue
+        before = len(node.document.faults)
+        try:
+            limb = text.at(member, RESIDUES)
+            limb.twists(RESIDUES)
+            limbs.append(limb)
+        except (InputError, LimitReached) as fault:
+            node.fault(f"{text.name}: {fault.message}", fault.hint)
+        else:
+            _check_limb(robot, text, limb, node)
+        if len(node.document.faults) > before:
+            faulty.append(node)
+    if not any(text.actuators for text in robot.limbs):
+        nodes[0].fault("no joint is actuated", "a star marks what is driven: P*(A1 B1)")
+    elif len(limbs) == len(robot.limbs):
+        _check_platform(robot, limbs, mobility)
+
+
+def _check_limb(robot: RobotText, text: LimbText, limb: Limb, node: Node) -> None:
+    rank = limb.rank(RESIDUES)
+    if text.freedoms > 6 and text.freedoms - rank > 1:
+        node.fault(
+            f"{text.name} has {text.freedoms} freedoms, of which only {rank} are independent",
+            "a limb has at most six freedoms, and one more if a link spins between two ball joints",
+        )
+    elif text.freedoms > 6 and ("S", "S") not in _neighbours(text):
+        node.fault(
+            f"{text.name} has mobility {text.freedoms}: its actuators do not determine it",
+            "leave a joint out, or write ball joints as U where a link would only spin",
+        )
+    if len(limb.locked(RESIDUES)) - len(limb.constraints(RESIDUES)) < text.actuators:
+        node.fault(f"an actuator of {text.name} applies no wrench: its freedom depends on the passive ones")
+    if robot.family.plane and any(row[i] for row in limb.twists(RESIDUES) for i in (0, 1, 5)):
+        node.fault(f"{text.name} leaves the plane z = 0 of a planar robot", "its turns are about z")
+
+
+def _check_platform(robot: RobotText, limbs: Sequence[Limb], mobility: Node) -> None:
+    held = [row for limb in limbs for row in limb.constraints(RESIDUES)]
+    locked = [row for limb in limbs for row in limb.locked(RESIDUES)]
+    freedom = 6 - RESIDUES.rank(held) if held else 6
+    actuators = sum(text.actuators for text in robot.limbs)
+    if robot.mobility != freedom:
+        mobility.fault(
+            f"the platform has mobility {freedom}, not {robot.mobility}",
+            f"its limbs apply constraints of rank {6 - freedom} together; check joints, parallel axes and this number",
+        )
+    if actuators != freedom:
+        word = "few" if actuators < freedom else "many"
+        change = "star more joints" if actuators < freedom else "take stars away"
+        mobility.fault(f"too {word} actuators: {actuators} for a platform of mobility {freedom}", change)
+    elif RESIDUES.rank(locked) < 6:
+        trivial = 3 if robot.family.plane else 0
+        mobility.fault(
+            "the actuators never hold the platform: with all of them locked the wrenches have rank "
+            f"{RESIDUES.rank(locked) - trivial}, not {6 - trivial}, in every member of the family"
+        )
+
+
+def notes(robot: RobotText) -> tuple[str, ...]:
+    """What is no fault, yet makes the family larger than the robot that is likely meant: bars of a parallelogram that
+    are not perpendicular to its axes.
+    """
+    member = robot.family.member(_SEEDS[0])
+    found = []
+    for limb in robot.limbs:
+        for j in limb.joints:
+            if j.kind == "Pa" and RESIDUES.dot(*(combined(d, member, RESIDUES) for d in j.directions)):
+                found.append(
+                    f"{limb.name}: the bars of {j} are not perpendicular to its axis, as those of a plane one are"
+                )
+    return tuple(found)
+
+
+def _neighbours(text: LimbText) -> list[tuple[str, str]]:
+    """Kinds of neighbouring joints, prismatic and cylindrical ones between them left out."""
+    return list(pairwise(j.kind for j in text.joints if j.kind not in ("P", "C")))
+
+
+def home_values(robot: RobotText) -> dict[str, Any]:
+    """Coordinates of all points and directions at home, those that relations determine computed.
+
+    Raises InputError, naming what has no coordinates.
+    """
+    return robot.values_at()
+
+
+def check_home(robot: RobotText, node: Node) -> None:
+    """Record a fault for a relation that the home configuration violates by more than 1e-6 of its size."""
+    try:
+        values = home_values(robot)
+    except InputError as fault:
+        node.fault(fault.message, fault.hint)
+        return
+    keys = {key.text: value for key, value in node.entries()}
+    for d in robot.family.definitions:
+        place = keys.get(d.name, node)
+        if d.sort == "direction" and not any(values[d.name]):
+            place.fault(f"the direction {d.name} is zero at home")
+        elif robot.violates(d, values):
+            place.fault(
+                f"home violates the relation of {d.name}: {d.text}",
+                "change its coordinates"
+                if d.parameters
+                else "leave it out, and it is computed from the others, or change its coordinates",
+            )
+    twice = Counter(values[d.name] for d in robot.family.definitions if d.sort == "point")
+    for d in robot.family.definitions:
+        if d.sort == "point" and twice[values[d.name]] > 1:
+            keys.get(d.name, node).fault(f"{d.name} is in the same place as another point at home")
+    for limb in robot.limbs:
+        try:
+            limb.at(values, RATIONALS).twists(RATIONALS)
+        except InputError as fault:
+            node.fault(f"{limb.name} at home: {fault.message}", fault.hint)

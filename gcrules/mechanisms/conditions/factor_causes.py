@@ -1,0 +1,332 @@
+r"""Factors of a robot's condition told apart: what drops rank where each of them vanishes.
+
+The superbracket of the equivalent structure is a polynomial along a path of members; its roots modulo the prime are
+singular members, exact. There the ranks of the constraints, of all wrenches and of the limbs are taken from the joint
+screws, and it is seen which factors vanish.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import combinations_with_replacement, count, islice
+
+from gcrules.algebra.evaluate import Evaluator
+from gcrules.algebra.expr import Expr, points_of
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import GcrulesError
+from gcrules.mechanisms.description.family import Family, Path
+from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.relations import Term, Values, combined
+from gcrules.mechanisms.lines.equivalent import Equivalent
+from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
+from gcrules.mechanisms.lines.wrenches import PLANAR
+from gcrules.rules.condition import ONE
+from gcrules.screws import RATIONALS, RESIDUES, Field, reciprocal
+from gcrules.screws.field import Row
+
+__all__ = [
+    "ASIDE",
+    "ENOUGH",
+    "KINDS",
+    "Part",
+    "Ranks",
+    "Told",
+    "at_member",
+    "constant",
+    "not_told",
+    "paths",
+    "ranks",
+    "superbracket_at",
+    "tell_apart",
+    "upstream",
+]
+
+KINDS: Mapping[str, str] = {
+    "actuation": "the platform can move although the actuators are locked",
+    "constraint": "the platform gains a freedom that its limbs should not allow",
+    "mixed": "at some of these members constraints drop rank, at others only all wrenches together",
+    "limb": "it vanishes only where a limb is singular by itself and the lines do not stand for its wrenches",
+    "choice": "it belongs to the chosen lines: the wrenches of the limbs keep their rank there",
+    "never": "it cannot vanish for this robot",
+    "not met": "no exact member was found at which it vanishes",
+}
+"""What the kinds of factors mean."""
+
+ASIDE = ("never", "choice", "limb")
+"""Kinds of factors that are no singularities of the robot."""
+
+ENOUGH = 3  # singular members of each kind; more are not counted, as how many there are on a path is chance
+_MOST_PATHS = 48
+_NEVER_SEEDS = (21, 22, 23)
+
+
+@dataclass(frozen=True)
+class Ranks:
+    """At one member: rank of the constraints, of all wrenches, and of each limb's twists, passive ones apart."""
+
+    constraints: int
+    wrenches: int
+    limbs: tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True)
+class Part:
+    """A factor of the condition: `kind` is a key of `KINDS`, `members` the number of exact singular members on which
+    that was seen (not counted beyond `ENOUGH`), `reason` says why a factor never vanishes, `statement` when it does.
+    `same` is another factor of this robot that vanishes wherever this one does; `chosen` the number of those members at
+    which a factor that counts vanishes although the wrenches keep their rank, since the chosen lines depend on each
+    other.
+    """
+
+    expression: Expr
+    kind: str
+    members: int = 0
+    reason: str = ""
+    statement: str = ""
+    same: Expr | None = None
+    chosen: int = 0
+
+
+@dataclass
+class Told:
+    """Votes for each factor where it alone vanishes, where others vanish with it (`shared`), and where points that are
+    different in the family coincide (`merged`); and how many singular members were met.
+    """
+
+    votes: dict[Expr, Counter[str]] = field(default_factory=dict)
+    shared: dict[Expr, Counter[str]] = field(default_factory=dict)
+    merged: dict[Expr, Counter[str]] = field(default_factory=dict)
+    met: int = 0
+    unexplained: int = 0
+
+    @classmethod
+    def of(cls, factors: Sequence[Expr]) -> Told:
+        """No votes yet."""
+        votes, shared, merged = ({e: Counter[str]() for e in factors} for _ in range(3))
+        return cls(votes, shared, merged)
+
+    def best(self, e: Expr) -> Counter[str]:
+        """The votes that count for a factor. Those of merged points count only where there are no others."""
+        return self.votes[e] or self.shared[e] or self.merged[e]
+
+
+def ranks(family: Family, limbs: Sequence[LimbText], values: Values, field: Field = RESIDUES) -> Ranks:
+    """The ranks at a member in this field, from the joint screws alone. Raises InputError where a joint is none."""
+    trivial = list(PLANAR) if family.plane else []
+    held: list[Row] = list(trivial)
+    locked: list[Row] = list(trivial)
+    dimensions = []
+    for text in limbs:
+        limb = text.at(values, field)
+        rows, actuated = limb.twists(field), limb.actuated
+        passive = [row for i, row in enumerate(rows) if i not in actuated]
+        own = reciprocal(rows, field)
+        every = reciprocal(passive, field) if actuated else own
+        held += own
+        locked += every
+        dimensions.append((6 - len(own), 6 - len(every)))
+    return Ranks(
+        (field.rank(held) if held else 0) - len(trivial),
+        (field.rank(locked) if locked else 0) - len(trivial),
+        tuple(dimensions),
+    )
+
+
+def at_member(family: Family, structure: Equivalent, values: Values, field: Field = RESIDUES) -> Evaluator:
+    """Values of expressions in the structure's points at a member, modulo the prime or rational; in the plane points
+    are (x, y, w).
+    """
+    points: Mapping[str, Row] = structure.points(family, values, field)
+    if family.plane:
+        points = {n: (p[0], p[1], p[3]) for n, p in points.items()}
+    return Evaluator(points, 3 if family.plane else 4, PRIME if field is RESIDUES else None)
+
+
+def constant(
+    family: Family, structure: Equivalent, e: Expr, over: Expr, members: Sequence[Evaluator]
+) -> Fraction | None:
+    """The number c with e = c · over in the whole family, or None where there is none.
+
+    It holds at all `members`, which are modulo the prime; its value is read off at members with rational coordinates,
+    for a residue does not tell which fraction it stands for, and must agree with those.
+    """
+    (p, q), *others = [(one.value(e)[0], one.value(over)[0]) for one in members]
+    if not p or not q or any((p * s - q * r) % PRIME for r, s in others):
+        return None
+    drawn = (family.member(("constant", n), RATIONALS) for n in count())
+    exact = (at_member(family, structure, values, RATIONALS) for values in drawn)
+    values = ((Fraction(one.value(e)[0]), one.value(over)[0]) for one in exact)
+    found = set(islice((r / s for r, s in values if s), 3))
+    c = found.pop()
+    return c if not found and (c.numerator * q - c.denominator * p) % PRIME == 0 else None
+
+
+def superbracket_at(family: Family, structure: Equivalent, superbracket: Expr) -> Callable[[Values], int]:
+    """The value of the superbracket at members."""
+
+    def value(values: Values) -> int:
+        return int(at_member(family, structure, values).value(superbracket)[0])
+
+    return value
+
+
+def paths(family: Family, names: Sequence[str], seed: object = 0) -> Iterator[Path]:
+    """Paths of members, each moving one name on which these names depend, all in turn."""
+    needed = upstream(family, names)
+    moving = [n for n in family.moving if n in needed]
+    for n in range(max(_MOST_PATHS, len(moving))):
+        if moving:
+            yield family.path((seed, n), moving[n % len(moving)])
+
+
+def upstream(family: Family, names: Sequence[str]) -> set[str]:
+    """These names and all that they are made from."""
+    needed = set(names)
+    for d in reversed(family.definitions):
+        if d.name in needed:
+            needed.update(d.relation.names)
+    return needed
+
+
+def tell_apart(
+    family: Family,
+    limbs: Sequence[LimbText],
+    structure: Equivalent,
+    superbracket: Expr,
+    factors: Sequence[Expr],
+    several: Collection[Expr] = (),
+) -> tuple[tuple[Part, ...], Told]:
+    """The kind of each factor, and how many singular members were met. `several` are factors that are known to vanish
+    for more than one reason: because of them all paths are searched.
+    """
+    parts: dict[Expr, Part] = {}
+    for e in factors:
+        reason = never(family, limbs, structure, e)
+        if reason:
+            parts[e] = Part(e, "never", reason=reason)
+    open_factors = [e for e in dict.fromkeys(factors) if e not in parts]
+    names = [*points_of(superbracket), *(n for _, u, v in structure.derived for t in (u, v) for _, n in t)]
+    generic = ranks(family, limbs, family.member("generic"))
+    told = Told.of(open_factors)
+    value = superbracket_at(family, structure, superbracket)
+    for path in paths(family, names):
+        checkpoint()
+        polynomial = interpolated(lambda t, path=path: value(path.member(t)))  # type: ignore[misc]
+        for t in roots(polynomial or []):
+            _vote(family, limbs, structure, path.member(t), generic, told)
+        if told.votes and not several and all(map(_enough, told.votes.values())):
+            break
+    for e in open_factors:
+        votes = told.best(e)
+        kind = _kind(votes)
+        chosen = 0 if kind in ASIDE else min(ENOUGH, votes["choice"])
+        others = sum(votes.values()) - (votes["choice"] if chosen else 0)
+        parts[e] = Part(e, kind, min(ENOUGH, others) + chosen, chosen=chosen)
+    told.met = min(told.met, sum(p.members for p in parts.values()))
+    return tuple(parts[e] for e in dict.fromkeys(factors)), told
+
+
+def _enough(votes: Counter[str]) -> bool:
+    return votes["actuation"] + votes["constraint"] >= ENOUGH
+
+
+def not_told(
+    family: Family,
+    limbs: Sequence[LimbText],
+    structure: Equivalent,
+    superbracket: Expr,
+    factors: Sequence[Expr],
+    several: Collection[Expr] = (),
+) -> tuple[tuple[Part, ...], Told]:
+    """The factors of a robot that is given by lines: whose wrenches they are is not known."""
+    reason = "the robot is given by its lines: actuation and constraint are not told apart"
+    return tuple(Part(e, "mixed", reason=reason) for e in dict.fromkeys(factors)), Told()
+
+
+def _vote(
+    family: Family, limbs: Sequence[LimbText], structure: Equivalent, values: Values, generic: Ranks, told: Told
+) -> None:
+    at = at_member(family, structure, values)
+    zero = [e for e in told.votes if not at.value(e)[0]]
+    told.met += 1
+    if not zero:
+        told.unexplained += 1
+    try:
+        here = ranks(family, limbs, values)
+    except GcrulesError:  # a joint is none at this member
+        return
+    if here.limbs != generic.limbs:
+        kind = "limb"
+    elif here.wrenches == generic.wrenches:
+        if _imaginary(limbs, structure, values):
+            return
+        kind = "choice"
+    else:
+        kind = "constraint" if here.constraints < generic.constraints else "actuation"
+    if family.merged(values):
+        counted = told.merged
+    else:
+        counted = told.votes if len(zero) == 1 else told.shared
+    for e in zero:
+        counted[e][kind] += 1
+
+
+def _imaginary(limbs: Sequence[LimbText], structure: Equivalent, values: Values) -> bool:
+    """Whether a direction has length zero, as residues may have and real directions have not."""
+    vectors = [combined(t, values, RESIDUES) for limb in limbs for j in limb.joints for t in j.directions]
+    vectors += structure.derived_at(values).values()
+    return any(RESIDUES.dot(v, v) == 0 for v in vectors)
+
+
+def _kind(votes: Counter[str]) -> str:
+    singular = {k for k in ("actuation", "constraint") if votes[k]}
+    if len(singular) == 2:
+        return "mixed"
+    if singular:
+        return singular.pop()
+    return next((k for k in ("choice", "limb") if votes[k]), "not met")
+
+
+def never(family: Family, limbs: Sequence[LimbText], structure: Equivalent, e: Expr) -> str:
+    """Why a factor cannot vanish: it is one number on all members, or that times squared lengths that are not zero.
+
+    Found at exact random members, error below 1e-15; "" where no reason is found, which proves nothing.
+    """
+    at = [family.member(seed) for seed in _NEVER_SEEDS]
+    members = [at_member(family, structure, m) for m in at]
+    numbers = [int(one.value(e)[0]) for one in members]
+    if all(n == numbers[0] for n in numbers) and numbers[0]:
+        c = constant(family, structure, e, ONE, members)
+        return f"it is {c} in every configuration" if c is not None else ""
+    if not all(numbers):
+        return ""
+    terms: list[Term] = list(dict.fromkeys(d for limb in limbs for j in limb.joints for d in j.directions))
+    lengths = {_words(t): [_square(combined(t, m, RESIDUES)) for m in at] for t in terms}
+    for u, v in (j.directions for limb in limbs for j in limb.joints if j.kind == "U"):
+        lengths[f"{_words(u)} × {_words(v)}"] = [
+            _square(RESIDUES.cross(combined(u, m, RESIDUES), combined(v, m, RESIDUES))) for m in at
+        ]
+    for size in (1, 2):
+        for some in combinations_with_replacement(lengths, size):
+            rest = [n * pow(_product(lengths[w][i] for w in some), -1, PRIME) % PRIME for i, n in enumerate(numbers)]
+            if rest[0] == rest[1] == rest[2]:
+                return f"up to a number it is the product of squared lengths of {' and '.join(some)}"
+    return ""
+
+
+def _square(v: tuple[int, int, int]) -> int:
+    return int(RESIDUES.dot(v, v)) or 1
+
+
+def _product(numbers: Iterator[int]) -> int:
+    found = 1
+    for n in numbers:
+        found = found * n % PRIME
+    return found
+
+
+def _words(term: Term) -> str:
+    return term[0][1] if len(term) == 1 else "".join(n for _, n in reversed(term))

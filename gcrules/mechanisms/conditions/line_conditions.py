@@ -1,0 +1,96 @@
+"""Which of the conditions of a robot's lines says something of the robot, and its factors where the axes are fixed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+from typing import Any
+
+from gcrules.algebra.evaluate import PRIME, Evaluator
+from gcrules.algebra.expr import Expr, Sum
+from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.mechanisms.conditions.at_infinity import separated
+from gcrules.mechanisms.conditions.factor_causes import at_member
+from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.lines.equivalent import Equivalent
+from gcrules.rules.condition import ONE, Condition
+from gcrules.rules.sentences import factors_of
+
+__all__ = ["condition_of_lines", "factors_at"]
+
+
+def condition_of_lines(robot: RobotText, structure: Equivalent, search: float) -> tuple[Analysis, Condition]:
+    """The analysis of the lines with their points in general position, which holds for all positions; where that gives
+    no condition that says something of the robot, with the incidences of its family.
+    """
+    options: dict[str, Any] = {"ideal": structure.ideal, "rank": 3 if robot.family.plane else 4, "search": search}
+    found = analyze(structure.legs, **options)
+    if found.condition.kind == "always-singular":
+        raise InputError(f"the equivalent lines are dependent in every configuration: {found.condition.sentence}")
+    condition = _usable(robot, structure, found)
+    if (condition is None or _weak(condition)) and structure.given:
+        try:
+            special = analyze(structure.legs, given=structure.incidences, **options)
+            better = _usable(robot, structure, special)
+        except (InputError, LimitReached):  # assumptions that are not resolved
+            better = None
+        if better is not None and (condition is None or not _weak(better)):
+            return special, better
+    if condition is None:
+        lines = ", ".join("".join(leg) for leg in structure.legs)
+        raise InputError(
+            f"no condition of the lines {lines} says something of this robot",
+            hint="its points are in a position in which both sides of every identity that was found vanish",
+        )
+    return found, condition
+
+
+def _weak(condition: Condition) -> bool:
+    """Whether it takes a cofactor, is a sum, or is no incidence."""
+    weak = ("linear-complex", "bracket-factors")
+    return condition.cofactor != ONE or condition.kind in weak or isinstance(condition.expression, Sum)
+
+
+def _usable(robot: RobotText, structure: Equivalent, found: Analysis) -> Condition | None:
+    """The first reading whose cofactor and expression do not vanish in the whole family."""
+    at = at_member(robot.family, structure, robot.family.member("usable"))
+    for c in (found.condition, *found.readings):
+        if at.value(c.cofactor)[0] and at.value(c.expression)[0]:
+            return c
+    return None
+
+
+_Factors = tuple[tuple[Expr, ...], tuple[Expr, ...]]
+
+
+def factors_at(robot: RobotText, structure: Equivalent, condition: Condition) -> _Factors:
+    """Factors of the cofactor and of the expression: planes at infinity taken out, and what both share cancelled."""
+    e = condition.expression
+    factors = tuple(factors_of(e)) or (e,)
+    cofactors = tuple(factors_of(condition.cofactor))
+    if not structure.ideal or robot.family.plane:
+        return cofactors, factors
+    finite = next((n for leg in structure.legs for n in leg if n not in structure.ideal), None)
+    if finite is None:
+        return cofactors, factors
+    at = [at_member(robot.family, structure, robot.family.member(("far", seed))) for seed in (1, 2)]
+    last = {step: [3 in rows for rows in combinations(range(4), step)] for step in (1, 2, 3)}
+
+    def far(a: Expr) -> bool:
+        return not any(c for one in at for c, here in zip(one.value(a), last[a.step], strict=True) if here)
+
+    found = [f for factor in factors for f in separated(factor, far, finite)]
+    left = []
+    for cofactor in (c for one in cofactors for c in separated(one, far, finite)):
+        equal = next((f for f in found if _proportional(at, f, cofactor)), None)
+        if equal is None:
+            left.append(cofactor)
+        else:
+            found.remove(equal)
+    return tuple(left), tuple(found)
+
+
+def _proportional(at: Sequence[Evaluator], a: Expr, b: Expr) -> bool:
+    (p, q), (r, s) = ((one.value(a)[0], one.value(b)[0]) for one in at)
+    return bool(p and q and (p * s - q * r) % PRIME == 0)

@@ -1,0 +1,77 @@
+r"""Robots described by their joints whose six limbs are legs of variable length: read as platforms with dimensions.
+
+Such a leg is UPS, SPU or SPS: it turns about a point of the base and a point of the platform and is driven along the
+line through both, so that all it resists with its actuator locked is the force along this line.
+"""
+
+from __future__ import annotations
+
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.description.robot_spec import RobotText
+
+__all__ = ["as_platform"]
+
+_ENDS = (("U", "S"), ("S", "U"), ("S", "S"))  # with two joints U it would resist a couple, too
+
+
+def as_platform(robot: RobotText) -> Platform:
+    """The platform that the robot is at home, with a leg from the base to the platform for each limb.
+
+    Raises InputError, which says why, for robots with other limbs, and for those without a home configuration.
+    """
+    legs = [_leg(limb) for limb in robot.limbs]
+    other = next((limb for limb, leg in zip(robot.limbs, legs, strict=True) if leg is None), None)
+    found = tuple(leg for leg in legs if leg is not None)
+    reason = ""
+    if len(robot.limbs) != 6:
+        reason = f"it has {len(robot.limbs) or 'no'} limbs, not six"
+    elif other is not None:
+        reason = f"{other.name or 'a limb'} ({other.chain}) is no leg UP*S between two points"
+    elif robot.home is None:
+        reason = "it has no home configuration"
+    elif (name := _tied(robot, found)) is not None:
+        reason = f"the place of {name} depends on the other body"
+    if reason:
+        raise InputError(
+            f"{robot.id} is described by its joints and cannot be read as a platform: {reason}",
+            hint=f'in single configurations: gcrules robot pose {robot.id} --at "…", and --search for a singular one',
+        )
+    values = robot.values_at()
+    points = {name: values[name] for leg in found for name in leg}
+    return Platform(
+        legs=found,
+        points={n: (x, y, z) for n, (x, y, z) in points.items()},
+        title=robot.title,
+        note=robot.note,
+        source=robot.source,
+        filename=robot.filename,
+    )
+
+
+def _leg(limb: LimbText) -> tuple[str, str] | None:
+    """The ends of the leg that a limb is, if it is one."""
+    if len(limb.joints) != 3:
+        return None
+    first, slide, last = limb.joints
+    if (first.kind, last.kind) not in _ENDS or slide.kind != "P" or not slide.actuated:
+        return None
+    if first.actuated or last.actuated:
+        return None
+    (start,), (end,), (along,) = first.points, last.points, slide.directions
+    return (start, end) if {n for _, n in along} == {start, end} and start != end else None
+
+
+def _tied(robot: RobotText, legs: tuple[tuple[str, str], ...]) -> str | None:
+    """A point whose relation uses points of the other body, so that motion does not keep it."""
+    uses = {d.name: d.relation.names for d in robot.family.definitions}
+
+    def roots(name: str) -> set[str]:
+        return {name}.union(*(roots(other) for other in uses.get(name, ())))
+
+    base, platform = ({leg[end] for leg in legs} for end in (0, 1))
+    for name in (*base, *platform):
+        if roots(name) & (platform if name in base else base):
+            return name
+    return None

@@ -1,0 +1,178 @@
+"""Platforms with their dimensions: the geometry file.
+
+A YAML file with the keys
+
+    title: Octahedral platform            # optional; the name of the file otherwise
+    note: example, invented dimensions    # optional
+    source: where the dimensions are from # optional
+    units: mm                             # optional; one of `UNITS`
+    legs: [ab, af, cb, cd, ed, ef]        # two points each: ab, S1A1, "S1 A1" or [left, right]; or one text "ab af cb"
+    points:                               # Cartesian coordinates in one frame, in these units
+      a: [0, 1/2, -0.25]                  # whole numbers, decimals or quotients, all exact
+
+Every point of a leg needs coordinates; a leg has two different ends in two different places.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from os import PathLike
+from pathlib import PurePath
+
+from gcrules.algebra.language.legs_text import leg_text
+from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.core.arguments import ROW, TEXT, described, listed, mapping, read, row
+from gcrules.core.errors import InputError
+from gcrules.core.floats import exact
+from gcrules.core.frozen import FrozenMap
+from gcrules.core.hints import near
+from gcrules.core.yaml_file import Document, Node
+
+__all__ = ["UNITS", "Platform", "load_platform", "parse_platform"]
+
+_UNIT_ONCE = "the unit stands once in the file, as  units: {}"
+UNITS = ("m", "dm", "cm", "mm", "um", "in", "ft")
+"""Units of length that a file may name."""
+
+Vector = tuple[Fraction, Fraction, Fraction]
+
+_NAME = re.compile(r"[A-Za-z](?:[A-Za-z0-9_]*[A-Za-z0-9])?'*")
+_MAX_NAME = 40
+
+
+_LEGS = listed("a sequence of pairs of names", row("", TEXT, TEXT))
+_POINTS = mapping("a mapping from names to places of three numbers", ROW)
+
+
+@dataclass(frozen=True, slots=True)
+class Platform:
+    """Legs and the Cartesian coordinates of their end points, in `units` ("" if the file names none).
+
+    `legs` are pairs of points as written; `points` gives (x, y, z), exact. `warnings` are sentences with their place
+    in the file.
+    """
+
+    legs: tuple[tuple[str, str], ...]
+    points: Mapping[str, Vector]
+    title: str = ""
+    note: str = ""
+    units: str = ""
+    source: str = ""
+    filename: str = "<input>"
+    warnings: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "legs", read(_LEGS, self.legs, "gc.Platform: `legs`"))
+        points = read(_POINTS, self.points, "gc.Platform: `points`")
+        for name, place in points.items():
+            if len(place) != 3:
+                raise InputError(f"gc.Platform: the point {described(name)} has {len(place)} coordinates, expected 3")
+        found = {n: tuple(exact(c, f"a coordinate of {n}") for c in place) for n, place in points.items()}
+        object.__setattr__(self, "points", FrozenMap(found))
+        for name in ("title", "note", "units", "source", "filename"):
+            read(TEXT, getattr(self, name), f"gc.Platform: `{name}`")
+
+    def homogeneous(self) -> dict[str, tuple[Fraction, Fraction, Fraction, Fraction]]:
+        """The points as (x, y, z, 1), as `evaluate` takes them."""
+        return {name: (*xyz, Fraction(1)) for name, xyz in self.points.items()}
+
+
+def load_platform(path: str | PathLike[str]) -> Platform:
+    """Read a geometry file. Raises FileError with all faults of the file, each with line and column."""
+    return _platform(Document.load(path))
+
+
+def parse_platform(text: str, filename: str = "<input>") -> Platform:
+    """Read the text of a geometry file. Raises FileError likewise."""
+    return _platform(Document.parse(text, filename))
+
+
+def _platform(document: Document) -> Platform:
+    top = document.root.mapping(
+        required=("legs", "points"),
+        optional=("title", "note", "source", "units"),
+        reserved={"limbs": "a robot with limbs is analysed by `gcrules robot analyze`, it is no geometry file"},
+    )
+    texts = {key: top[key].string() or "" for key in ("title", "note", "source") if key in top}
+    units = top["units"].choice(UNITS) or "" if "units" in top else ""
+    points = _points(top["points"]) if "points" in top else {}
+    legs = _legs(top["legs"]) if "legs" in top else []
+    for node, leg in legs:
+        _check_leg(node, leg, points)
+    document.check()
+    used = {name for _, leg in legs for name in leg}
+    return Platform(
+        legs=tuple(leg for _, leg in legs),
+        points={name: xyz for name, (_, xyz) in points.items() if xyz is not None},
+        title=texts.get("title") or PurePath(document.filename).stem,
+        note=texts.get("note", ""),
+        units=units,
+        source=texts.get("source", ""),
+        filename=document.filename,
+        warnings=tuple(f"{key.place}: point {n} is in no leg" for n, (key, _) in points.items() if n not in used),
+    )
+
+
+_Points = dict[str, tuple[Node, Vector | None]]
+
+
+def _points(node: Node) -> _Points:
+    """Each point with the node of its key, and None for coordinates that are at fault."""
+    found: _Points = {}
+    for key, value in node.entries():
+        if len(key.text) > _MAX_NAME or not _NAME.fullmatch(key.text):
+            key.fault(
+                f"{key.text[:_MAX_NAME]!r} is no name of a point", "a letter, then letters, digits or primes: a, S1, A'"
+            )
+        numbers = [item.rational(_UNIT_ONCE) for item in value.sequence(length=3)]
+        x, y, z = numbers if len(numbers) == 3 else (None, None, None)
+        found[key.text] = key, None if x is None or y is None or z is None else (x, y, z)
+    if node.kind == "mapping" and not found:
+        node.fault("there are no points")
+    return found
+
+
+def _legs(node: Node) -> list[tuple[Node, tuple[str, str]]]:
+    """Each leg with its node; legs at fault are left out."""
+    if node.kind == "scalar" and not node.is_nothing:
+        parts = [(node, word) for word in re.split(r"[\s,;]+", node.text.strip())]
+    else:
+        parts = [(item, item.text if item.kind == "scalar" else None) for item in node.sequence()]
+        if node.kind == "sequence" and not parts:
+            node.fault("there are no legs")
+    legs = []
+    for item, word in parts:
+        ends = _ends(item, word)
+        if ends:
+            legs.append((item, ends))
+    return legs
+
+
+def _ends(item: Node, word: str | None) -> tuple[str, str] | None:
+    if word is None:
+        names = [name for part in item.sequence(length=2) if (name := part.string())]
+        return (names[0], names[1]) if len(names) == 2 else None
+    names = word.split() if len(word.split()) > 1 else SHORT_NAME.findall(word)
+    if len(names) != 2 or (len(word.split()) == 1 and "".join(names) != word):
+        item.fault(
+            f"the leg {word[:_MAX_NAME]!r} does not name two points" if word else "this leg names no points",
+            'write ab, S1A1, "S1 A1" or [left, right]',
+        )
+        return None
+    return names[0], names[1]
+
+
+def _check_leg(node: Node, leg: tuple[str, str], points: _Points) -> None:
+    first, second = leg
+    if first == second:
+        node.fault(f"the leg {leg_text(leg)} goes from a point to itself")
+        return
+    for name in leg:
+        if name not in points and points:
+            node.fault(f"the leg names {name}, which has no coordinates", near(name, points) or f"add {name} to points")
+    ends = [points[name][1] for name in leg if name in points]
+    if len(ends) == 2 and ends[0] is not None and ends[0] == ends[1]:
+        node.fault(f"{first} and {second} are in the same place, so the leg has no direction")

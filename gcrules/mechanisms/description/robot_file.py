@@ -1,0 +1,303 @@
+r"""Reading robot files: `robot.yaml`. Data only, no code runs; all faults of a file come out at once, with places.
+
+title: 3-RPS robot
+source: SinguLab2008            # optional: what of it was really read
+note: example, invented         # optional
+copies: 3                       # optional: % in a name stands for 1, 2, 3; what bears it is written once
+points:                         # names, each with the one relation that makes it
+  A%: free
+  S%: in plane A% perpendicular to r%
+directions:
+  r%: free
+limbs:                          # joints from the base to the platform, a star at what is actuated
+  - name: leg %
+    joints: R(A%, r%) P*(A% S%) S(S%)
+platform: S1 S2 S3              # optional: the points that move with the platform
+mobility: 3                     # expected, and checked
+facts: []                       # optional: relations that follow, checked: "u1 perpendicular to v1"
+home: {A1: [0, 0, 0]}           # optional: one configuration, checked against the relations
+condition: "…"                  # optional: a published condition in the language, compared
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from itertools import pairwise
+from os import PathLike
+from pathlib import Path
+
+from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.core.errors import GcrulesError, InputError, Span
+from gcrules.core.hints import near
+from gcrules.core.yaml_file import Document, Node
+from gcrules.mechanisms.conditions.checks import check_family, check_home, check_limbs
+from gcrules.mechanisms.description.family import Definition, Family, circles, in_order
+from gcrules.mechanisms.description.file_parts import (
+    MAX_TEXT,
+    numbered,
+    read_facts,
+    read_home,
+    read_lines,
+    read_platform,
+)
+from gcrules.mechanisms.description.limb_file import LimbText, read_joints
+from gcrules.mechanisms.description.relations import AXES, RELATIONS, relation
+from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.screws import JOINTS
+
+__all__ = ["describes_joints", "load_robot", "parse_robot"]
+
+_REQUIRED = ("title", "points", "mobility")
+_OPTIONAL = (
+    "source", "note", "copies", "space", "directions", "limbs", "lines", "platform", "facts", "home", "condition",
+)  # fmt: skip
+_OF_JOINTS = {"limbs", "lines", "mobility", "copies"}  # keys that geometry files do not have
+MAX_COPIES = 12
+MAX_NAMES = 120
+MAX_LIMBS = 12
+MAX_FREEDOMS = 12
+
+
+def describes_joints(document: Document) -> bool:
+    """Whether a robot file is meant and not a geometry file: no legs, and a key that only robot files have."""
+    root = document.root
+    keys = {key.text for key, _ in root.entries()} if root.kind == "mapping" else set()
+    return "legs" not in keys and not _OF_JOINTS.isdisjoint(keys)
+
+
+def load_robot(path: str | PathLike[str], owner: str = "") -> RobotText:
+    """Read a robot file. Raises FileError with all its faults."""
+    name = Path(path).parent.name if Path(path).name == "robot.yaml" else Path(path).stem
+    return _Reader(Document.load(path), name, owner).robot()
+
+
+def parse_robot(text: str, filename: str = "<input>", name: str = "robot") -> RobotText:
+    """Read the text of a robot file. Raises FileError likewise."""
+    return _Reader(Document.parse(text, filename), name, "").robot()
+
+
+class _Reader:
+    """Reads one file; faults are recorded at their nodes, those that make further checks pointless are raised first."""
+
+    def __init__(self, document: Document, name: str, owner: str) -> None:
+        self.document = document
+        self.name = name
+        self.owner = owner
+        self.places: dict[str, Node] = {}
+        self.copies = 0
+        self.faulty: list[Node] = []
+
+    def robot(self) -> RobotText:
+        top = self.document.root.mapping(_REQUIRED, _OPTIONAL)
+        if "copies" in top:
+            self.copies = top["copies"].integer() or 0
+            if not 1 <= self.copies <= MAX_COPIES:
+                top["copies"].fault(f"copies are 1 to {MAX_COPIES}")
+                self.copies = 1
+        plane = "space" in top and top["space"].choice(("plane", "space")) == "plane"
+        definitions = [
+            *(self._definitions(top["points"], "point") if "points" in top else ()),
+            *(self._definitions(top["directions"], "direction") if "directions" in top else ()),
+        ]
+        family = self._family(definitions, plane)
+        if "limbs" in top and "lines" in top:
+            top["lines"].fault("a robot is given by its limbs or by lines, not by both")
+        if "limbs" not in top and "lines" not in top:
+            self.document.root.fault("the key 'limbs' is missing", "limbs of joints, or lines whose wrenches are known")
+        limbs = list(self._limbs(top["limbs"], family)) if "limbs" in top else []
+        lines = read_lines(top["lines"], family) if "lines" in top else ()
+        texts = {k: top[k].string() or "" for k in ("title", "source", "note", "condition") if k in top}
+        mobility = top["mobility"].integer() if "mobility" in top else None
+        facts = tuple(read_facts(top["facts"], family, self.copies)) if "facts" in top else ()
+        home = read_home(top["home"], family) if "home" in top else None
+        platform = read_platform(top["platform"], family, self.copies) if "platform" in top else ()
+        self.document.check()
+        robot = RobotText(
+            id=self.name,
+            title=texts["title"],
+            family=family,
+            limbs=tuple(limb for _, limb in limbs),
+            mobility=mobility or 0,
+            lines=lines,
+            platform=platform,
+            home=home,
+            condition=texts.get("condition", ""),
+            source=texts.get("source", ""),
+            note=texts.get("note", ""),
+            facts=tuple(fact for _, fact in facts),
+            filename=self.document.filename,
+            owner=self.owner,
+        )
+        check_family(robot, self.places, facts)
+        self.document.check()
+        if limbs:
+            check_limbs(robot, [node for node, _ in limbs], top["mobility"])
+        if home is not None:
+            check_home(robot, top["home"])
+        self.document.check()
+        return robot
+
+    # --- names ---
+
+    def _definitions(self, node: Node, sort: str) -> Iterator[Definition]:
+        for key, value in node.entries():
+            text = value.string()
+            if "%" in key.text and not self.copies:
+                key.fault("% stands for the numbers of copies, and there is no key copies", "copies: 3")
+                continue
+            if text is None:
+                continue
+            if "%" in text and "%" not in key.text:
+                value.fault("% stands in the relation of a name without it")
+                continue
+            for name, written in numbered(self.copies, key.text, text):
+                before = len(self.document.faults)
+                if not SHORT_NAME.fullmatch(name) or len(name) > 12:
+                    key.fault(f"{name[:20]!r} is no name", "a letter, then digits or primes: A1, S', r12")
+                elif name in AXES:
+                    key.fault(f"{name} is a direction of the frame in every robot", "take another name")
+                elif name in self.places:
+                    key.fault(f"{name} is defined twice ({self.places[name].place})")
+                elif len(self.places) >= MAX_NAMES:
+                    key.fault(f"more than {MAX_NAMES} names")
+                    return
+                else:
+                    self.places[name] = value
+                    yield from self._definition(name, sort, written, value)
+                if len(self.document.faults) > before:
+                    break  # the other copies have the same fault
+
+    def _definition(self, name: str, sort: str, text: str, node: Node) -> Iterator[Definition]:
+        if len(text) > MAX_TEXT:
+            node.fault(f"a relation of more than {MAX_TEXT} characters")
+            return
+        try:
+            yield Definition(name, sort, relation(sort, text), text)
+        except InputError as fault:
+            node.fault(fault.message, fault.hint)
+
+    def _family(self, definitions: list[Definition], plane: bool) -> Family:
+        sorts = {**dict.fromkeys(AXES, "direction"), **{d.name: d.sort for d in definitions}}
+        good = [d for d in definitions if self._sound(d, sorts)]
+
+        def cyclic(names: tuple[str, ...]) -> None:
+            needs = {d.name: [n for n in d.relation.names if n in names] for d in good if d.name in names}
+            told: list[Node] = []
+            for circle in circles(needs):
+                place = self.places[circle[0]]
+                if place not in told:  # copies stand at one place
+                    chain = ", ".join(f"{a} needs {b}" for a, b in pairwise((*circle, circle[0])))
+                    place.fault(
+                        f"{circle[0]} is defined by itself, in a circle: {chain}",
+                        "let each relation use only names that can be made before it",
+                    )
+                told += [self.places[n] for n in circle]
+
+        if len(good) < len(definitions):
+            return Family(tuple(good), plane)
+        return Family(in_order(good, cyclic), plane)
+
+    def _sound(self, d: Definition, sorts: Mapping[str, str]) -> bool:
+        """Whether all names of a relation are known and stand where their sort may stand."""
+        node = self.places[d.name]
+        unknown = [n for n in d.relation.names if n not in sorts]
+        for name in unknown if node not in self.faulty else ():
+            self.faulty.append(node)
+            node.fault(f"{name} is not defined", near(name, sorts))
+        if unknown:
+            return False
+        wanted = _wanted(d)
+        for term, sort in zip(d.relation.args, wanted, strict=True):
+            weight = sum((c for c, n in term if sorts[n] == "point"), Fraction(0))
+            if weight != (sort == "point"):
+                if node in self.faulty:
+                    return False
+                self.faulty.append(node)
+                words = " ".join(n for _, n in reversed(term))
+                node.fault(
+                    f"{words} is no {sort}", "the numbers before points add up to 1 in a point, 0 in a direction"
+                )
+                return False
+        return True
+
+    # --- limbs ---
+
+    def _limbs(self, node: Node, family: Family) -> Iterator[tuple[Node, LimbText]]:
+        seen: set[str] = set()
+        items = node.sequence()
+        if node.kind == "sequence" and not items:
+            node.fault("there are no limbs")
+        for place, item in enumerate(items):
+            top = item.mapping(("joints",), ("name", "through"))
+            joints = top.get("joints")
+            if joints is None:
+                continue
+            text = joints.string() or "" if joints.kind == "scalar" else " ".join(
+                n.string() or "" for n in joints.sequence()
+            )  # fmt: skip
+            name = top["name"].string() or "" if "name" in top else f"leg {'%' if '%' in text else place + 1}"
+            through = top["through"].string() or "" if "through" in top else ""
+            if "%" in name + text and not self.copies:
+                joints.fault("% stands for the numbers of copies, and there is no key copies", "copies: 3")
+                continue
+            for own, written, points in numbered(self.copies, name, text, through):
+                limb = self._limb(own, written, points, joints, family)
+                if limb and own in seen:
+                    item.fault(f"two limbs bear the name {own!r}")
+                elif limb and len(seen) >= MAX_LIMBS:
+                    item.fault(f"more than {MAX_LIMBS} limbs")
+                    return
+                elif limb:
+                    seen.add(own)
+                    yield joints, limb
+                else:
+                    break  # the other copies have the same fault
+
+    def _limb(self, name: str, text: str, through: str, node: Node, family: Family) -> LimbText | None:
+        if len(text) > 4 * MAX_TEXT:
+            node.fault(f"a limb of more than {4 * MAX_TEXT} characters")
+            return None
+        try:
+            joints = read_joints(text)
+        except InputError as fault:
+            self._inside(node, text, fault)
+            return None
+        good = True
+        for joint in joints:
+            forms = JOINTS[joint.kind].parts.values()
+            for form, arg in zip(forms, joint.args, strict=True):
+                for _, word in arg if isinstance(arg, tuple) else ():
+                    sort = family.sorts.get(word)
+                    needed = "point" if form == "point" or (isinstance(arg, tuple) and len(arg) > 1) else "direction"
+                    if word not in self.places and word not in AXES:
+                        message, hint = f"{word} is not defined", near(word, family.sorts)
+                    elif sort is not None and sort != needed:
+                        message, hint = f"{word} is a {sort}, and {joint} needs a {needed} there", None
+                    else:
+                        continue
+                    good = False
+                    self._inside(node, text, InputError(message, span=joint.place, hint=hint))
+        limb = LimbText(name, joints, tuple(through.split()))
+        for word in limb.through:
+            if family.sorts.get(word) is None:
+                node.fault(f"{word} is not defined", near(word, family.sorts))
+        if limb.freedoms > MAX_FREEDOMS:
+            node.fault(f"{name} has {limb.freedoms} freedoms; more than {MAX_FREEDOMS} are not read")
+            return None
+        return limb if good else None
+
+    def _inside(self, node: Node, text: str, fault: GcrulesError) -> None:
+        """Record a fault at its place inside a scalar, where the scalar stands in the file as it reads."""
+        start = node.span.start + int(node.quoted)
+        as_written = self.document.source[start : start + len(node.text)] == node.text
+        if fault.span and node.kind == "scalar" and as_written and len(node.text) == len(text):
+            span = Span(start + fault.span.start, start + fault.span.end)
+            self.document.faults.append(self.document.error(span, fault.message, fault.hint))
+        else:
+            node.fault(fault.message, fault.hint)
+
+
+def _wanted(d: Definition) -> tuple[str, ...]:
+    """The sorts of a relation's arguments."""
+    return (d.sort,) if d.relation.kind == "sum" else RELATIONS[d.sort][d.relation.kind].sorts

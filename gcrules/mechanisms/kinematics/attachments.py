@@ -1,0 +1,135 @@
+"""Which link of which limb each point and direction of a robot rides on, so that motions carry it along."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gcrules.mechanisms.description.limb_file import JointText
+from gcrules.mechanisms.description.relations import AXES
+from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.kinematics.chains import SHAPES
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.screws import FLOATS, JOINTS
+
+__all__ = ["Ride", "disagreement", "moved", "off_relations", "rides"]
+
+Values = Mapping[str, Floats]
+
+
+@dataclass(frozen=True)
+class Ride:
+    """A link that carries a name: the places of the limb and, from the base at 0, of the link. A `loose` one counts
+    only where there is no other.
+    """
+
+    limb: int
+    link: int
+    loose: bool = False
+
+
+def rides(robot: RobotText) -> dict[str, tuple[Ride, ...]]:
+    """All links that carry each name. Names of the platform that no joint has ride on it; names without a ride are
+    made from others or stay where they are.
+    """
+    found: dict[str, dict[Ride, None]] = {}
+    last = 0
+    for place, limb in enumerate(robot.limbs):
+        start = 0
+        for joint in limb.joints:
+            for name, link, loose in _of_joint(joint):
+                found.setdefault(name, {})[Ride(place, start + link, loose)] = None
+            start += len(SHAPES[joint.kind].motions)
+        last = start if place == 0 else last
+    for name in robot.platform:
+        found.setdefault(name, {Ride(0, last): None})
+    return {name: _firm(tuple(own)) for name, own in found.items()}
+
+
+def _firm(own: tuple[Ride, ...]) -> tuple[Ride, ...]:
+    firm = tuple(r for r in own if not r.loose)
+    return firm or own[:1]
+
+
+def _of_joint(joint: JointText) -> Iterator[tuple[str, int, bool]]:
+    """(name, link within the joint, loose) for all names of a joint."""
+    shape = SHAPES[joint.kind]
+    end = len(shape.motions)
+    for part, arg in zip(JOINTS[joint.kind].parts, joint.args, strict=True):
+        if not isinstance(arg, tuple):
+            continue
+        first, last = shape.rides[part]
+        if len(arg) == 1:
+            yield from ((arg[0][1], link, part in shape.loose) for link in range(first, last + 1))
+            continue
+        far, near = (name for _, name in arg)  # a pair A B is the vector B - A
+        if joint.kind == "P" or part == "bars":
+            firm = part == "bars"  # the ends of bars are their hinges
+            yield near, 0, not firm
+            yield far, end, not firm
+        else:
+            yield from ((name, link, True) for name in (near, far) for link in range(first, last + 1))
+
+
+def moved(robot: RobotText, own: Mapping[str, tuple[Ride, ...]], values: Values, links: Sequence[Floats]) -> Values:
+    """The places of all names after the links of each limb went as `links` (K + 1, 4, 4) say."""
+    found: dict[str, Any] = {name: np.array(axis, dtype=float) for name, axis in AXES.items()}
+    for d in robot.family.definitions:
+        if d.name in own:
+            found[d.name] = _by(own[d.name][0], d.sort, values[d.name], links)
+        elif d.parameters:
+            found[d.name] = values[d.name]
+        else:
+            found[d.name] = np.array(d.relation.value(d.sort, FLOATS, found, ()), dtype=float)
+    return found
+
+
+def _by(ride: Ride, sort: str, value: Floats, links: Sequence[Floats]) -> Floats:
+    motion = links[ride.limb][ride.link]
+    turned = motion[:3, :3] @ value
+    return np.asarray(turned + motion[:3, 3] if sort == "point" else turned)
+
+
+def disagreement(
+    robot: RobotText, own: Mapping[str, tuple[Ride, ...]], values: Values, links: Sequence[Floats], size: float
+) -> tuple[float, str]:
+    """How far the links that carry one name carry it to different places, at most, and that name: distances divided by
+    `size` for points, sines of angles for directions.
+    """
+    worst, named = 0.0, ""
+    for name, several in own.items():
+        sort = robot.family.sorts[name]
+        places = [_by(r, sort, values[name], links) for r in several]
+        if sort == "point":
+            off = max(float(np.linalg.norm(p - places[0])) for p in places) / size
+        else:
+            first = np.array(AXES[name], dtype=float) if name in AXES else places[0]
+            length = float(np.linalg.norm(first)) * float(np.linalg.norm(values[name]))
+            off = max(float(np.linalg.norm(np.cross(first, p))) for p in places) / length
+        if off > worst:
+            worst, named = off, name
+    return worst, named
+
+
+def off_relations(robot: RobotText, values: Values, size: float) -> tuple[float, str]:
+    """How far a name is from satisfying its relation, at most, and that name: distances divided by `size` for points,
+    parts of its length for directions. Relations are linear in the name itself, so this is a quotient.
+    """
+    worst, named = 0.0, ""
+    plain: dict[str, tuple[float, float, float]] = {
+        n: (float(v[0]), float(v[1]), float(v[2])) for n, v in values.items()
+    }
+    for d in robot.family.definitions:
+        at = np.array(plain[d.name])
+        residual = [np.array(d.relation.residual(d.sort, FLOATS, plain, tuple(v))) for v in (at, *(at + np.eye(3)))]
+        slope = np.array([r - residual[0] for r in residual[1:]])
+        if not residual[0].size or not (steep := float(np.linalg.norm(slope))):
+            continue
+        off = float(np.linalg.norm(residual[0])) / steep
+        off /= size if d.sort == "point" else float(np.linalg.norm(at))
+        if off > worst:
+            worst, named = off, d.name
+    return worst, named

@@ -1,0 +1,234 @@
+r"""A limb as a chain of elementary motions: turns, slides and screws, each with one amount.
+
+The platform's place is the product of their exponentials, in order from the base. Joints with several freedoms are
+several motions. Bars that swing are pairs of opposite turns: with the turn of a bar about its near end and the same
+turn back about its far end what the bar carries moves along a circle and keeps its orientation, as a parallelogram
+does; so two motions may share one amount.
+
+>>> from gcrules.mechanisms.description.limb_file import read_joints
+>>> [m.name for joint in read_joints("R(A, z) Pa(A B, n)") for m in SHAPES[joint.kind].motions]
+['turn', 'swing', 'swing back']
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gcrules.core.english import listed
+from gcrules.core.errors import InputError
+from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.description.limb_file import JointText, LimbText
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, exponential
+from gcrules.screws import JOINTS
+
+__all__ = ["SHAPES", "Chain", "Motion", "Shape", "chain_of", "geometry_of"]
+
+Values = Mapping[str, Floats]
+Geometry = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """An elementary motion: the place of the joint's freedom whose amount it takes, with its sign, whether it turns (an
+    angle) or slides (a length), and its screw made from the joint's geometry, directions of length 1 (bars excepted).
+    """
+
+    name: str
+    freedom: int
+    sign: int
+    turns: bool
+    screw: Callable[[Geometry], Floats]
+
+
+@dataclass(frozen=True)
+class Shape:
+    """The motions of a kind of joint, and on which of its links each part rides: link n comes after n motions.
+
+    A part rides on all links from the first to the second number. `loose` parts fix only a line, so that another joint
+    that names the same point has precedence. `still` are freedoms that have to stay at 0 for the joint to be one of its
+    kind.
+    """
+
+    motions: tuple[Motion, ...]
+    rides: Mapping[str, tuple[int, int]]
+    loose: tuple[str, ...] = ()
+    still: tuple[int, ...] = ()
+
+
+def _turn(point: Floats, axis: Floats) -> Floats:
+    return np.concatenate([axis, np.cross(point, axis)])
+
+
+def _slide(axis: Floats) -> Floats:
+    return np.concatenate([np.zeros(3), axis])
+
+
+def _across(axis: Floats, place: int) -> Floats:
+    """One of two directions that are perpendicular to an axis and to each other."""
+    first = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
+    first = first / np.linalg.norm(first)
+    return np.asarray(first if place == 0 else np.cross(axis, first))
+
+
+def _unit(v: Floats) -> Floats:
+    return np.asarray(v / np.linalg.norm(v))
+
+
+def _about(point: str, axis: str) -> Callable[[Geometry], Floats]:
+    return lambda g: _turn(g[point], g[axis])
+
+
+def _swing(place: int, back: bool) -> Callable[[Geometry], Floats]:
+    return lambda g: _turn(g["first"] + g["bars"] * back, _across(_unit(g["bars"]), place))
+
+
+def _roll(place: int) -> Callable[[Geometry], Floats]:
+    return lambda g: _turn(g["point"], np.eye(3)[place])
+
+
+_ROLLS = tuple(Motion(f"turn about {c}", n, 1, True, _roll(n)) for n, c in enumerate("xyz"))
+
+SHAPES: Mapping[str, Shape] = FrozenMap(
+    {
+        "R": Shape(
+            (Motion("turn", 0, 1, True, _about("point", "axis")),),
+            {"point": (0, 1), "axis": (0, 1)},
+        ),
+        "P": Shape(
+            (Motion("slide", 0, 1, False, lambda g: _slide(g["direction"])),),
+            {"direction": (0, 1)},
+        ),
+        "H": Shape(
+            (Motion("screw", 0, 1, True, lambda g: _turn(g["point"], g["axis"]) + g["pitch"] * _slide(g["axis"])),),
+            {"point": (0, 0), "axis": (0, 1)},
+            ("point",),
+        ),
+        "C": Shape(
+            (
+                Motion("turn", 0, 1, True, _about("point", "axis")),
+                Motion("slide", 1, 1, False, lambda g: _slide(g["axis"])),
+            ),
+            {"point": (0, 1), "axis": (0, 2)},
+            ("point",),
+        ),
+        "U": Shape(
+            (
+                Motion("first turn", 0, 1, True, _about("point", "first")),
+                Motion("second turn", 1, 1, True, _about("point", "second")),
+            ),
+            {"point": (0, 2), "first": (0, 1), "second": (1, 2)},
+        ),
+        "S": Shape(_ROLLS, {"point": (0, 3)}),
+        "E": Shape(
+            (
+                Motion("slide", 0, 1, False, lambda g: _slide(_across(g["normal"], 0))),
+                Motion("slide across", 1, 1, False, lambda g: _slide(_across(g["normal"], 1))),
+                Motion("turn", 2, 1, True, _about("point", "normal")),
+            ),
+            {"point": (2, 3), "normal": (0, 3)},
+            ("point",),
+        ),
+        "Pa": Shape(
+            (
+                Motion("swing", 0, 1, True, _about("near", "axis")),
+                Motion("swing back", 0, -1, True, _about("far", "axis")),
+            ),
+            {"bars": (1, 1), "axis": (0, 2)},
+        ),
+        "4S": Shape(
+            (
+                Motion("swing", 0, 1, True, _swing(0, back=False)),
+                Motion("swing across", 1, 1, True, _swing(1, back=False)),
+                Motion("swing across, back", 1, -1, True, _swing(1, back=True)),
+                Motion("swing back", 0, -1, True, _swing(0, back=True)),
+                Motion("turn about the bar", 2, 1, True, lambda g: _turn(g["first"] + g["bars"], _unit(g["bars"]))),
+                Motion(
+                    "turn about the side",
+                    3,
+                    1,
+                    True,
+                    lambda g: _turn(g["first"] + g["bars"], _unit(g["second"] - g["first"])),
+                ),
+            ),
+            {"first": (0, 0), "second": (0, 0), "bars": (2, 2)},
+            still=(2,),
+        ),
+    }
+)
+"""The motions of every kind of joint. The turn of 4S about the bar is 0 wherever its bars are parallel; other places,
+where its twists are others, are refused."""
+
+
+def geometry_of(joint: JointText, values: Values) -> dict[str, Any]:
+    """The parts of a joint in floats, with directions of length 1; bars keep the length that they have.
+
+    Raises InputError for a direction that is zero.
+    """
+    found: dict[str, Any] = {}
+    for (part, form), arg in zip(JOINTS[joint.kind].parts.items(), joint.args, strict=True):
+        if not isinstance(arg, tuple):
+            found[part] = float(arg)
+            continue
+        vector = sum((float(c) * values[n] for c, n in arg), np.zeros(3))
+        if form == "direction":
+            size = float(np.linalg.norm(vector))
+            if size <= 1e-12 * max(1e-300, *(float(np.abs(values[n]).max()) for _, n in arg)):
+                raise InputError(f"the {part} of {joint} has no direction here: {listed(joint.names)} coincide")
+            vector = vector if part == "bars" else vector / size
+        found[part] = vector
+    if joint.kind == "Pa":
+        bars = joint.args[0]
+        start = values[bars[1][1]] if isinstance(bars, tuple) and len(bars) == 2 else np.zeros(3)
+        found |= {"near": start, "far": start + found["bars"]}
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """The motions of one limb where it is now: `screws` (K, 6), `uses` the coordinate that each takes, with `signs`;
+    `turns` tells of each coordinate whether it is an angle.
+    """
+
+    screws: Floats
+    uses: tuple[int, ...]
+    signs: Floats
+    turns: tuple[bool, ...]
+
+    def links(self, amounts: Floats) -> Floats:
+        """Where each link goes from here, (K + 1, 4, 4): first the base, last the platform."""
+        steps = exponential(self.screws, self.signs * amounts[list(self.uses)])
+        found = np.empty((len(steps) + 1, 4, 4))
+        found[0] = np.eye(4)
+        for k, step in enumerate(steps):
+            found[k + 1] = found[k] @ step
+        return found
+
+    def twists(self, links: Floats) -> Floats:
+        """The twists of the platform for each coordinate, (6, coordinates), where the links are."""
+        rows = carried(links[:-1], self.screws) * self.signs[:, None]
+        found = np.zeros((6, len(self.turns)))
+        for row, use in zip(rows, self.uses, strict=True):
+            found[:, use] += row
+        return found
+
+
+def chain_of(limb: LimbText, values: Values) -> Chain:
+    """The chain of a limb whose points and directions have these places. Raises InputError for lost directions."""
+    screws: list[Floats] = []
+    uses: list[int] = []
+    signs: list[int] = []
+    turns: list[bool] = []
+    for joint in limb.joints:
+        geometry = geometry_of(joint, values)
+        start = len(turns)
+        kinds = {m.freedom: m.turns for m in SHAPES[joint.kind].motions}
+        turns += [kinds[n] for n in range(len(kinds))]
+        for m in SHAPES[joint.kind].motions:
+            screws.append(m.screw(geometry))
+            uses.append(start + m.freedom)
+            signs.append(m.sign)
+    return Chain(np.array(screws), tuple(uses), np.array(signs, dtype=float), tuple(turns))

@@ -1,0 +1,59 @@
+"""Why a robot does not assemble where it is wanted: how far it came, and what is wrong there."""
+
+from __future__ import annotations
+
+from gcrules.core.english import agreeing
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.coordinates import SHIFTS, coordinates
+from gcrules.mechanisms.kinematics.margin import closeness, limb_closeness
+from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism
+from gcrules.mechanisms.kinematics.targets import Wanted
+
+__all__ = ["stopped"]
+
+_LOST = 0.3  # of what it was at home
+
+
+def stopped(m: Mechanism, here: Configuration, wanted: Wanted, part: float, told: float, why: str) -> InputError:
+    """The error for a course that ends at a part of the way; `here` is the last configuration that was reached, `told`
+    how well the wanted coordinates determine the pose there, compared with home.
+    """
+    if wanted.whole is not None and m.robot.mobility < 6 and part <= 0:
+        return InputError(
+            f"{m.robot.id} cannot take the whole pose {wanted.text}: its platform has mobility {m.robot.mobility}",
+            hint=f"give {m.robot.mobility} coordinates, such as z=0.2, roll=5deg; the others follow",
+        )
+    reason = _reason(m, here, wanted, told, why)
+    names = ("x", "y", "yaw") if m.robot.family.plane else ("x", "y", "z", "rx", "ry", "rz")
+    numbers = zip(names, coordinates(names, here.platform, m.centre), strict=True)
+    place = ", ".join(_amount(n, v, m.size) for n, v in numbers)
+    if part <= 0:
+        message = f"{m.robot.id} cannot move from home towards {wanted.text}: {reason}"
+    else:
+        message = (
+            f"{m.robot.id} does not assemble at {wanted.text} on home's assembly mode: it comes {100 * part:.3g}% of"
+            f" the way ({place}), where {reason}"
+        )
+    return InputError(message, hint="ask for less, for other coordinates, or give a home on the other side")
+
+
+def _amount(name: str, value: float, size: float) -> str:
+    if name in SHIFTS:
+        return f"{name}={0.0 if abs(value) < 1e-9 * size else value:.3g}"
+    return f"{name}={0.0 if abs(value) < 1e-9 else value:.3g} rad"
+
+
+def _reason(m: Mechanism, here: Configuration, wanted: Wanted, told: float, why: str) -> str:
+    """What has become small, compared with home."""
+    lost = {}
+    pairs = zip(limb_closeness(m, here), limb_closeness(m, m.home), m.robot.limbs, strict=True)
+    for now, then, limb in pairs:
+        lost[f"{limb.name} is near its reach, or another singularity of its own"] = now / then if then else 1.0
+    then = closeness(m, m.home).sigma
+    lost["the robot is near a singularity"] = closeness(m, here).sigma / then if then else 1.0
+    words, part = min(lost.items(), key=lambda item: item[1])
+    if part <= _LOST:
+        return f"{words}: closeness {100 * part:.1g}% of that at home"
+    if told <= _LOST:
+        return f"{agreeing(wanted.names, 'hardly determines', 'hardly determine')} the pose any more"
+    return why

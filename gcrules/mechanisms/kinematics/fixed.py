@@ -1,0 +1,47 @@
+"""Whether every joint stays fixed in its links, also where names that make its axis are carried by other limbs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gcrules.mechanisms.kinematics.chains import Chain
+from gcrules.mechanisms.kinematics.mechanism import Mechanism
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.screws import JOINTS
+
+__all__ = ["unfixed"]
+
+
+def unfixed(
+    m: Mechanism, before: Sequence[Chain], links: Sequence[Floats], after: Sequence[Chain]
+) -> tuple[float, str]:
+    """How far the freedoms of a joint are from those that its links carry, at most, and that joint.
+
+    `links` are the motions of all links from the chains `before` to those `after`, which are made from the names at
+    their new places. What is compared are spans of twists: 0 where they agree, at most 1, with moments about the
+    platform's centre at home and lengths divided by the robot's size. Freedoms that stay at 0 are left out.
+    """
+    still = {(place, coordinate) for place, coordinate, _ in m.still}
+    worst, named = 0.0, ""
+    for place, limb in enumerate(m.robot.limbs):
+        old = _scaled(before[place].twists(links[place]), m)
+        new = _scaled(after[place].twists(np.broadcast_to(np.eye(4), links[place].shape)), m)
+        start = 0
+        for joint in limb.joints:
+            end = start + len(JOINTS[joint.kind].freedoms)
+            own = [k for k in range(start, end) if (place, k) not in still]
+            basis, _ = np.linalg.qr(old[:, own])
+            rest = new[:, own] - basis @ (basis.T @ new[:, own])
+            off = float((np.linalg.norm(rest, axis=0) / np.linalg.norm(new[:, own], axis=0)).max())
+            if off > worst:
+                worst, named = off, joint.text
+            start = end
+    return worst, named
+
+
+def _scaled(twists: Floats, m: Mechanism) -> Floats:
+    """Columns (ω; v/size), v at the centre."""
+    moved = twists[3:] + np.cross(twists[:3], m.centre, axisa=0, axisb=0, axisc=0)
+    return np.concatenate([twists[:3], moved / m.size])

@@ -1,0 +1,137 @@
+r"""How close a configuration is to a singular one: the measure σ for any limbs, and each limb's own closeness.
+
+Limb i meets the platform at the point p_i; W_i are its wrenches with the actuators locked, in the inner product
+|f|² + |m|²/ρ² with moments m about p_i and ρ the robot's size. |P_i ξ|² is the power of W_i on the twist ξ of the
+platform, summed over an orthonormal basis of W_i. It is at most |v_i|² + ε_i ρ²|ω|², v_i the velocity of p_i and
+ε_i = 0 where the limb ends in a ball joint at p_i (no moments about p_i), else 1. So
+
+    σ² = the least value over all twists of Σ |P_i ξ|² / Σ (|v_i|² + ε_i ρ²|ω|²)
+
+lies in [0, 1], and is 0 exactly where all wrenches together do not hold the platform. It knows neither frame nor unit
+nor basis. For six legs with ball joints it is the σ of `gcrules.poses.numbers.jacobian`.
+
+In a singular configuration some ξ has P′_i ξ = 0 for all i, all seen from the platform; so Σ |P_i ξ|² =
+Σ |(P_i − P′_i) ξ|² ≤ sin² θ Σ (…), θ the largest angle between W_i and W′_i, also where a singular limb has more
+wrenches there: no such configuration before the wrenches of some limb have turned by asin σ relative to the
+platform. A limb may be singular by itself sooner: then the platform is held, but an actuator is not felt. Derived here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from gcrules.mechanisms.kinematics.chains import Chain
+from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
+
+__all__ = ["Closeness", "closeness", "limb_closeness"]
+
+_PLANE = (0, 1, 5)  # of (v; ω): a planar robot's twists
+_ROUNDING = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Closeness:
+    """`sigma` with all singular values of the balanced wrenches, least last; `motions` the twists (v; ω) at the
+    `centre` of the limbs' ends that take them, in that order, with ω in rad for each unit of v; `shares` (wrenches,) of
+    the balance that the softest motion leaves, `owners` the limb of each wrench.
+
+    `rows` are the wrenches (f; m/ρ) themselves, moments about the centre, of each limb an orthonormal basis at its own
+    end: a force through the end has length 1. In the plane they have three columns.
+    """
+
+    rows: Floats
+    singular_values: Floats
+    motions: Floats
+    shares: Floats
+    owners: tuple[int, ...]
+    centre: Floats
+
+    @property
+    def sigma(self) -> float:
+        return float(min(self.singular_values[-1], 1.0))
+
+    @property
+    def smallest_singular_value(self) -> float:
+        """That of `rows`, whose characteristic length is the robot's size ρ."""
+        return float(self._sizes[-1])
+
+    @property
+    def condition_number(self) -> float:
+        """The largest singular value of `rows` by the smallest; infinite where that is 0 within rounding."""
+        sizes = self._sizes
+        return float(sizes[0] / sizes[-1]) if sizes[-1] > _ROUNDING * sizes[0] else float("inf")
+
+    @cached_property
+    def _sizes(self) -> Floats:
+        return np.asarray(np.linalg.svd(self.rows, compute_uv=False))
+
+
+def closeness(m: Mechanism, here: Configuration) -> Closeness:
+    """The measure at a configuration."""
+    platform = here.platform
+    ends = m.ends @ platform[:3, :3].T + platform[:3, 3]
+    centre = ends.mean(axis=0)
+    rows, owners = [], []
+    metric = np.zeros((6, 6))
+    for place, chain in enumerate(here.chains):
+        arm = (ends[place] - centre) / m.size
+        wrenches = _locked(m, place, chain, ends[place])
+        f, moment = wrenches[:, :3], wrenches[:, 3:]
+        rows.append(np.concatenate([f, moment + np.cross(arm, f)], axis=1))
+        owners += [place] * len(wrenches)
+        velocity = np.concatenate([np.eye(3), -cross_matrix(arm)], axis=1)
+        metric += velocity.T @ velocity
+        if not m.firm[place]:
+            metric[3:, 3:] += np.eye(3)
+    every = np.concatenate(rows)
+    keep = list(_PLANE) if m.robot.family.plane else list(range(6))
+    values, vectors = np.linalg.eigh(metric[np.ix_(keep, keep)])
+    # a turn about a line through all ends, ball joints each, moves none of them; no limb's wrench notices it either
+    balance = vectors / np.sqrt(np.where(values > _ROUNDING * values[-1], values, 1.0))
+    left, sizes, right = np.linalg.svd(every[:, keep] @ balance)
+    motions = np.zeros((len(keep), 6))
+    motions[:, keep] = (balance @ right.T).T
+    largest = np.take_along_axis(motions, np.abs(motions).argmax(axis=1)[:, None], axis=1)
+    motions *= np.where(largest < 0, -1.0, 1.0)  # the sign of a motion is free
+    motions[:, 3:] /= m.size
+    return Closeness(every[:, keep], sizes[: len(keep)], motions, left[:, len(keep) - 1], tuple(owners), centre)
+
+
+def _locked(m: Mechanism, place: int, chain: Chain, end: Floats) -> Floats:
+    """An orthonormal basis of a limb's wrenches with its actuators locked: rows (f; m/ρ), moments about the end."""
+    driven = {a.coordinate for a in m.actuators if a.place == place}
+    free = [k for k in range(len(chain.turns)) if k not in driven]
+    twists = _at(chain, end, m.size)[free]
+    if not len(twists):
+        return np.eye(6)
+    _, _, right = np.linalg.svd(twists)
+    return np.asarray(right[m.passive_ranks[place] :][:, [3, 4, 5, 0, 1, 2]])
+
+
+def _at(chain: Chain, end: Floats, size: float) -> Floats:
+    """Rows (ω; v/ρ), v at the end, for a turn by 1 rad and a slide by ρ in each coordinate."""
+    twists = np.array(chain.twists(np.broadcast_to(np.eye(4), (len(chain.screws) + 1, 4, 4)))).T
+    rows = np.concatenate([twists[:, :3], (twists[:, 3:] + np.cross(twists[:, :3], end)) / size], axis=1)
+    return np.asarray(rows * np.where(chain.turns, 1.0, size)[:, None])
+
+
+def limb_closeness(m: Mechanism, here: Configuration) -> tuple[float, ...]:
+    """For each limb the least singular value of its twists that is not 0 in all configurations: turns by 1 rad, slides
+    by ρ, measured in |ω|² + |v|²/ρ², v at the limb's end on the platform. It is 0 where the limb itself is singular, or
+    its passive joints are.
+    """
+    platform = here.platform
+    ends = m.ends @ platform[:3, :3].T + platform[:3, 3]
+    found = []
+    for place, chain in enumerate(here.chains):
+        twists = _at(chain, ends[place], m.size)
+        driven = {a.coordinate for a in m.actuators if a.place == place}
+        free = [k for k in range(len(twists)) if k not in driven]
+        every = float(np.linalg.svd(twists, compute_uv=False)[m.ranks[place] - 1])
+        passive = float(np.linalg.svd(twists[free], compute_uv=False)[m.passive_ranks[place] - 1]) if free else 1.0
+        found.append(min(every, passive))
+    return tuple(found)

@@ -1,0 +1,160 @@
+"""A robot as a mechanism in floats: its chains at home, what they carry, its size; and configurations of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.conditions.checks import home_values
+from gcrules.mechanisms.conditions.factor_causes import ranks
+from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.kinematics.attachments import Ride, rides
+from gcrules.mechanisms.kinematics.chains import SHAPES, Chain, chain_of, geometry_of
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.screws import JOINTS
+
+__all__ = ["Actuator", "Configuration", "Mechanism", "mechanism"]
+
+
+@dataclass(frozen=True)
+class Actuator:
+    """A driven freedom: its `name` (q1, q2 … in the order of the file), the limb and the joint as written, what it
+    does in words, the place of the limb and of the coordinate in it, and whether it is an angle.
+    """
+
+    name: str
+    limb: str
+    joint: str
+    freedom: str
+    place: int
+    coordinate: int
+    angle: bool
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.limb}: {self.joint})"
+
+
+@dataclass(frozen=True, eq=False)
+class Configuration:
+    """Where the robot is: the places of all names, and from home the motions of all links of each limb, (K + 1, 4, 4)
+    each, and the amounts of their coordinates (rad and the file's unit of length).
+
+    `residual` is how far the loops are open, `off` how far links that carry one name disagree and names are from their
+    relations; all divided by the robot's size (angles in rad). `chains` are the limbs from here.
+    """
+
+    values: Mapping[str, Floats]
+    links: tuple[Floats, ...]
+    amounts: tuple[Floats, ...]
+    chains: tuple[Chain, ...] = field(repr=False)
+    residual: float = 0.0
+    off: float = 0.0
+
+    @property
+    def platform(self) -> Floats:
+        """The motion of the platform from home, (4, 4)."""
+        return np.asarray(self.links[0][-1])
+
+
+@dataclass(frozen=True, eq=False)
+class Mechanism:
+    """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `firm` tells of each whether the limb
+    ends in a passive ball joint there (a hinge, in the plane), so that it passes on forces through that point
+    alone. `centre` is the centroid of the ends, `size` the root mean square of their distances from it (of all
+    points, where it is 0). `ranks` are those of each limb's twists in the family, with `passive_ranks` of the
+    undriven ones. `still` are coordinates that have to stay at 0: the places of limb and coordinate, and the joint
+    as written.
+    """
+
+    robot: RobotText
+    rides: Mapping[str, tuple[Ride, ...]]
+    home: Configuration
+    actuators: tuple[Actuator, ...]
+    ends: Floats
+    firm: tuple[bool, ...]
+    centre: Floats
+    size: float
+    ranks: tuple[int, ...]
+    passive_ranks: tuple[int, ...]
+    still: tuple[tuple[int, int, str], ...]
+
+
+def mechanism(robot: RobotText) -> Mechanism:
+    """The mechanism of a robot. Raises InputError where it has no joints, no home, or joints that are lost there."""
+    if not robot.limbs:
+        raise InputError(
+            f"{robot.id} is given by its lines: there are no joints that could move it",
+            hint="describe its limbs by joints",
+        )
+    if robot.home is None:
+        raise InputError(
+            f"{robot.id} has no home configuration, from which numbers could start",
+            hint="add the key home to its file: coordinates of the points and directions that the relations leave free",
+        )
+    values = {n: np.array([float(c) for c in v]) for n, v in home_values(robot).items()}
+    chains = tuple(chain_of(limb, values) for limb in robot.limbs)
+    links = tuple(np.broadcast_to(np.eye(4), (len(c.screws) + 1, 4, 4)) for c in chains)
+    home = Configuration(values, links, tuple(np.zeros(len(c.turns)) for c in chains), chains)
+    ends = np.array([_end(robot, place, values) for place in range(len(chains))])
+    centre = ends.mean(axis=0)
+    size = float(np.sqrt(((ends - centre) ** 2).sum(axis=1).mean()))
+    if size <= 1e-9 * float(np.abs(ends).max(initial=0.0)) or not size:
+        points = np.array([values[d.name] for d in robot.family.definitions if d.sort == "point"])
+        size = float(np.sqrt(((points - points.mean(axis=0)) ** 2).sum(axis=1).mean())) or 1.0
+    ball = "R" if robot.family.plane else "S"
+    firm = tuple(limb.joints[-1].kind == ball and not limb.joints[-1].actuated for limb in robot.limbs)
+    family = ranks(robot.family, robot.limbs, robot.family.member("kinematics")).limbs
+    every, passive = (tuple(pair[k] for pair in family) for k in (0, 1))
+    return Mechanism(
+        robot,
+        rides(robot),
+        home,
+        tuple(_actuators(robot)),
+        ends,
+        firm,
+        centre,
+        size,
+        every,
+        passive,
+        tuple(_still(robot)),
+    )
+
+
+def _end(robot: RobotText, place: int, values: Mapping[str, Floats]) -> Floats:
+    """The limb's joint point on the platform: the last one that its joints name, or the middle of a pair of bars."""
+    joints = robot.limbs[place].joints
+    for joint in reversed(joints):
+        geometry = geometry_of(joint, values)
+        if joint.kind == "4S":
+            return np.asarray((geometry["first"] + geometry["second"]) / 2 + geometry["bars"])
+        if "point" in geometry:
+            return np.asarray(geometry["point"])
+        pair = next((arg for arg in joint.args if isinstance(arg, tuple) and len(arg) == 2), None)
+        if pair is not None:
+            return np.asarray(values[pair[0][1]])
+    named = [values[n] for n in robot.platform]
+    return np.asarray(np.mean(named, axis=0)) if named else np.zeros(3)
+
+
+def _still(robot: RobotText) -> Iterator[tuple[int, int, str]]:
+    for place, limb in enumerate(robot.limbs):
+        start = 0
+        for joint in limb.joints:
+            yield from ((place, start + n, joint.text) for n in SHAPES[joint.kind].still)
+            start += len(JOINTS[joint.kind].freedoms)
+
+
+def _actuators(robot: RobotText) -> Iterator[Actuator]:
+    number = 0
+    for place, limb in enumerate(robot.limbs):
+        start = 0
+        for joint in limb.joints:
+            turns = {m.freedom: m.turns for m in SHAPES[joint.kind].motions}
+            freedoms = JOINTS[joint.kind].freedoms
+            for n in joint.actuated:
+                number += 1
+                yield Actuator(f"q{number}", limb.name, joint.text, freedoms[n], place, start + n, turns[n])
+            start += len(turns)

@@ -1,0 +1,305 @@
+r"""Closing the loops: from home to a wanted pose or wanted actuators, step by step on home's assembly mode.
+
+The unknowns are the amounts of all joints; the equations say that all limbs bring the platform to one place and that
+the wanted coordinates have their values. Each step is solved by Levenberg and Marquardt's method with the damping
+μ = |r|², which converges quadratically also where equations depend on each other, as in over-constrained robots. The
+wanted values grow from those at home in steps that halve where the solution would go far or is not found, and start
+anew from each configuration reached: so the solution is that which continues home, and no other assembly mode.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gcrules.core.budget import checkpoint
+from gcrules.core.english import agreeing, listed
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.attachments import disagreement, moved, off_relations
+from gcrules.mechanisms.kinematics.chains import chain_of
+from gcrules.mechanisms.kinematics.coordinates import SHIFTS, TURNS, VECTOR, coordinates, slopes, wrapped
+from gcrules.mechanisms.kinematics.failure_reasons import stopped
+from gcrules.mechanisms.kinematics.fixed import unfixed
+from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, exponential, inverse, logarithm, rotation_vector
+from gcrules.mechanisms.kinematics.targets import Wanted, check_count, written
+
+__all__ = ["Course", "Solution", "check_wanted", "free_coordinates", "goal", "solve"]
+
+_ACCURACY = 1e-9  # how far loops may be open, in parts of the robot's size
+_ENOUGH = 1e-13
+_ITERATIONS = 14
+_FARTHEST = 0.5  # of a joint in one step: rad, or parts of the robot's size
+_SHORTEST = 1.0 / 4096
+_DEPENDENT = 1e-7
+_PREFERRED = 0.01  # of the largest rate: a coordinate that moves less is not proposed
+_STILL = 1e-7  # rad
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """Wanted values as a function of the part of the way from home, 0 to 1, or beyond."""
+
+    m: Mechanism
+    wanted: Wanted
+
+    def error(self, part: float, here: Configuration, links: tuple[Floats, ...], amounts: tuple[Floats, ...]) -> Floats:
+        """What is reached less what is wanted; lengths divided by the robot's size."""
+        w, m = self.wanted, self.m
+        if w.driven:
+            reached = [here.amounts[a.place][a.coordinate] + amounts[a.place][a.coordinate] for a in m.actuators]
+            return (np.array(reached) - part * w.values) / self._units
+        motion = links[0][-1] @ here.platform
+        if w.whole is None:
+            return wrapped(w.names, coordinates(w.names, motion, m.centre) - part * w.values) / self._units
+        goal = part_of(w, part, m.centre)
+        shift = (motion - goal)[:3, :3] @ m.centre + (motion - goal)[:3, 3]
+        return np.concatenate([shift / m.size, rotation_vector(motion[:3, :3] @ goal[:3, :3].T)])
+
+    def rows(self, here: Configuration, links: tuple[Floats, ...], twists: list[Floats]) -> Floats:
+        """Its derivatives by all amounts."""
+        w, m = self.wanted, self.m
+        starts = np.cumsum([0, *(t.shape[1] for t in twists)])
+        if w.driven:
+            found = np.zeros((len(m.actuators), starts[-1]))
+            for row, a in enumerate(m.actuators):
+                found[row, starts[a.place] + a.coordinate] = 1
+        else:
+            motion = links[0][-1] @ here.platform
+            found = np.zeros((len(w.names), starts[-1]))
+            if w.whole is None:
+                found[:, : starts[1]] = slopes(w.names, motion, m.centre, m.size) @ twists[0]
+            else:
+                centre = motion[:3, :3] @ m.centre + motion[:3, 3]
+                found[:3, : starts[1]] = twists[0][3:] + np.cross(twists[0][:3], centre, axisa=0, axisc=0)
+                found[3:, : starts[1]] = twists[0][:3]
+        return found / self._units[:, None]
+
+    @property
+    def _units(self) -> Floats:
+        w = self.wanted
+        if w.driven:
+            return np.array([1.0 if a.angle else self.m.size for a in self.m.actuators])
+        return np.array([self.m.size if n in SHIFTS else 1.0 for n in w.names])
+
+    @property
+    def length(self) -> float:
+        """How far it goes: the largest of its values, lengths divided by the robot's size."""
+        return float(np.abs(self.wanted.values / self._units).max(initial=0.0))
+
+
+def part_of(w: Wanted, part: float, centre: Floats) -> Floats:
+    """The motion from home after a part of the way to a whole pose: shift and rotation vector grow evenly."""
+    found = exponential(np.array([*(part * w.values[3:]), 0, 0, 0]), 1.0)
+    found[:3, 3] = part * w.values[:3] + centre - found[:3, :3] @ centre
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """The configuration, what was wanted, the number of iterations, and the configurations on the way from home."""
+
+    configuration: Configuration
+    wanted: Wanted
+    iterations: int = 0
+    way: tuple[Configuration, ...] = ()
+
+    @property
+    def steps(self) -> int:
+        """How many steps lead there from home."""
+        return len(self.way)
+
+
+def solve(m: Mechanism, wanted: Wanted) -> Solution:
+    """The configuration in which the wanted values are reached. Raises InputError where it does not assemble."""
+    check_wanted(m, wanted)
+    course = Course(m, wanted)
+    return goal(course, Solution(m.home, wanted), 0.0, 1.0)
+
+
+def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
+    """From the solution at one part of the course to that at another. Raises InputError where it does not assemble."""
+    far = abs(end - at)
+    step = far / max(1.0, np.ceil(far * course.length / (_FARTHEST / 2)))
+    done, part, found = 0.0, 0.0, start
+    if not far:
+        return start
+    while done < far:
+        checkpoint()
+        step = min(step, far - done)
+        part = at + (done + step) * np.sign(end - at) if done + step < far else end
+        try:
+            there, iterations = _closed(course, found.configuration, part)
+        except _NotClosed as fault:
+            step /= 2
+            if step < _SHORTEST * max(far, 1e-3):
+                reached = at + done * float(np.sign(end - at))
+                here = found.configuration
+                named = course.wanted.whole is None and not course.wanted.driven
+                told = _told(course, here) / _told(course, course.m.home) if named else 1.0
+                raise stopped(course.m, here, course.wanted, reached, told, str(fault)) from None
+            continue
+        done += step
+        step *= 2
+        found = Solution(there, course.wanted, found.iterations + iterations, (*found.way, there))
+    return found
+
+
+class _NotClosed(Exception):
+    """No solution near by."""
+
+
+def _closed(course: Course, here: Configuration, part: float) -> tuple[Configuration, int]:
+    """The configuration near this one at a part of the course, and the iterations. Raises _NotClosed."""
+    m = course.m
+    sizes = [len(c.turns) for c in here.chains]
+    units = np.concatenate([np.where(c.turns, 1.0, m.size) for c in here.chains])
+    whole = np.zeros(sum(sizes))
+    best = np.inf
+    for iteration in range(_ITERATIONS + 1):
+        checkpoint()
+        amounts = tuple(np.split(whole, np.cumsum(sizes)[:-1]))
+        links = tuple(c.links(a) for c, a in zip(here.chains, amounts, strict=True))
+        open_, wanted_off = _gaps(links, here, m), course.error(part, here, links, amounts)
+        r = np.concatenate([open_, wanted_off])
+        size = float(np.linalg.norm(r))
+        if size <= _ENOUGH or (size <= _ACCURACY / 100 and size >= best / 4):
+            return _configuration(m, here, links, amounts, float(np.abs(open_).max(initial=0.0))), iteration
+        if size > 4 * best or not np.isfinite(size):
+            break
+        best = min(best, size)
+        twists = [c.twists(k) for c, k in zip(here.chains, links, strict=True)]
+        rows = np.concatenate([_loops(twists, here, m), course.rows(here, links, twists)]) * units
+        u, s, v = np.linalg.svd(rows, full_matrices=False)
+        damped = np.where(s > 1e-12 * s[0], s / (s**2 + size**2), 0.0)
+        change = -(v.T * damped) @ (u.T @ r)
+        far = float(np.abs(change).max())
+        whole = whole + change * units * min(1.0, _FARTHEST / 2 / far if far else 1.0)
+        if np.abs(whole / units).max() > _FARTHEST:
+            raise _NotClosed("joints go far in a small step")
+    raise _NotClosed("the loops do not close")
+
+
+def _gaps(links: tuple[Floats, ...], here: Configuration, m: Mechanism) -> Floats:
+    """How the other limbs' platforms lie off that of the first one: the twists that would bring them there."""
+    centre = here.platform[:3, :3] @ m.centre + here.platform[:3, 3]
+    back = inverse(links[0][-1])
+    return np.concatenate(
+        [np.zeros(0), *(_scaled(logarithm(_about(own[-1] @ back, centre)), m.size) for own in links[1:])]
+    )
+
+
+def _about(motion: Floats, centre: Floats) -> Floats:
+    found = motion.copy()
+    found[:3, 3] += motion[:3, :3] @ centre - centre
+    return found
+
+
+def _scaled(twist: Floats, size: float) -> Floats:
+    return np.concatenate([twist[:3], twist[3:] / size])
+
+
+def _loops(twists: list[Floats], here: Configuration, m: Mechanism) -> Floats:
+    """The derivatives of the gaps by all amounts: (6 (limbs − 1), amounts)."""
+    motion = here.platform
+    centre = motion[:3, :3] @ m.centre + motion[:3, 3]
+    starts = np.cumsum([0, *(t.shape[1] for t in twists)])
+    found = np.zeros((6 * (len(twists) - 1), starts[-1]))
+    local = [np.concatenate([t[:3], (t[3:] + np.cross(t[:3], centre, axisa=0, axisc=0)) / m.size]) for t in twists]
+    for k, own in enumerate(local[1:]):
+        found[6 * k : 6 * k + 6, starts[k + 1] : starts[k + 2]] = own
+        found[6 * k : 6 * k + 6, : starts[1]] = -local[0]
+    return found
+
+
+def _configuration(
+    m: Mechanism, here: Configuration, links: tuple[Floats, ...], amounts: tuple[Floats, ...], residual: float
+) -> Configuration:
+    """The configuration after these amounts. Raises _NotClosed where the robot has left its family there."""
+    values = moved(m.robot, m.rides, here.values, links)
+    off, name = max(disagreement(m.robot, m.rides, here.values, links, m.size), off_relations(m.robot, values, m.size))
+    if off > 1e-6:
+        raise _NotClosed(f"{name} would leave what its relations and its joints say of it")
+    for place, coordinate, joint in m.still:
+        if abs(amounts[place][coordinate]) > _STILL:
+            raise _NotClosed(f"the bars of {joint} would not stay parallel")
+    try:
+        chains = tuple(chain_of(limb, values) for limb in m.robot.limbs)
+    except InputError as fault:
+        raise _NotClosed(fault.message) from None
+    loose, name = unfixed(m, here.chains, links, chains)
+    if loose > 1e-6:
+        raise _NotClosed(f"{name} would not stay fixed in its links: other limbs move what it is named by")
+    return Configuration(
+        values,
+        tuple(k @ before for k, before in zip(links, here.links, strict=True)),
+        tuple(a + before for a, before in zip(amounts, here.amounts, strict=True)),
+        chains,
+        residual,
+        max(off, loose),
+    )
+
+
+def check_wanted(m: Mechanism, wanted: Wanted) -> None:
+    """Raises InputError where the wanted coordinates are too few or too many or do not determine the pose near home, or
+    where home itself is singular for the actuators.
+    """
+    if wanted.whole is not None:
+        return
+    if not wanted.driven and len(wanted.names) != m.robot.mobility:
+        told = dict(zip(wanted.names, map(float, wanted.values), strict=True))
+        example = written({n: told.get(n, 0.0) for n in free_coordinates(m, wanted.names)})
+        check_count(told, m.robot.mobility, "coordinate", f"the others follow from them: {example}")
+    if _told(Course(m, wanted), m.home) > _DEPENDENT:
+        return
+    if wanted.driven:
+        raise InputError(
+            f"{m.robot.id} is singular at home: its actuators do not determine the pose there",
+            hint="ask for coordinates of the pose instead, or give another home",
+        )
+    raise InputError(
+        f"{agreeing(wanted.names, 'does', 'do')} not determine the pose of {m.robot.id} near home",
+        hint=f"independent there are, for example, {listed(free_coordinates(m))}",
+    )
+
+
+def free_coordinates(m: Mechanism, first: Sequence[str] = ()) -> tuple[str, ...]:
+    """As many coordinates as the platform has freedoms, on which its pose depends near home; those named `first` are
+    preferred where they tell something, then shifts.
+    """
+    turns = VECTOR if any(n in VECTOR for n in first) else TURNS
+    order = ("x", "y", turns[-1]) if m.robot.family.plane else (*SHIFTS, *turns)
+    names = [*first, *(n for n in order if n not in first)]
+    rows = _rates(Course(m, Wanted(tuple(names), np.zeros(len(names)))), m.home)
+    chosen: list[str] = []
+    for _ in range(m.robot.mobility):
+        sizes = np.linalg.norm(rows, axis=1)
+        preferred = [k for k, n in enumerate(names) if n in first and sizes[k] > _PREFERRED * sizes.max()]
+        best = next(k for k in (*preferred, *range(len(names))) if preferred or sizes[k] >= 0.5 * sizes.max())
+        if sizes[best] <= _DEPENDENT:
+            break
+        chosen.append(names[best])
+        unit = rows[best] / sizes[best]
+        rows = rows - np.outer(rows @ unit, unit)
+    return tuple(sorted(chosen, key=names.index))  # those named first in the order in which they were given
+
+
+def _told(course: Course, here: Configuration) -> float:
+    """How well the wanted values tell how the robot moves there: their least singular value on its ways to move."""
+    rates = _rates(course, here)
+    return float(np.linalg.svd(rates, compute_uv=False)[-1]) if rates.shape[1] >= len(rates) else 0.0
+
+
+def _rates(course: Course, here: Configuration) -> Floats:
+    """The derivatives of the wanted values by the ways to move in a configuration (in units of all amounts)."""
+    m = course.m
+    still = tuple(np.broadcast_to(np.eye(4), k.shape) for k in here.links)
+    twists = [c.twists(k) for c, k in zip(here.chains, still, strict=True)]
+    units = np.concatenate([np.where(c.turns, 1.0, m.size) for c in here.chains])
+    rows = course.rows(here, still, twists) * units
+    if len(twists) == 1:
+        return np.asarray(rows)
+    _, s, v = np.linalg.svd(_loops(twists, here, m) * units)
+    return np.asarray(rows @ v[int((s > _DEPENDENT * max(s[0], 1.0)).sum()) :].T)

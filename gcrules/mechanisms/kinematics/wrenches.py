@@ -1,0 +1,83 @@
+"""The Jacobian of actuations and constraints at a configuration, and its numbers with the characteristic length."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gcrules.core.frozen import HoldsArrays
+from gcrules.mechanisms.kinematics.chains import geometry_of
+from gcrules.mechanisms.kinematics.margin import Closeness
+from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.screws import JOINTS, Joint, Limb, jacobian
+from gcrules.screws.floats import Floats as FloatField
+
+__all__ = ["WrenchJacobian", "wrench_jacobian"]
+
+
+@dataclass(frozen=True, eq=False)
+class WrenchJacobian(HoldsArrays):
+    """`rows` (f; m), moments about `centre`, with their `labels`: first the actuations, each with product 1 with its
+    own joint's twist, then the constraints of all limbs, orthonormal with moments divided by `length`. The product of
+    an actuation with a twist (ω; v at the centre) of the platform is the rate of its actuator, that of a constraint 0.
+    Where a limb is singular an actuation may not exist: nan there.
+
+    `smallest_singular_value` and `condition_number` are those of the same wrenches as `Closeness.rows` has them, with
+    `length` as the characteristic length.
+    """
+
+    labels: tuple[str, ...]
+    rows: Floats
+    centre: Floats
+    length: float
+    smallest_singular_value: float
+    condition_number: float
+
+    def to_json(self) -> dict[str, Any]:
+        number = _finite
+        return {
+            "labels": list(self.labels),
+            "rows": [[number(c) for c in row] for row in self.rows],
+            "about": [float(c) for c in self.centre],
+            "characteristic_length": self.length,
+            "smallest_singular_value": number(self.smallest_singular_value),
+            "condition_number": number(self.condition_number),
+        }
+
+
+def _finite(x: float) -> float | None:
+    return float(x) if np.isfinite(x) else None
+
+
+def wrench_jacobian(m: Mechanism, here: Configuration, near: Closeness) -> WrenchJacobian:
+    """The Jacobian at a configuration, whose closeness is known, about the centroid of the limbs' ends."""
+    platform = here.platform
+    centre = platform[:3, :3] @ m.centre + platform[:3, 3]
+    points = {d.name for d in m.robot.family.definitions if d.sort == "point"}
+    shifted = {n: v - centre if n in points else v for n, v in here.values.items()}
+    field = FloatField(length=m.size)
+    found = jacobian((_limb(m, place, shifted) for place in range(len(here.chains))), field)
+    rows = np.asarray(found.matrix)
+    labels = []
+    for label in found.labels:
+        own = [a for a in m.actuators if m.robot.limbs[a.place].name == label.limb]
+        labels.append(f"{label.limb}: {own[label.place].name}" if label.kind == "actuation" else str(label))
+    return WrenchJacobian(tuple(labels), rows, centre, m.size, near.smallest_singular_value, near.condition_number)
+
+
+def _limb(m: Mechanism, place: int, values: Mapping[str, Floats]) -> Limb:
+    """The limb with directions of length 1, so that rates are in radians and lengths for each second."""
+    text = m.robot.limbs[place]
+    joints = []
+    for j in text.joints:
+        geometry = geometry_of(j, values)
+        kind = JOINTS[j.kind]
+        parts = {
+            p: tuple(map(float, geometry[p])) if form != "number" else geometry[p] for p, form in kind.parts.items()
+        }
+        joints.append(Joint(kind, parts, j.actuated))
+    return Limb(tuple(joints), text.name)

@@ -1,0 +1,185 @@
+r"""The equivalent structure: six lines that span all wrenches of the limbs, and what is special about their points."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations, product
+
+from gcrules.core.budget import checkpoint
+from gcrules.mechanisms.description.family import Family
+from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.relations import AXES, Term, Values, Vector, combined
+from gcrules.mechanisms.lines.names import Sample, directions, key, samples
+from gcrules.mechanisms.lines.wrenches import PLANAR, LimbWrenches, Line, limb_wrenches, reciprocal_to
+from gcrules.screws import RESIDUES, Field
+from gcrules.screws.field import Row
+
+__all__ = ["FRAME", "Equivalent", "equivalent"]
+
+FRAME = "frame"
+"""Stands for the limb of a line that all limbs together hold, and no single one."""
+
+
+@dataclass(frozen=True)
+class Equivalent:
+    """Lines as pairs of points, six in space or three in the plane (fewer where `rank` says that the robot is always
+    singular); None in place of `lines` where a limb's wrenches are no lines.
+
+    `ideal` are the points at infinity, `given` brackets of points that vanish in the whole family, `derived` names
+    directions u × v. `mobility` = 6 − rank of the constraints (3 − in the plane), `over` the number of constraints
+    that are there twice, `idle` the motions inside limbs that leave the platform at rest, `rank` that of all wrenches.
+    """
+
+    limbs: tuple[LimbWrenches, ...]
+    lines: tuple[Line, ...] | None
+    mobility: int
+    over: int
+    idle: int
+    rank: int
+    ideal: tuple[str, ...] = ()
+    given: tuple[tuple[str, ...], ...] = ()
+    derived: tuple[tuple[str, Term, Term], ...] = ()
+
+    @property
+    def legs(self) -> tuple[tuple[str, str], ...]:
+        """The lines as pairs of names."""
+        return tuple(line.ends for line in self.lines or ())
+
+    @property
+    def incidences(self) -> tuple[str, ...]:
+        """`given` as assumptions in the language."""
+        return tuple(f"{'coplanar' if len(some) == 4 else 'collinear'}({', '.join(some)})" for some in self.given)
+
+    @property
+    def named(self) -> tuple[tuple[str, str], ...]:
+        """Derived directions with what they are in words: u × v."""
+        return tuple((n, f"{_words(u)} × {_words(v)}") for n, u, v in self.derived)
+
+    def points(self, family: Family, values: Values, field: Field = RESIDUES) -> dict[str, Row]:
+        """Homogeneous coordinates of all points at a member in this field, derived ones among them."""
+        made = self.derived_at(values, field)
+        return family.homogeneous(values) | {n: (*v, 0) for n, v in made.items()}
+
+    def derived_at(self, values: Values, field: Field = RESIDUES) -> dict[str, Vector]:
+        """The derived directions at a member in this field."""
+        known = dict(values)
+        for name, u, v in self.derived:
+            known[name] = field.cross(*(combined(t, known, field) for t in (u, v)))
+        return {n: known[n] for n, _, _ in self.derived}
+
+    def to_json(self) -> dict[str, object]:
+        return {
+            "legs": [list(leg) for leg in self.legs],
+            "ideal": list(self.ideal),
+            "given": list(self.incidences),
+            "derived points": dict(self.named),
+        }
+
+
+def _words(term: Term) -> str:
+    return term[0][1] if len(term) == 1 else "".join(n for _, n in reversed(term))
+
+
+def equivalent(family: Family, limbs: Sequence[LimbText], *, frame: bool = True) -> Equivalent:
+    """Choose the equivalent structure of a robot on exact random members of its family.
+
+    With `frame` constraints that limbs have in common may be replaced by lines that all limbs together hold.
+    """
+    at = samples(family, limbs)
+    one = directions(family, at)
+    name = {n: one[key(s.values[n] for s in at)] if sort == "direction" else n for n, sort in family.sorts.items()}
+    shared = Counter(n for limb in limbs for n in {name[n] for j in limb.joints for n in j.names} | set(limb.through))
+    found = tuple(limb_wrenches(family, limb, place, at, one, shared) for place, limb in enumerate(limbs))
+    trivial = PLANAR if family.plane else ()
+    full = 6 - len(trivial)
+    held = [row for limb in at[0].limbs for row in limb.constraints(RESIDUES)]
+    mobility = 6 - RESIDUES.rank([*trivial, *held])
+    every = [row for limb in at[0].limbs for row in limb.locked(RESIDUES)]
+    result = Equivalent(
+        limbs=found,
+        lines=None,
+        mobility=mobility,
+        over=sum(limb.constraints for limb in found) - (full - mobility),
+        idle=sum(limb.freedoms - limb.rank for limb in found),
+        rank=RESIDUES.rank([*trivial, *every]) - len(trivial),
+    )
+    if any(limb.lines is None for limb in found) or result.rank < full:
+        return result
+    constraints = [line for limb in found for line in limb.lines or () if line.role == "constraint"]
+    if len(constraints) > full - mobility:
+        names = [limb.name for limb in limbs]
+        constraints = _over_constrained(family, names if frame else (), constraints, at, full - mobility, trivial)
+    lines = list(constraints)
+    for line in (line for limb in found for line in limb.lines or () if line.role != "constraint"):
+        rows = [one.row(at[0].points) for one in (*lines, line)]
+        if len(lines) < full and RESIDUES.rank([*trivial, *rows]) == len(trivial) + len(rows):
+            lines.append(line)
+    if len(lines) < full:
+        return result
+    order = {limb.limb.name: place for place, limb in enumerate(found)}
+    lines.sort(key=lambda line: order.get(line.limb, -1))
+    used = dict.fromkeys(n for line in lines for n in line.ends)
+    return Equivalent(
+        found,
+        tuple(lines),
+        result.mobility,
+        result.over,
+        result.idle,
+        result.rank,
+        tuple(n for n in used if at[0].points[n][3] == 0),
+        tuple(_incidences(family, tuple(used), at)),
+        tuple(d for limb in found if used.keys() & {n for n, _, _ in limb.derived} for d in limb.derived),
+    )
+
+
+def _over_constrained(
+    family: Family,
+    names: Sequence[str],
+    lines: Sequence[Line],
+    at: Sequence[Sample],
+    size: int,
+    trivial: tuple[Row, ...],
+) -> list[Line]:
+    """A basis of the constraints of all limbs together. Lines through fixed directions of the frame are preferred, so
+    that what depends on the choice of some limbs does not appear in the condition; without `names` of limbs there are
+    none.
+    """
+    twists = [RESIDUES.kernel([(*r[3:], *r[:3]) for r in _constraints(s)]) for s in at]
+    finite = [n for n in dict.fromkeys(n for line in lines for n in line.ends) if at[0].points[n][3]]
+    frame = []
+    for a, b in [*combinations(AXES, 2), *product(finite, AXES)] if names and not family.plane else ():
+        line = Line((a, b), FRAME, a in AXES, "constraint")
+        rows = [line.row(s.points) for s in at]
+        if all(map(reciprocal_to, twists, rows)):
+            every = [[limb.twists(RESIDUES) for limb in s.limbs] for s in at]
+            own = (n for n, *alike in zip(names, *every, strict=True) if all(map(reciprocal_to, alike, rows)))
+            frame.append(replace(line, limb=next(own, FRAME)))
+    fixed = {*AXES, *finite}
+    chosen: list[Line] = []
+
+    def moving(line: Line) -> tuple[int, int]:
+        return sum(n not in fixed for n in line.ends), sum(n not in AXES for n in line.ends)
+
+    for line in sorted((*lines, *frame), key=moving):
+        rows = [*trivial, *(one.row(at[0].points) for one in chosen)]
+        if len(chosen) < size and RESIDUES.rank([*rows, line.row(at[0].points)]) > len(rows):
+            chosen.append(line)
+    return chosen
+
+
+def _constraints(one: Sample) -> list[Row]:
+    return [row for limb in one.limbs for row in limb.constraints(RESIDUES)]
+
+
+def _incidences(family: Family, names: tuple[str, ...], at: Sequence[Sample]) -> Iterator[tuple[str, ...]]:
+    """Points that lie in one plane (in the plane: on one line) in the whole family, points at infinity apart."""
+    rank = 3 if family.plane else 4
+    keep = (0, 1, 3) if family.plane else (0, 1, 2, 3)
+    for some in combinations(names, rank):
+        checkpoint()
+        if sum(at[0].points[n][3] == 0 for n in some) == rank:
+            continue
+        if all(RESIDUES.determinant([[s.points[n][i] for i in keep] for n in some]) == 0 for s in at):
+            yield some

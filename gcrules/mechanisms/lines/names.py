@@ -1,0 +1,141 @@
+r"""Names of points and directions through which a limb's lines may go, those derived from its own ones among them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations
+
+from gcrules.mechanisms.description.family import Family
+from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.relations import AXES, Term, Values, Vector, combined
+from gcrules.screws import RESIDUES, Limb
+from gcrules.screws.field import Row
+
+__all__ = [
+    "Key",
+    "Named",
+    "Sample",
+    "add_derived",
+    "crosswise",
+    "directions",
+    "free_names",
+    "key",
+    "names_of_limb",
+    "names_of_others",
+    "samples",
+]
+
+_SEEDS = (1, 2, 3)
+_COST = {"own": 0, "direction": 1, "axis": 2, "derived": 3, "other": 5, "other direction": 6}
+_Z: Term = ((Fraction(1), "z"),)
+
+Named = tuple[str, float, tuple[Term, Term] | None]
+"""A name, its cost, and of a derived direction u × v its two factors."""
+
+Key = tuple[Row, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """A member modulo the prime, with the limbs there and the values of derived directions added to the points."""
+
+    values: Values
+    limbs: tuple[Limb, ...]
+    points: dict[str, Row]
+
+
+def sample(family: Family, limbs: Sequence[LimbText], values: Values) -> Sample:
+    """The limbs at a member, modulo the prime."""
+    return Sample(values, tuple(limb.at(values, RESIDUES) for limb in limbs), family.homogeneous(values))
+
+
+def samples(family: Family, limbs: Sequence[LimbText]) -> tuple[Sample, ...]:
+    """The members on which lines are tested."""
+    return tuple(sample(family, limbs, family.member(seed)) for seed in _SEEDS)
+
+
+def key(rows: Iterable[Row]) -> Key:
+    """A direction at all members, the same for all multiples of it."""
+    return tuple(RESIDUES.simplest(row) for row in rows)
+
+
+def directions(family: Family, at: Sequence[Sample]) -> Mapping[Key, str]:
+    """One name for each direction: an axis of the frame, else the first that is parallel to it in the whole family."""
+    found: dict[Key, str] = {}
+    for name, sort in family.sorts.items():
+        if sort == "direction":
+            found.setdefault(key(s.values[name] for s in at), name)
+    return found
+
+
+def names_of_limb(family: Family, limb: LimbText, at: Sequence[Sample], one: Mapping[Key, str]) -> list[Named]:
+    """Points and directions of the limb, each with a cost; derived directions with their two factors."""
+    own = dict.fromkeys((*(p for j in limb.joints for p in j.points), *limb.through))
+    terms = _terms(limb)
+    own.update(dict.fromkeys(n for term in terms if len(term) > 1 for _, n in reversed(term)))
+    single = [term[0][1] for term in terms if len(term) == 1 and term[0][0] == 1]
+    own_directions = dict.fromkeys(one[key(s.values[n] for s in at)] for n in single)
+    found: list[Named] = [(n, _COST["own"], None) for n in own]
+    found += [(n, _COST["direction"], None) for n in own_directions]
+    if family.plane:
+        found = [n for n in found if n[0] != "z"]
+        return found + _derived(((_Z, t) for t in terms), at, one)
+    found += [(n, _COST["axis"], None) for n in AXES if n not in own_directions]
+    return found + _derived(combinations(terms, 2), at, one)
+
+
+def names_of_others(family: Family, own: Sequence[Named], one: Mapping[Key, str]) -> list[Named]:
+    """Points and directions of the rest of the robot."""
+    known = {n for n, _, _ in own} | ({"z"} if family.plane else set())
+    names = {n for n, sort in family.sorts.items() if sort == "point"} | set(one.values())
+    rest = [(n, sort) for n, sort in family.sorts.items() if n in names - known]
+    return [(n, _COST["other" if sort == "point" else "other direction"], None) for n, sort in rest]
+
+
+def _terms(limb: LimbText) -> list[Term]:
+    """The directions of its joints."""
+    return list(dict.fromkeys(d for j in limb.joints for d in j.directions))
+
+
+def _derived(
+    pairs: Iterable[tuple[Term, Term]], at: Sequence[Sample], one: Mapping[Key, str], start: int = 0
+) -> list[Named]:
+    """Directions u × v that are none of the robot's own, with names that no point bears, numbered from `start`."""
+    found: list[Named] = []
+    for u, v in pairs:
+        rows = [_crossed(u, v, s) for s in at]
+        if all(map(any, rows)) and key(rows) not in one:
+            found.append((f":{start + len(found)}", _COST["derived"], (u, v)))
+    return found
+
+
+def _crossed(u: Term, v: Term, one: Sample) -> Vector:
+    """u × v, where directions that are derived themselves are among the points."""
+    values = {**one.values, **{n: p[:3] for n, p in one.points.items() if n.startswith(":")}}
+    return RESIDUES.cross(*(combined(t, values, RESIDUES) for t in (u, v)))
+
+
+def add_derived(derived: Mapping[str, tuple[Term, Term]], at: Sequence[Sample]) -> None:
+    """Add derived directions to the points of the samples."""
+    for name, pair in derived.items():
+        for s in at:
+            s.points[name] = (*_crossed(*pair, s), 0)
+
+
+def free_names(family: Family, place: int) -> Iterator[str]:
+    """n1, n1', n1'' … for the first limb, as far as they are free."""
+    name = f"n{place + 1}"
+    while True:
+        if name not in family.sorts:
+            yield name
+        name += "'"
+
+
+def crosswise(
+    limb: LimbText, derived: Mapping[str, tuple[Term, Term]], at: Sequence[Sample], one: Mapping[Key, str]
+) -> list[Named]:
+    """Directions u × (u' × v) of the limb's own and its derived ones."""
+    pairs = ((t, ((Fraction(1), n),)) for t in _terms(limb) for n in derived)
+    return _derived(pairs, at, one, len(derived))

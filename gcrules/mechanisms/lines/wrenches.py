@@ -1,0 +1,242 @@
+r"""From a limb to lines: the wrenches that it applies with its actuators locked, as lines through the robot's points.
+
+A line is taken if it is reciprocal to all passive twists of the limb on several exact random members of the family:
+then it is one of the limb's wrenches on all members (error below 1e-15 for each line that is wrongly taken).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+from gcrules.core.budget import checkpoint
+from gcrules.mechanisms.description.family import Family
+from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.relations import AXES, Term
+from gcrules.mechanisms.lines.names import (
+    Key,
+    Named,
+    Sample,
+    add_derived,
+    crosswise,
+    free_names,
+    names_of_limb,
+    names_of_others,
+)
+from gcrules.screws import RATIONALS, RESIDUES
+from gcrules.screws.field import Row
+from gcrules.screws.screw import join_of
+from gcrules.screws.systems import ScrewSystem
+
+__all__ = ["PLANAR", "LimbWrenches", "Line", "limb_wrenches", "reciprocal_to"]
+
+PLANAR: tuple[Row, ...] = ((0, 0, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (0, 0, 0, 0, 1, 0))
+"""Wrenches that keep a body in the plane z = 0: every planar robot has them."""
+
+_REAL_SEEDS = range(8)
+_MOST = 11  # candidates among which a basis is chosen
+
+
+@dataclass(frozen=True)
+class Line:
+    """The line through two points (or directions) of the robot as a wrench of a limb; a line of two directions is a
+    couple. `role` is constraint (reciprocal to all twists of the limb) | actuation | both (where a limb's constraints
+    are spanned by no lines of the robot's points: its other lines span actuations and constraints together).
+    """
+
+    ends: tuple[str, str]
+    limb: str
+    couple: bool
+    role: str
+
+    def row(self, points: Mapping[str, Row]) -> Row:
+        """The wrench (f; m) of the line, modulo the prime, of homogeneous points."""
+        return join_of(RESIDUES, *(points[n] for n in self.ends))
+
+    def to_json(self) -> dict[str, object]:
+        return {"line": list(self.ends), "kind": "couple" if self.couple else "force", "role": self.role}
+
+
+@dataclass(frozen=True)
+class LimbWrenches:
+    """What a limb applies with locked actuators: the dimensions of its wrench system and of its part that holds without
+    actuators, the lines that span it (None where no lines of the robot's points do), and the system in words at one
+    member. `derived` are directions u × v that the lines use: (name, u, v); u and v may be derived ones before it.
+    """
+
+    limb: LimbText
+    dimension: int
+    constraints: int
+    freedoms: int
+    rank: int
+    lines: tuple[Line, ...] | None
+    kind: str
+    derived: tuple[tuple[str, Term, Term], ...] = ()
+
+    def to_json(self) -> dict[str, object]:
+        return {
+            "name": self.limb.name,
+            "joints": [j.text for j in self.limb.joints],
+            "freedoms": self.freedoms,
+            "constraints": self.constraints,
+            "system": self.kind,
+            "wrenches": None if self.lines is None else [line.to_json() for line in self.lines],
+        }
+
+
+def reciprocal_to(twists: Iterable[Row], wrench: Row) -> bool:
+    """Whether a wrench has product zero with all twists, modulo the prime."""
+    swapped = (*wrench[3:], *wrench[:3])
+    return all(RESIDUES.dot(t, swapped) == 0 for t in twists)
+
+
+def limb_wrenches(
+    family: Family,
+    limb: LimbText,
+    place: int,
+    at: Sequence[Sample],
+    one: Mapping[Key, str],
+    shared: Mapping[str, int],
+) -> LimbWrenches:
+    """The wrenches of one limb. `one` names each direction (see `directions`); `shared` says in how many limbs a name
+    stands: such points are preferred.
+    """
+    all_twists = [s.limbs[place].twists(RESIDUES) for s in at]
+    actuated = set(at[0].limbs[place].actuated)
+    passive = [[t for i, t in enumerate(rows) if i not in actuated] for rows in all_twists]
+    system = ScrewSystem.span(passive[0], RESIDUES).reciprocal()
+    constraint = ScrewSystem.span(all_twists[0], RESIDUES).reciprocal()
+    trivial = PLANAR if family.plane else ()
+    wanted = system.dimension - len(trivial)
+    held = constraint.dimension - len(trivial)
+    own = names_of_limb(family, limb, at, one)
+    derived = {n: pair for n, _, pair in own if pair}
+    add_derived(derived, at)
+    across = crosswise(limb, derived, at, one)
+    derived |= {n: pair for n, _, pair in across if pair}
+    add_derived({n: derived[n] for n, _, _ in across}, at)
+    lines: tuple[Line, ...] | None = None
+    # directions u × (u × v), and then points of other limbs, only where the limb's own points and directions do not do
+    for names in (own, [*own, *across], [*own, *names_of_others(family, own, one)]):
+        candidates = _candidates(limb, names, at, all_twists, passive, shared)
+        lines = _basis(candidates, at[0].points, wanted, held, trivial)
+        if lines is not None:
+            break
+    if lines is not None:
+        short = sum(line.role == "constraint" for line in lines) < held
+        lines = tuple(replace(line, role="both") if short and line.role == "actuation" else line for line in lines)
+    ends_used = {n for line in lines or () for n in line.ends}
+    ends_used |= {n for name in ends_used & derived.keys() for t in derived[name] for _, n in t}
+    used = [n for n in derived if n in ends_used]
+    new = dict(zip(used, free_names(family, place), strict=False))
+    for s in at:
+        s.points.update({new[n]: s.points[n] for n in used})
+    if lines is not None:
+        ends = [(new.get(a, a), new.get(b, b)) for a, b in (line.ends for line in lines)]
+        lines = tuple(replace(line, ends=pair) for line, pair in zip(lines, ends, strict=True))
+    return LimbWrenches(
+        limb,
+        wanted,
+        held,
+        limb.freedoms,
+        6 - constraint.dimension,
+        lines,
+        _kind(system, family) if lines is not None else _real_kind(family, limb),
+        tuple((new[n], _renamed(derived[n][0], new), _renamed(derived[n][1], new)) for n in used),
+    )
+
+
+PLANE: tuple[Row, ...] = ((1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0), (0, 0, 0, 0, 0, 1))
+"""Forces in the plane z = 0 and the couple normal to it: what acts on a planar robot."""
+
+
+def _kind(system: ScrewSystem, family: Family) -> str:
+    """Of a planar robot only the part in the plane counts."""
+    part = system & ScrewSystem.span(PLANE, system.field) if family.plane else system
+    return part.classify().kind
+
+
+def _real_kind(family: Family, limb: LimbText) -> str:
+    """The kind of the system at rational members: residues have square roots that rational numbers have not. Where
+    members differ, only its dimension is said.
+    """
+    found = [limb.at(family.member(seed, RATIONALS, decides=True), RATIONALS) for seed in _REAL_SEEDS]
+    kinds = {_kind(one.locked_system(RATIONALS), family) for one in found}
+    kind = kinds.pop() if len(kinds) == 1 else f"{found[0].locked_system(RATIONALS).dimension}-system of screws"
+    held = found[0].constraint_system(RATIONALS)
+    if held.dimension == 1 and held.classify().kind not in ("force", "couple"):
+        return f"{kind}, its constraint a screw of finite pitch"
+    return kind
+
+
+_Costly = tuple[float, Line]
+
+
+def _candidates(
+    limb: LimbText,
+    names: Sequence[Named],
+    at: Sequence[Sample],
+    twists: Sequence[Sequence[Row]],
+    passive: Sequence[Sequence[Row]],
+    shared: Mapping[str, int],
+) -> list[tuple[float, Line]]:
+    """Lines through two of the points that are wrenches of the limb at all members, cheapest first."""
+    found: list[tuple[float, Line]] = []
+    for (a, cost_a, _), (b, cost_b, _) in combinations(names, 2):
+        rows = [join_of(RESIDUES, s.points[a], s.points[b]) for s in at]
+        if all(map(any, rows)) and all(map(reciprocal_to, passive, rows)):
+            couple = at[0].points[a][3] == at[0].points[b][3] == 0
+            role = "constraint" if all(map(reciprocal_to, twists, rows)) else "actuation"
+            cost = cost_a + cost_b - 0.4 * sum(shared.get(n, 0) > 1 for n in (a, b))
+            found.append((cost, Line((a, b), limb.name, couple, role)))
+    return sorted(_bundles_along_axes(found, at[0].points), key=lambda c: c[0])
+
+
+def _bundles_along_axes(found: list[_Costly], points: Mapping[str, Row]) -> list[_Costly]:
+    """Where all forces through a point are wrenches, those along the axes of the frame stand for all directions: in
+    others the bracket of the three lines would vanish where they happen to be parallel to one plane.
+    """
+    ends = {line.ends for _, line in found}
+    full = {p for p, _ in ends if points[p][3] and all((p, axis) in ends for axis in AXES)}
+    far = {n for pair in ends for n in pair if not points[n][3]} - set(AXES)
+    return [(c, line) for c, line in found if not (full & set(line.ends) and far & set(line.ends))]
+
+
+def _renamed(term: Term, new: Mapping[str, str]) -> Term:
+    return tuple((c, new.get(n, n)) for c, n in term)
+
+
+def _basis(
+    candidates: Sequence[tuple[float, Line]],
+    points: Mapping[str, Row],
+    size: int,
+    constraints: int,
+    trivial: tuple[Row, ...],
+) -> tuple[Line, ...] | None:
+    """Lines that span the system: with as few points as possible, constraints told apart, and of least cost."""
+    kept: list[tuple[float, Line]] = []
+    spanned = len(trivial)
+    rows: list[Row] = list(trivial)
+    for cost, line in candidates:  # the cheapest basis, and further cheap lines beside it
+        row = line.row(points)
+        grows = spanned < size + len(trivial) and RESIDUES.rank([*rows, row]) > spanned
+        if grows:
+            rows.append(row)
+            spanned += 1
+        if grows or len(kept) < _MOST:
+            kept.append((cost, line))
+    if spanned < size + len(trivial):
+        return None
+    best: tuple[tuple[float, ...], tuple[Line, ...]] | None = None
+    for some in combinations(kept, size):
+        checkpoint()
+        lines = tuple(line for _, line in some)
+        held = min(sum(line.role == "constraint" for line in lines), constraints)
+        number = len({n for line in lines for n in line.ends})
+        score = (-held, number, sum(cost for cost, _ in some))
+        if (best is None or score < best[0]) and (
+            RESIDUES.rank([*trivial, *(line.row(points) for line in lines)]) == size + len(trivial)
+        ):
+            best = score, lines
+    return best[1] if best else ()

@@ -1,0 +1,173 @@
+r"""Conditions compiled for many poses: a frozen value that is called with arrays and gives the values.
+
+>>> from gcrules.mechanisms.description.platform_file import parse_platform
+>>> robot = parse_platform('''
+... legs: [ab, af, cb, cd, ed, ef]
+... points: {a: [0, -3, 0], c: [3, 2, 0], e: [-3, 2, 0], b: [1, -1, 4], d: [0, 1, 4], f: [-1, -1, 4]}
+... ''')
+>>> value = compiled(robot, engine="numpy")
+>>> value([[0, 0, 0], [0, 0, -4], [1, 0, 0]]).tolist()
+[-168960.0, 0.0, -168960.0]
+>>> value
+<CompiledCondition [[ab, af, cb, cd, ed, ef]]: 68 operations a pose, by numpy>
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.algebra.expr import Expr, points_of, rank_of
+from gcrules.algebra.language.syntax import Context, parse
+from gcrules.algebra.language.text import text as as_text
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.errors import InputError
+from gcrules.core.frozen import FrozenMap
+from gcrules.poses.compiling.batches import Batch, given_joints, given_poses, output
+from gcrules.poses.compiling.engines import engine_named, runner
+from gcrules.poses.compiling.tape import Program
+from gcrules.poses.compiling.tracing import Mechanism, Road, trace
+from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
+from gcrules.poses.pose_inputs import Given, analysed, moving_robot
+from gcrules.rules.condition import ONE
+
+__all__ = ["CompiledCondition", "compiled"]
+
+Floats = NDArray[np.float64]
+
+STEP = 65_536
+"""Poses that one call of an engine works on, after which the program can be interrupted."""
+
+
+@dataclass(frozen=True)
+class CompiledCondition:
+    """The values of `expression` at poses: call it with arrays of poses, or `at_joints` with coordinates.
+
+    `joints` are those that move; `unit` is that of lengths (the superbracket is a length⁹, a bracket a length³).
+    `programs` are the operations for poses given by matrices, by quaternions and by joints, `roads` say what each was
+    derived from; `engine` runs them: numpy or numba, with equal values.
+    """
+
+    expression: str
+    joints: tuple[str, ...]
+    unit: str
+    engine: str
+    programs: Mapping[str, Program]
+    roads: Mapping[str, str]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "programs", FrozenMap(self.programs))
+        object.__setattr__(self, "roads", FrozenMap(self.roads))
+
+    def __call__(
+        self, translations: Any = None, rotations: Any = None, *, quaternions: Any = None, out: Floats | None = None
+    ) -> Floats:
+        """The values at N poses, shape (N,), written to `out` if it is given.
+
+        `translations` (N, 3) and `rotations` (N, 3, 3) or `quaternions` (N, 4), (w, x, y, z), are those of `gc.pose`;
+        one row stands for all, none for no translation or no turn. Matrices are taken to be rotations as they are,
+        quaternions of length 1 within 0.001 are normalised. Raises InputError for wrong shapes, NaN and infinity, and
+        where a value is beyond floats; `out` may then hold a part of the values.
+        """
+        if "matrices" not in self.programs:
+            raise InputError("these legs have no coordinates, so there are no poses", hint="use at_joints")
+        if rotations is not None and quaternions is not None:
+            raise InputError("rotations and quaternions", hint="give one of them")
+        kind = "matrices" if quaternions is None else "quaternions"
+        return self._run(kind, given_poses(translations, rotations, quaternions), out)
+
+    def at_joints(self, points: Any, *, out: Floats | None = None) -> Floats:
+        """The values for coordinates of the joints that move: (N, 3) for each name, or (N, J, 3) as in `joints`."""
+        return self._run("joints", given_joints(points, self.joints), out)
+
+    def _run(self, kind: str, batch: Batch, out: Floats | None) -> Floats:
+        program = self.programs[kind]
+        values = output(batch, out)
+        run = runner(program, self.engine) if program.lines else None
+        for start in range(0, batch.number, STEP):
+            stop = min(start + STEP, batch.number)
+            first, second = batch.columns(start, stop)
+            part = values[start:stop]
+            if run is None:
+                part[:] = float(program.constant)
+            else:
+                run(first, second, part)
+            batch.check(start, first, second, part, program.unused)
+        return values
+
+    def __repr__(self) -> str:
+        count = next(iter(self.programs.values())).operations
+        return f"<CompiledCondition {self.expression}: {count} operations a pose, by {self.engine}>"
+
+
+def compiled(
+    robot: Given,
+    expression: str | Expr | None = None,
+    *,
+    about: str | Sequence[Any] = "origin",
+    engine: str | None = None,
+) -> CompiledCondition:
+    """The function of `gcrules.api.functions`, which says what the arguments are."""
+    chosen = engine_named(engine)
+    analysis = analysed(robot)
+    structure = analysis.structure
+    if structure.special or structure.stand_ins or structure.rank != 4:
+        raise InputError("only legs between finite joints in space are compiled", hint="analyze a platform")
+    asked = structure.superbracket if expression is None else _scalar(expression, structure.names)
+    roads = _roads(analysis) if asked == structure.superbracket else [_as_written(asked)]
+    mechanism, unit = _mechanism(analysis, about)
+    found = {kind: trace(mechanism, kind, roads, asked) for kind in mechanism.kinds}
+    return CompiledCondition(
+        expression=as_text(asked, names=structure.names),
+        joints=mechanism.moving,
+        unit=unit,
+        engine=chosen,
+        programs={kind: program for kind, (_, program) in found.items()},
+        roads={kind: name for kind, (name, _) in found.items()},
+    )
+
+
+def _scalar(expression: str | Expr, names: tuple[str, ...]) -> Expr:
+    e = expression if isinstance(expression, Expr) else parse(expression, context=Context(4, names, ()))
+    if e.step or rank_of(e) not in (None, 4):
+        raise InputError("only scalars in space are compiled", hint="an expression of step 0 in rank 4")
+    unknown = [n for n in points_of(e) if n not in names]
+    if unknown:
+        raise InputError(f"{', '.join(unknown)} are no joints of the robot", hint=f"its joints are {', '.join(names)}")
+    return e
+
+
+def _roads(analysis: Analysis) -> list[Road]:
+    """What the superbracket of the legs equals; a condition with a cofactor is not among them."""
+    shortest = analysis.shortest
+    conditions = {c.right_side: None for c in (analysis.condition, *analysis.readings) if c.cofactor == ONE}
+    return [
+        ("six legs", lambda places: of_legs(analysis.structure.legs, places)),
+        ("shortest bracket form", lambda places: shortest.sign * of_polynomial(shortest.polynomial, places)),
+        *map(_as_written, conditions),
+    ]
+
+
+def _as_written(e: Expr) -> Road:
+    return as_text(e), lambda places: of_expression(e, places)
+
+
+def _mechanism(analysis: Analysis, about: str | Sequence[Any]) -> tuple[Mechanism, str]:
+    """The joints with their coordinates, and the unit; without a platform all joints move."""
+    if analysis.platform is None:
+        return Mechanism({}, analysis.structure.names, {}), ""
+    _, moving = moving_robot(analysis, about)
+    body = analysis.structure.platform
+    arms = {n: _less(moving.points[n], moving.centre) for n in body}
+    fixed = {n: p for n, p in moving.points.items() if n not in arms}
+    return Mechanism(fixed, tuple(body), arms, moving.centre), moving.unit
+
+
+def _less(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Fraction, Fraction, Fraction]:
+    x, y, z = (a - b for a, b in zip(p, q, strict=True))
+    return x, y, z

@@ -1,0 +1,85 @@
+r"""Runs a program on arrays of poses: by NumPy in chunks that stay in the cache, or as machine code made by numba.
+
+Both do the same operations on the same numbers and contract none, so their values are equal to the last bit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.core.errors import InputError
+from gcrules.poses.compiling.native import native
+from gcrules.poses.compiling.tape import BINARY, Program, allocated
+
+__all__ = ["ENGINES", "Run", "engine_named", "runner"]
+
+Floats = NDArray[np.float64]
+Run = Callable[[Floats, Floats, Floats], None]
+"""run(first, second, out): the values for n poses whose inputs are the columns of two arrays, (n, k) and (n, m)."""
+
+ENGINES = ("numpy", "numba")
+
+CACHE = 1 << 20
+"""Bytes that the registers of a chunk may take: a half of the second-level cache of an ordinary core."""
+
+
+def engine_named(name: str | None) -> str:
+    """The engine to use; None takes numba where it is installed. Raises InputError for others and for a missing one."""
+    if name is None:
+        return "numba" if find_spec("numba") else "numpy"
+    if name not in ENGINES:
+        raise InputError(f"there is no engine {name!r}", hint=f"choose one of {', '.join(ENGINES)}")
+    if not find_spec(name):
+        raise InputError(f"{name} is not installed", hint='pip install "gcrules[fast]", or take the engine numpy')
+    return name
+
+
+def runner(program: Program, engine: str) -> Run:
+    """What runs a program that has lines."""
+    return native(program) if engine == "numba" else _numpy(program)
+
+
+def _numpy(program: Program) -> Run:
+    held, count = allocated(program.lines)
+    size = int(np.clip(CACHE // (8 * count), 256, 16_384))
+    ufuncs = {"add": np.add, "sub": np.subtract, "mul": np.multiply, "shift": np.add, "scale": np.multiply}
+    constants = [np.array(float(line.constant)) for line in program.lines]
+    one = np.array(1.0)
+
+    def calls(registers: Floats) -> list[tuple[Any, Any, Any, Floats]]:
+        """What to call on which arrays; None for an input, with its column."""
+        found: list[tuple[Any, Any, Any, Floats]] = []
+        for n, line in enumerate(program.lines):
+            out = registers[held[n]]
+            if line.op == "input":
+                found.append((None, line.args[0], None, out))
+                continue
+            a = registers[held[line.args[0]]]
+            if line.op == "inv":
+                found.append((np.divide, one, a, out))
+            else:
+                other = registers[held[line.args[1]]] if line.op in BINARY else constants[n]
+                found.append((ufuncs[line.op], a, other, out))
+        return found
+
+    def run(first: Floats, second: Floats, out: Floats) -> None:
+        columns = [*first.T, *second.T]
+        registers = np.empty((count, min(size, len(out))))
+        whole = calls(registers)
+        with np.errstate(all="ignore"):  # what is not finite is looked for in the values
+            for start in range(0, len(out), size):
+                stop = min(start + size, len(out))
+                part = whole if stop - start == registers.shape[1] else calls(registers[:, : stop - start])
+                for ufunc, a, b, to in part:
+                    if ufunc is None:
+                        to[:] = columns[a][start:stop]
+                    else:
+                        ufunc(a, b, to)
+                out[start:stop] = part[-1][3]
+
+    return run

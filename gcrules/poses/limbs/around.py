@@ -1,0 +1,107 @@
+r"""Singular configurations around a configuration: the first one along each coordinate of the platform, both ways.
+
+Courses along single actuators come to a stop, as a rule, where the actuators no longer hold the platform: the loops do
+not close beyond, and no factor changes its sign. So the platform is led along one of its free coordinates at a time
+while the others keep their values, and the actuators follow. This is a search along straight courses, and no proof that
+nothing singular lies nearer.
+
+>>> from gcrules.mechanisms.kinematics.mechanism import mechanism
+>>> from gcrules.mechanisms.robot import Robot
+>>> robot = Robot.load("3-rpr")
+>>> m = mechanism(robot)
+>>> first = along(m, robot.analyze(), Way("yaw", 1))
+>>> round(first.distance, 4), along(m, robot.analyze(), Way("x", 1))
+(0.3092, None)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.kinematics.coordinates import ANGLES
+from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism
+from gcrules.mechanisms.kinematics.solve import Course, Solution, check_wanted, free_coordinates, goal
+from gcrules.mechanisms.kinematics.targets import Wanted
+from gcrules.poses.limbs.search import first_singular
+
+__all__ = ["Met", "Way", "along", "amounts_of", "begun_at", "ways"]
+
+REACH = np.pi / 3, 0.75
+"""How far it is looked: radians, and parts of the robot's size."""
+
+_SAMPLES = 20
+
+
+@dataclass(frozen=True)
+class Way:
+    """One coordinate of the platform, and whether it grows (1) or falls (−1)."""
+
+    name: str
+    sign: int
+
+    @property
+    def angle(self) -> bool:
+        """Whether it is measured in radians."""
+        return self.name in ANGLES
+
+    def __str__(self) -> str:
+        return f"{'+' if self.sign > 0 else '−'}{self.name}"
+
+
+@dataclass(frozen=True, eq=False)
+class Met:
+    """A singular configuration on a way, `distance` (a length or radians) from its start; `apart` is that in radians or
+    in parts of the robot's size.
+    """
+
+    way: Way
+    distance: float
+    apart: float
+    solution: Solution
+    course: Course
+    part: float
+
+    def before(self, short: float) -> Configuration:
+        """The configuration that lies short of it by this part of the way. Raises InputError."""
+        start = Solution(self.course.m.home, self.course.wanted)
+        return goal(self.course, start, 0.0, self.part * (1 - short)).configuration
+
+
+def begun_at(m: Mechanism, c: Configuration) -> Mechanism:
+    """The same mechanism, with this configuration for its home: all amounts and coordinates count from there."""
+    turn, shift = c.platform[:3, :3], c.platform[:3, 3]
+    home = replace(
+        c,
+        links=tuple(np.broadcast_to(np.eye(4), k.shape) for k in c.links),
+        amounts=tuple(np.zeros_like(a) for a in c.amounts),
+    )
+    return replace(m, home=home, centre=turn @ m.centre + shift, ends=m.ends @ turn.T + shift)
+
+
+def ways(m: Mechanism) -> Iterator[Way]:
+    """Both ways along all coordinates on which the platform's pose depends at home."""
+    return (Way(name, sign) for name in free_coordinates(m) for sign in (1, -1))
+
+
+def along(m: Mechanism, analysis: RobotAnalysis, way: Way) -> Met | None:
+    """The first singular configuration on a way from home, or None. Raises InputError where the robot does not assemble
+    before it, or is singular at home.
+    """
+    names = free_coordinates(m)
+    far = REACH[0] if way.angle else REACH[1] * m.size
+    wanted = Wanted(names, np.array([way.sign * far if n == way.name else 0.0 for n in names]), text=str(way))
+    check_wanted(m, wanted)
+    found = first_singular(m, analysis, wanted, _SAMPLES)
+    if found is None:
+        return None
+    apart = found.part * (REACH[0] if way.angle else REACH[1])
+    return Met(way, found.part * far, apart, found.solution, Course(m, wanted), found.part)
+
+
+def amounts_of(m: Mechanism, c: Configuration) -> list[float]:
+    """The amounts of the actuators in a configuration: lengths and radians."""
+    return [float(c.amounts[a.place][a.coordinate]) for a in m.actuators]

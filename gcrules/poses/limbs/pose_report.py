@@ -1,0 +1,230 @@
+r"""A robot described by its joints, in one configuration: solve, then all numbers there.
+
+>>> from gcrules.mechanisms.robot import Robot
+>>> here = Robot.load("3-rps").at(z=0.2, roll=5, pitch=0, degrees=True)
+>>> here.verdict, round(here.closeness, 3), [round(v, 3) for v in here.actuator_values.values()]
+('regular', 0.591, [0.18, 0.256, 0.101])
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from gcrules.core.arguments import described
+from gcrules.core.english import agreeing
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.kinematics.coordinates import COORDINATES, coordinates
+from gcrules.mechanisms.kinematics.margin import Closeness, closeness, limb_closeness
+from gcrules.mechanisms.kinematics.mechanism import Mechanism
+from gcrules.mechanisms.kinematics.solve import Solution, check_wanted, solve
+from gcrules.mechanisms.kinematics.targets import (
+    Wanted,
+    read_actuators,
+    read_pose,
+    wanted_actuators,
+    wanted_coordinates,
+    wanted_pose,
+)
+from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
+from gcrules.poses.limbs.balance import limb_numbers
+from gcrules.poses.limbs.factors import Factor, factors
+from gcrules.poses.limbs.report import RobotPose
+from gcrules.poses.limbs.search import first_singular
+from gcrules.poses.numbers.motion import Twist, twist_of
+from gcrules.poses.numbers.threshold import DEFAULT, Threshold, degrees, parse_threshold
+from gcrules.poses.numbers.verdict import decide
+from gcrules.screws.pose import Pose, exact
+
+__all__ = ["SINGULAR", "first_singular_pose", "here", "posed"]
+
+SINGULAR = 1e-9
+"""σ below which a configuration counts as singular: about as exact as configurations are solved for."""
+
+_NEAR_ZERO = 1e-6  # of a factor, where the robot is singular
+
+
+def posed(
+    m: Mechanism,
+    analysis: Callable[[], RobotAnalysis],
+    at: Any,
+    actuators: Any,
+    *,
+    threshold: str | Threshold = DEFAULT,
+) -> RobotPose:
+    """The numbers at a wanted pose, or at wanted actuators; at home where neither is given. Raises InputError.
+
+    The `analysis` is asked for only when the joints are solved.
+    """
+    limit = limit_of(threshold)
+    wanted = wanted_of(m, at, actuators)
+    solution = solve(m, wanted) if wanted is not None else _at_home(m)
+    return here(m, analysis(), solution, limit)
+
+
+def first_singular_pose(
+    m: Mechanism,
+    analysis: Callable[[], RobotAnalysis],
+    at: Any,
+    actuators: Any,
+    *,
+    threshold: str | Threshold = DEFAULT,
+) -> RobotPose | None:
+    """The numbers at the first singular configuration on the way to what is wanted, or None. Raises InputError."""
+    limit = limit_of(threshold)
+    wanted = wanted_of(m, at, actuators)
+    if wanted is None or not wanted.values.any():
+        raise InputError("no direction is given in which to look", hint="give the end of the way: z=1, roll=0deg, …")
+    check_wanted(m, wanted)
+    found = first_singular(m, analysis(), wanted)
+    if found is None:
+        return None
+    part = replace(found.solution, wanted=replace(wanted, text=f"{100 * found.part:.6g}% of the way to {wanted.text}"))
+    return here(m, analysis(), part, limit)
+
+
+def _at_home(m: Mechanism) -> Solution:
+    return Solution(m.home, Wanted((), np.zeros(0), text="home"))
+
+
+def limit_of(threshold: str | Threshold) -> Threshold:
+    """The threshold, an angle. Raises InputError for a length."""
+    if not isinstance(threshold, (str, Threshold)):
+        raise InputError(f"the threshold {described(threshold)} has no unit", hint='write threshold="2 deg"')
+    limit = parse_threshold(threshold) if isinstance(threshold, str) else threshold
+    if limit.angle is None:
+        raise InputError(
+            f"the threshold {limit.text} is a length: for robots described by joints it is an angle",
+            hint="say how far a limb's wrenches may turn relative to the platform, for example 2deg",
+        )
+    return limit
+
+
+def wanted_of(m: Mechanism, at: Any, actuators: Any) -> Wanted | None:
+    """What is asked for, or None for home. Raises InputError for both kinds at once and for what is no request."""
+    if at is not None and actuators is not None:
+        raise InputError("a pose and actuators at once", hint="give one of them; the other one follows")
+    if actuators is not None:
+        return read_actuators(m, actuators) if isinstance(actuators, str) else wanted_actuators(m, actuators)
+    match at:
+        case None:
+            return None
+        case str():
+            return read_pose(m, at)
+        case Pose():
+            return wanted_pose(m, at)
+        case Mapping():
+            return wanted_coordinates(m, at)
+        case Sequence() if len(at) == 3:
+            x, y, z = (exact(c, "the translation") for c in at)
+            return wanted_pose(m, Pose((x, y, z)))
+    raise InputError(f"{str(at)[:60]!r} is no pose", hint='write "z=0.2, roll=5deg", or "x y z; euler zyx a b c deg"')
+
+
+def here(m: Mechanism, analysis: RobotAnalysis, solution: Solution, limit: Threshold) -> RobotPose:
+    """All numbers at a solution."""
+    c = solution.configuration
+    near = closeness(m, c)
+    values = factors(analysis, c.values)
+    own = limb_closeness(m, c)
+    verdict, reason = _verdict(m, near, own, limit)
+    motions = _twists(m, near)
+    numbers = coordinates(COORDINATES, c.platform, m.centre)
+    return RobotPose(
+        robot=m.robot.id,
+        title=m.robot.title,
+        wanted=solution.wanted.text,
+        verdict=verdict,
+        reason=reason,
+        causes=_causes(values, verdict),
+        coordinates={n: float(v) for n, v in zip(COORDINATES, numbers, strict=True)},
+        centre=tuple(map(float, m.centre)),
+        actuators=tuple((a, float(c.amounts[a.place][a.coordinate])) for a in m.actuators),
+        residual=c.residual,
+        off=c.off,
+        steps=solution.steps,
+        iterations=solution.iterations,
+        mode=_mode(m, analysis, values, solution),
+        closeness=near.sigma,
+        turn=math.asin(near.sigma),
+        threshold=limit,
+        jacobian=wrench_jacobian(m, c, near),
+        factors=values,
+        statement=analysis.statement,
+        limbs=limb_numbers(m, near, own),
+        softest=motions[-1],
+        motions=tuple(t for t, s in zip(motions, near.singular_values, strict=True) if s <= SINGULAR),
+        points={d.name: tuple(map(float, c.values[d.name])) for d in m.robot.family.definitions},
+        notes=(*solution.wanted.notes, *_notes(m, own)),
+    )
+
+
+def _verdict(m: Mechanism, near: Closeness, own: Sequence[float], limit: Threshold) -> tuple[str, str]:
+    sigma, turn = near.sigma, math.asin(near.sigma)
+    assert limit.angle is not None
+    # Here σ guarantees a turn of asin σ, which is at most 90°.
+    word = decide(sigma, SINGULAR, close=math.sin(limit.angle) if limit.angle <= math.pi / 2 else math.inf)
+    if word == "singular":
+        return word, "σ is 0 within rounding: the wrenches of all limbs do not hold the platform."
+    lost = [limb.name for limb, c in zip(m.robot.limbs, own, strict=True) if c <= SINGULAR]
+    if lost:
+        verbs = "is singular by itself: its own twists", "are singular by themselves: the twists of each"
+        return "singular", f"{agreeing(lost, *verbs)} depend on each other."
+    words = "the limbs' own singularities apart, there is no singular configuration before the wrenches of some limb"
+    words += f" have turned by {degrees(turn)} relative to the platform"
+    if word == "regular":
+        return word, f"{_capital(words)} (threshold {limit.text})."
+    return word, f"It is only certain that, {words}; the threshold is {limit.text}."
+
+
+def _causes(values: Sequence[Factor], verdict: str) -> tuple[str, ...]:
+    live = [f for f in values if f.live]
+    if verdict == "singular":
+        zero = [f for f in live if abs(f.value) <= _NEAR_ZERO]
+        return tuple(f"{_capital(_words(f))} ({f.kind} singularity)." for f in zero)
+    if verdict == "close" and live:
+        least = min(live, key=lambda f: abs(f.value))
+        return (f"Nearly: {_words(least)}.",)
+    return ()
+
+
+def _words(f: Factor) -> str:
+    return f.statement or f"{f.expression} = 0"
+
+
+def _capital(words: str) -> str:
+    return words[0].upper() + words[1:]
+
+
+def _twists(m: Mechanism, near: Closeness) -> tuple[Twist, ...]:
+    return tuple(twist_of(row[:3], row[3:], near.centre, m.size) for row in near.motions)
+
+
+def _notes(m: Mechanism, own: Sequence[float]) -> tuple[str, ...]:
+    return tuple(
+        f"{limb.name} is nearly singular by itself (least singular value of its twists {c:.2g}), so that what is said"
+        " of the platform holds near here only"
+        for limb, c in zip(m.robot.limbs, own, strict=True)
+        if SINGULAR < c <= 0.01
+    )
+
+
+def _mode(m: Mechanism, analysis: RobotAnalysis, values: Sequence[Factor], solution: Solution) -> str:
+    """On which assembly mode the solution lies, by its way from home and the signs of the factors."""
+    if not solution.steps:
+        return "that of home"
+    way = [factors(analysis, c.values) for c in (m.home, *solution.way)]
+    crossed = [
+        f.expression
+        for f, *seen in zip(values, *way, strict=True)
+        if f.live and min(v.value for v in seen) < -_NEAR_ZERO and max(v.value for v in seen) > _NEAR_ZERO
+    ]
+    if crossed:
+        signs = agreeing(crossed, "changes its sign", "change their signs")
+        return f"the way from home crosses a singular configuration: {signs} on it"
+    return "that of home: no factor changes its sign at the steps from there" if values else "that of home, continued"

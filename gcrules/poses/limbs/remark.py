@@ -1,0 +1,21 @@
+"""What is to be said of a home configuration that is singular, or nearly so."""
+
+from __future__ import annotations
+
+from gcrules.poses.limbs.report import RobotPose
+
+__all__ = ["remark"]
+
+
+def remark(home: RobotPose) -> str:
+    """The verdict with its causes and the motion that is gained; nothing of a regular home."""
+    if home.verdict == "regular":
+        return ""
+    causes = home.causes or (home.reason,)
+    why = "; ".join(cause[:1].lower() + cause[1:].removesuffix(".") for cause in causes)
+    if home.verdict == "close":
+        return f"home is close to singular (closeness {home.closeness:.2g}): {why}"
+    if len(home.motions) > 1:
+        return f"home is singular: {why}; the platform gains {len(home.motions)} independent motions"
+    ways = "".join(f"; the platform can {motion.text()}, which no limb resists" for motion in home.motions)
+    return f"home is singular: {why}{ways}"

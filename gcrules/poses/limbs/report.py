@@ -1,0 +1,134 @@
+"""The answer for a robot in one configuration: numbers, verdict and reason; shows itself as text, JSON and LaTeX."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from gcrules.core.frozen import FrozenMap, HoldsArrays
+from gcrules.mechanisms.kinematics.mechanism import Actuator
+from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
+from gcrules.poses.limbs.balance import LimbNumbers
+from gcrules.poses.limbs.factors import Factor
+from gcrules.poses.numbers.motion import Twist
+from gcrules.poses.numbers.threshold import Threshold
+
+__all__ = ["RobotPose"]
+
+
+@dataclass(frozen=True, eq=False)
+class RobotPose(HoldsArrays):
+    """A robot in one configuration. Lengths are in the unit of its file, angles in radians, all from home.
+
+    `verdict` is regular | close | singular, `reason` the sentence with it, `causes` the factors that vanish, in words.
+    `coordinates` are x, y, z of the platform's `centre`, roll, pitch, yaw and the rotation vector; `actuators` holds
+    each driven freedom with its amount. `residual` is how far the loops are open and `off` how far names are from their
+    relations, in parts of the robot's size; `steps` and `iterations` are those of the solution, `mode` says on which
+    assembly mode it lies. `closeness` is σ in [0, 1] and `turn` = asin σ its guarantee (see docs/robot-numbers.md).
+    `factors` are those of the condition; `motions` what the platform gains where it is singular, `softest` the motion
+    that the limbs notice least, `points` the places of all points and directions.
+    """
+
+    robot: str
+    title: str
+    wanted: str
+    verdict: str
+    reason: str
+    causes: tuple[str, ...]
+    coordinates: Mapping[str, float]
+    centre: tuple[float, ...]
+    actuators: tuple[tuple[Actuator, float], ...]
+    residual: float
+    off: float
+    steps: int
+    iterations: int
+    mode: str
+    closeness: float
+    turn: float
+    threshold: Threshold
+    jacobian: WrenchJacobian
+    factors: tuple[Factor, ...]
+    statement: str
+    limbs: tuple[LimbNumbers, ...]
+    softest: Twist
+    motions: tuple[Twist, ...]
+    points: Mapping[str, tuple[float, ...]]
+    notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name in ("coordinates", "points"):
+            object.__setattr__(self, name, FrozenMap(getattr(self, name)))
+
+    @property
+    def actuator_values(self) -> dict[str, float]:
+        """The amounts of the actuators from home, by name."""
+        return {a.name: value for a, value in self.actuators}
+
+    def to_json(self) -> dict[str, Any]:
+        """One JSON object; numbers that are infinite or do not exist are null."""
+        return {
+            "schema": 1,
+            "robot": self.robot,
+            "title": self.title,
+            "wanted": self.wanted,
+            "verdict": self.verdict,
+            "reason": self.reason,
+            "causes": list(self.causes),
+            "statement": self.statement,
+            "pose": {"about": list(self.centre), **self.coordinates},
+            "actuators": [
+                {
+                    "name": a.name,
+                    "limb": a.limb,
+                    "joint": a.joint,
+                    "freedom": a.freedom,
+                    "unit": "rad" if a.angle else "length",
+                    "value": value,
+                }
+                for a, value in self.actuators
+            ],
+            "assembly": {
+                "residual": self.residual,
+                "relations": self.off,
+                "steps": self.steps,
+                "iterations": self.iterations,
+                "mode": self.mode,
+            },
+            "closeness": self.closeness,
+            "guarantees": {"turn": self.turn},
+            "threshold": {"angle": self.threshold.angle},
+            "jacobian": self.jacobian.to_json(),
+            "factors": [f.to_json() for f in self.factors],
+            "limbs": [limb.to_json() for limb in self.limbs],
+            "softest_motion": self.softest.to_json(),
+            "gained_motions": [motion.to_json() for motion in self.motions],
+            "points": {n: list(p) for n, p in self.points.items()},
+            "notes": list(self.notes),
+        }
+
+    def text(self, *, unicode: bool = False) -> str:
+        """A short table, the reason first."""
+        from gcrules.views.text.robot_pose_text import as_text
+
+        return as_text(self, unicode=unicode)
+
+    def latex(self) -> str:
+        """A LaTeX table of the numbers."""
+        from gcrules.views.text.robot_pose_text import as_latex
+
+        return as_latex(self)
+
+    def __str__(self) -> str:
+        return self.text(unicode=True)
+
+    def __repr__(self) -> str:
+        return (
+            f"<RobotPose {self.robot}: {self.verdict}, closeness {self.closeness:.4g}, {math.degrees(self.turn):.3g}°>"
+        )
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(self.text(unicode=True))}</pre>"

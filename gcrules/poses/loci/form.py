@@ -1,0 +1,131 @@
+r"""A polynomial with whole coefficients in named variables: its degrees, its value, and how it is written elsewhere.
+
+>>> f = Form(("x", "e0"), (((2, 1), 3), ((0, 0), -1)))
+>>> print(f), f.degree, f((2, 5))
+3*x^2*e0 - 1
+(None, 3, 59)
+>>> print(f.written("singular"))
+ring R = 0, (x, e0), dp;
+poly P = 3*x^2*e0 - 1;
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import InputError
+from gcrules.core.hints import near
+
+if TYPE_CHECKING:
+    import sympy
+
+__all__ = ["FORMATS", "Form"]
+
+FORMATS = ("sympy", "maple", "singular")
+_WRITTEN = {
+    "sympy": "{0}",
+    "maple": "P := {0}:",
+    "singular": "ring R = 0, ({1}), dp;\npoly P = {0};",
+}
+_LINE = 4  # terms in a line of LaTeX
+
+
+@dataclass(frozen=True)
+class Form:
+    """Σ coefficient · variables to the exponents; `terms` lists (exponents, coefficient), none of them 0."""
+
+    variables: tuple[str, ...]
+    terms: tuple[tuple[tuple[int, ...], int], ...]
+
+    @classmethod
+    def of(cls, p: Any) -> Form:
+        """That of an element of a ring of sympy, highest degree first."""
+        terms = sorted(p.terms(), key=lambda t: (-sum(t[0]), tuple(-n for n in t[0])))
+        return cls(tuple(map(str, p.ring.symbols)), tuple((tuple(map(int, e)), int(c)) for e, c in terms))
+
+    @property
+    def degree(self) -> int:
+        """The total degree; −1 for 0."""
+        return self.degree_in(self.variables)
+
+    def degree_in(self, names: Iterable[str]) -> int:
+        """The total degree in some of the variables; −1 for 0."""
+        at = [self.variables.index(n) for n in names if n in self.variables]
+        return max((sum(e[i] for i in at) for e, _ in self.terms), default=-1)
+
+    @property
+    def digits(self) -> int:
+        """The digits of the longest coefficient."""
+        return max((len(str(abs(c))) for _, c in self.terms), default=1)
+
+    def __call__(self, values: Sequence[Any]) -> Any:
+        """The value; exact for integers and Fractions, one for each variable."""
+        powers = [[1] for _ in self.variables]
+        for row, v in zip(powers, values, strict=True):
+            for _ in range(self.degree):
+                row.append(row[-1] * v)
+        total: Any = 0
+        for exponents, c in self.terms:
+            checkpoint()
+            for row, n in zip(powers, exponents, strict=True):
+                if n:
+                    c = c * row[n]
+            total = total + c
+        return total
+
+    @cached_property
+    def poly(self) -> sympy.Poly:
+        """A sympy.Poly over the integers."""
+        from sympy import ZZ, Poly, symbols
+
+        return Poly.from_dict(dict(self.terms), *symbols(self.variables), domain=ZZ)
+
+    def __str__(self) -> str:
+        return self._sum("^")
+
+    def written(self, style: str) -> str:
+        """Text for another program: sympy (`sympify`), maple or singular. Raises InputError for others."""
+        if style not in FORMATS:
+            raise InputError(
+                f"there is no format {style[:20]!r}", hint=near(style, FORMATS) or f"choose {', '.join(FORMATS)}"
+            )
+        return _WRITTEN[style].format(self._sum("**" if style == "sympy" else "^"), ", ".join(self.variables))
+
+    def _sum(self, power: str) -> str:
+        def factor(name: str, n: int) -> str:
+            return name if n == 1 else f"{name}{power}{n}"
+
+        return _joined(
+            (c, "*".join(factor(v, n) for v, n in zip(self.variables, e, strict=True) if n), "*") for e, c in self.terms
+        )
+
+    def latex(self) -> str:
+        """A sum; a long one is `aligned`."""
+        from gcrules.views.formulas.latex import latex_name  # needed for LaTeX only
+
+        def factor(name: str, n: int) -> str:
+            return latex_name(name) if n == 1 else f"{latex_name(name)}^{{{n}}}"
+
+        terms = [
+            (c, " ".join(factor(v, n) for v, n in zip(self.variables, e, strict=True) if n), r"\,")
+            for e, c in self.terms
+        ]
+        if len(terms) <= _LINE:
+            return _joined(terms)
+        lines = [_joined(terms[k : k + _LINE], first=not k) for k in range(0, len(terms), _LINE)]
+        return "\\begin{aligned}\n&" + " \\\\\n&".join(lines) + "\n\\end{aligned}"
+
+
+def _joined(terms: Iterable[tuple[int, str, str]], *, first: bool = True) -> str:
+    """A sum of coefficients, what they are multiplied by, and the sign of that product."""
+    found: list[str] = []
+    for c, monomial, times in terms:
+        checkpoint()
+        sign = ("- " if c < 0 else "+ ") if found or not first else ("-" if c < 0 else "")
+        size = str(abs(c)) if abs(c) != 1 or not monomial else ""
+        found.append(f"{sign}{size}{times if size and monomial else ''}{monomial}")
+    return " ".join(found) or "0"

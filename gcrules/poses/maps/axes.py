@@ -1,0 +1,203 @@
+r"""The coordinates of poses that a map runs over: their names, units and nodes.
+
+>>> read_axes(["x -2:2:5 mm", "zyx1 -90:90:181 deg"], "mm")[1].text
+'zyx1 -90:90:181 deg'
+>>> axis = parse_axis("x -2:2:5")
+>>> axis.nodes.tolist(), axis.kind
+([-2.0, -1.0, 0.0, 1.0, 2.0], 'translation')
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.core.errors import GcrulesError, InputError, LimitReached, Span
+from gcrules.core.hints import run_together
+from gcrules.screws.pose import check_unit, read_number
+from gcrules.screws.rotations import check_sequence
+
+__all__ = ["MAX_NODES", "TILT", "TRANSLATION", "VECTOR", "Axis", "parse_axis", "read_axes"]
+
+Floats = NDArray[np.float64]
+
+TRANSLATION = ("x", "y", "z")
+VECTOR = ("rx", "ry", "rz")
+TILT = ("azimuth", "tilt", "torsion")
+MAX_NODES = 100_000
+"""Nodes of one axis; more are refused."""
+
+_EULER = re.compile(r"([xyz]{3}|[XYZ]{3})([123])")
+_ANGLES = {"deg": "deg", "degree": "deg", "degrees": "deg", "°": "deg", "rad": "rad", "radian": "rad", "radians": "rad"}
+_FORM = 'write a coordinate, start:stop:number and the unit of angles: "x -200:200:201", "rz -90:90:181 deg"'
+_NAMES = "x, y, z; rx, ry, rz; zyx1, zyx2, zyx3 (or another sequence); azimuth, tilt, torsion"
+
+
+@dataclass(frozen=True)
+class Axis:
+    """`number` nodes of the coordinate `name`, evenly from `start` to `stop`, both included, in `unit`.
+
+    `kind` is translation | vector | tilt | a sequence of Euler angles, `place` which of its three coordinates this is.
+    """
+
+    name: str
+    start: Fraction
+    stop: Fraction
+    number: int
+    unit: str = ""
+
+    @property
+    def kind(self) -> str:
+        for kind, names in (("translation", TRANSLATION), ("vector", VECTOR), ("tilt", TILT)):
+            if self.name in names:
+                return kind
+        return self.name[:3]
+
+    @property
+    def place(self) -> int:
+        for names in (TRANSLATION, VECTOR, TILT):
+            if self.name in names:
+                return names.index(self.name)
+        return int(self.name[3]) - 1
+
+    @property
+    def step(self) -> Fraction:
+        """The distance of neighbouring nodes."""
+        return (self.stop - self.start) / (self.number - 1)
+
+    @cached_property
+    def nodes(self) -> Floats:
+        """The nodes in floats, each rounded once, shape (number,)."""
+        return np.array([float(self.start + k * self.step) for k in range(self.number)])
+
+    def at(self, node: Floats) -> Floats:
+        """The coordinate at any place counted in nodes, 0 at the first one."""
+        found: Floats = float(self.start) + np.asarray(node, dtype=np.float64) * float(self.step)
+        return found
+
+    @property
+    def label(self) -> str:
+        """The name with its unit, for pictures."""
+        return f"{self.name} ({self.unit})" if self.unit else self.name
+
+    @property
+    def meaning(self) -> str:
+        """What the coordinate is, in words."""
+        match self.kind:
+            case "translation":
+                return f"translation of the platform along {self.name}"
+            case "vector":
+                return f"component of the platform's rotation vector along {self.name[1]}"
+            case "tilt":
+                return {
+                    "azimuth": "direction towards which the platform is tilted, from x",
+                    "tilt": "angle by which the platform's z axis is tilted",
+                    "torsion": "turn of the platform about its own z axis",
+                }[self.name]
+        ordinal = ("first", "second", "third")[self.place]
+        return f"{ordinal} Euler angle of the platform, sequence {self.kind}"
+
+    @property
+    def text(self) -> str:
+        """What `parse_axis` takes."""
+        return f"{self.name} {_plain(self.start)}:{_plain(self.stop)}:{self.number} {self.unit}".rstrip()
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "name": self.name,
+            "unit": self.unit,
+            "start": float(self.start),
+            "stop": float(self.stop),
+            "number": self.number,
+        }
+
+
+def _plain(number: Fraction) -> str:
+    text = repr(float(number)).removesuffix(".0")
+    return text if Fraction(text) == number else str(number)
+
+
+def read_axes(over: Sequence[str | Axis], unit: str = "") -> tuple[Axis, ...]:
+    """Two or three axes. Raises InputError for another number, for coordinates that do not go together, and for
+    whatever `parse_axis` refuses.
+    """
+    listed = [over] if isinstance(over, (str, Axis)) else list(over)
+    axes = tuple(a if isinstance(a, Axis) else parse_axis(a, unit) for a in listed)
+    if len(axes) not in (2, 3):
+        raise InputError(f"a map is over two or three coordinates, found {len(axes)}", hint=_FORM)
+    names = [a.name for a in axes]
+    twice = next((n for i, n in enumerate(names) if n in names[:i]), None)
+    if twice is not None:
+        raise InputError(f"the coordinate {twice} is given twice")
+    turns = [a for a in axes if a.kind != "translation"]
+    if len({a.kind for a in turns}) > 1:
+        raise InputError(
+            f"several kinds of turns: {', '.join(a.name for a in turns)}",
+            hint="take angles of one kind: rx, ry, rz, or Euler angles of one sequence, or azimuth, tilt, torsion",
+        )
+    if len({a.unit for a in turns}) > 1:
+        raise InputError(f"mixed units: deg and rad for {', '.join(a.name for a in turns)}")
+    return axes
+
+
+def parse_axis(text: str, unit: str = "") -> Axis:
+    """Read "NAME start:stop:number [unit]"; lengths are in `unit`, which they may name, angles say deg or rad.
+
+    Raises InputError for what is no axis, for numbers that are not finite, for a range that is empty or runs
+    backwards and for fewer than two nodes, LimitReached for more than `MAX_NODES`.
+    """
+    try:
+        return _axis(text.replace("°", " ° ").split(), unit)
+    except GcrulesError as fault:
+        raise fault.located(text, "--over", Span(0, max(len(text), 1))) from None
+
+
+def _axis(words: list[str], unit: str) -> Axis:
+    if not 2 <= len(words) <= 3:
+        apart = run_together(words[0], (*TRANSLATION, *VECTOR, *TILT)) if words else None
+        more = f", one --over for each of {' and '.join(apart)}" if apart else ""
+        raise InputError("this is no coordinate with its range", hint=f"{_FORM}{more}; the coordinates are {_NAMES}")
+    name, bounds = words[:2]
+    angle = name not in TRANSLATION
+    euler = _EULER.fullmatch(name)
+    if euler:
+        check_sequence(euler[1])
+    elif angle and name not in (*VECTOR, *TILT):
+        raise InputError(f"{name[:40]!r} is no coordinate of a pose", hint=f"the coordinates are {_NAMES}")
+    parts = bounds.split(":")
+    if len(parts) != 3:
+        raise InputError(f"{bounds[:60]!r} is no range", hint=_FORM)
+    start, stop = read_number(parts[0]), read_number(parts[1])
+    number = _number(parts[2])
+    if start == stop:
+        raise InputError(f"the range of {name} is empty: it starts and ends at {parts[0]}")
+    if start > stop:
+        raise InputError(f"the range of {name} is reversed", hint=f"write {parts[1]}:{parts[0]}:{parts[2]}")
+    word = words[2] if len(words) == 3 else None
+    if not angle:
+        if word is not None:
+            if word.lower() in _ANGLES:
+                raise InputError(f"{name} is a length, {word} a unit of angles")
+            check_unit(word, unit)
+        return Axis(name, start, stop, number, unit)
+    if word is None or word.lower() not in _ANGLES:
+        raise InputError(f"{name} is an angle without a unit", hint=f'end with deg or rad: "{name} {bounds} deg"')
+    return Axis(name, start, stop, number, _ANGLES[word.lower()])
+
+
+def _number(word: str) -> int:
+    if not re.fullmatch(r"\d{1,12}", word):
+        raise InputError(f"{word[:40]!r} is no number of nodes", hint=_FORM)
+    number = int(word)
+    if number < 2:
+        raise InputError(f"{number} node{'s' * (number != 1)} on an axis", hint="give two or more")
+    if number > MAX_NODES:
+        raise LimitReached(f"{number:,} nodes on one axis are more than {MAX_NODES:,}", hint="take a coarser grid")
+    return number

@@ -1,0 +1,215 @@
+r"""The slice of poses that a map shows: the axes, and the pose that says what the other coordinates are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.mechanisms.moving_platform import FAR, Rig
+from gcrules.poses.maps.axes import Axis
+from gcrules.poses.numbers.arrays import from_poses, read_arrays
+from gcrules.poses.numbers.pose_arguments import one_pose
+from gcrules.screws.pose import Pose
+from gcrules.screws.rotations import Vector, from_euler, from_vector
+
+__all__ = ["MAX_FLAT", "MAX_POSES", "Grid", "grid"]
+
+Floats = NDArray[np.float64]
+
+MAX_POSES = 1_000_000_000
+"""Nodes of a map over three coordinates."""
+_SMALL = 1e-24  # poses may be `FAR` away, and a 32-bit float goes to 3e38
+MAX_FLAT = 16_000_000
+"""Nodes of a map over two coordinates, and of a layer of three."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Poses over `axes` around the pose `at`. The three angles of the axes' kind are `rest` (in the axes' unit), each
+    replaced where an axis stands for it; without axes that turn the orientation is that of `at`, exactly.
+    """
+
+    rig: Rig
+    axes: tuple[Axis, ...]
+    at: Pose
+    rest: Vector = (Fraction(0), Fraction(0), Fraction(0))
+    notes: tuple[str, ...] = ()
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return tuple(a.number for a in self.axes)
+
+    @property
+    def size(self) -> int:
+        return math.prod(self.shape)
+
+    @property
+    def turning(self) -> Axis | None:
+        """An axis that turns, if there is one."""
+        return next((a for a in self.axes if a.kind != "translation"), None)
+
+    @property
+    def home(self) -> tuple[float, ...]:
+        """The coordinates of the pose `at`, in the order of the axes."""
+        shift = self.at.translation
+        return tuple(float(shift[a.place] if a.kind == "translation" else self.rest[a.place]) for a in self.axes)
+
+    def arrays(self, coordinates: Floats) -> tuple[Floats, Floats]:
+        """Poses at coordinates (N, axes), as translations (N, 3) and rotations (N, 3, 3), or (1, 3, 3) for all."""
+        shift = np.repeat(np.array([[float(c) for c in self.at.translation]]), len(coordinates), axis=0)
+        for k, axis in enumerate(self.axes):
+            if axis.kind == "translation":
+                shift[:, axis.place] = coordinates[:, k]
+        turning = self.turning
+        if turning is None:
+            return shift, self._orientation
+        angles = np.repeat(np.array([[float(c) for c in self.rest]]), len(coordinates), axis=0)
+        for k, axis in enumerate(self.axes):
+            if axis.kind != "translation":
+                angles[:, axis.place] = coordinates[:, k]
+        degrees = turning.unit == "deg"
+        if turning.kind == "vector":
+            return shift, read_arrays(rotation_vectors=angles, degrees=degrees)[1]
+        if turning.kind == "tilt":
+            angles[:, 2] -= angles[:, 0]
+        return shift, read_arrays(euler=(_sequence(turning.kind), angles), degrees=degrees)[1]
+
+    def pose(self, coordinates: Sequence[Fraction]) -> Pose:
+        """The exact pose at exact coordinates."""
+        shift, angles = list(self.at.translation), list(self.rest)
+        for axis, value in zip(self.axes, coordinates, strict=True):
+            (shift if axis.kind == "translation" else angles)[axis.place] = value
+        x, y, z = shift
+        turning = self.turning
+        if turning is None:
+            return Pose((x, y, z), self.at.quaternion)
+        degrees = turning.unit == "deg"
+        if turning.kind == "vector":
+            return Pose((x, y, z), from_vector(angles, degrees=degrees))
+        if turning.kind == "tilt":
+            angles[2] -= angles[0]
+        return Pose((x, y, z), from_euler(_sequence(turning.kind), angles, degrees=degrees))
+
+    def ends(self, coordinates: Floats) -> Floats:
+        """The platform ends of the legs at coordinates (N, axes): (N, 6, 3). Legs may have no length there."""
+        shift, turn = self.arrays(coordinates)
+        centre = np.array([float(c) for c in self.rig.centre])
+        found: Floats = np.swapaxes(np.matmul(turn, self.rig.arms.T), 1, 2) + (centre + shift)[:, None, :]
+        return found
+
+    def coordinates(self, nodes: NDArray[Any]) -> Floats:
+        """The coordinates (N, axes) of places (N, axes) that are counted in nodes."""
+        return np.stack([a.at(nodes[:, k]) for k, a in enumerate(self.axes)], axis=1)
+
+    @cached_property
+    def _orientation(self) -> Floats:
+        return from_poses([self.at])[1]
+
+    def to_json(self) -> dict[str, Any]:
+        return {"axes": [a.to_json() for a in self.axes], "at": self.at.to_json()}
+
+
+def _sequence(kind: str) -> str:
+    """R = Rz(azimuth) Ry(tilt) Rz(torsion − azimuth)."""
+    return "ZYZ" if kind == "tilt" else kind
+
+
+def grid(rig: Rig, axes: tuple[Axis, ...], at: Any = None) -> Grid:
+    """The slice around a pose (text as for --at, a translation or a `Pose`; the file's own by default).
+
+    Raises InputError for what is no single pose and for slices that are too far away, LimitReached for too many nodes.
+    """
+    pose = one_pose(at, {}, False, rig.unit)
+    if pose is None:
+        raise InputError("a map is around one pose", hint='at="0 0 5; euler zyx 10 0 0 deg"')
+    number = math.prod(a.number for a in axes)
+    layer = number if len(axes) == 2 else number // axes[0].number
+    if number > MAX_POSES or layer > MAX_FLAT:
+        most = MAX_FLAT if layer > MAX_FLAT else MAX_POSES
+        raise LimitReached(f"{number:,} poses: more than {most:,} in one map", hint="take a coarser grid, or two maps")
+    turning = next((a for a in axes if a.kind != "translation"), None)
+    rest: tuple[Fraction, ...] = (Fraction(0),) * 3
+    notes = pose.notes
+    if turning is not None:
+        rest, more = _rest(pose, at, turning)
+        notes += more
+    found = Grid(rig, axes, pose, (rest[0], rest[1], rest[2]), notes)
+    corners = np.array(np.meshgrid(*[[float(a.start), float(a.stop)] for a in axes])).reshape(len(axes), -1).T
+    if np.abs(found.ends(corners) - rig.base).max() > FAR * rig.size:
+        raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
+    if not _SMALL < rig.size < 1 / _SMALL:
+        raise InputError(
+            f"the robot is too {'small' if rig.size < 1 else 'large'} for the 32-bit floats of a map: its size is"
+            f" {rig.size:.3g}, expected one between {_SMALL:g} and {1 / _SMALL:g}",
+            hint="choose another unit",
+        )
+    return found
+
+
+def _rest(pose: Pose, given: Any, axis: Axis) -> tuple[tuple[Fraction, ...], tuple[str, ...]]:
+    """The three angles of the pose, in the axis' unit: as they were typed, if they were, else computed."""
+    degrees = axis.unit == "deg"
+    typed = _typed(given, axis.kind) if isinstance(given, str) else None
+    if typed is not None:
+        values, unit = typed
+        if unit == degrees:
+            return tuple(values), ()
+        return tuple(Fraction(math.degrees(v) if degrees else math.radians(v)) for v in values), ()
+    if pose.angle == 0:
+        return (Fraction(0),) * 3, ()
+    notes: tuple[str, ...] = ()
+    if axis.kind == "vector":
+        angles = list(pose.rotation_vector)
+    else:
+        angles, unique = _euler(np.array(pose.rotation, dtype=np.float64), _sequence(axis.kind))
+        if axis.kind == "tilt":
+            upside_down = not unique and angles[1] > 1
+            torsion = -angles[0] if upside_down else angles[0] + angles[2]
+            angles = [angles[0] if unique else 0.0, angles[1], torsion]
+        if not unique and axis.kind != "tilt":
+            last = 1 if axis.kind.islower() else 3
+            notes = (f"the pose has no unique angles {axis.kind}; {axis.kind}{last} is taken as 0",)
+    return tuple(Fraction(math.degrees(a) if degrees else a) for a in angles), notes
+
+
+def _typed(text: str, kind: str) -> tuple[list[Fraction], bool] | None:
+    """The angles of the same kind in the text of a pose that has been read, and whether they are in degrees."""
+    for part in text.split(";"):
+        words = part.replace(",", " ").split()
+        names = ("rotation-vector", "rotvec") if kind == "vector" else ("euler",)
+        if words and words[0].lower() in names:
+            if kind != "vector" and words[1] != kind:
+                return None
+            try:
+                return [Fraction(w) for w in words[-4:-1]], words[-1].lower() in ("deg", "degree", "degrees", "°")
+            except (ValueError, GcrulesError):
+                return None
+    return None
+
+
+def _euler(R: Floats, sequence: str) -> tuple[list[float], bool]:
+    """Euler angles (rad) of a rotation matrix, and whether they are unique; else the last turn is 0."""
+    letters = sequence.lower() if sequence.isupper() else sequence[::-1]  # about the axes that turn along
+    i, j, k = ("xyz".index(c) for c in letters)
+    m = 3 - i - j
+    e = 1.0 if (j - i) % 3 == 1 else -1.0
+    if i == k:
+        middle = math.acos(min(1.0, max(-1.0, R[i, i])))
+        unique = math.hypot(R[i, j], R[i, m]) > 1e-12
+        first, last = math.atan2(R[j, i], -e * R[m, i]), math.atan2(R[i, j], e * R[i, m])
+    else:
+        middle = math.asin(min(1.0, max(-1.0, e * R[i, k])))
+        unique = math.hypot(R[i, i], R[i, j]) > 1e-12
+        first, last = math.atan2(-e * R[j, k], R[k, k]), math.atan2(-e * R[i, j], R[i, i])
+    if not unique:
+        first, last = math.atan2(e * R[m, j], R[j, j]), 0.0
+    angles = [a + 0.0 if abs(a) > 1e-15 else 0.0 for a in (first, middle, last)]
+    return (angles if sequence.isupper() else angles[::-1]), unique

@@ -1,0 +1,199 @@
+r"""Maps of singular poses over two or three coordinates: what is to be done, done chunk by chunk, and the answer.
+
+>>> from gcrules.mechanisms.description.platform_file import parse_platform
+>>> robot = parse_platform('''
+... legs: [ab, af, cb, cd, ed, ef]
+... points: {a: [0, -3, 0], c: [3, 2, 0], e: [-3, 2, 0], b: [1, -1, 4], d: [0, 1, 4], f: [-1, -1, 4]}
+... ''')
+>>> found = singular_map(robot, ["x -2:2:9", "z -6:-2:9"])
+>>> found
+<SingularMap over x, z, 9 x 9 poses, 1 curves>
+>>> found.factors[0].text, found.factors[0].multiplicity, found.summary.cells
+('z + 4', 3, (48, 16, 0))
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Sequence
+from os import PathLike
+from typing import Any
+
+import numpy as np
+
+from gcrules import __version__
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import FileError, InputError, LimitReached
+from gcrules.core.seeds import drawn
+from gcrules.poses.compiling.compiled import compiled
+from gcrules.poses.maps.axes import Axis, read_axes
+from gcrules.poses.maps.grid import grid
+from gcrules.poses.maps.joining import joined
+from gcrules.poses.maps.limits import parse_limits
+from gcrules.poses.maps.marching import marched
+from gcrules.poses.maps.report import Curve, SingularMap
+from gcrules.poses.maps.slices import factors, middle, slice_polynomial, vanishes
+from gcrules.poses.maps.store import Folder, Memory, Store
+from gcrules.poses.maps.summary import Summary, summed, together
+from gcrules.poses.maps.tracing import polished, traced
+from gcrules.poses.maps.values import KINDS, Task
+from gcrules.poses.numbers.threshold import DEFAULT, Threshold, angle_threshold, closeness_of
+from gcrules.poses.pose_inputs import Given, moving_robot
+
+__all__ = ["MEASURES", "bytes_of", "done", "planned", "singular_map"]
+
+MEASURES = ("closeness", "value")
+MAX_HELD = 8_000_000
+"""Poses whose numbers are kept in memory; more need a folder for the work."""
+
+Told = Callable[[int, int], None]
+
+
+def singular_map(
+    robot: Given,
+    over: Sequence[str | Axis],
+    at: Any = None,
+    *,
+    about: str | Sequence[Any] = "origin",
+    limits: str | None = None,
+    threshold: str | Threshold = DEFAULT,
+    measure: str = "closeness",
+    work: str | PathLike[str] | None = None,
+    restart: bool = False,
+    tell: Told = lambda done, number: None,
+) -> SingularMap:
+    """`gcrules.singular_map`, which says what the arguments are. `tell` hears how many poses of how many are done."""
+    analysis, task, limit = planned(robot, over, at, about, limits, threshold, measure)
+    return done(analysis, task, limit, work=work, restart=restart, tell=tell)
+
+
+def done(
+    analysis: Analysis,
+    task: Task,
+    limit: Threshold,
+    *,
+    work: str | PathLike[str] | None = None,
+    restart: bool = False,
+    tell: Told = lambda done, number: None,
+) -> SingularMap:
+    """What was planned, computed; raises as `singular_map`."""
+    store: Store = Memory()
+    if work is not None:
+        store = Folder.open(str(work), task.names, _manifest(task), restart=restart)
+    elif task.grid.size > MAX_HELD:
+        raise LimitReached(
+            f"{task.grid.size:,} poses: more than {MAX_HELD:,} are not kept in memory",
+            hint='name a folder for them, work="map.part" (the command does so for -o map.nc), or take a coarser grid',
+        )
+    summary = _computed(task, store, limit, tell)
+    found = SingularMap(task, analysis.condition, limit, store, summary, notes=task.grid.notes)
+    curves = _curves(found) if len(task.grid.axes) == 2 and not task.everywhere else ()
+    return SingularMap(task, analysis.condition, limit, store, summary, curves, task.grid.notes)
+
+
+def planned(
+    robot: Any, over: Any, at: Any, about: Any, limits: str | None, threshold: Any, measure: str
+) -> tuple[Analysis, Task, Threshold]:
+    """What is to be computed, all faults of the input told."""
+    analysis, moving = moving_robot(robot, about)
+    axes = read_axes(over, moving.unit)
+    limit = angle_threshold(threshold, moving.unit, "in a map")
+    if measure not in MEASURES:
+        raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
+    reached = parse_limits(limits, moving.names, moving.unit) if limits is not None else None
+    g = grid(moving, axes, at)
+    condition = compiled(analysis, about=about)
+    moved = g.turning is not None
+    everywhere = vanishes(g) if moved else not slice_polynomial(g)
+    task = Task(g, condition, measure, reached, None if moved else factors(g), everywhere)
+    return analysis, task, limit
+
+
+def bytes_of(task: Task) -> int:
+    """How many bytes the arrays of a map take on disk."""
+    each: int = sum(np.dtype(KINDS[n]).itemsize * (6 if n == "leg_length" else 1) for n in task.names)
+    return each * task.grid.size
+
+
+def _manifest(task: Task) -> dict[str, Any]:
+    """Of what the chunks of a task are, with a fingerprint of all of it."""
+    g = task.grid
+    found = {
+        "version": __version__,
+        "robot": {
+            "legs": [list(leg) for leg in g.rig.structure.legs],
+            "points": {n: [str(c) for c in p] for n, p in g.rig.points.items()},
+            "unit": g.rig.unit,
+        },
+        "centre": [str(c) for c in g.rig.centre],
+        "pose": [str(c) for c in (*g.at.translation, *g.at.quaternion)],
+        "angles": [str(c) for c in g.rest],
+        "over": [a.text for a in g.axes],
+        "measure": task.measure,
+        "limits": task.limits.to_json() if task.limits else None,
+        "layers": task.layers,
+    }
+    digest = hashlib.sha256(json.dumps(found, sort_keys=True).encode()).hexdigest()
+    return {**found, "fingerprint": digest}
+
+
+def _computed(task: Task, store: Store, limit: Threshold, tell: Told) -> Summary:
+    assert limit.angle is not None
+    sigma = closeness_of(limit.angle)
+    parts: list[Summary] = []
+    kept: list[int] = []
+    poses = 0
+    for n in range(task.number):
+        checkpoint()
+        chunk = store.get(n)
+        if chunk is None:
+            chunk = task.compute(n)
+            store.put(n, chunk)
+        else:
+            kept.append(n)
+        parts.append(summed(chunk, task, n, sigma))
+        poses += parts[-1].poses
+        tell(poses, task.grid.size)
+    if kept and isinstance(store, Folder):
+        _check_kept(task, store, drawn("map", str(store.path), len(kept)).choice(kept))
+    return together(parts)
+
+
+def _check_kept(task: Task, store: Folder, n: int) -> None:
+    """Compute a chunk again that was found in a folder. Raises FileError where the folder holds something else."""
+    there, here = store.get(n), task.compute(n)
+    if there is None or not all(_alike(there[name], here[name]) for name in task.names):
+        raise FileError(
+            f"chunk {n} is not what is computed now; its files were changed",
+            filename=str(store.path),
+            hint="begin anew with --restart (in Python restart=True), or take another folder",
+        )
+
+
+def _alike(a: Any, b: Any) -> bool:
+    """Whether arrays agree but for rounding, which may decide differently on another machine, though seldom."""
+    if a.shape != b.shape:
+        return False
+    if a.dtype.kind == "f":
+        return bool(np.isclose(a, b, rtol=1e-4, atol=1e-6, equal_nan=True).mean() > _MOSTLY)
+    return bool((a == b).mean() > _MOSTLY)
+
+
+_MOSTLY = 0.999
+
+
+def _curves(m: SingularMap) -> tuple[Curve, ...]:
+    g = m.grid
+    found: list[tuple[Any, int | None]] = []
+    if m.factors is not None:
+        for k, f in enumerate(m.factors):
+            found += [(polished(f, line, middle(g)), k) for line in joined(traced(f, g.shape, middle(g)))]
+    else:
+        found += [(line, None) for line in joined(marched(m.values("superbracket"), m.task.value))]
+    curves = []
+    for places, factor in found:
+        points = g.coordinates(places)
+        curves.append(Curve(points, factor, m.allows(points)))
+    return tuple(sorted(curves, key=lambda c: (c.factor or 0, -len(c.points))))

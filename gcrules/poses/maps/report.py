@@ -1,0 +1,286 @@
+r"""The answer for a map: arrays over the grid, singular curves or surfaces, which cells are proved free, a summary."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules import __version__
+from gcrules.core.arguments import FILE, TEXT, checked, each
+from gcrules.core.errors import EngineFault, InputError, LimitReached
+from gcrules.core.frozen import HoldsArrays
+from gcrules.poses.maps.grid import Grid
+from gcrules.poses.maps.limits import Limits
+from gcrules.poses.maps.mesh import Mesh
+from gcrules.poses.maps.slices import MEMBERS, Factor
+from gcrules.poses.maps.store import Store
+from gcrules.poses.maps.summary import Summary
+from gcrules.poses.maps.surface import Sheet, of_factor, sheet
+from gcrules.poses.maps.values import Chunk, Task
+from gcrules.poses.numbers.threshold import Threshold, closeness_of
+from gcrules.rules.condition import Condition
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+__all__ = ["Curve", "SingularMap"]
+
+Floats = NDArray[np.float64]
+
+MAX_IN_MEMORY = 40_000_000
+"""Numbers of one array that are put together in memory."""
+
+
+@dataclass(frozen=True, eq=False)
+class Curve(HoldsArrays):
+    """Singular poses along a curve: `points` (K, 2) in the axes' coordinates, the first again at the end if it is
+    closed. `factor` is the number of the factor that is 0 there (None where the slice is no polynomial); `allowed`
+    (K,) says where the limits of leg lengths are kept.
+    """
+
+    points: Floats
+    factor: int | None
+    allowed: NDArray[np.bool_]
+
+    @property
+    def closed(self) -> bool:
+        return len(self.points) > 2 and bool((self.points[0] == self.points[-1]).all())
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "factor": self.factor,
+            "closed": self.closed,
+            "points": self.points.tolist(),
+            "allowed": self.allowed.tolist(),
+        }
+
+
+@dataclass(frozen=True, eq=False)
+class SingularMap(HoldsArrays):
+    """A robot over two or three coordinates of its poses.
+
+    `values(name)` are arrays over the grid, in the order of the axes (`arrays` are their names); `curves` are the
+    singular curves of a map over two coordinates, `mesh` is the surface of one over three. `factors` are those of the
+    superbracket where it is a polynomial on the slice (None otherwise), `everywhere` says that it is 0 throughout.
+    """
+
+    task: Task
+    condition: Condition
+    threshold: Threshold
+    store: Store
+    summary: Summary
+    curves: tuple[Curve, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @property
+    def grid(self) -> Grid:
+        return self.task.grid
+
+    @property
+    def limits(self) -> Limits | None:
+        return self.task.limits
+
+    @property
+    def factors(self) -> tuple[Factor, ...] | None:
+        return self.task.factors
+
+    @property
+    def everywhere(self) -> bool:
+        return self.task.everywhere
+
+    @property
+    def arrays(self) -> tuple[str, ...]:
+        """superbracket, and as asked for closeness, leg_length, allowed; cell_status has an entry for each cell."""
+        return self.task.names
+
+    @property
+    def sigma(self) -> float:
+        """The closeness that the threshold stands for."""
+        assert self.threshold.angle is not None
+        return closeness_of(self.threshold.angle)
+
+    def chunks(self) -> Iterator[tuple[int, Chunk]]:
+        """The first layer of each chunk, and its arrays."""
+        for n in range(self.task.number):
+            yield self.task.span(n)[0], self._chunk(n)
+
+    def _chunk(self, n: int) -> Chunk:
+        chunk = self.store.get(n)
+        if chunk is None:
+            raise EngineFault(f"chunk {n} of the map is gone")
+        return chunk
+
+    @checked("map.values", name=TEXT)
+    def values(self, name: str) -> NDArray[Any]:
+        """One array over the whole grid. Raises LimitReached where it is too large to be in memory."""
+        if name not in self.arrays:
+            raise InputError(f"the map has no {name!r}", hint=f"it has {', '.join(self.arrays)}")
+        if self.grid.size * (6 if name == "leg_length" else 1) > MAX_IN_MEMORY:
+            raise LimitReached(f"{name} is too large to be in memory", hint="write a NetCDF file, or use chunks()")
+        return np.concatenate([chunk[name] for _, chunk in self.chunks()])
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The singular surface of a map over three coordinates. Raises InputError for two, and without the extra."""
+        if len(self.grid.axes) != 3:
+            raise InputError("a map over two coordinates has curves, no surface", hint="give a third coordinate")
+        return self.surface()
+
+    def surface(self) -> Mesh:
+        """The mesh anew."""
+        task, g = self.task, self.grid
+        if task.factors is not None:
+            sheets: list[Sheet] = []
+            for f in task.factors:
+                sheets.append(sheet(*of_factor(f, g), g.shape, before=sum(len(s[2]) for s in sheets)))
+        else:
+            sheets = [] if self.everywhere else [sheet(task.value, self._layers, g.shape)]
+        steps = np.array([float(a.step) for a in g.axes])
+        places = np.concatenate([s[0] for s in sheets]) if sheets else np.zeros((0, 3))
+        slopes = (np.concatenate([s[1] for s in sheets]) if sheets else np.zeros((0, 3))) / steps
+        size = np.linalg.norm(slopes, axis=1, keepdims=True)
+        starts = np.cumsum([0, *(len(s[0]) for s in sheets)])
+        faces = [s[2] + start for s, start in zip(sheets, starts[:-1], strict=True)]
+        where = g.coordinates(places) if len(places) else np.zeros((0, 3))
+        normals = np.where(size > 0, slopes / np.where(size > 0, size, 1), [0.0, 0.0, 1.0])
+        listed = np.concatenate([np.zeros((0, 3)), *faces]).astype(np.int32)
+        return Mesh(
+            vertices=where,
+            normals=normals,
+            faces=listed,
+            sheet=np.repeat(np.arange(len(sheets)), np.diff(starts)).astype(np.uint8),
+            allowed=self.allows(where),
+            accurate=np.concatenate([np.zeros(0, dtype=bool), *(s[3] for s in sheets)]),
+            names=tuple(a.name for a in g.axes),
+            units=tuple(a.unit for a in g.axes),
+            about={k: v for k, v in self.about.items() if k != "Conventions"},
+        )
+
+    def _layers(self, first: int, last: int) -> Floats:
+        """The superbracket at layers from `first` to the one before `last`, from the chunks."""
+        found = []
+        for n in range(first // self.task.layers, -(-last // self.task.layers)):
+            start, stop = self.task.span(n)
+            found.append(self._chunk(n)["superbracket"][max(first - start, 0) : min(last, stop) - start])
+        return np.concatenate(found)
+
+    def allows(self, coordinates: Floats) -> NDArray[np.bool_]:
+        """Which poses at coordinates (N, axes) keep to the limits."""
+        found = np.ones(len(coordinates), dtype=bool)
+        if self.limits is None:
+            return found
+        for start in range(0, len(coordinates), 100_000):
+            part = slice(start, start + 100_000)
+            lengths = np.linalg.norm(self.grid.ends(coordinates[part]) - self.grid.rig.base, axis=2)
+            found[part] = self.limits.allow(lengths)
+        return found
+
+    @property
+    def about(self) -> Mapping[str, str]:
+        """What the map is, for the attributes of files; no dates, so that equal maps are equal files."""
+        rig = self.grid.rig
+        legs = ", ".join(rig.names)
+        found = {
+            "Conventions": "CF-1.11",
+            "title": f"Singular poses of {rig.title or 'a robot'} over {', '.join(a.name for a in self.grid.axes)}",
+            "source": f"gcrules {__version__}",
+            "robot": rig.title,
+            "legs": legs,
+            "condition": self.condition.sentence,
+            "superbracket": self.task.condition.expression,
+            "pose_of_the_rest": self.grid.at.text(),
+            "centre_of_turns": " ".join(f"{float(c):.17g}" for c in rig.centre),
+            "unit_of_length": rig.unit or "not named",
+            "axes": "; ".join(a.text for a in self.grid.axes),
+            "limits": self.limits.text if self.limits else "none",
+            "guarantee": self.guarantee,
+        }
+        return {k: v for k, v in found.items() if v}
+
+    @property
+    def guarantee(self) -> str:
+        """What is proved, in one sentence."""
+        free, crossed, undecided = self.summary.cells
+        if self.everywhere and self.factors is None:
+            return f"every pose is singular: the superbracket is exactly 0 in {MEMBERS} random poses of the slice"
+        if self.everywhere:
+            return "the superbracket is the zero polynomial on this slice, exactly: every pose is singular"
+        if self.factors is None and self.task.measure == "value":
+            return f"none: {crossed:,} cells are crossed by a change of sign; --measure closeness proves others free"
+        if self.factors is not None:
+            how = "the superbracket is an exact polynomial there, its Bernstein coefficients show its signs"
+        else:
+            how = "by the closeness at their middles"
+        left = f"{crossed:,} crossed, {undecided:,} undecided"
+        return (
+            f"every singular pose of the slice lies in the {crossed + undecided:,} cells that are not free ({left}); "
+            + (f"{free:,} cells are proved free: {how}")
+        )
+
+    def to_xarray(self) -> Dataset:
+        """An xarray Dataset with coordinates, units and metadata. Raises InputError where xarray is missing."""
+        from gcrules.poses.maps.data import dataset
+
+        return dataset(self)
+
+    @checked("map.save", paths=each(FILE))
+    def save(self, *paths: str) -> None:
+        """Write files; the suffix says of what kind: .nc, .svg, .pdf, .png, .ply, .glb, .json."""
+        from gcrules.views.plots.map_files import save
+
+        save(self, paths)
+
+    def to_json(self) -> dict[str, Any]:
+        """One JSON object, with the curves but without the arrays."""
+        g = self.grid
+        return {
+            "schema": 1,
+            "title": g.rig.title,
+            "unit": g.rig.unit,
+            "legs": [list(leg) for leg in g.rig.structure.legs],
+            "platform": list(g.rig.structure.platform),
+            "about": [float(c) for c in g.rig.centre],
+            **g.to_json(),
+            **self.condition.wording(),
+            "measure": self.task.measure,
+            "limits": self.limits.to_json() if self.limits else None,
+            "threshold": {"angle": self.threshold.angle},
+            "factors": None if self.factors is None else [f.to_json() for f in self.factors],
+            "everywhere": self.everywhere,
+            "summary": self.summary.to_json(),
+            "guarantee": self.guarantee,
+            "curves": [c.to_json() for c in self.curves],
+            "notes": list(self.notes),
+        }
+
+    def text(self, *, unicode: bool = False) -> str:
+        """What was found and what is guaranteed."""
+        from gcrules.views.text.map_text import as_text
+
+        return as_text(self, unicode=unicode)
+
+    def __str__(self) -> str:
+        return self.text(unicode=True)
+
+    def __repr__(self) -> str:
+        shape = " x ".join(map(str, self.grid.shape))
+        over = ", ".join(a.name for a in self.grid.axes)
+        found = f", {len(self.curves)} curves" if len(self.grid.axes) == 2 else ""
+        return f"<SingularMap over {over}, {shape} poses{found}>"
+
+    def _repr_svg_(self) -> str | None:
+        try:
+            from gcrules.views.plots.map_plot import picture  # an extra of the installation
+        except ImportError:
+            return None
+        return picture(self, "svg").decode() if len(self.grid.axes) == 2 else None
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(self.text(unicode=True))}</pre>"

@@ -1,0 +1,72 @@
+r"""What a map comes to in a few numbers, put together chunk by chunk."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gcrules.poses.maps.cells import CROSSED, FREE, MEANINGS, UNDECIDED
+from gcrules.poses.maps.values import Chunk, Task
+
+__all__ = ["Summary", "summed", "together"]
+
+
+@dataclass(frozen=True)
+class Summary:
+    """Counts over the whole map: `cells` by status (free, crossed, undecided), poses, those within the limits, and
+    those of the latter below the threshold; the least closeness among them, and where (None where it was not asked for
+    or no pose keeps to the limits).
+    """
+
+    cells: tuple[int, int, int]
+    poses: int
+    allowed: int
+    close: int
+    closeness: float | None = None
+    place: tuple[float, ...] | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "cells": dict(zip(MEANINGS, self.cells, strict=True)),
+            "poses": self.poses,
+            "allowed": self.allowed,
+            "close": self.close,
+            "least_closeness": self.closeness,
+            "at": list(self.place) if self.place else None,
+        }
+
+
+def summed(chunk: Chunk, task: Task, number: int, sigma: float) -> Summary:
+    """The summary of one chunk; poses are close below the closeness `sigma`."""
+    first, _ = task.span(number)
+    counts = np.bincount(chunk["cell_status"].ravel(), minlength=3)
+    poses = chunk["superbracket"].size
+    inside = chunk["allowed"].astype(bool) if "allowed" in chunk else np.ones(chunk["superbracket"].shape, bool)
+    cells = (int(counts[FREE]), int(counts[CROSSED]), int(counts[UNDECIDED]))
+    if "closeness" not in chunk or not inside.any():
+        return Summary(cells, poses, int(inside.sum()), 0)
+    values = np.where(inside, chunk["closeness"], np.inf)
+    k = np.unravel_index(int(values.argmin()), values.shape)
+    place = task.grid.coordinates(np.array([[k[0] + first, *k[1:]]], dtype=np.float64))[0]
+    close = int((values < sigma).sum())
+    return Summary(cells, poses, int(inside.sum()), close, float(values[k]), tuple(map(float, place)))
+
+
+def together(parts: Iterable[Summary]) -> Summary:
+    """Summaries of chunks as one."""
+    total = Summary((0, 0, 0), 0, 0, 0)
+    for p in parts:
+        least = min((s for s in (total, p) if s.closeness is not None), key=lambda s: s.closeness or 0.0, default=p)
+        a, b, c = (x + y for x, y in zip(total.cells, p.cells, strict=True))
+        total = Summary(
+            (a, b, c),
+            total.poses + p.poses,
+            total.allowed + p.allowed,
+            total.close + p.close,
+            least.closeness,
+            least.place,
+        )
+    return total

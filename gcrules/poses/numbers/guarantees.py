@@ -1,0 +1,83 @@
+r"""What the measure σ guarantees: how far the platform can go before it can be singular, and what noise does to σ.
+
+Proofs stand in docs/pose.md, derived here. In a singular pose some twist moves every joint b_i across its leg: w′_i·v_i
+= 0, all seen from the platform. So Σ (w_i·v_i)² = Σ ((w_i − w′_i)·v_i)² ≤ max |w_i − w′_i|² Σ |v_i|², that is
+σ ≤ 2 sin(θ/2) with θ the largest turn of a leg relative to the platform. The rest is how fast legs can turn.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.poses.numbers.jacobian import Jacobian
+
+__all__ = ["ROUNDING", "Closeness", "closeness", "noise"]
+
+Floats = NDArray[np.float64]
+
+ROUNDING = 1e-12
+"""Accuracy of coordinates, in units of the robot's size, where none is stated: that of the arithmetic alone."""
+
+_ROUNDING = 1e-13  # of σ, in floats
+_DIGITS = 4 * float(np.finfo(np.float64).eps)  # of coordinates
+_LESS = 1 - 1e-12  # rounding of the bounds themselves, to the safe side
+
+
+@dataclass(frozen=True, eq=False)
+class Closeness:
+    """For N poses, shape (N,) each: no singular pose before some leg has turned by `turn` (rad) relative to the
+    platform, none within the translation `shift` at the same orientation, none within the rotation `rotation` (rad)
+    about the centroid of the legs' platform ends, none within the distance `combined`.
+
+    `combined` is a length: the root of |d|² + (ρφ)², d the shift of that centroid, φ the angle of the rotation and ρ
+    the `radius` of the Jacobian.
+    """
+
+    sigma: Floats
+    turn: Floats
+    shift: Floats
+    rotation: Floats
+    combined: Floats
+
+    def at(self, n: int) -> dict[str, Any]:
+        """The numbers of one pose."""
+        return {name: float(getattr(self, name)[n]) for name in ("sigma", "turn", "shift", "rotation", "combined")}
+
+
+def closeness(j: Jacobian) -> Closeness:
+    """The guarantees of σ.
+
+    A leg of length l whose end moves by x < l turns by at most asin(x/l); turning the platform by φ adds φ. asin is
+    convex, so asin(x/l) ≤ κ x/l up to the angle θ, κ = θ/sin θ, and x ≤ |d| + rφ for an end at the distance r.
+    """
+    sigma = np.maximum(j.sigma - _ROUNDING, 0.0)
+    turn = 2 * np.arcsin(sigma / 2)
+    kappa = 1 / np.sinc(turn / np.pi)[:, None]
+    per_shift = kappa / j.lengths  # turn of each leg for each unit of translation
+    per_angle = 1 + per_shift * j.reach  # and for each radian of rotation
+    rate = np.sqrt(per_shift**2 + (per_angle / j.radius) ** 2)
+    return Closeness(
+        sigma=j.sigma,
+        turn=turn * _LESS,
+        shift=j.lengths.min(axis=1) * np.sin(turn) * _LESS,
+        rotation=turn / per_angle.max(axis=1) * _LESS,
+        combined=turn / rate.max(axis=1) * _LESS,
+    )
+
+
+def noise(j: Jacobian, accuracy: float) -> Floats:
+    """How much σ can change when each joint is elsewhere by up to `accuracy` (a length) or by the rounding of its
+    coordinates, shape (N,); at most 1.
+
+    A leg turns by at most asin(2ε/l). The velocities of a twist with angular velocity ω change by |ω|ε each, that is
+    by at most η = √6 ε / spread relative to the root of Σ |v_i|², which is at least |ω| spread.
+    """
+    leg = np.minimum(2 * np.maximum(accuracy, _DIGITS * j.far) / j.lengths.min(axis=1), 1.0)
+    turned = 2 * np.sin(np.arcsin(leg) / 2)
+    eta = np.minimum(np.sqrt(6) * np.maximum(accuracy, _DIGITS * j.far_ends) / j.spread, 0.5)
+    found: Floats = np.where((leg >= 1) | (eta >= 0.5), 1.0, np.minimum((turned + 2 * eta) / (1 - eta), 1.0))
+    return found

@@ -1,0 +1,95 @@
+r"""What a user asks for in Python: one pose or many, the accuracy, a centre; told apart and checked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.moving_platform import Rig
+from gcrules.poses.numbers.guarantees import ROUNDING
+from gcrules.poses.numbers.threshold import parse_length
+from gcrules.screws.pose import Pose, exact, exact_float, parse_pose, unit_note
+from gcrules.screws.rotations import IDENTITY, from_euler, from_vector
+
+__all__ = ["centre_of", "known_accuracy", "one_pose"]
+
+
+_COARSE = 1e6
+
+
+def known_accuracy(given: str | float | None, moving: Rig) -> float:
+    """The length up to which the joints' places are known; that of the rounding of floats where none is given."""
+    if given is None:
+        return ROUNDING * moving.size
+    length = parse_length(given, moving.unit) if isinstance(given, str) else exact_float(given, "the accuracy")
+    if length < 0:
+        raise InputError(f"the accuracy {length} is negative")
+    if length > _COARSE * moving.size:
+        raise InputError(
+            f"the accuracy {length:.3g} is more than {_COARSE:g} times the robot's size", hint="check the unit"
+        )
+    return max(length, ROUNDING * moving.size)
+
+
+def centre_of(about: str | Sequence[Any]) -> str | tuple[Fraction, ...]:
+    """A centre by its name, or its three exact coordinates."""
+    return about if isinstance(about, str) else tuple(exact(c, "the centre") for c in _three(about, "the centre"))
+
+
+def _three(numbers: Any, what: str) -> Sequence[Any]:
+    """Three entries. Raises InputError for another number of them."""
+    found = list(numbers) if np.ndim(numbers) else [numbers]
+    if len(found) != 3:
+        raise InputError(f"{what} has 3 numbers, found {len(found)}")
+    return found
+
+
+def one_pose(at: Any, turns: dict[str, Any], in_degrees: bool, unit: str) -> Pose | None:
+    """The pose if it is a single one, else None."""
+    given = {kind: t for kind, t in turns.items() if t is not None}
+    if isinstance(at, (str, Pose)):
+        if given:
+            raise InputError("a pose that holds its turn, and a turn beside it")
+        return at if isinstance(at, Pose) else parse_pose(at, unit)
+    euler = given.get("euler", ("zyx", ()))
+    if not (isinstance(euler, (tuple, list)) and len(euler) == 2 and isinstance(euler[0], str)):
+        raise InputError("Euler angles are a sequence and three angles", hint='euler=("zyx", (10, 0, 0)), degrees=True')
+    values = [at, *(t[1] if kind == "euler" else t for kind, t in given.items())]
+    if any(v is not None and _is_nested(v) for v in values):
+        return None
+    if len(given) > 1:
+        raise InputError("several kinds of turns", hint="give a quaternion, a rotation vector or Euler angles")
+    shift = (0, 0, 0) if at is None else at
+    x, y, z = (exact(c, "the translation") for c in _three(shift, "the translation"))
+    turn, notes = _turn(given, in_degrees)
+    return Pose((x, y, z), turn, notes)
+
+
+def _is_nested(value: Any) -> bool:
+    """Whether it is anything but one row of numbers."""
+    try:
+        return np.ndim(value) != 1
+    except ValueError:  # rows of unequal length
+        return True
+
+
+def _turn(given: dict[str, Any], in_degrees: bool) -> tuple[Any, tuple[str, ...]]:
+    if not given:
+        return IDENTITY, ()
+    ((kind, value),) = given.items()
+    if kind == "quaternion":
+        q = tuple(exact(c, "the quaternion") for c in value)
+        if len(q) != 4:
+            raise InputError(f"the quaternion has 4 numbers, found {len(q)}")
+        note = unit_note(q)
+        return q, (note,) if note else ()
+    if kind == "rotation_vector":
+        vector = [exact(c, "the rotation vector") for c in _three(value, "the rotation vector")]
+        return from_vector(vector, degrees=in_degrees), ()
+    sequence, angles = value
+    listed = [exact(c, "an angle") for c in _three(angles, "a set of Euler angles")]
+    return from_euler(sequence, listed, degrees=in_degrees), ()

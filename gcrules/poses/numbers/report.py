@@ -1,0 +1,154 @@
+r"""The answer for one pose: numbers, verdict and reason; shows itself as text, JSON and LaTeX."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from gcrules.core.floats import as_float
+from gcrules.mechanisms.moving_platform import Rig
+from gcrules.poses.numbers.motion import Dependence, Twist
+from gcrules.poses.numbers.nearest_pose import NearestPose
+from gcrules.poses.numbers.threshold import Threshold, degrees
+from gcrules.rules.condition import Condition
+from gcrules.screws.pose import Pose
+
+__all__ = ["PoseReading", "PoseReport"]
+
+_LONGEST = 60  # signs of an exact number in JSON
+
+
+@dataclass(frozen=True)
+class PoseReading:
+    """One `Reading` at one pose; `value` is None where it is not valid, and `why` says why."""
+
+    part: str
+    name: str
+    meaning: str
+    value: float | None
+    unit: str = ""
+    published: bool = False
+    why: str = ""
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "part": self.part,
+            "name": self.name,
+            "meaning": self.meaning,
+            "value": self.value,
+            "unit": self.unit,
+            "published": self.published,
+            "valid": self.value is not None,
+            "why": self.why,
+        }
+
+
+@dataclass(frozen=True)
+class PoseReport:
+    """A robot in one pose. Lengths are in the robot's unit, angles in radians.
+
+    `verdict` is regular | close | singular, `reason` the sentence with it and `causes` the incidences that make the
+    pose singular. `superbracket` is exact (a length⁹; singular exactly where it is 0). `closeness` is the measure σ in
+    [0, 1]; `turn`, `shift`, `rotation` and `combined` are what it guarantees (see `Closeness`), for the
+    joints' places as they are given; `noise` is how much σ
+    can change for joints that are known up to `accuracy`. `smallest_singular_value` and `condition_number` are those
+    of the Jacobian with the characteristic length `radius`. `nearest` holds the nearest singular poses (empty if they
+    were not asked for), `softest` the motion that the legs notice least, `stress` the ratio of
+    forces in the legs that nearly balance, `dependence` what singular legs have in
+    common.
+    """
+
+    rig: Rig
+    pose: Pose
+    condition: Condition
+    verdict: str
+    reason: str
+    causes: tuple[str, ...]
+    superbracket: Fraction
+    closeness: float
+    turn: float
+    shift: float
+    rotation: float
+    combined: float
+    accuracy: float
+    noise: float
+    threshold: Threshold
+    smallest_singular_value: float
+    condition_number: float
+    radius: float
+    readings: tuple[PoseReading, ...]
+    nearest: tuple[NearestPose, ...]
+    softest: Twist
+    stress: tuple[float, ...]
+    dependence: Dependence | None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def value(self) -> float:
+        """The superbracket as a float, in the unit to the ninth power; infinite or 0 where a float cannot hold it."""
+        return as_float(self.superbracket)
+
+    def to_json(self) -> dict[str, Any]:
+        """One JSON object; numbers that are infinite, beyond floats or not valid are null."""
+        exact = str(self.superbracket)
+        return {
+            "schema": 1,
+            "title": self.rig.title,
+            "unit": self.rig.unit,
+            "legs": [list(leg) for leg in self.rig.structure.legs],
+            "platform": list(self.rig.structure.platform),
+            "about": [float(c) for c in self.rig.centre],
+            "pose": self.pose.to_json(),
+            "value": self.value if math.isfinite(self.value) and (self.value or not self.superbracket) else None,
+            "exact": exact if len(exact) <= _LONGEST else None,
+            "closeness": self.closeness,
+            "verdict": self.verdict,
+            "reason": self.reason,
+            "causes": list(self.causes),
+            **self.condition.wording(),
+            "threshold": {"angle": self.threshold.angle, "length": self.threshold.length},
+            "accuracy": self.accuracy,
+            "noise": self.noise,
+            "guarantees": {
+                "turn": self.turn,
+                "shift": self.shift,
+                "rotation": self.rotation,
+                "combined": self.combined,
+            },
+            "jacobian": {
+                "smallest_singular_value": self.smallest_singular_value,
+                "condition_number": self.condition_number if math.isfinite(self.condition_number) else None,
+                "characteristic_length": self.radius,
+            },
+            "readings": [r.to_json() for r in self.readings],
+            "nearest": {n.kind: n.to_json() for n in self.nearest},
+            "softest_motion": self.softest.to_json(),
+            "stress": list(self.stress),
+            "singularity": self.dependence.to_json() if self.dependence else None,
+            "notes": list(self.notes),
+        }
+
+    def text(self, *, unicode: bool = False) -> str:
+        """A short table, the reason first."""
+        from gcrules.views.text.pose_text import as_text
+
+        return as_text(self, unicode=unicode)
+
+    def latex(self) -> str:
+        """A LaTeX table of the numbers."""
+        from gcrules.views.text.pose_text import as_latex
+
+        return as_latex(self)
+
+    def __str__(self) -> str:
+        return self.text(unicode=True)
+
+    def __repr__(self) -> str:
+        return f"<PoseReport {self.verdict}: closeness {self.closeness:.4g}, {degrees(self.turn)}>"
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(self.text(unicode=True))}</pre>"

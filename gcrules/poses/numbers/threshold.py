@@ -1,0 +1,97 @@
+r"""When a pose is close to singular: a threshold in a meaningful unit, and the verdict with its reason."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+from gcrules.core.arguments import described
+from gcrules.core.errors import InputError
+from gcrules.screws.pose import check_unit, read_number
+
+__all__ = [
+    "DEFAULT",
+    "Threshold",
+    "angle_threshold",
+    "closeness_of",
+    "degrees",
+    "parse_length",
+    "parse_threshold",
+    "threshold_of",
+]
+
+_ANGLES = {"deg": math.pi / 180, "°": math.pi / 180, "rad": 1.0}
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """`angle` (radians): how far every leg can turn relative to the platform without a singular pose; or `length`: how
+    far the platform can shift at its orientation. The other is None.
+    """
+
+    angle: float | None = None
+    length: float | None = None
+    text: str = ""
+
+
+def closeness_of(angle: float) -> float:
+    """The closeness σ that guarantees this turn of a leg (radians): turn = 2 asin(σ/2)."""
+    return 2 * math.sin(min(angle, math.pi) / 2)
+
+
+DEFAULT = Threshold(angle=math.radians(0.5), text="0.5 deg")
+"""No leg turns by half a degree (an example; choose your own for a real robot)."""
+
+
+def threshold_of(given: str | Threshold, unit: str = "") -> Threshold:
+    """What a user gives as a threshold. Raises InputError for anything without a unit."""
+    if isinstance(given, Threshold):
+        return given
+    if not isinstance(given, str):
+        raise InputError(f"the threshold {described(given)} has no unit", hint='write threshold="2 deg" or "5 mm"')
+    return parse_threshold(given, unit)
+
+
+def angle_threshold(given: str | Threshold, unit: str, where: str) -> Threshold:
+    """The same `where` only angles have a meaning ("in a map")."""
+    found = threshold_of(given, unit)
+    if found.angle is None:
+        raise InputError(f"{where} the threshold is an angle", hint="how far a leg may turn, as in 2deg")
+    return found
+
+
+def parse_threshold(text: str, unit: str = "") -> Threshold:
+    """Read "2 deg", "0.03 rad", or a length in the robot's unit "5 mm". Raises InputError for anything else."""
+    number, word = _parts(text)
+    if number <= 0:
+        raise InputError(f"the threshold {text.strip()[:40]} is not positive")
+    if word in _ANGLES:
+        return Threshold(angle=float(number) * _ANGLES[word], text=text.strip())
+    if not word:
+        raise InputError("a threshold without a unit", hint=f"write 2deg, 0.03rad or 5{unit or 'mm'}")
+    check_unit(word, unit)
+    return Threshold(length=float(number), text=text.strip())
+
+
+def parse_length(text: str, unit: str = "") -> float:
+    """Read a length ≥ 0 with or without the robot's unit. Raises InputError for anything else."""
+    number, word = _parts(text)
+    if word:
+        check_unit(word, unit)
+    if number < 0:
+        raise InputError(f"the length {text.strip()[:40]} is negative")
+    return float(number)
+
+
+def _parts(text: str) -> tuple[Fraction, str]:
+    whole = text.strip()
+    word = whole[len(whole.rstrip("abcdefghijklmnopqrstuvwxyz°")) :]
+    if whole.lower() in ("nan", "inf", "-inf", "infinity"):
+        word = ""
+    return read_number(whole.removesuffix(word).strip()), word
+
+
+def degrees(angle: float) -> str:
+    """An angle in radians as text in degrees."""
+    return f"{math.degrees(angle):.3g}°"

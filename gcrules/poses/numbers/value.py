@@ -1,0 +1,155 @@
+r"""Numbers for a robot in a given pose: the exact value of the condition and a dimensionless measure of closeness."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from gcrules.algebra.evaluate import evaluate
+from gcrules.algebra.language.legs_text import Leg, Structure
+from gcrules.core.errors import InputError
+from gcrules.poses.numbers.verdict import CLOSE, FLOOR, decide
+from gcrules.rules.condition import Condition
+
+__all__ = ["PoseValue", "judged", "line_measure", "line_points", "measure", "pose_value"]
+
+XYZ = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class PoseValue:
+    """Numbers in one pose. `superbracket`, `condition` (coefficient · expression) and `cofactor` are exact, with
+    cofactor · superbracket = condition; each bracket is a length³, so the superbracket is a length⁹, in `unit`s.
+
+    `measure` is dimensionless in [0, 1] and independent of frame and unit; `verdict` is singular | close | regular and
+    comes from the superbracket, never from the condition alone.
+    """
+
+    superbracket: Fraction
+    condition: Fraction
+    cofactor: Fraction
+    measure: float
+    verdict: str
+    unit: str = ""
+
+    def to_json(self) -> dict[str, Any]:
+        """Exact numbers as text, the measure as a float."""
+        return {
+            "superbracket": str(self.superbracket),
+            "condition": str(self.condition),
+            "cofactor": str(self.cofactor),
+            "measure": self.measure,
+            "verdict": self.verdict,
+            "unit": self.unit,
+        }
+
+
+def pose_value(
+    structure: Structure,
+    condition: Condition,
+    points: Mapping[str, Sequence[Fraction]],
+    *,
+    close: float = CLOSE,
+    unit: str = "",
+) -> PoseValue:
+    """Evaluate at exact homogeneous coordinates (x, y, z, 1) of every joint.
+
+    Raises InputError for joints at infinity, and for joints so close to each other that floats cannot tell them apart.
+    """
+    if any(c[3] == 0 for c in points.values()):
+        raise InputError("a pose needs finite joints (last coordinate not 0)")
+    value, right, cofactor = (
+        Fraction(evaluate(e, points)) for e in (structure.superbracket, condition.right_side, condition.cofactor)
+    )
+    size, verdict = judged(structure, _centred(structure, points), close) if value else (0.0, "singular")
+    if value and not size:
+        raise InputError("floats cannot tell the robot's joints apart", hint="check the units of the coordinates")
+    return PoseValue(value, right, cofactor, size, verdict, unit)
+
+
+def _centred(structure: Structure, points: Mapping[str, Sequence[Fraction]]) -> dict[str, XYZ]:
+    """The places in floats, in a frame at the platform and a unit of the size of the whole: σ knows neither."""
+    names = structure.names
+    o = [points[(structure.platform or names)[0]][i] for i in range(3)]
+    unit = max(abs(points[n][i] - o[i]) for n in names for i in range(3)) or Fraction(1)
+    x, y, z = ({n: float((points[n][i] - o[i]) / unit) for n in names} for i in range(3))
+    return {n: (x[n], y[n], z[n]) for n in names}
+
+
+def measure(structure: Structure, points: Mapping[str, XYZ]) -> float:
+    """The measure σ of `gcrules.poses.numbers.jacobian` in [0, 1], which knows neither frame nor unit; 0 for a leg
+    of no length. Where the legs do not tell base from platform, `line_measure`.
+    """
+    return _measured(structure, points)[0]
+
+
+def judged(structure: Structure, points: Mapping[str, XYZ], close: float = CLOSE) -> tuple[float, str]:
+    """The measure, and singular | close | regular (below, from `close` on)."""
+    size, floor = _measured(structure, points)
+    return size, decide(size, floor, close=close)
+
+
+def _measured(structure: Structure, points: Mapping[str, XYZ]) -> tuple[float, float]:
+    """The measure, and what rounding may do to it."""
+    if not all(n in structure.sides for leg in structure.legs for n in leg):
+        return line_measure(structure.legs, points), FLOOR
+    import numpy as np
+
+    from gcrules.poses.numbers.guarantees import ROUNDING, noise
+    from gcrules.poses.numbers.jacobian import jacobian, on_one_line  # numpy, for numbers only
+
+    base, ends = (np.array([points[leg[i]] for leg in structure.oriented]) for i in (0, 1))
+    if not np.linalg.norm(ends - base, axis=1).all() or on_one_line(ends):
+        return 0.0, FLOOR
+    j = jacobian(base, ends[None])
+    places = np.array([points[n] for n in structure.names])
+    size = float(np.sqrt(((places - places.mean(axis=0)) ** 2).sum(axis=1).mean()))
+    return float(j.sigma[0]), float(noise(j, ROUNDING * size)[0])
+
+
+def line_measure(legs: Sequence[Leg], points: Mapping[str, XYZ]) -> float:
+    """|det| of the six unit lines over the product of their rows' lengths (Hadamard's bound), in [0, 1].
+
+    The moments are taken about the centroid of the joints and divided by their root-mean-square distance from it, so
+    that neither the frame nor the unit matters. It needs no bodies, and has no unit that means anything. Derived here.
+    """
+    import numpy as np
+
+    names = sorted({n for leg in legs for n in leg})
+    xyz = np.array([points[n] for n in names])
+    xyz = xyz - xyz.mean(axis=0)
+    radius = np.sqrt((xyz**2).sum(axis=1).mean())
+    at = dict(zip(names, xyz / radius if radius else xyz, strict=True))
+    rows = []
+    for a, b in legs:
+        force = at[b] - at[a]
+        length = np.linalg.norm(force)
+        if not length:
+            return 0.0
+        rows.append(np.concatenate([force, np.cross(at[a], force)]) / length)
+    sizes = np.linalg.norm(rows, axis=1)
+    return float(abs(np.linalg.det(np.array(rows) / sizes[:, None])))
+
+
+def line_points(plucker: Sequence[float], centre: XYZ, reach: float) -> tuple[XYZ, XYZ] | None:
+    """Two points of a line given by Plücker coordinates (12, 13, 14, 23, 24, 34), `reach` to either side of the point
+    nearest to `centre`; None for a line at infinity.
+    """
+    p12, p13, p14, p23, p24, p34 = map(float, plucker)
+    d = (-p14, -p24, -p34)
+    length = sum(c * c for c in d) ** 0.5
+    scale = max(map(abs, (p12, p13, p14, p23, p24, p34)), default=0.0)
+    if length <= 1e-12 * scale or not scale:
+        return None
+    unit = tuple(c / length for c in d)
+    moment = (p23 / length, -p13 / length, p12 / length)  # about the origin: a × unit direction
+    foot = _cross(unit, moment)
+    along = sum((c - f) * u for c, f, u in zip(centre, foot, unit, strict=True))
+    first, last = (tuple(f + (along + s * reach) * u for f, u in zip(foot, unit, strict=True)) for s in (-1, 1))
+    return (first[0], first[1], first[2]), (last[0], last[1], last[2])
+
+
+def _cross(a: Sequence[float], b: Sequence[float]) -> XYZ:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

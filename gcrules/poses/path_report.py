@@ -1,0 +1,247 @@
+r"""A robot along a path: every singular place on it, proved complete; numbers at samples; the least closeness.
+
+>>> from gcrules.mechanisms.description.platform_file import parse_platform
+>>> robot = parse_platform('''
+... legs: [ab, af, cb, cd, ed, ef]
+... points: {a: [0, -3, 0], c: [3, 2, 0], e: [-3, 2, 0], b: [1, -1, 4], d: [0, 1, 4], f: [-1, -1, 4]}
+... ''')
+>>> path(robot, ["0 0 0", "0 0 -6"])
+<PathReport singular: 1 zeros, closeness at least 0, 0°>
+>>> [(str(z.lower), z.kind, z.multiplicity) for z in path(robot, ["0 0 0", "0 0 -6"]).zeros]
+[('2/3', 'crosses', 3)]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from os import PathLike, fspath
+from typing import Any
+
+import numpy as np
+
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.mechanisms.moving_platform import Rig
+from gcrules.poses.numbers.arrays import from_poses, matrices
+from gcrules.poses.numbers.guarantees import ROUNDING
+from gcrules.poses.numbers.many import PoseNumbers, numbers
+from gcrules.poses.numbers.pose_arguments import one_pose
+from gcrules.poses.numbers.threshold import DEFAULT, Threshold, angle_threshold, closeness_of, degrees
+from gcrules.poses.numbers.verdict import decide
+from gcrules.poses.paths.least import Least, least
+from gcrules.poses.paths.report import PathReport, Zero
+from gcrules.poses.paths.segment import Segment, segments
+from gcrules.poses.paths.table import load_poses
+from gcrules.poses.paths.zeros import Place, Stretch, places, stretches
+from gcrules.poses.pose_inputs import Given, moving_robot
+from gcrules.poses.pose_report import report
+from gcrules.screws.pose import Pose
+
+__all__ = ["MAX_SAMPLES", "SAMPLES", "path"]
+
+SAMPLES = 200
+MAX_SAMPLES = 200_000
+
+Told = Callable[[str], None]
+
+
+def path(
+    robot: Given,
+    poses: str | PathLike[str] | Sequence[Any],
+    *,
+    samples: int = SAMPLES,
+    about: str | Sequence[Any] = "origin",
+    threshold: str | Threshold = DEFAULT,
+    tell: Told = lambda _: None,
+) -> PathReport:
+    """The function of `gcrules.api.functions`, which says what the arguments are. `tell` hears what is being done."""
+    analysis, moving = moving_robot(robot, about)
+    limit = angle_threshold(threshold, moving.unit, "along a path")
+    found, notes = _poses(poses, moving.unit)
+    per_segment = _per_segment(samples, len(found) - 1)
+    moving.ends(*from_poses(found))  # refuses poses that are too far away, and legs of no length
+    way = segments(moving, found)
+    polynomials = []
+    for k, s in enumerate(way):
+        checkpoint()
+        tell(f"segment {k + 1} of {len(way)}")
+        polynomials.append(s.polynomial)
+    zeros = tuple(_zero(analysis, moving, way, p, limit) for p in places(polynomials))
+    still = tuple(_explained(analysis, moving, way, s, limit) for s in stretches(polynomials))
+    tell("sampling")
+    lowest = _least(way, per_segment, zeros, still)
+    verdict, reason = _verdict(zeros, still, lowest, limit)
+    return PathReport(
+        rig=moving,
+        condition=analysis.condition,
+        poses=found,
+        verdict=verdict,
+        reason=reason,
+        zeros=zeros,
+        stretches=still,
+        least=lowest,
+        degrees=tuple(len(p) - 1 for p in polynomials),
+        threshold=limit,
+        notes=notes,
+        **_samples(analysis, moving, way, per_segment, zeros, still, lowest, limit),
+    )
+
+
+def _poses(given: str | PathLike[str] | Sequence[Any], unit: str) -> tuple[tuple[Pose, ...], tuple[str, ...]]:
+    if isinstance(given, (str, PathLike)):
+        found, notes = load_poses(fspath(given), unit)
+    else:
+        if not hasattr(given, "__iter__"):
+            raise InputError(f"{str(given)[:40]} is no path", hint="give two poses or more, or the name of a table")
+        listed = [_pose(k, p, unit) for k, p in enumerate(given)]
+        found, notes = tuple(listed), tuple(dict.fromkeys(n for p in listed for n in p.notes))
+    if len(found) < 2:
+        raise InputError(f"a path needs two poses or more, found {len(found)}", hint="for one pose: gcrules pose")
+    return found, notes
+
+
+def _pose(number: int, given: Any, unit: str) -> Pose:
+    """A `Pose`, its text, or a translation of three numbers. Raises InputError that names the pose."""
+    try:
+        found = one_pose(given, {}, False, unit)
+    except GcrulesError as fault:
+        if fault.source is None:
+            fault.args = (f"pose {number}: {fault.message}",)
+            fault.message = f"pose {number}: {fault.message}"
+        raise
+    if found is None:
+        raise InputError(f"pose {number} is no pose", hint='write text such as "0 0 5; euler zyx 10 0 0 deg"')
+    return found
+
+
+def _per_segment(samples: Any, number: int) -> int:
+    if isinstance(samples, bool) or not isinstance(samples, int) or samples < 1:
+        raise InputError(f"the number of samples is {samples!r}, expected a whole number from 1 on")
+    found = -(-samples // number)
+    if found * number > MAX_SAMPLES:
+        raise LimitReached(
+            f"{found * number:,} samples are more than {MAX_SAMPLES:,}", hint="zeros are found between samples, too"
+        )
+    return found
+
+
+def _zero(analysis: Analysis, moving: Rig, way: Sequence[Segment], p: Place, limit: Threshold) -> Zero:
+    pose = _at(way, p.middle)
+    causes, dependence = _why(analysis, moving, pose, limit)
+    return Zero(p.lower, p.upper, p.kind, p.multiplicity, pose, causes, dependence)
+
+
+def _explained(analysis: Analysis, moving: Rig, way: Sequence[Segment], s: Stretch, limit: Threshold) -> Stretch:
+    causes, dependence = _why(analysis, moving, _at(way, Fraction(s.start + s.end, 2)), limit)
+    return replace(s, causes=causes, dependence=dependence)
+
+
+def _at(way: Sequence[Segment], parameter: Fraction) -> Pose:
+    k = min(int(parameter), len(way) - 1)
+    return way[k].pose(parameter - k)
+
+
+def _why(analysis: Analysis, moving: Rig, pose: Pose, limit: Threshold) -> tuple[tuple[str, ...], Any]:
+    """Causes, and what the legs have in common; where a leg has no length that is the cause."""
+    lengths = np.linalg.norm(_ends(moving, *from_poses([pose]))[0] - moving.base, axis=1)
+    short = [name for name, length in zip(moving.names, lengths, strict=True) if length <= ROUNDING * moving.size]
+    if short:
+        return tuple(f"The leg {name} has no length." for name in short), None
+    found = report(analysis, moving, pose, threshold=limit, accuracy=ROUNDING * moving.size, nearest=False)
+    return found.causes, found.dependence
+
+
+def _ends(moving: Rig, translations: Any, rotations: Any) -> Any:
+    """As `Rig.ends`, where legs may have no length."""
+    centre = np.array([float(c) for c in moving.centre])
+    return np.einsum("nij,kj->nki", rotations, moving.arms) + (centre + translations)[:, None, :]
+
+
+def _least(way: Sequence[Segment], per_segment: int, zeros: Sequence[Zero], still: Sequence[Stretch]) -> Least:
+    if zeros or still:
+        return Least(0.0, min([z.parameter for z in zeros[:1]] + [float(s.start) for s in still[:1]]), 0.0)
+    return least(way, per_segment)
+
+
+def _verdict(zeros: Sequence[Zero], still: Sequence[Stretch], lowest: Least, limit: Threshold) -> tuple[str, str]:
+    if zeros or still:
+        found = [f"at {len(zeros)} place{'s' * (len(zeros) > 1)}"] if zeros else []
+        found += [f"along {len(still)} whole stretch{'es' * (len(still) > 1)}"] if still else []
+        return "singular", f"The path is singular {' and '.join(found)}, and nowhere else."
+    assert limit.angle is not None
+    if decide(lowest.closeness, lowest.rounding) == "singular":
+        return "singular", f"σ = {lowest.closeness:.2g} is 0 within rounding (to 1e-12 of the robot's size)."
+    turn = 2 * float(np.arcsin(lowest.bound / 2))
+    words = f"some leg has to turn by {degrees(turn)} relative to the platform before one is (threshold {limit.text})."
+    word = decide(lowest.bound, close=closeness_of(limit.angle))
+    if word == "regular":
+        return word, f"No pose of the path is singular, and from each of them {words}"
+    return "close", f"No pose of the path is singular, but it is only certain that {words}"
+
+
+def _samples(
+    analysis: Analysis,
+    moving: Rig,
+    way: Sequence[Segment],
+    per_segment: int,
+    zeros: Sequence[Zero],
+    still: Sequence[Stretch],
+    lowest: Least,
+    limit: Threshold,
+) -> dict[str, Any]:
+    """The arrays of the report. A place where a leg has no length is left out: there are no numbers."""
+    regular = np.linspace(0, len(way), per_segment * len(way) + 1)
+    special = np.array([lowest.parameter, *(z.parameter for z in zeros)])
+    where = np.union1d(regular[~_among(regular, special)], special)  # no sample that is a zero but for rounding
+    first = np.minimum(where.astype(int), len(way) - 1)
+    starts = np.searchsorted(first, np.arange(len(way) + 1))  # the places are in order
+    parts = [s.arrays(where[starts[k] : starts[k + 1]] - k) for k, s in enumerate(way)]
+    shift, turn = (np.concatenate(p) for p in zip(*parts, strict=True))
+    turn /= np.linalg.norm(turn, axis=1, keepdims=True)
+    rotations = matrices(turn)
+    lengths = np.linalg.norm(_ends(moving, shift, rotations) - moving.base, axis=2)
+    whole = lengths.min(axis=1) > ROUNDING * moving.size
+    conditions = (analysis.condition, *analysis.readings)
+    known = ROUNDING * moving.size
+    found = numbers(moving, conditions, (shift[whole], rotations[whole]), limit, known)
+    where = where[whole]
+    singular = np.isin(where, [z.parameter for z in zeros])
+    for s in still:
+        singular |= (where >= s.start) & (where <= s.end)
+    return {
+        "parameters": where,
+        "translations": shift[whole],
+        "quaternions": turn[whole],
+        "numbers": _settled(found, singular),
+    }
+
+
+def _among(values: Any, others: Any) -> Any:
+    """Which values are within 1e-9 of one of the others."""
+    listed = np.sort(others)
+    after = np.searchsorted(listed, values)
+    near = [np.abs(values - listed[np.clip(after - k, 0, len(listed) - 1)]) for k in (0, 1)]
+    return np.minimum(*near) <= 1e-9
+
+
+def _settled(n: PoseNumbers, singular: Any) -> PoseNumbers:
+    """Where it is proved that a pose is singular, 0 stands in place of what rounding has left."""
+
+    def zero(values: Any) -> Any:
+        return np.where(singular, 0.0, values)
+
+    return replace(
+        n,
+        value=zero(n.value),
+        closeness=zero(n.closeness),
+        turn=zero(n.turn),
+        shift=zero(n.shift),
+        rotation=zero(n.rotation),
+        combined=zero(n.combined),
+        smallest_singular_value=zero(n.smallest_singular_value),
+        condition_number=np.where(singular, np.inf, n.condition_number),
+        verdict=np.where(singular, "singular", n.verdict),
+    )

@@ -1,0 +1,106 @@
+r"""The least closeness along a path with a lower bound that holds in between too: branch and bound in the parameter.
+
+Seen from the platform a leg's direction w changes when the leg turns against it; σ, the least length of (w_i·v_i) over
+twists with Σ |v_i|² = 1, changes by no more than the largest |w_i − w′_i| = 2 sin(turn/2). A leg of length l whose end
+moves by x < l turns by at most asin(x/l), and turning the platform by φ adds φ; x ≤ d + rφ for an end at the distance r
+from the centre, which moves by d. Derived here, from the proofs in docs/pose.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.core.budget import checkpoint
+from gcrules.mechanisms.moving_platform import Rig
+from gcrules.poses.numbers.arrays import matrices
+from gcrules.poses.numbers.guarantees import ROUNDING, noise
+from gcrules.poses.numbers.jacobian import jacobian
+from gcrules.poses.numbers.many import CHUNK
+from gcrules.poses.paths.segment import Segment
+
+__all__ = ["MOST", "Least", "least"]
+
+Floats = NDArray[np.float64]
+
+MOST = 40_000
+"""Poses that are looked at, at most, to prove the bound."""
+
+_NEAR = 0.99  # the bound is driven up to this times the least closeness that was met
+_ROUNDING = 1e-12
+
+
+@dataclass(frozen=True)
+class Least:
+    """The least closeness σ that was met, at `parameter`; nowhere on the path is it below `bound`, which is proved.
+
+    `rounding` is how much σ may be wrong there by errors of the arithmetic.
+    """
+
+    closeness: float
+    parameter: float
+    bound: float
+    rounding: float = 0.0
+
+
+def least(path: Sequence[Segment], samples: int, most: int = MOST) -> Least:
+    """Of the whole path, `samples` pieces of each segment to begin with."""
+    rig = path[0].rig
+    edges = np.linspace(0, 1, samples + 1)
+    cells = np.array([(k, a, b) for k in range(len(path)) for a, b in pairwise(edges)])
+    most = max(most, 4 * len(cells))
+    best, proved, seen = Least(np.inf, 0.0, 0.0), np.inf, 0
+    while len(cells):
+        checkpoint()
+        sigma, low, wrong = _bounds(rig, path, cells)
+        n = int(np.argmin(sigma))
+        if sigma[n] < best.closeness:
+            best = Least(float(sigma[n]), float(cells[n, 0] + cells[n, 1:].mean()), 0.0, float(wrong[n]))
+        seen += len(cells)
+        done = (low >= _NEAR * best.closeness) | (best.closeness <= best.rounding)
+        if seen + 2 * int((~done).sum()) > most:
+            done[:] = True
+        proved = min(proved, float(low[done].min(initial=np.inf)))
+        k, a, b = cells[~done].T
+        middle = (a + b) / 2
+        cells = np.concatenate([np.stack([k, a, middle], axis=1), np.stack([k, middle, b], axis=1)])
+    return Least(best.closeness, best.parameter, max(0.0, min(proved, best.closeness)), best.rounding)
+
+
+def _bounds(rig: Rig, path: Sequence[Segment], cells: Floats) -> tuple[Floats, Floats, Floats]:
+    """For cells (segment, from, to): σ at the middle, a lower bound of it in the cell, what rounding may do to it."""
+    parts = [_chunk(rig, path, cells[i : i + CHUNK]) for i in range(0, len(cells), CHUNK)]
+    sigma, low, wrong = (np.concatenate(p) for p in zip(*parts, strict=True))
+    return sigma, low, wrong
+
+
+def _chunk(rig: Rig, path: Sequence[Segment], cells: Floats) -> tuple[Floats, Floats, Floats]:
+    middle = cells[:, 1:].mean(axis=1)
+    shift, quaternion = np.empty((len(cells), 3)), np.empty((len(cells), 4))
+    angle, moved = np.empty(len(cells)), np.empty(len(cells))
+    for k in np.unique(cells[:, 0]):
+        here = cells[:, 0] == k
+        s = path[int(k)]
+        shift[here], quaternion[here] = s.arrays(middle[here])
+        start, there, end = (s.turned(x) for x in (cells[here, 1], middle[here], cells[here, 2]))
+        angle[here] = np.maximum(there - start, end - there)
+        moved[here] = s.distance * (cells[here, 2] - cells[here, 1]) / 2
+    ends = np.einsum("nij,kj->nki", matrices(quaternion), rig.arms)
+    ends += (np.array([float(c) for c in rig.centre]) + shift)[:, None, :]
+    lengths = np.linalg.norm(ends - rig.base, axis=2)
+    whole = lengths.min(axis=1) > ROUNDING * rig.size  # where a leg has no length σ is 0
+    sigma, low, wrong = np.zeros(len(cells)), np.zeros(len(cells)), np.zeros(len(cells))
+    if whole.any():
+        j = jacobian(rig.base, ends[whole])
+        reach = np.linalg.norm(rig.arms, axis=1)
+        path_of_end = moved[whole, None] + reach * angle[whole, None]
+        share = path_of_end / lengths[whole]
+        turn = np.where(share < 1, np.arcsin(np.minimum(share, 1)) + angle[whole, None], np.pi)
+        change = 2 * np.sin(np.minimum(turn.max(axis=1), np.pi) / 2)
+        sigma[whole], low[whole] = j.sigma, np.maximum(j.sigma - change - _ROUNDING, 0.0)
+        wrong[whole] = noise(j, ROUNDING * rig.size)
+    return sigma, low, wrong

@@ -1,0 +1,176 @@
+r"""A robot at poses: `pose` reads like its answer. Numbers, nearest singular poses, causes; or arrays for many poses.
+
+>>> from gcrules.mechanisms.description.platform_file import parse_platform
+>>> robot = parse_platform('''
+... legs: [ab, af, cb, cd, ed, ef]
+... points: {a: [0, -3, 0], c: [3, 2, 0], e: [-3, 2, 0], b: [1, -1, 4], d: [0, 1, 4], f: [-1, -1, 4]}
+... ''')
+>>> here = pose(robot, "0 0 0; euler zyx 30 0 0 deg", nearest=False)
+>>> here.verdict, round(here.closeness, 3)
+('regular', 0.392)
+>>> pose(robot, [[0, 0, 0], [0, 0, -4]]).verdict.tolist()
+['regular', 'singular']
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from gcrules.algebra.evaluate import evaluate
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.errors import EngineFault, InputError
+from gcrules.mechanisms.moving_platform import Rig
+from gcrules.poses.nearest.poses import nearest_poses, nearest_translation
+from gcrules.poses.numbers.arrays import from_poses, normalised_note, read_arrays
+from gcrules.poses.numbers.causes import causes, near_causes, nearest_cause
+from gcrules.poses.numbers.cubic import superbracket_at
+from gcrules.poses.numbers.guarantees import ROUNDING, closeness, noise
+from gcrules.poses.numbers.incidence_measures import readings
+from gcrules.poses.numbers.jacobian import jacobian
+from gcrules.poses.numbers.many import PoseNumbers, homogeneous, numbers
+from gcrules.poses.numbers.motion import dependence, exact_dependence, scaled, softest_twist
+from gcrules.poses.numbers.nearest_pose import NearestPose
+from gcrules.poses.numbers.pose_arguments import known_accuracy, one_pose
+from gcrules.poses.numbers.report import PoseReading, PoseReport
+from gcrules.poses.numbers.threshold import DEFAULT, Threshold, threshold_of
+from gcrules.poses.numbers.verdict import verdict as verdict_of
+from gcrules.poses.pose_inputs import Given, moving_robot
+from gcrules.rules.condition import Condition
+from gcrules.screws.pose import Pose, parse_pose
+
+__all__ = ["pose", "report"]
+
+
+def pose(
+    robot: Given,
+    at: Any = None,
+    *,
+    quaternion: Any = None,
+    rotation_vector: Any = None,
+    euler: tuple[str, Any] | None = None,
+    degrees: bool = False,
+    about: str | Sequence[Any] = "origin",
+    threshold: str | Threshold = DEFAULT,
+    accuracy: str | float | None = None,
+    nearest: bool = True,
+) -> PoseReport | PoseNumbers:
+    """The function of `gcrules.api.functions`, which says what the arguments are. Poses may be `Pose`s too."""
+    analysis, moving = moving_robot(robot, about)
+    limit = threshold_of(threshold, moving.unit)
+    known = known_accuracy(accuracy, moving)
+    if limit.length is not None and accuracy is not None and known:
+        raise InputError(
+            f"the threshold {limit.text} is a length: it takes the joints' places as exact, and cannot be had with an "
+            "accuracy",
+            hint="give the threshold as an angle, for example 0.5deg, or leave the accuracy out",
+        )
+    turns = {"quaternion": quaternion, "rotation_vector": rotation_vector, "euler": euler}
+    if isinstance(at, (list, tuple)) and at and isinstance(at[0], (Pose, str)):
+        if any(t is not None for t in turns.values()):
+            raise InputError("poses that hold their turns, and a turn beside them")
+        poses = [p if isinstance(p, Pose) else parse_pose(p, moving.unit) for p in at]
+        arrays, notes = from_poses(poses), tuple(dict.fromkeys(n for p in poses for n in p.notes))
+    else:
+        one = one_pose(at, turns, degrees, moving.unit)
+        if one is not None:
+            return report(analysis, moving, one, threshold=limit, accuracy=known, nearest=nearest)
+        arrays = read_arrays(at, quaternions=quaternion, rotation_vectors=rotation_vector, euler=euler, degrees=degrees)
+        notes = () if quaternion is None else normalised_note(quaternion)
+    found = numbers(moving, (analysis.condition, *analysis.readings), arrays, limit, known)
+    return replace(found, notes=(*notes, *found.notes))
+
+
+def report(
+    analysis: Analysis, moving: Rig, at: Pose, *, threshold: Threshold, accuracy: float, nearest: bool = True
+) -> PoseReport:
+    """All numbers of one pose. Raises InputError for a leg of no length."""
+    points = moving.exact(at)
+    j = jacobian(moving.base, moving.ends(*from_poses([at])))
+    bounds = closeness(j)
+    value = superbracket_at(moving.structure.legs, points)
+    _two_roads(value, analysis, points)
+    conditions = (analysis.condition, *analysis.readings)
+    spread = float(noise(j, accuracy)[0])
+    floor = float(noise(j, ROUNDING * moving.size)[0])
+    singular = value == 0 or float(j.sigma[0]) <= floor
+    found: Sequence[NearestPose] = ()
+    if nearest:
+        found = nearest_poses(moving, at, j, singular=singular)
+    elif threshold.length is not None:
+        found = (nearest_translation(moving, at, j, singular=singular),)
+    verdict, reason = verdict_of(j, bounds, value, floor, spread, threshold, found, moving.unit)
+    depends = None
+    if value == 0:
+        depends = exact_dependence(moving.legs, moving.names, points, j.centroid[0])
+    elif singular:
+        depends = dependence(j, moving.names)
+    guarantees = {name: number for name, number in bounds.at(0).items() if name != "sigma"}
+    if value == 0:
+        guarantees = dict.fromkeys(guarantees, 0.0)
+    return PoseReport(
+        rig=moving,
+        pose=at,
+        condition=analysis.condition,
+        verdict=verdict,
+        reason=reason,
+        causes=() if verdict == "regular" else _causes(conditions, moving, at, singular=singular),
+        superbracket=value,
+        closeness=0.0 if value == 0 else float(j.sigma[0]),
+        accuracy=accuracy,
+        noise=spread,
+        threshold=threshold,
+        smallest_singular_value=float(j.singular_values[0, 5]),
+        condition_number=float(j.condition_number[0]) if value else float("inf"),
+        radius=j.radius,
+        readings=tuple(_readings(analysis, moving, at)),
+        nearest=tuple(_explained(n, conditions, moving) for n in found) if nearest else (),
+        softest=softest_twist(j),
+        stress=scaled(j.stress[0].tolist()),
+        dependence=depends,
+        notes=at.notes,
+        **guarantees,
+    )
+
+
+def _explained(n: NearestPose, conditions: Sequence[Condition], moving: Rig) -> NearestPose:
+    if n.pose is None or n.causes:
+        return n
+    return replace(n, causes=_causes(conditions, moving, n.pose, singular=True))
+
+
+def _causes(conditions: Sequence[Condition], moving: Rig, at: Pose, *, singular: bool) -> tuple[str, ...]:
+    points = moving.exact(at)
+    names = moving.structure.names
+    if superbracket_at(moving.structure.legs, points) == 0:
+        return causes(conditions, points, names, moving.unit)
+    near = near_causes if singular else nearest_cause
+    return near(conditions, homogeneous(moving, *from_poses([at])), names)
+
+
+def _two_roads(value: Fraction, analysis: Analysis, points: dict[str, tuple[Fraction, ...]]) -> None:
+    """The determinant of the legs and the condition must agree. Raises EngineFault where they do not."""
+    c = analysis.condition
+    if evaluate(c.cofactor, points) * value != evaluate(c.right_side, points):
+        raise EngineFault(f"the superbracket and the condition {c.expression} disagree at a pose")
+
+
+def _readings(analysis: Analysis, moving: Rig, at: Pose) -> list[PoseReading]:
+    points = homogeneous(moving, *from_poses([at]))
+    found = []
+    for r in readings((analysis.condition, *analysis.readings), points):
+        valid = bool(r.valid[0])
+        found.append(
+            PoseReading(
+                r.part,
+                r.name,
+                r.meaning,
+                float(r.values[0]) if valid else None,
+                moving.unit if r.power else "",
+                r.published,
+                "" if valid else r.why,
+            )
+        )
+    return found

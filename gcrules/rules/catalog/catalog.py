@@ -1,0 +1,287 @@
+r"""The catalog of six-legged platforms as values: matching a structure to its class, instances of its identities.
+
+`catalog_file` reads it, `catalog_check` proves what it says.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import islice
+from typing import Any
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr, Point, substitute
+from gcrules.algebra.language.legs_text import Leg, Structure
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.core.errors import EngineFault, FileError
+from gcrules.core.frozen import FrozenMap
+from gcrules.rules.catalog.proofs import Standing, is_shipped, standing
+from gcrules.rules.claims import certify
+from gcrules.rules.condition import Certificate, Condition
+from gcrules.rules.random_witness import SAMPLES, Oracle
+
+__all__ = ["FROM_CATALOG", "LABELS", "SHIPPED", "Catalog", "Entry", "Match", "Reading"]
+
+SHIPPED = "gcrules/catalog.yaml"
+
+
+@dataclass(frozen=True)
+class Reading:
+    """An identity of a class in its own labels: cofactor · superbracket = coefficient · expression."""
+
+    kind: str
+    expression_text: str
+    cofactor_text: str
+    coefficient: int
+    statement: str | None
+    line_texts: tuple[tuple[str, str], ...] = ()
+    place: str = field(default="", compare=False)
+
+    @cached_property
+    def lines(self) -> tuple[tuple[str, Expr], ...]:
+        return tuple((name, parse(line)) for name, line in self.line_texts)
+
+    @cached_property
+    def expression(self) -> Expr:
+        return parse(self.expression_text)
+
+    @cached_property
+    def cofactor(self) -> Expr:
+        return parse(self.cofactor_text)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One class of platforms: its legs (base joint first) and what is known about them."""
+
+    id: str
+    legs: tuple[Leg, ...]
+    degrees: tuple[tuple[int, ...], tuple[int, ...]]
+    terms: Mapping[int, int]
+    factors: tuple[tuple[str, ...], ...]
+    group: str | None
+    status: str
+    sources: tuple[str, ...]
+    condition: Reading
+    readings: tuple[Reading, ...]
+    name: str | None
+    note: str | None
+    owner: str
+    place: str
+    left_out: frozenset[str] = frozenset()
+    shortest: int | None = None
+
+    @property
+    def structure(self) -> Structure:
+        return Structure(self.legs)
+
+    @property
+    def title(self) -> str:
+        """The id and the name; those of a catalog from outside with its file."""
+        name = f", {self.name}" if self.name else ""
+        return f"{self.id}{name}" if self.owner == SHIPPED else f"{self.id}{name} (of {self.owner})"
+
+    def to_json(self) -> dict[str, Any]:
+        def reading(r: Reading) -> dict[str, Any]:
+            return {
+                "kind": r.kind,
+                "expression": r.expression_text,
+                "cofactor": r.cofactor_text,
+                "coefficient": r.coefficient,
+                "statement": r.statement,
+            }
+
+        return {
+            "id": self.id,
+            "legs": [list(leg) for leg in self.legs],
+            "name": self.name,
+            "degrees": [list(d) for d in self.degrees],
+            "terms": {str(k): v for k, v in self.terms.items()},
+            "shortest": self.shortest,
+            "factors": ["".join(f) for f in self.factors],
+            "group": self.group,
+            "status": self.status,
+            "sources": list(self.sources),
+            "condition": reading(self.condition),
+            "readings": [reading(r) for r in self.readings],
+            "note": self.note,
+            "owner": self.owner,
+        }
+
+
+@dataclass(frozen=True)
+class Match:
+    """A structure found in the catalog; `mapping` takes the class's labels to the structure's."""
+
+    entry: Entry
+    mapping: Mapping[str, str]
+
+    def sign(self, structure: Structure) -> int:
+        """superbracket(structure) = sign · superbracket(class) with the labels mapped."""
+        position = {frozenset(leg): i for i, leg in enumerate(structure.legs)}
+        order, turned = [], 0
+        for a, b in self.entry.legs:
+            image = (self.mapping[a], self.mapping[b])
+            order.append(position[frozenset(image)])
+            turned += structure.legs[order[-1]] != image
+        return -ex.permutation_sign(order) if turned % 2 else ex.permutation_sign(order)
+
+
+@dataclass(frozen=True)
+class Catalog:
+    """Entries of one or several files, and the templates of statements by kind of condition; `statement_sources` names
+    the files of those that are not gcrules' own.
+    """
+
+    entries: tuple[Entry, ...]
+    statements: Mapping[str, str]
+    statement_sources: Mapping[str, str] = FrozenMap()
+
+    def __getitem__(self, class_id: str) -> Entry:
+        """Raises KeyError for an id that is not there."""
+        return next((e for e in self.entries if e.id == class_id), None) or _missing(class_id)
+
+    def matches(self, structure: Structure) -> Iterator[Match]:
+        """The entries whose graph is isomorphic to the structure's, sides kept or exchanged as wholes."""
+        if structure.rank != 4 or len({frozenset(leg) for leg in structure.legs}) < len(structure.legs):
+            return
+        degrees = _degrees(structure)
+        for entry in self.entries:
+            if _degrees(entry.structure) == degrees:
+                mapping = _isomorphism(entry.structure, structure)
+                if mapping:
+                    yield Match(entry, FrozenMap(mapping))
+
+    def match(self, structure: Structure) -> Match | None:
+        """The first of the `matches`; shipped classes come before the user's own."""
+        return next(self.matches(structure), None)
+
+    def dropped(self, structure: Structure, match: Match, oracle: Oracle) -> list[Expr]:
+        """The cofactors of the class's identities that are zero wherever the points of a special position may be."""
+        if not structure.special:
+            return []
+        names: dict[str, Expr] = {a: Point(b) for a, b in match.mapping.items()}
+        cofactors = (substitute(r.cofactor, names) for r in (match.entry.condition, *match.entry.readings))
+        return [e for e in dict.fromkeys(cofactors) if oracle.zero(e)]
+
+    def readings(self, structure: Structure, match: Match, oracle: Oracle, *, recheck: bool = False) -> list[Condition]:
+        """The identities of the matched class in the structure's labels, each proved and checked afresh at exact random
+        points (proved from scratch with `recheck`). The condition itself comes first unless a rule of the engine finds
+        it. Left out are those whose cofactor is zero wherever the points of a special position may be.
+
+        Raises FileError where an identity of a catalog is false.
+        """
+        entry, sign = match.entry, match.sign(structure)
+        own = entry.condition
+        found = []
+        use_own = own.kind in FROM_CATALOG or entry.owner != SHIPPED
+        for reading in ([own] if use_own else []) + list(entry.readings):
+            known = standing(entry, reading)
+            names = {a: Point(b) for a, b in match.mapping.items()}
+            expression, cofactor = (substitute(e, dict(names)) for e in (reading.expression, reading.cofactor))
+            condition = Condition(
+                kind=reading.kind,
+                expression=expression,
+                cofactor=cofactor,
+                coefficient=sign * reading.coefficient,
+                statement=_relabelled(reading.statement or "", match.mapping),
+                statement_source="" if is_shipped(entry, reading) else f"{entry.owner}, class {entry.id}",
+                certificate=_UNPROVED,
+                lines=tuple((name, substitute(e, dict(names))) for name, e in reading.lines),
+            )
+            if structure.special and oracle.zero(cofactor):
+                continue
+            if oracle.zero(cofactor) or not oracle.zero(condition.identity(structure.superbracket)):
+                raise _false(condition, known, reading, entry)
+            if recheck:
+                found.append(certify(condition, structure, claimed_by=condition.statement_source))
+            else:
+                found.append(replace(condition, certificate=_certificate(condition, known, reading, match, structure)))
+        return found
+
+
+def _certificate(
+    condition: Condition, known: Standing, reading: Reading, match: Match, structure: Structure
+) -> Certificate:
+    """How sure an instance of an identity is, which holds at the points of the oracle."""
+    entry, construction = match.entry, structure.construction
+    data = {"class": entry.id, "mapping": match.mapping, "digest": known.digest}
+    whose = entry.id if known.verdict == "shipped" else f"{entry.id} of {entry.owner}"
+    identity = condition.identity(structure.superbracket)
+    if known.verdict != "unproved":
+        sure = f"holds at {SAMPLES} exact random points, {construction.error_below(identity, SAMPLES)}"
+        detail = f"instance of an identity of class {whose}, {known.detail}; {sure}"
+        return Certificate("catalog-instance", detail, data | {"points": SAMPLES})
+    if not construction.vanishes(identity, samples=_FURTHER):
+        raise _false(condition, known, reading, entry)
+    sure = f"holds at {_FURTHER} exact random points, {construction.error_below(identity, _FURTHER)}"
+    detail = f"claimed by {entry.owner}, class {entry.id}; unproved; {sure}; no proof: {known.detail}"
+    return Certificate("random-points", detail, data | {"points": _FURTHER})
+
+
+def _false(condition: Condition, known: Standing, reading: Reading, entry: Entry) -> Exception:
+    """The fault of an identity that does not hold at exact random points: of the catalog, unless it was proved."""
+    if known.verdict != "unproved":
+        return EngineFault(f"the identity of class {entry.id} does not hold for its instance {condition}")
+    why = (
+        f"the reading {reading.expression_text} of class {entry.id} is not an identity: it fails at exact random points"
+    )
+    return FileError(why, filename=reading.place or entry.place)
+
+
+FROM_CATALOG = ("transversals", "one-incidence")  # kinds of which the catalog has identities of its own
+_MOST_ISOMORPHISMS = 100
+_FURTHER = 3  # points for what has no proof
+_UNPROVED = Certificate("none", "claimed by a catalog")
+
+
+def _missing(class_id: str) -> Entry:
+    raise KeyError(class_id)
+
+
+LABELS = r"\{([\w']+)\}"
+
+
+def _relabelled(statement: str, mapping: Mapping[str, str]) -> str:
+    """Replace `{Aab}` in a statement by the images of its points."""
+
+    def image(match: re.Match[str]) -> str:
+        return str(ex.join(*(Point(mapping[n]) for n in SHORT_NAME.findall(match[1])), rank=8))
+
+    return re.sub(LABELS, image, statement)
+
+
+def _degrees(structure: Structure) -> list[int]:
+    return sorted(Counter(n for leg in structure.legs for n in leg).values())
+
+
+def _isomorphism(a: Structure, b: Structure) -> dict[str, str] | None:
+    """An isomorphism of the leg graphs, base to base or else base to platform, the first in the order of labels."""
+    from networkx.algorithms.isomorphism import GraphMatcher
+
+    exchanged = {"base": "platform", "platform": "base", "": ""}
+    for exchange in (False, True):
+        graphs = _graph(a, exchanged if exchange else None), _graph(b, None)
+        matcher = GraphMatcher(*graphs, node_match=lambda x, y: x["side"] == y["side"])
+        found = list(islice(matcher.isomorphisms_iter(), _MOST_ISOMORPHISMS))
+        if found:
+            # By the images of the legs, so that the choice does not depend on how legs are written.
+            first = min(found, key=lambda m: [sorted(b.names.index(m[n]) for n in leg) for leg in a.legs])
+            return {n: first[n] for n in a.names}
+    return None
+
+
+def _graph(structure: Structure, exchanged: Mapping[str, str] | None) -> Any:
+    from networkx import Graph
+
+    graph: Any = Graph()
+    for n in structure.names:
+        side = structure.sides.get(n, "")
+        graph.add_node(n, side=exchanged[side] if exchanged else side)
+    graph.add_edges_from(structure.legs)
+    return graph

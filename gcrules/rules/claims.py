@@ -1,0 +1,178 @@
+r"""From claims to conditions: the most telling claim is chosen, described in words, and proved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr, Join, Meet, Point
+from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.straightening.straighten import is_zero
+from gcrules.core.english import listed
+from gcrules.core.errors import EngineFault, LimitReached
+from gcrules.core.frozen import FrozenMap
+from gcrules.rules.condition import Certificate, Condition, Entity, starred
+from gcrules.rules.condition_rule import Claim
+from gcrules.rules.random_witness import Oracle
+from gcrules.rules.recognition_state import extensor
+from gcrules.rules.sentences import sentence
+
+__all__ = ["PROVED", "PROVED_HERE", "best_first", "certify", "describe", "entities_of", "in_special_position", "listed"]
+
+PROVED = Certificate("normal-form", "proved: both sides have the same normal form of standard tableaux")
+PROVED_HERE = Certificate(
+    "normal-form", "proved under the assumptions: both sides have the same normal form at the points that satisfy them"
+)
+_TESTED = Certificate("random-points", "holds at exact random points")
+
+
+def best_first(claims: Sequence[Claim], structure: Structure, oracle: Oracle) -> list[Claim]:
+    """Claims by how much they tell: lines that all other legs meet, planes of legs and of the two bodies, then text.
+
+    Neither signs nor the way the legs are written play a part.
+    """
+
+    def key(claim: Claim) -> tuple[int, int, str]:
+        planes = [claim.state.named(row) for row in claim.state.planes]
+        planes += [claim.state.named(row) for row in claim.state.taken if len(row) == 3]
+        legs = -sum(_legs_in(plane, structure) for plane in planes)
+        return (-turns(claim, structure, oracle), legs, "/".join(sorted(map(str, claim.expression.children))))
+
+    distinct: dict[str, Claim] = {}
+    for claim in sorted(claims, key=key):
+        distinct.setdefault(str(claim.expression), claim)
+    return list(distinct.values())
+
+
+def _legs_in(plane: tuple[str, ...], structure: Structure) -> int:
+    """Legs in a plane of three joints."""
+    return sum(set(leg) <= set(plane) for leg in structure.legs)
+
+
+def turns(claim: Claim, structure: Structure, oracle: Oracle) -> bool:
+    """Whether g and h are legs and p and q meet all the others, so that the platform could turn about p and q."""
+    if claim.pencils is None or claim.single is None:
+        return False
+    singles = [frozenset(leg) for leg in claim.single]
+    legs = [frozenset(leg) for leg in structure.legs]
+    if not all(g in legs for g in singles):
+        return False
+    others = [extensor(leg) for leg in structure.legs if frozenset(leg) not in singles]
+    return all(oracle.zero(ex.meet(line, leg)) for line in claim.pencils for leg in others)
+
+
+def entities_of(claim: Claim) -> tuple[Entity, ...]:
+    """The entities of a claim: tetrahedra, planes, lines, and what the left-over points make."""
+    named = claim.state.named
+    found = [("tetrahedron", named(row)) for row in claim.state.tetrahedra]
+    found += [("plane", named(row)) for row in claim.state.planes]
+    found += [("line", named(row)) for row in claim.state.lines]
+    found += [("plane" if len(row) == 3 else "line", named(row)) for row in claim.state.taken]
+    return starred(found)
+
+
+def describe(
+    claim: Claim,
+    structure: Structure,
+    oracle: Oracle,
+    statements: Mapping[str, str],
+    sources: Mapping[str, str] = FrozenMap(),
+) -> Condition:
+    """The condition of a claim, not yet proved, with its statement from the template of its kind; `sources` names where
+    templates come from that are not gcrules' own.
+    """
+    turning = turns(claim, structure, oracle)
+    kind = claim.kind
+    key = f"{kind}/no-turn" if claim.pencils and not turning else kind
+    entities = entities_of(claim)
+    tetrahedra = [e for e in entities if e.kind == "tetrahedron"]
+    planes = [e for e in entities if e.kind == "plane"]
+    parts = {
+        "tetrahedra": listed([_tetrahedron(e) for e in tetrahedra]),
+        "planes": listed(sorted(str(extensor(e.points)) for e in planes)),
+        "lines": listed([str(extensor(e.points)) for e in entities if e.kind == "line"]),
+        "expression": str(claim.expression),
+    }
+    if kind == "three-tetrahedra" and len(set(map(_tetrahedron, tetrahedra))) == 1:
+        key = "three-tetrahedra/one"
+    if kind == "tetrahedron-planes-line":
+        parts["line"] = str(extensor(entities[-1].points))
+    if claim.pencils and claim.single:
+        parts |= {name: line_in_words(line, structure) for name, line in zip("pq", claim.pencils, strict=True)}
+        parts |= {name: str(extensor(leg)) for name, leg in zip("gh", claim.single, strict=True)}
+    return Condition(
+        kind=kind,
+        expression=claim.expression,
+        cofactor=claim.cofactor,
+        coefficient=claim.coefficient,
+        group=claim.group,
+        statement=statements.get(key, claim.statement).format(**parts),
+        statement_source=sources.get(key, "") if key in statements else claim.source,
+        certificate=_TESTED,
+        entities=entities,
+        lines=tuple(zip("pq", claim.pencils, strict=True)) if claim.pencils else (),
+    )
+
+
+def _tetrahedron(entity: Entity) -> str:
+    return str(extensor(entity.points))
+
+
+def line_in_words(line: Expr, structure: Structure) -> str:
+    """ "the line AB through the joints A and B", "the common line of the leg planes Aab and Bcd"."""
+    match line:
+        case Join(args=(Point(name=a), Point(name=b))):
+            finite = [n for n in (a, b) if n not in structure.ideal]
+            if not finite:
+                return f"the line at infinity {line}"
+            if len(finite) == 1:
+                return f"the line {line} through the joint {finite[0]} in the direction {b if a in finite else a}"
+            return f"the line {line} through the joints {a} and {b}"
+        case Meet(args=(Join() as x, Join() as y)):
+            names = [tuple(str(p) for p in plane.args) for plane in (x, y)]
+            word = "leg planes" if all(sum(set(g) <= set(n) for g in structure.legs) > 1 for n in names) else "planes"
+            return f"the common line of the {word} {x} and {y}"
+    return f"the line {line}"
+
+
+def certify(condition: Condition, structure: Structure, *, claimed_by: str = "") -> Condition:
+    """The condition with the certificate of a proof by normal forms: for all points, else for those that satisfy what
+    is assumed. Where a proof takes more terms than the limit, it stays tested at random points, and `claimed_by` who
+    brought it from outside.
+
+    Raises EngineFault where it is no identity.
+    """
+    identity = condition.identity(structure.superbracket)
+    try:
+        if is_zero(identity, points=structure.points, ideal=structure.ideal, rank=structure.rank):
+            return replace(condition, certificate=PROVED)
+        if structure.given and structure.construction.is_zero(identity):
+            return replace(condition, certificate=PROVED_HERE)
+    except LimitReached as limited:
+        if structure.construction.vanishes(identity, samples=_SAMPLES):
+            sure = structure.construction.error_below(identity, _SAMPLES)
+            whose = f"claimed by {claimed_by}, unproved; " if claimed_by else ""
+            detail = f"{whose}holds at {_SAMPLES} exact random points, {sure}; no proof: {limited.message}"
+            return replace(condition, certificate=Certificate("random-points", detail))
+    raise EngineFault(f"{condition.cofactor} * superbracket != {condition.coefficient} * ({condition.expression})")
+
+
+def in_special_position(condition: Condition, structure: Structure, oracle: Oracle) -> Condition:
+    """The condition with a sentence that takes account of points at infinity."""
+    if not structure.ideal:
+        return condition
+    if condition.kind in _SAID_BY_WORDS:
+        words = sentence(condition.expression, structure, oracle, condition.cofactor)
+        return replace(condition, statement=words, statement_source="")
+    far = [name for name, line in condition.lines if name and oracle.at_infinity(line)]
+    if not far:
+        return condition
+    lies = "lies at infinity, a turn about it is a translation" if len(far) == 1 else _BOTH
+    where = f"{listed(far)} {lies} at right angles to the directions in it."
+    return replace(condition, statement=f"{condition.statement} Here {where}")
+
+
+_SAMPLES = 3
+_BOTH = "lie at infinity, a turn about one of them is a translation"
+_SAID_BY_WORDS = ("three-tetrahedra", "tetrahedron-planes-line", "four-planes")

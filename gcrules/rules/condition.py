@@ -1,0 +1,134 @@
+r"""Conditions: what the superbracket of a structure equals, in geometric terms, and how sure that is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from gcrules.algebra.expr import Expr, Number, Point, mul, signed, sub
+from gcrules.algebra.language.text import text
+from gcrules.core.frozen import FrozenMap
+
+__all__ = ["ONE", "Certificate", "Condition", "Entity", "starred"]
+
+ONE = Number(1)
+
+_SUPERBRACKET = Point("superbracket")  # stands for that of the legs, which a condition does not know
+
+
+@dataclass(frozen=True)
+class Entity:
+    """A tetrahedron, plane, line or point given by its points; `starred` tells repeated points apart (a, a*, a**)."""
+
+    kind: str
+    points: tuple[str, ...]
+    starred: tuple[str, ...]
+
+    def __str__(self) -> str:
+        return f"{self.kind} {' '.join(self.starred)}"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"kind": self.kind, "points": list(self.points), "starred": list(self.starred)}
+
+
+def starred(kinds_and_points: list[tuple[str, tuple[str, ...]]]) -> tuple[Entity, ...]:
+    """Entities in sequence, the n-th occurrence of a point bearing n − 1 stars."""
+    seen: dict[str, int] = {}
+    found = []
+    for kind, points in kinds_and_points:
+        names = []
+        for n in points:
+            names.append(n + "*" * seen.get(n, 0))
+            seen[n] = seen.get(n, 0) + 1
+        found.append(Entity(kind, points, tuple(names)))
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """How sure a condition is: `method` is normal-form | catalog-instance | random-points, `detail` in words."""
+
+    method: str
+    detail: str
+    data: Mapping[str, Any] = FrozenMap()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "data", FrozenMap(self.data))
+
+    def to_json(self) -> dict[str, Any]:
+        data = {key: dict(value) if isinstance(value, Mapping) else value for key, value in self.data.items()}
+        return {"method": self.method, "detail": self.detail, **data}
+
+
+@dataclass(frozen=True)
+class Condition:
+    """cofactor · superbracket = coefficient · expression, for the legs exactly as typed.
+
+    `lines` are the lines that the statement names (p and q, about which the platform could turn); `group` is the
+    group of entities in the published procedure, a … g, where the condition comes from one. Whether the `statement`
+    says in words what the expression does cannot be told by a machine: `statement_source` names the catalog or rule
+    that it comes from, "" for the sentences of gcrules itself.
+    """
+
+    kind: str
+    expression: Expr
+    statement: str
+    certificate: Certificate
+    cofactor: Expr = ONE
+    coefficient: int = 1
+    entities: tuple[Entity, ...] = ()
+    lines: tuple[tuple[str, Expr], ...] = ()
+    group: str | None = None
+    statement_source: str = ""
+
+    @property
+    def sentence(self) -> str:
+        """The statement as it is shown: with whose words it is where it comes from outside."""
+        if not self.statement_source or not self.statement:
+            return self.statement
+        return f"In the words of {self.statement_source}: {self.statement}"
+
+    @property
+    def right_side(self) -> Expr:
+        """coefficient · expression, a minus sign written into the terms of a sum."""
+        return signed(self.coefficient, self.expression)
+
+    def identity(self, superbracket: Expr) -> Expr:
+        """The expression that must vanish identically."""
+        return sub(mul(self.cofactor, superbracket), mul(Number(self.coefficient), self.expression))
+
+    def to_json(self, names: tuple[str, ...] = ()) -> dict[str, Any]:
+        """The interface's object: kind, expression, cofactor, coefficient, statement (and whose words it is, null where
+        they are those of gcrules), certificate.
+        """
+        return {
+            "kind": self.kind,
+            "expression": text(self.expression, names=names),
+            "cofactor": text(self.cofactor, names=names),
+            "coefficient": self.coefficient,
+            **self.wording(),
+            "certificate": self.certificate.to_json(),
+        }
+
+    def wording(self) -> dict[str, str | None]:
+        """The statement and its source for JSON objects."""
+        return {"statement": self.statement, "statement_source": self.statement_source or None}
+
+    def text(self, *, unicode: bool = False, names: tuple[str, ...] = ()) -> str:
+        """The kind and the identity in the first line, the sentence in the second."""
+        sides = (mul(self.cofactor, _SUPERBRACKET), self.right_side)
+        left, right = (text(e, unicode=unicode, names=names) for e in sides)
+        return f"{self.kind}: {left} = {right}\n{self.sentence}"
+
+    def latex(self) -> str:
+        """The LaTeX of the identity, without dollar signs."""
+        from gcrules.views.formulas.latex import latex  # needed for LaTeX only
+
+        return f"{latex(mul(self.cofactor, _SUPERBRACKET))} = {latex(self.right_side)}"
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"

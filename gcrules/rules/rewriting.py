@@ -1,0 +1,108 @@
+r"""Rewriting an expression by rules: each application is a step that replays on the exact oracle.
+
+>>> from gcrules.algebra.language.statements import parse_script
+>>> from gcrules.algebra.language.syntax import parse
+>>> from gcrules.rules.rule_file import identities
+>>> meet = identities(parse_script("rule meet: ab /\\ cde => [acde] b - [bcde] a"))
+>>> print(rewrite(parse("pq /\\ rst"), meet))
+pq /\ rst
+  = [prst] * q - [qrst] * p
+      by meet: ab /\ cde => [acde] b - [bcde] a
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from gcrules.algebra.assumptions.assumed import resolve
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.text import text
+from gcrules.algebra.space import Space
+from gcrules.core.errors import EngineFault
+from gcrules.rules.derivation import Derivation, Step
+from gcrules.rules.foreign import PluginFault
+from gcrules.rules.identity import Identity, rewrite_all
+from gcrules.rules.rule import RewriteRule
+
+__all__ = ["Rewriting", "rewrite"]
+
+
+@dataclass(frozen=True)
+class Rewriting:
+    """before = … = after, one step for each application of a rule; no steps where every rule stayed silent."""
+
+    before: Expr
+    steps: tuple[Step, ...]
+    space: Space
+
+    @property
+    def after(self) -> Expr:
+        """The expression on which all rules stay silent."""
+        return self.steps[-1].after if self.steps else self.before
+
+    @property
+    def derivation(self) -> Derivation:
+        """The steps as a chain that replays and unfolds."""
+        return Derivation(self.steps, self.space)
+
+    def to_json(self) -> dict[str, Any]:
+        """`{before, after, derivation}`, the derivation as in `Derivation.to_json`."""
+        names = self.space.points
+        return {
+            "before": text(self.before, names=names),
+            "after": text(self.after, names=names),
+            "derivation": self.derivation.to_json(),
+        }
+
+    def text(self, *, unicode: bool = False) -> str:
+        """The chain of equal expressions, with the rule that made each of them."""
+        names = self.space.points
+        lines = [text(self.before, unicode=unicode, names=names)]
+        for step in self.steps:
+            why = f": {step.why}" if step.why else ""
+            lines += [f"  = {text(step.after, unicode=unicode, names=names)}", f"      by {step.rule}{why}"]
+            if step.assumed:
+                shown = ", ".join(text(e, unicode=unicode, names=names) for e in step.assumed)
+                lines.append(f"      assumed not to vanish: {shown}")
+        return "\n".join(lines if self.steps else [*lines, "  no rule fires"])
+
+    def latex(self) -> str:
+        """The chain in an `aligned` environment (package amsmath), without dollar signs."""
+        from gcrules.views.formulas.latex import latex  # needed for LaTeX only
+        from gcrules.views.formulas.latex_text import latex_words
+
+        lines = [f"&{latex(self.before)}"]
+        lines += [f"&={{}} {latex(s.after)} && \\text{{{latex_words(s.rule)}}}" for s in self.steps]
+        return "\n".join(["\\begin{aligned}", " \\\\\n".join(lines), "\\end{aligned}"])
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+
+def rewrite(e: Expr, rules: Iterable[RewriteRule], space: Space | None = None) -> Rewriting:
+    """Apply rules, the first that fires each time, until all stay silent.
+
+    Raises LimitReached where they never do, or where matching takes too long.
+    """
+    space = space or Space()
+    steps = []
+    before = e
+    for rule, after in rewrite_all(e, tuple(rules), space):
+        step = Step(rule.id, before, after, rule.sentence, _assumed(rule, space))
+        if not step.check(space):
+            wrong = f"the rule {rule.id} makes {after} of {before}, which is not equal"
+            raise PluginFault(f"{rule.blame}{wrong}", filename=rule.owner) if rule.foreign else EngineFault(wrong)
+        steps.append(step)
+        before = after
+    return Rewriting(e, tuple(steps), space)
+
+
+def _assumed(rule: RewriteRule, space: Space) -> tuple[Expr, ...]:
+    """What must not vanish for a rule with assumptions to hold."""
+    instance = rule.instance(space.rank) if isinstance(rule, Identity) else None
+    return resolve(space).nonzero if instance is not None and instance.given else ()

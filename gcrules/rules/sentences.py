@@ -1,0 +1,296 @@
+r"""What a product of brackets, joins and meets says: geometric sentences.
+
+>>> from gcrules.algebra.language.syntax import parse
+>>> from gcrules.algebra.language.legs_text import read_legs
+>>> structure = read_legs("ab bc ca de fg hi")
+>>> sentence(parse(r"ab /\ de"), structure, Oracle(structure))
+'The robot is singular exactly when the lines ab and de meet (possibly at infinity).'
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import groupby
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Point, Power, Product
+from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.language.text import text
+from gcrules.core.english import listed, together
+from gcrules.rules.condition import ONE
+from gcrules.rules.random_witness import Oracle
+
+__all__ = ["factors_of", "sentence"]
+
+
+def factors_of(e: Expr) -> Iterator[Expr]:
+    """The factors of a scalar without numbers, repeated ones as often as they are there."""
+    match e:
+        case Product(factors=factors):
+            for f in factors:
+                yield from factors_of(f)
+        case Power(base=base, exponent=exponent):
+            for _ in range(exponent):
+                yield from factors_of(base)
+        case Number():
+            return
+        case _:
+            yield e
+
+
+def sentence(e: Expr, structure: Structure, oracle: Oracle, cofactor: Expr = ONE) -> str:
+    """When the robot is singular, for an expression that equals the superbracket, or `cofactor` times it."""
+    words = _Words(structure, oracle)
+    outside = words.clauses(cofactor)
+    words.constructed = False  # what the cofactor leaves undetermined is outside
+    clauses = [c for c in words.clauses(e) if c not in outside]
+    where = f"Outside the poses where {', or '.join(outside)}, the" if outside else "The"
+    lets = f"Let {', and '.join(words.lets)}. " if words.lets else ""
+    undetermined = " Where one of these is not determined, the robot is singular too." if words.constructed else ""
+    return f"{lets}{where} robot is singular exactly when {', or '.join(clauses)}.{undetermined}"
+
+
+@dataclass
+class _Words:
+    """Words for extensors and for what makes a factor vanish; constructed extensors inside others are given names."""
+
+    structure: Structure
+    oracle: Oracle
+    lets: list[str] = field(default_factory=list)
+    names: dict[Expr, str] = field(default_factory=dict)
+    more: list[str] = field(default_factory=list)  # clauses about planes at infinity that must be planes
+    constructed: bool = False
+
+    @property
+    def rank(self) -> int:
+        return self.structure.rank
+
+    def clauses(self, e: Expr) -> list[str]:
+        """What makes the factors vanish, each once; flat tetrahedra together."""
+        found = []
+        factors = list(dict.fromkeys(factors_of(e)))
+        flat = [f for f in factors if isinstance(f, Bracket) and self._tetrahedron(f)]
+        if flat:
+            found.append(self._flat(flat))
+        for f in factors:
+            if f not in flat:
+                clause = self._clause(f)
+                found += [*self.more, clause]
+                self.more = []
+        return list(dict.fromkeys(found))
+
+    # --- factors ---
+
+    def _tetrahedron(self, e: Bracket) -> bool:
+        ideal = sum(self.oracle.at_infinity(a) for a in e.args) if self.structure.special else 0
+        return all(isinstance(a, Point) for a in e.args) and ideal < 2
+
+    def _flat(self, brackets: Sequence[Bracket]) -> str:
+        if self.rank == 4:
+            shown = [self.plain(ex.join(*b.args)) for b in brackets]
+            which = f"the tetrahedron {shown[0]}" if len(shown) == 1 else f"one of the tetrahedra {listed(shown)}"
+            return f"{which} is flat (its four points lie in one plane)"
+        where = "are on a line" if self.rank == 3 else "lie in one hyperplane"
+        return ", or ".join(f"the points {listed(list(map(self.plain, b.args)))} {where}" for b in brackets)
+
+    def _clause(self, e: Expr) -> str:
+        match e:
+            case Bracket(args=args):
+                return self._dependent(args)
+            case Meet(args=args) if e.step == 0:
+                return self._meeting(args)
+        return f"{self.plain(e)} is zero"
+
+    def _dependent(self, args: tuple[Expr, ...]) -> str:
+        """Extensors whose steps add up to the rank lie in one hyperplane."""
+        far = [a for a in args if self.oracle.at_infinity(a)]
+        near = [a for a in args if a not in far]
+        if self.rank == 4 and sum(a.step for a in far) >= 2 and all(isinstance(a, Point) for a in near):
+            return self._parallel(far, near)
+        space = {3: "are on a line", 4: "lie in one plane"}.get(self.rank, "lie in one hyperplane")
+        return f"{listed([self.noun(a) for a in args])} {space}"
+
+    def _parallel(self, far: Sequence[Expr], near: Sequence[Expr]) -> str:
+        """Directions, and that of the line of two finite points, are parallel to one plane."""
+        items = [self._direction(a) for a in far]
+        if len(near) == 2:
+            items.append(f"line {self.plain(ex.join(*near))}")
+        return f"{together(items)} are parallel to one plane"
+
+    def _direction(self, e: Expr) -> str:
+        match e:
+            case Meet(args=args):
+                finite = [a for a in args if not self.oracle.at_infinity(a)]
+                if len(finite) == 1 and finite[0].step == 2 and _is_plain(finite[0]):
+                    self._plane_at_infinity(*(a for a in args if a.step == 3))
+                    return f"line {self.plain(finite[0])}"
+            case Point():
+                return f"direction {self.plain(e)}"
+        return self.noun(e)
+
+    def _plane_at_infinity(self, *planes: Expr) -> None:
+        """Three points at infinity are the plane at infinity unless they are in line: one clause more."""
+        for plane in planes:
+            parts = plane.args if isinstance(plane, Join) else (plane,)
+            if all(isinstance(p, Point) for p in parts):
+                names = sorted(map(self.plain, parts), key=self.structure.names.index)
+                clause = f"the directions {listed(names)} are parallel to one plane"
+            else:
+                lines = [line for p in _grouped(parts) for line in self._lines_at_infinity(p)]
+                clause = f"the lines at infinity {listed(lines)} meet in a point (their axes are parallel to one plane)"
+            if clause not in self.more:
+                self.more.append(clause)
+
+    def _lines_at_infinity(self, e: Expr) -> list[str]:
+        """The lines at infinity whose common point is meant, or the line itself."""
+        if not isinstance(e, Meet):
+            return [self.plain(e)]
+        return [self.plain(self._ideal_part(a)) for a in e.args]
+
+    def _ideal_part(self, plane: Expr) -> Expr:
+        """The line at infinity of a plane that is written with two points at infinity; anything else as it is."""
+        if isinstance(plane, Join) and plane.step == 3 and _is_plain(plane):
+            far = [p for p in plane.args if self.oracle.at_infinity(p)]
+            if len(far) == 2:
+                return ex.join(*far)
+        return plane
+
+    def _meeting(self, args: tuple[Expr, ...]) -> str:
+        """Extensors with a point in common."""
+        infinite = [a for a in args if a.step == self.rank - 1 and self.rank == 4 and self.oracle.at_infinity(a)]
+        if infinite:
+            self._plane_at_infinity(*infinite)
+            rest = [a for a in args if a not in infinite]
+            if all(a.step == 3 for a in rest):
+                return f"{self._kinds(rest)} are parallel to one line"
+            if len(rest) == 2:
+                return self._parallel_pair(*sorted(rest, key=lambda a: a.step))
+        point = next((a for a in args if a.step == 1), None)
+        if point is not None:
+            (other,) = (a for a in args if a is not point)
+            return f"{self.noun(point)} lies {'on' if other.step == 2 else 'in'} {self.noun(other)}"
+        if self.rank == 3:
+            three = "the three " if all(map(_is_plain, args)) else "the "
+            return f"{self._kinds(args).replace('the ', three, 1)} meet in a point or are parallel"
+        if [a.step for a in args] == [2, 2]:
+            far = [a for a in args if self.oracle.at_infinity(a)]
+            if len(far) == 1 and _is_plain(far[0]):
+                (near,) = (a for a in args if a not in far)
+                directions = listed(list(map(self.plain, far[0].children)))
+                return f"{self.noun(near)} and the directions {directions} are parallel to one plane"
+            return f"{self._kinds(args)} meet (possibly at infinity)"
+        four = "the four " if len(args) == 4 and all(_is_plain(a) and a.step == args[0].step for a in args) else "the "
+        return f"{self._kinds(args).replace('the ', four, 1)} meet in a point (possibly at infinity)"
+
+    def _parallel_pair(self, line: Expr, plane: Expr) -> str:
+        """A line parallel to a plane; the plane through a direction and a line is told by these."""
+        if isinstance(plane, Join) and not _is_plain(plane):
+            parts = _grouped(plane.args)
+            far = [p for p in parts if self.oracle.at_infinity(p)]
+            near = [p for p in parts if p not in far]
+            if len(far) == 1 and far[0].step == 1 and len(near) == 1 and _is_plain(near[0]) and _is_plain(line):
+                items = [self._direction(far[0]), f"line {self.plain(near[0])}", f"line {self.plain(line)}"]
+                return f"{together(items)} are parallel to one plane"
+        return f"{self.noun(line)} is parallel to {self.noun(plane)}"
+
+    def _kinds(self, args: Iterable[Expr]) -> str:
+        """ "the planes abc and def and the line gh"; constructed ones as they are described."""
+        found = []
+        ordered = sorted(args, key=lambda a: (-a.step, not _is_plain(a)))
+        for (step, plain), group in groupby(ordered, lambda a: (a.step, _is_plain(a))):
+            members = list(group)
+            if plain:
+                kind = self._kind(step)
+                shown = sorted(map(self.plain, members))
+                found.append(f"the {kind}{'s' * (len(members) > 1)} {listed(shown)}")
+            else:
+                found += [self.noun(a) for a in members]
+        return listed(found)
+
+    # --- extensors ---
+
+    def plain(self, e: Expr) -> str:
+        """Points, and joins of points as they are written; a leg in the direction in which it was typed."""
+        if isinstance(e, Join) and e.step == 2:
+            leg = next((leg for leg in self.structure.legs if {Point(n) for n in leg} == set(e.args)), None)
+            e = ex.join(*map(Point, leg)) if leg else e
+        return text(e, names=self.structure.names)
+
+    def noun(self, e: Expr, *, inside: bool = False) -> str:
+        """What an extensor is called; inside the description of another one a constructed one gets a name."""
+        if isinstance(e, Point):
+            return self.plain(e)
+        if _is_plain(e):
+            return self._of_points(e)
+        self.constructed = True
+        if not inside:
+            return self.names.get(e) or self._built(e)
+        if e not in self.names:
+            described = self._built(e)
+            self.names[e] = self._free_name(e.step)
+            self.lets.append(f"{self.names[e]} be {described}")
+        return self.names[e]
+
+    def _kind(self, step: int) -> str:
+        return "hyperplane" if self.rank > 4 and step == self.rank - 1 else _KINDS.get(step, "span")
+
+    def _of_points(self, e: Expr) -> str:
+        far = self.rank == 4 and self.structure.special and self.oracle.at_infinity(e)
+        return f"the {self._kind(e.step)} {'at infinity ' * far}{self.plain(e)}"
+
+    def _built(self, e: Expr) -> str:
+        if isinstance(e, Meet):
+            return self._common(e)
+        parts = [self.noun(p, inside=True) for p in _grouped(e.children)]
+        if all(c.step == 1 for c in e.children):
+            parts = [self.noun(p, inside=True) for p in e.children]
+        return f"the {self._kind(e.step)} through {listed(parts)}"
+
+    def _common(self, e: Meet) -> str:
+        args = sorted(e.args, key=lambda a: a.step)
+        if self.rank == 4 and self.structure.special:
+            far = [a for a in args if a.step == 3 and self.oracle.at_infinity(a)]
+            if far and len(args) == 2:
+                self._plane_at_infinity(*far)
+                (near,) = (a for a in args if a not in far)
+                what = "direction" if near.step == 2 else "line at infinity"
+                return f"the {what} of {self.noun(near, inside=True)}"
+            if any(self.oracle.at_infinity(a) for a in args):
+                args = [self._ideal_part(a) for a in args]
+        shown = [self.noun(a, inside=True) for a in args]
+        if e.step == 2 and self.rank == 4:
+            return f"the common line of {self._named(args)}"
+        if len(args) == 2 and e.step == 1:
+            if args[0].step == args[1].step:
+                return f"the point where {self._named(args)} meet"
+            return f"the point where {shown[0]} meets {shown[1]}"
+        return f"the common {'point' if e.step == 1 else 'span'} of {self._named(args)}"
+
+    def _named(self, args: Sequence[Expr]) -> str:
+        """ "the planes abc and p"."""
+        if all(map(_is_plain, args)):
+            return self._kinds(args)
+        return listed([self.noun(a, inside=True) for a in args])
+
+    def _free_name(self, step: int) -> str:
+        taken = {*self.structure.names, *self.names.values()}
+        letters = {1: "PQRSTU", 2: "pqrstu"}.get(step, "XYZWVU")
+        return next(n for primes in range(len(taken) + 1) for c in letters if (n := c + "'" * primes) not in taken)
+
+
+_KINDS = {1: "point", 2: "line", 3: "plane"}
+
+
+def _is_plain(e: Expr) -> bool:
+    """Whether it is a point or a join of points."""
+    return isinstance(e, Point) or (isinstance(e, Join) and all(isinstance(a, Point) for a in e.args))
+
+
+def _grouped(args: Sequence[Expr]) -> list[Expr]:
+    """The arguments of a join, points side by side joined."""
+    found: list[Expr] = []
+    for is_point, run in groupby(args, lambda a: isinstance(a, Point)):
+        members = list(run)
+        found += [ex.join(*members, rank=8)] if is_point else members
+    return found

@@ -1,0 +1,137 @@
+r"""Turns as exact quaternions: every rational quaternion q ≠ 0 is an exactly orthogonal rational matrix.
+
+The matrix of q = (w, x, y, z) is N(q) / |q|², with N(q) made of the products of two components, so no root is drawn and
+the length of q does not matter. That keeps superbrackets exact in turned poses.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from gcrules.core.errors import InputError
+
+__all__ = [
+    "IDENTITY",
+    "MANY",
+    "Matrix",
+    "Quaternion",
+    "about_axis",
+    "check_sequence",
+    "from_euler",
+    "from_vector",
+    "product",
+    "rotation",
+    "short",
+    "too_many_turns",
+    "unscaled",
+]
+
+Quaternion = tuple[Fraction, Fraction, Fraction, Fraction]
+Vector = tuple[Fraction, Fraction, Fraction]
+Matrix = tuple[Vector, Vector, Vector]
+
+IDENTITY: Quaternion = (Fraction(1), Fraction(0), Fraction(0), Fraction(0))
+
+MANY = 10**9  # the largest angle, in degrees or radians: of more a float leaves no digits within one turn
+_LONG = 64  # bits of a denominator above which a quaternion is rounded to floats (error below 2⁻⁵² of its length)
+
+
+def product(p: Quaternion, q: Quaternion) -> Quaternion:
+    """The turn q followed by the turn p."""
+    a, b, c, d = p
+    w, x, y, z = q
+    return (
+        a * w - b * x - c * y - d * z,
+        a * x + b * w + c * z - d * y,
+        a * y - b * z + c * w + d * x,
+        a * z + b * y - c * x + d * w,
+    )
+
+
+def rotation(q: Quaternion) -> Matrix:
+    """The matrix of a quaternion (w, x, y, z) of any length other than 0, exactly orthogonal."""
+    n = sum(c * c for c in q)
+    first, second, third = ((a / n, b / n, c / n) for a, b, c in unscaled(q))
+    return first, second, third
+
+
+def unscaled(q: Sequence[Any]) -> tuple[tuple[Any, Any, Any], ...]:
+    """|q|² times the matrix of a quaternion, whose components may be of any ring."""
+    w, x, y, z = q
+    return (
+        (w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
+        (2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z),
+    )
+
+
+def about_axis(axis: int, angle: Fraction, *, degrees: bool) -> Quaternion:
+    """The turn by an angle about a coordinate axis 0, 1 or 2; exact for multiples of 90 degrees."""
+    quarters, rest = divmod(angle, 90) if degrees else (0, 1)
+    if rest == 0:
+        c, s = ((1, 0), (1, 1), (0, 1), (-1, 1))[int(quarters) % 4]  # of half the angle, up to a common factor
+        cosine, sine = Fraction(c), Fraction(s)
+    else:
+        if abs(angle) > MANY:
+            raise too_many_turns()
+        least = angle - 720 * round(angle / 720)  # opposite angles stay so: their turns cancel exactly
+        half = math.radians(float(least)) / 2 if degrees else float(angle) / 2
+        cosine, sine = Fraction(math.cos(half)), Fraction(math.sin(half))
+    return (cosine, *(sine if i == axis else Fraction(0) for i in range(3)))  # type: ignore[return-value]
+
+
+def too_many_turns() -> InputError:
+    """The fault of an angle of which a float does not know where it ends."""
+    return InputError(f"an angle is larger than {MANY:g}", hint="give the turn without whole revolutions")
+
+
+def check_sequence(sequence: str) -> None:
+    """Raises InputError for anything but three letters x, y, z of one case, neighbours different."""
+    letters = sequence.lower()
+    proper = len(letters) == 3 and set(letters) <= set("xyz") and letters[0] != letters[1] != letters[2]
+    if not proper or sequence not in (letters, letters.upper()):
+        raise InputError(
+            f"{sequence[:20]!r} is no sequence of Euler angles",
+            hint="three axes, neighbours different: zyx about fixed axes, ZYX about the axes that turn along",
+        )
+
+
+def from_euler(sequence: str, angles: Sequence[Fraction], *, degrees: bool) -> Quaternion:
+    """Three turns about coordinate axes. "xyz": about the fixed axes, x first; "XYZ": about the axes of the platform
+    as they have turned, X first (so "XYZ" is "zyx" with the angles reversed).
+
+    Raises InputError as `check_sequence` does.
+    """
+    check_sequence(sequence)
+    turns = [about_axis("xyz".index(c), a, degrees=degrees) for c, a in zip(sequence.lower(), angles, strict=True)]
+    if sequence.isupper():
+        turns.reverse()
+    return short(product(turns[2], product(turns[1], turns[0])))
+
+
+def from_vector(vector: Sequence[Fraction], *, degrees: bool) -> Quaternion:
+    """The turn about a vector by its length as the angle; exact about a coordinate axis by multiples of 90 degrees."""
+    along = [i for i, c in enumerate(vector) if c]
+    if not along:
+        return IDENTITY
+    if len(along) == 1:
+        return short(about_axis(along[0], vector[along[0]], degrees=degrees))
+    if max(map(abs, vector)) > MANY:
+        raise too_many_turns()
+    size = math.hypot(*map(float, vector))
+    if not size:
+        return IDENTITY  # too short for floats
+    half = math.fmod(math.radians(size) if degrees else size, 4 * math.pi) / 2
+    sine = math.sin(half) / size
+    return Fraction(math.cos(half)), *(Fraction(float(c) * sine) for c in vector)  # type: ignore[return-value]
+
+
+def short(q: Quaternion) -> Quaternion:
+    """The quaternion itself, or rounded to floats if its numbers are long (error below 2⁻⁵² of its length)."""
+    if max(c.denominator.bit_length() for c in q) <= _LONG:
+        return q
+    w, x, y, z = (Fraction(float(c)) for c in q)
+    return w, x, y, z

@@ -1,0 +1,126 @@
+r"""Expressions as LaTeX mathematics, in the notation of the papers.
+
+>>> from gcrules.algebra.language.syntax import parse
+>>> print(latex(parse(r"-2[abcd][.e f g S1][.h A' i j] - (ab /\ cd)")))
+-2[abcd][\dot{e}fgS_{1}][\dot{h}A'ij] - ab \wedge cd
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+
+from gcrules.algebra.expr import Expr
+from gcrules.views.formulas.notation import Digits, Mark, Name, Raised, Sign, Term, signs, split_name, terms
+
+__all__ = ["latex", "latex_aligned", "latex_lines", "latex_name"]
+
+_MARKS = {
+    "∨": r" \vee ",
+    "∧": r" \wedge ",
+    "+": " + ",
+    "−": " - ",
+    "negative": "-",
+    ",": r",\, ",
+    "space": r"\,",
+    "[[": r"[\![",
+    "]]": r"]\!]",
+}
+
+
+def latex(e: Expr) -> str:
+    """The LaTeX of an expression, without dollar signs; it needs no package beyond the mathematics of LaTeX itself."""
+    return _spelled(signs(e))
+
+
+def latex_lines(e: Expr, width: int = 60) -> list[str]:
+    r"""A sum broken into lines for an `aligned` environment, each starting with `&`.
+
+    `width` is the number of printed signs to a line (a bracket of four points has 6). A single term that is wider is
+    broken before ∧, ∨ and parentheses; what cannot be broken may stay wider.
+    Join the lines with `\\`. An expression that is no sum is one line.
+    """
+    lines: list[str] = []
+    used = 0
+    for term in terms(e):
+        size = _width(term)
+        if not lines or used + size > width:
+            lines.append("&" + ("{}" if lines else "") + _spelled(term).lstrip())
+            used = size
+        else:
+            lines[-1] += _spelled(term)
+            used += size
+    return [part for line in lines for part in _broken(line, width)]
+
+
+_BREAKS = re.compile(r"(?= \\(?:wedge|vee)(?![A-Za-z]))|(?<=\))(?=[(\[])|(?<=\])(?=\()")
+_COMMANDS = re.compile(r"\\[A-Za-z]+|\\.|[{}&_^]")
+
+
+def _broken(line: str, width: int) -> Iterator[str]:
+    """A line and its continuations, each about as wide as allowed."""
+    now, used = "", 0
+    for piece in _BREAKS.split(line):
+        size = len(_COMMANDS.sub(lambda m: "+++" if m[0] in (r"\wedge", r"\vee") else "", piece).replace(" ", ""))
+        outside = now.count("{") == now.count("}")  # a group of braces stays on its line
+        if now and outside and used + size > width * 5 // 4:
+            yield now
+            now, used = r"&\quad{}", 2
+        now += piece
+        used += size
+    yield now
+
+
+def latex_aligned(e: Expr, width: int = 60) -> str:
+    r"""`latex_lines` inside `\begin{aligned} … \end{aligned}` (package amsmath)."""
+    return "\\begin{aligned}\n" + " \\\\\n".join(latex_lines(e, width)) + "\n\\end{aligned}"
+
+
+def latex_name(name: str, dotted: bool = False) -> str:
+    r"""The LaTeX of the name of a point.
+
+    >>> latex_name("S_2"), latex_name("a1'", dotted=True), latex_name("top_left")
+    ('S_{2}', "\\dot{a}_{1}'", '\\mathit{top\\_left}')
+    """
+    stem, digits, primes = split_name(name)
+    if len(stem) > 1:
+        stem = rf"\mathit{{{stem}}}".replace("_", r"\_")
+    if dotted:
+        stem = rf"\dot{{{stem}}}"
+    return stem + (f"_{{{digits}}}" if digits else "") + primes
+
+
+def _spelled(term: Term) -> str:
+    return "".join(map(_sign, term))
+
+
+def _sign(sign: Sign) -> str:
+    match sign:
+        case Name(name=name, dotted=dotted):
+            return latex_name(name, dotted)
+        case Digits(value=Fraction(numerator=above, denominator=below)) if below != 1:
+            return rf"\frac{{{above}}}{{{below}}}"
+        case Digits(value=value):
+            return str(value)
+        case Raised(base=base, exponent=exponent):
+            return f"{{{_spelled(base)}}}^{{{exponent}}}"
+        case Mark(sign=mark):
+            return _MARKS.get(mark, mark)
+
+
+def _width(term: Term) -> int:
+    """Printed signs, a fraction counted by its longer part."""
+    return sum(_sign_width(s) for s in term)
+
+
+def _sign_width(sign: Sign) -> int:
+    match sign:
+        case Name(name=name):
+            return len(name)
+        case Digits(value=value):
+            return max(len(str(value.numerator)), len(str(value.denominator)))
+        case Raised(base=base):
+            return _width(base) + 1
+        case Mark(sign=mark):
+            return 3 if mark in "∨∧+−" else 1

@@ -1,0 +1,178 @@
+r"""The pages of the robots: a gallery and a page for each robot as Markdown, with drawings as SVG.
+
+Everything is computed from the robot files and their analyses, so that the pages are the same on every machine and can
+be compared.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr, Superbracket
+from gcrules.algebra.language.text import text
+from gcrules.mechanisms.conditions.checks import home_values
+from gcrules.mechanisms.conditions.factor_causes import Part
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.discovery import FILE
+from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.lines.wrenches import LimbWrenches, Line
+from gcrules.mechanisms.robot import Robot
+from gcrules.rules.plugins import shipped_folder
+from gcrules.views.formulas.latex import latex_lines
+from gcrules.views.pages.catalog_pages import bibliography
+from gcrules.views.pages.markdown import inline, reference
+from gcrules.views.pages.page_names import page_names
+from gcrules.views.pages.robot_index import HEAD, gallery
+from gcrules.views.pages.robot_pages_singular import singular_section
+from gcrules.views.robots.robot_drawing import draw_robot, draw_singular, robot_thumbnail
+from gcrules.views.robots.singular_poses import SingularPose, live_parts, singular_pose
+from gcrules.views.text.robot_text import CONDITION, FACTORS, LIMBS, LINES, sections
+
+__all__ = ["FIGURES", "HEAD", "robot_pages"]
+
+_MOST_POSES = 6
+
+FIGURES = ("robot", "small", *(f"singular-{n}" for n in range(1, _MOST_POSES + 1)))
+"""What stands after the robot in the names of figures: the robot beside its equivalent structure, the small drawing of
+the gallery, and singular configurations, one for each factor.
+"""
+
+_WIDTH = 72
+_ALONE = "The robot at home, with those wrenches of its limbs that are lines of its points."
+_CAPTION = (
+    "Left the robot at home, with the wrenches that its limbs apply when the actuators are locked; right the lines that"
+    " stand for them. Both are seen from one place, and what belongs to a limb has its colour."
+)
+
+
+def robot_pages(robots: Sequence[Robot]) -> dict[str, str]:
+    """File names (relative to the folder of the pages) and contents."""
+    names = page_names(r.id for r in robots)
+    pages: dict[str, str] = {}
+    found: list[RobotAnalysis] = []
+    for robot in robots:
+        a = robot.analyze()
+        found.append(a)
+        name = names[robot.id]
+        poses: list[tuple[Part, SingularPose | None]] = []
+        if robot.home is not None and robot.limbs:
+            home = home_values(robot)
+            pages[f"{name}-robot.svg"] = draw_robot(a, home).svg()
+            pages[f"{name}-small.svg"] = robot_thumbnail(a, home).svg()
+            poses = [(part, singular_pose(a, part)) for part in live_parts(a)[:_MOST_POSES]]
+        for n, (_, pose) in enumerate(poses, 1):
+            if pose:
+                pages[f"{name}-singular-{n}.svg"] = draw_singular(a, pose).svg()
+        pages[f"{name}.md"] = "\n".join(_page(a, name, poses, f"{name}-robot.svg" in pages))
+    drawn = {r.id for r in robots if f"{names[r.id]}-small.svg" in pages}
+    pages["index.md"] = gallery(found, names, drawn)
+    return pages
+
+
+def _page(a: RobotAnalysis, name: str, poses: Sequence[tuple[Part, SingularPose | None]], drawn: bool) -> Iterator[str]:
+    robot = a.robot
+    title = inline(robot.title)
+    yield from (HEAD, f"# {title}", "", f"**{inline(a.statement)}**", "")
+    if drawn:
+        yield from (f"![{title}: joints, wrenches and equivalent structure]({name}-robot.svg)", "")
+        yield from (_CAPTION if a.structure.lines else _ALONE, "")
+    yield from _facts(a)
+    for heading, lines in sections(a, True):
+        yield from (f"## {_HEADINGS.get(heading, heading)}", "")
+        if heading == LIMBS:
+            yield from _limbs(a.structure.limbs)
+        elif heading == LINES:
+            yield from (*(_sentence(line[0].upper() + line[1:]) for line in lines), "", *_superbracket(a))
+        elif heading == CONDITION and a.condition is not None and a.lines is not None:
+            left = ex.mul(a.condition.cofactor, a.lines.structure.superbracket)
+            yield from _formula(left, a.condition.right_side)
+        else:
+            yield from (*(f"* {_sentence(line)}" for line in lines), "")
+        if heading == FACTORS and poses:
+            yield from singular_section(a, name, poses)
+    yield from _file(robot)
+    yield "[All robots](index.md) · [How a robot is described](../robots.md)"
+    yield ""
+
+
+_HEADINGS: Mapping[str, str] = {LIMBS: "Limbs", FACTORS: "Factors for this robot"}
+
+
+def _sentence(line: str) -> str:
+    """A line of the report as a sentence of its own."""
+    words = inline(line)
+    return words if words.endswith((".", "?")) else f"{words}."
+
+
+def _facts(a: RobotAnalysis) -> Iterator[str]:
+    robot, s = a.robot, a.structure
+    if robot.limbs:
+        yield f"* Limbs: {inline(robot.chain)} (a star at what is driven)"
+        yield f"* Mobility of the platform {s.mobility}, overconstraints {s.over}, idle freedoms in limbs {s.idle}"
+    if robot.source:
+        yield f"* Source: {_source(robot.source)}"
+    if robot.note:
+        yield f"* Note: {inline(robot.note)}"
+    yield ""
+
+
+def _source(words: str) -> str:
+    """A source, the entry of the bibliography in place of its key."""
+    key, _, rest = words.partition(" ")
+    entry = bibliography().get(key)
+    return " ".join(part for part in (entry or reference(key), inline(rest)) if part)
+
+
+def _limbs(limbs: Sequence[LimbWrenches]) -> Iterator[str]:
+    yield "| limb | joints, from base to platform | with the actuators locked it applies | lines |"
+    yield "|---|---|---|---|"
+    for limb in limbs:
+        joints = " ".join(j.text for j in limb.limb.joints)
+        lines = ", ".join(map(_wrench, limb.lines)) if limb.lines is not None else "none of the robot's points"
+        yield f"| {inline(limb.limb.name)} | {inline(joints)} | {inline(limb.kind)} | {inline(lines)} |"
+    yield ""
+
+
+def _wrench(line: Line) -> str:
+    kind = "couple" if line.couple else "force"
+    return f"{kind} {''.join(line.ends)}{' (constraint)' if line.role == 'constraint' else ''}"
+
+
+def _superbracket(a: RobotAnalysis) -> Iterator[str]:
+    if a.lines is None:
+        return
+    polynomial = a.lines.typed.polynomial
+    shown = polynomial.to_expr() if polynomial else None
+    if shown is not None:
+        yield f"Their superbracket has {len(polynomial)} term{'s' * (len(polynomial) > 1)}:"
+        yield ""
+        yield from _formula(a.lines.structure.superbracket, shown)
+
+
+def _formula(left: Expr | None, right: Expr) -> list[str]:
+    """An equation, or an expression, as a displayed formula; long sums over several lines."""
+    if isinstance(right, Superbracket) and left == right:
+        left = None
+    lines = [*([f"{line} =" for line in latex_lines(left, _WIDTH)] if left else []), *latex_lines(right, _WIDTH)]
+    if len(lines) == 1:
+        return [f"$${lines[0].removeprefix('&')}$$", ""]
+    if left is not None and len(lines) == 2 and len(text(left)) + len(text(right)) < 64:
+        return [f"$${lines[0].removeprefix('&')} {lines[1].removeprefix('&')}$$", ""]
+    body = [line + (r" \\" if k < len(lines) - 1 else "") for k, line in enumerate(lines)]
+    return ["$$", r"\begin{aligned}", *body, r"\end{aligned}", "$$", ""]
+
+
+def _file(robot: RobotText) -> Iterator[str]:
+    yield "## The file to start from"
+    yield ""
+    path, shipped = Path(robot.filename), shipped_folder()
+    if shipped and path.parent.parent.resolve() == shipped.resolve():
+        target = posixpath.join("..", "..", "plugins", path.parent.name, FILE)
+        yield f"[`plugins/{path.parent.name}/{FILE}`]({target}) describes this robot; copy it and change it."
+    else:
+        yield f"`{FILE}` in the folder `{inline(path.parent.name)}`."
+    yield f"`gcrules robot analyze {robot.id}` prints the analysis, `gcrules robot new` writes a file to begin with."
+    yield ""

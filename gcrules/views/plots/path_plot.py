@@ -1,0 +1,183 @@
+r"""The plot of a path: closeness and superbracket over the parameter, singular places marked by shape and colour."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.poses.numbers.arrays import matrices
+from gcrules.poses.numbers.jacobian import jacobian
+from gcrules.poses.paths.report import PathReport, Zero
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, text_width
+
+__all__ = ["plot"]
+
+Floats = NDArray[np.float64]
+
+WIDTH, LEFT, RIGHT = 560.0, 62.0, 18.0
+_TOP, _UPPER, _GAP, _LOWER, _BOTTOM = 34.0, 170.0, 40.0, 110.0, 74.0
+_MOST = 600  # points of a curve; of more, the least and the largest of every group are drawn
+_SIZE = 11.0
+
+
+@dataclass(frozen=True)
+class _Axis:
+    """Values from `low` to `high` between two places on the paper."""
+
+    low: float
+    high: float
+    start: float
+    end: float
+
+    def __call__(self, value: float) -> float:
+        return self.start + (value - self.low) / (self.high - self.low) * (self.end - self.start)
+
+    def ticks(self, about: int, whole: bool = False) -> list[float]:
+        """Round values, about so many."""
+        step = 10 ** math.floor(math.log10((self.high - self.low) / about))
+        step = next(step * m for m in (1, 2, 5, 10) if (self.high - self.low) / (step * m) <= about)
+        step = max(step, 1.0) if whole else step
+        first = math.ceil(self.low / step - 1e-9)
+        return [step * k for k in range(first, math.floor(self.high / step + 1e-9) + 1)]
+
+
+def plot(r: PathReport) -> Drawing:
+    """Above the closeness σ with the threshold, below the superbracket; the x axis is the parameter of the path."""
+    x = _Axis(0, len(r.poses) - 1, LEFT, WIDTH - RIGHT)
+    sigma = _Axis(0, _up(max(float(r.numbers.closeness.max(initial=0)), 1e-9)), _TOP + _UPPER, _TOP)
+    value = _determinant(r)
+    low, high = (math.copysign(_up(abs(v)), v) if v else 0.0 for v in (value.min(initial=0), value.max(initial=0)))
+    floor = _TOP + _UPPER + _GAP + _LOWER
+    det = _Axis(low, high, floor, floor - _LOWER) if low < high else _Axis(-1, 1, floor, floor - _LOWER)
+    shapes: list[Shape] = []
+    for s in r.stretches:
+        for axis in (sigma, det):
+            corners = ((x(s.start), axis.start), (x(s.end), axis.start), (x(s.end), axis.end), (x(s.start), axis.end))
+            shapes.append(Polygon(corners, fill="mark", fill_opacity=0.16))
+    shapes += _frame(x, sigma, "closeness σ (no unit; 0 is singular)", last=False)
+    shapes += _frame(x, det, "superbracket / (leg lengths · ρ³) (no unit)", last=True)
+    assert r.threshold.angle is not None
+    limit = 2 * math.sin(min(r.threshold.angle, math.pi) / 2)
+    if limit < sigma.high:
+        shapes.append(Line((x.start, sigma(limit)), (x.end, sigma(limit)), "muted", 1.0, dash=(5, 3)))
+    if det.low < 0 < det.high:
+        shapes.append(Line((x.start, det(0)), (x.end, det(0)), "muted", 0.8))
+    for z in r.zeros:
+        for axis in (sigma, det):
+            shapes.append(Line((x(z.parameter), axis.end), (x(z.parameter), axis.start), "mark", 0.8, 0.6, dash=(2, 3)))
+    shapes += _curve(x, sigma, r.parameters, r.numbers.closeness, "entity1")
+    shapes += _curve(x, det, r.parameters, value, "entity2")
+    for z in r.zeros:
+        shapes += [_marker(z, (x(z.parameter), axis(0))) for axis in (sigma, det)]
+    shapes += _numbers(r.zeros, x, sigma.end - 6)
+    shapes += _legend(r, floor + 58)
+    title = f"{r.rig.title}: closeness and superbracket along a path through {len(r.poses)} poses, {r.verdict}"
+    return Drawing(WIDTH, floor + _BOTTOM, tuple(shapes), title)
+
+
+def _determinant(r: PathReport) -> Floats:
+    """The superbracket over the lengths of the legs and the cube of the characteristic length ρ."""
+    j = jacobian(r.rig.base, r.rig.ends(r.translations, matrices(r.quaternions)))
+    typed = zip(r.rig.legs, r.rig.structure.legs, strict=True)
+    sign = -((-1) ** sum(leg != other for leg, other in typed))  # each leg that the user wrote from platform to base
+    found: Floats = np.where(r.numbers.closeness == 0, 0.0, sign * np.linalg.det(j.rows))
+    return found
+
+
+def _up(value: float) -> float:
+    """A round number not below a positive one."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return next(m * power for m in (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10) if m * power >= value * (1 - 1e-12))
+
+
+def _frame(x: _Axis, y: _Axis, label: str, *, last: bool) -> Iterator[Shape]:
+    for tick in y.ticks(4):
+        yield Line((x.start, y(tick)), (x.end, y(tick)), "muted", 0.5, 0.35)
+        yield _words((x.start - 6, y(tick) + 4), f"{tick:.4g}".replace("-", "−"), "end")
+    yield Line((x.start, y.start), (x.end, y.start), "ink", 1.0)
+    yield Line((x.start, y.start), (x.start, y.end), "ink", 1.0)
+    yield _words((x.start - 44, y.end - 12), label)
+    for tick in x.ticks(8, whole=x.high >= 3):
+        yield Line((x(tick), y.start), (x(tick), y.start + 4), "ink", 1.0)
+        if last:
+            yield _words((x(tick), y.start + 17), f"{tick:.4g}", "middle")
+    if last:
+        yield _words(((x.start + x.end) / 2, y.start + 34), "parameter of the path (0 is the first pose)", "middle")
+
+
+def _words(at: XY, text: str, anchor: Literal["start", "middle", "end"] = "start") -> Text:
+    return Text(at, (Run(text),), _SIZE, anchor)
+
+
+def _curve(x: _Axis, y: _Axis, places: Floats, values: Floats, colour: str) -> Iterator[Shape]:
+    chosen = list(range(len(places)))
+    if len(places) > _MOST:
+        groups = np.array_split(np.arange(len(places)), _MOST // 2)
+        chosen = sorted({int(g[f(values[g])]) for g in groups for f in (np.argmin, np.argmax)})
+    points = [(x(float(places[i])), y(float(values[i]))) for i in chosen]
+    for start, end in pairwise(points):
+        yield Line(start, end, colour, 1.6)
+
+
+def _marker(z: Zero, at: XY) -> Shape:
+    """A full diamond where the path crosses, an open circle where it touches, a full square at its ends."""
+    (u, v), d = at, 4.5
+    if z.kind == "touches":
+        return Circle(at, d, fill="paper", stroke="mark", width=1.8)
+    if z.kind == "crosses":
+        return Polygon(((u - d, v), (u, v - d), (u + d, v), (u, v + d)), fill="mark", stroke="paper", width=0.8)
+    d *= 0.75
+    return Polygon(((u - d, v - d), (u + d, v - d), (u + d, v + d), (u - d, v + d)), fill="mark", stroke="paper")
+
+
+def _numbers(zeros: Sequence[Zero], x: _Axis, height: float) -> Iterator[Shape]:
+    """The numbers that the zeros have in the text; those that are too near each other share a place: 2–5."""
+    groups: list[list[int]] = []
+    for n in range(len(zeros)):
+        if groups and x(zeros[n].parameter) - x(zeros[groups[-1][-1]].parameter) < 15:
+            groups[-1].append(n)
+        else:
+            groups.append([n])
+    for group in groups:
+        first, last = group[0], group[-1]
+        words = f"{first + 1}" if first == last else f"{first + 1}–{last + 1}"
+        place = (x(zeros[first].parameter) + x(zeros[last].parameter)) / 2
+        yield Text((place, height), (Run(words),), _SIZE, "middle", "mark", halo=True)
+
+
+def _legend(r: PathReport, height: float) -> Iterator[Shape]:
+    """What the marks mean that occur."""
+    dashes = partial(_dashes, height)
+    entries: list[tuple[Callable[[float], Shape], str]] = [(dashes, f"threshold {r.threshold.text}")]
+    meaning = (("crosses", "crosses"), ("touches", "touches"), ("starts", "starts or ends"), ("ends", "starts or ends"))
+    shown = {words: z for kind, words in meaning for z in r.zeros if z.kind == kind}
+    for words, z in shown.items():
+        entries.append((partial(_sign, z, height), words))
+    if r.stretches:
+        entries.append((partial(_block, height), "singular throughout"))
+    u = LEFT + 8
+    for draw, words in entries:
+        text = _words((u + 14, height), words)
+        yield draw(u)
+        yield text
+        u += 36 + text_width(text) * 0.9
+
+
+def _dashes(height: float, u: float) -> Shape:
+    return Line((u - 8, height - 4), (u + 8, height - 4), "muted", 1.0, dash=(5, 3))
+
+
+def _sign(z: Zero, height: float, u: float) -> Shape:
+    return _marker(z, (u, height - 4))
+
+
+def _block(height: float, u: float) -> Shape:
+    corners = ((u - 8, height - 9), (u + 8, height - 9), (u + 8, height + 1), (u - 8, height + 1))
+    return Polygon(corners, fill="mark", fill_opacity=0.16)

@@ -1,0 +1,183 @@
+r"""The report of a robot that is described by its joints: limbs, equivalent lines, condition, factors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from html import escape
+from math import dist
+from typing import Any
+
+from gcrules.algebra import expr as ex
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.conditions.factor_causes import KINDS, Part
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.as_platform import as_platform
+from gcrules.views.drawing.bsp import XYZ
+from gcrules.views.drawing.figures import graph_figure
+from gcrules.views.drawing.solids import flat_normal
+from gcrules.views.formulas.terms import formula_html
+from gcrules.views.report.report_page import footer, page, robot_figure_html
+from gcrules.views.report.scene_json import drawable, scene
+from gcrules.views.report.stages import Formula
+from gcrules.views.robots.entities import Entity, entities
+from gcrules.views.robots.exact_values import lines_at
+from gcrules.views.robots.joint_chain import unit_vector
+from gcrules.views.robots.limb_views import limb_views
+from gcrules.views.robots.robot_drawing import draw_robot
+from gcrules.views.robots.singular_poses import live_parts
+from gcrules.views.text.robot_text import CONDITION, FACTORS, sections
+
+__all__ = ["on_six_legs", "robot_report", "robot_scene"]
+
+Values = Mapping[str, Sequence[float]]
+
+
+def robot_report(a: RobotAnalysis, *, interactive: bool = True) -> str:
+    """The HTML page of a robot; drawn at home, if the file gives a home configuration."""
+    home = a.robot.home is not None and bool(a.robot.limbs) and not a.robot.family.plane
+    live = interactive and home
+    parts = [
+        _header(a),
+        f'<section class="answer"><p>{escape(a.statement)}</p><p class="sure">{escape(a.certificate)}</p></section>',
+        _figures(a, home=a.robot.home is not None and bool(a.robot.limbs), live=live),
+        "<h2>Step by step</h2>",
+        '<ol class="stages">',
+        *(f"<li><h3>{escape(title)}</h3>{body}</li>" for title, body in _stages(a)),
+        "</ol>",
+        footer(),
+    ]
+    return page(a.robot.title, parts, robot_scene(a) if live else None)
+
+
+def robot_scene(a: RobotAnalysis) -> dict[str, Any]:
+    """The robot at home as the 3D viewer takes it: limbs with joints and wrenches, and the equivalent lines between
+    finite points. Only a platform on six legs moves: with others that takes the joints' equations.
+    """
+    legged = on_six_legs(a)
+    if legged is not None:
+        return scene(legged)
+    values = {n: [float(c) for c in v] for n, v in a.robot.values_at().items()}
+    sorts = a.robot.family.sorts
+    legs = [list(leg) for leg in a.structure.legs if all(sorts.get(n) == "point" for n in leg)]
+    body = [n for n in a.robot.platform if sorts.get(n) == "point"]
+    feet = dict.fromkeys(p for limb in a.robot.limbs for p in limb.joints[0].points if p not in body)
+    shown = dict.fromkeys([*feet, *body, *(n for leg in legs for n in leg)])
+    middle = [sum(values[n][i] for n in shown) / len(shown) for i in range(3)]
+    found = entities(a, live_parts(a)) if a.lines else ()
+    size = max(dist(values[n], middle) for n in shown)
+    return {
+        "points": {n: values[n] for n in values if sorts.get(n) == "point"},
+        "base": list(feet),
+        "platform": body,
+        "legs": legs,
+        "about": middle,
+        "size": size,
+        "unit": "",
+        "entities": [
+            {
+                "id": f"e{i}",
+                "kind": e.kind,
+                "points": list(e.points),
+                "label": "".join(e.points),
+                "colour": _colour(a, e, i),
+            }
+            for i, e in enumerate(found)
+            if all(sorts.get(n) == "point" for n in e.points)
+        ],
+        "limbs": limb_views(a, values),
+        "planes": [p for i, e in enumerate(found) if (p := _far_plane(a, e, _colour(a, e, i), size))],
+    }
+
+
+def on_six_legs(a: RobotAnalysis) -> Analysis | None:
+    """The analysis of a platform on six legs at home; None for other robots."""
+    if a.lines is None or not drawable(a.lines):
+        return None
+    try:
+        return replace(a.lines, platform=as_platform(a.robot))
+    except InputError:  # it has other limbs
+        return None
+
+
+def _colour(a: RobotAnalysis, e: Entity, number: int) -> int:
+    """That of the limb whose line lies in the entity, or all whose points are a limb's; else one of its own."""
+    names = set(e.points)
+    place = {limb.limb.name: i for i, limb in enumerate(a.structure.limbs)}
+    own = [place[line.limb] for line in a.structure.lines or () if names.issuperset(line.ends) and line.limb in place]
+    ends = [{n for line in limb.lines or () for n in line.ends} for limb in a.structure.limbs]
+    own += [i for i, all_ends in enumerate(ends) if names <= all_ends]
+    return own[0] if own else len(place) + number
+
+
+def _far_plane(a: RobotAnalysis, e: Entity, colour: int, size: float) -> dict[str, Any] | None:
+    """A plane through finite points along directions, which are points at infinity; None for other entities."""
+    places = lines_at(a.robot.family, a.structure, a.robot.values_at())
+    finite = [[float(c) for c in places[n][:3]] for n in e.points if places[n][3]]
+    along = [unit_vector(_xyz(places[n])) for n in e.points if not places[n][3]]
+    if e.kind != "plane" or not along or not finite:
+        return None
+    corners = [*finite]
+    for u in along:
+        corners += [[c + s * size * k for c, k in zip(p, u, strict=True)] for p in finite for s in (-0.35, 0.35)]
+    normal = flat_normal([_xyz(c) for c in corners])
+    if normal is None:
+        return None
+    offset = sum(n * c for n, c in zip(normal, finite[0], strict=True))
+    return {
+        "label": "".join(e.points),
+        "normal": list(normal),
+        "offset": offset,
+        "through": corners,
+        "colour": colour,
+    }
+
+
+def _xyz(p: Sequence[Any]) -> XYZ:
+    x, y, z = (float(c) for c in p[:3])
+    return x, y, z
+
+
+def _header(a: RobotAnalysis) -> str:
+    words = [a.robot.id, a.robot.chain]
+    if a.structure.limbs:
+        words.append(f"mobility of the platform {a.structure.mobility}")
+        words += [f"overconstraints {a.structure.over}"] if a.structure.over else []
+        words += [f"idle freedoms {a.structure.idle}"] if a.structure.idle else []
+    sub = f'<p class="sub">{escape(" · ".join(filter(None, words)))}</p>'
+    notes = [a.robot.note, f"Source: {a.robot.source}" if a.robot.source else ""]
+    note = "".join(f'<p class="note">{escape(one)}</p>' for one in notes if one)
+    return f"<header><h1>{escape(a.robot.title)}</h1>{sub}{note}</header>"
+
+
+def _figures(a: RobotAnalysis, *, home: bool, live: bool) -> str:
+    graph = ""
+    if a.lines is not None and a.lines.structure.joined and a.lines.structure.rank == 4:
+        drawing = graph_figure(a.lines, key=False).svg()
+        graph = f"<figure>{drawing}<figcaption>The equivalent lines as a graph</figcaption></figure>"
+    robot = ""
+    if home:
+        words = "The robot at home with the wrenches of its limbs, and the lines that stand for them"
+        robot = robot_figure_html(draw_robot(a, a.robot.values_at()).svg(), words)
+    if live:
+        robot = robot_figure_html("", "The same in 3D", live=True, hint="Drag to turn the view.") + robot
+    return f'<div class="figures">{robot}{graph}</div>' if robot or graph else ""
+
+
+def _stages(a: RobotAnalysis) -> Iterator[tuple[str, str]]:
+    for title, lines in sections(a, True):
+        if title == CONDITION and a.condition is not None and a.lines is not None:
+            left = ex.mul(a.condition.cofactor, a.lines.structure.superbracket)
+            yield title, formula_html(Formula(left, a.condition.right_side))
+        elif title == FACTORS and a.parts:
+            told = "".join(formula_html(Formula(None, p.expression)) + f"<p>{escape(_told(p))}</p>" for p in a.parts)
+            yield title, told + "".join(f"<p>{escape(line)}</p>" for line in lines[len(a.parts) :])
+        else:
+            yield title, "".join(f"<p>{escape(line)}</p>" for line in lines)
+
+
+def _told(p: Part) -> str:
+    """The kind of a factor, and where it vanishes."""
+    said = f"zero where {p.statement}" if p.statement else ""
+    return f"{p.kind}: {'; '.join(filter(None, [said, p.reason])) or KINDS[p.kind]}."

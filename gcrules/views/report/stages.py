@@ -1,0 +1,223 @@
+r"""The stages of an analysis as a list of values that text, LaTeX and HTML are made from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.legs_text import Structure, leg_text
+from gcrules.algebra.language.text import text
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.english import listed
+from gcrules.core.floats import decimal
+from gcrules.poses.numbers.value import PoseValue
+from gcrules.poses.numbers.verdict import CLOSE
+from gcrules.rules.condition import ONE, Condition, Entity
+
+__all__ = ["Fact", "Formula", "Item", "Stage", "stages", "verdict_of"]
+
+
+@dataclass(frozen=True)
+class Formula:
+    """left = right, displayed; `left` may be None."""
+
+    left: Expr | None
+    right: Expr
+
+
+@dataclass(frozen=True)
+class Fact:
+    """A short key and its value."""
+
+    key: str
+    value: str
+
+
+Item = str | Fact | Formula
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A heading, what is done there and why, and the results."""
+
+    title: str
+    why: str
+    items: tuple[Item, ...]
+
+
+def stages(a: Analysis) -> list[Stage]:
+    """All stages in the sequence of the published procedure."""
+    return [Stage(title, why, tuple(items)) for title, why, items in _stages(a)]
+
+
+def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
+    s = a.structure
+    number = {3: "Three", 6: "Six"}.get(len(s.legs), str(len(s.legs)))
+    why = f"{number} legs, each a line between a joint of the base and a joint of the platform."
+    if not s.base:
+        why = f"{number} legs, each a line between two joints."
+    if s.stand_ins:
+        why = f"{number} lines, each through two joints or built from points."
+    yield "Structure", why, _structure(a)
+    why = f"The determinant of the {number.lower()} lines' Plücker coordinates; "
+    why += "the robot is singular exactly when it is zero."
+    if a.match is None:
+        bodies = f"two rigid bodies joined by {number.lower()} bars"
+        why += f" In rigidity theory it is the pure condition of {bodies}."
+    if s.dead:
+        why += f" Under the assumptions {_brackets(s)} vanish{'es' * (len(s.dead) == 1)}."
+    yield (
+        "Superbracket",
+        why,
+        [Formula(s.superbracket, a.typed.polynomial.to_expr()), _count(len(a.typed.polynomial))],
+    )
+    if a.shortest.form:
+        order = ", ".join(s.words[i] for i in a.shortest.order)
+        shown = f"{a.shortest.form}-term form, legs in the order {order}: {_count(len(a.shortest.polynomial))}."
+        yield (
+            "Shortest form",
+            "Repeated points make brackets vanish; the number of terms left depends on the order of the legs and the "
+            "form.",
+            [shown, Formula(s.superbracket, (a.shortest.polynomial * a.shortest.sign).to_expr())],
+        )
+    if a.claim is not None:
+        yield from _entity_stages(a)
+    elif a.condition.kind != "always-singular" and s.rank == 4:
+        why = "Tetrahedra, planes and lines in the terms that make an incidence equal to the superbracket."
+        yield "Entities", why, ["none"]
+    incidence = _INCIDENCE if a.condition.cofactor == ONE else _WITH_COFACTOR
+    yield "Condition", _WHY.get(a.condition.kind, incidence), _condition(a.condition, a)
+    yield "Statement", "", [a.condition.sentence]
+    yield "Certificate", "", [a.condition.certificate.detail + ".", *_replay(a), *a.notes]
+    if a.pose:
+        yield "In this pose", "Numbers at the coordinates of the file.", _pose(a.pose)
+    if a.readings:
+        items: list[Item] = []
+        for reading in a.readings:
+            items += [f"{reading.kind}:", *_condition(reading, a), reading.sentence, f"({reading.certificate.detail})"]
+        yield "Other readings", "Further identities for the same superbracket.", items
+
+
+_INCIDENCE = "An incidence whose expansion equals the superbracket."
+_WITH_COFACTOR = "An incidence whose expansion equals the cofactor times the superbracket."
+_WHY = {
+    "always-singular": "The superbracket is zero for all positions of the joints.",
+    "linear-complex": "No incidence was found; the superbracket itself is the condition.",
+    "bracket-factors": "Brackets that divide the superbracket; what they leave is no incidence that was found.",
+}
+
+
+def _brackets(s: Structure) -> str:
+    shown = [text(ex.bracket(*map(ex.Point, names), rank=s.rank), names=s.names) for names in s.dead]
+    return listed(shown) if len(shown) <= _MANY else f"{len(shown)} brackets"
+
+
+_MANY = 6
+
+
+def _structure(a: Analysis) -> list[Item]:
+    s = a.structure
+    items: list[Item] = [Fact("legs", s.text())]
+    if s.base:
+        items += [Fact("base", " ".join(s.base)), Fact("platform", " ".join(s.platform))]
+    without = [n for n in s.names if n not in s.sides and any(n in leg for leg in s.legs)]
+    if without:
+        odd = f"{' '.join(without)} (an odd cycle of legs: base and platform cannot be told apart)"
+        items.append(Fact("no side", odd))
+    turned = [leg_text(typed) for typed, right in zip(s.legs, s.oriented, strict=True) if typed != right]
+    if turned:
+        items.append(Fact("turned", f"{', '.join(turned)} (written platform first; the sign accounts for it)"))
+    items += _position(a)
+    if a.match is None:
+        return [*items, Fact("class", "none of the catalog")]
+    mapping = ", ".join(f"{x}→{y}" for x, y in a.match.mapping.items())
+    return [*items, Fact("class", a.match.entry.title), Fact("mapping", mapping)]
+
+
+def _position(a: Analysis) -> list[Item]:
+    """Where the points are in special position."""
+    s = a.structure
+    items: list[Item] = []
+    if s.ideal:
+        items.append(Fact("at infinity", " ".join(s.ideal)))
+    couples = [word for word, leg in zip(s.words, s.legs, strict=True) if set(leg) <= set(s.ideal)]
+    if couples:
+        items.append(Fact("couples", f"{', '.join(couples)} (lines at infinity: constraint moments)"))
+    if s.given:
+        items.append(Fact("given", ", ".join(map(str, s.given))))
+    if a.assumed:
+        shown = ", ".join(f"{e} ({meaning})" if meaning else e for e, meaning in a.assumed)
+        items.append(Fact("assumed", f"not to vanish: {shown}"))
+    return items
+
+
+def _entity_stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
+    assert a.claim is not None
+    state = a.claim.state
+    entities = list(a.entities)
+    found = {kind: [_starred(e) for e in entities if e.kind == kind] for kind in ("tetrahedron", "plane", "line")}
+    planes, more_planes = found["plane"][: len(state.planes)], found["plane"][len(state.planes) :]
+    lines, more_lines = found["line"][: len(state.lines)], found["line"][len(state.lines) :]
+    yield "Tetrahedra", "Brackets common to all terms.", [", ".join(found["tetrahedron"]) or "none"]
+    why = "Triples of points that stay together in one bracket of every term; stars tell repeated points apart."
+    yield "Planes", why, [", ".join(planes) or "none"]
+    items: list[Item] = [", ".join(lines) or "none"]
+    if state.planes or state.lines:
+        items += [
+            "with the entities in front:",
+            Formula(a.structure.superbracket, ex.signed(state.sign, state.collected())),
+        ]
+    yield "Lines", "Pairs of points that stay together in one bracket of every term.", items
+    if state.left:
+        left = ", ".join(state.named(state.left))
+        what = f"as the plane {more_planes[0]}" if more_planes else f"as the line {' and the line '.join(more_lines)}"
+        why = "The points that no plane and no line has taken make the last plane, or lines with P(x,y) + P(y,x) = 0."
+        items = [f"{left}: taken {what}"]
+        dotted = [step.after for step in a.derivation if step.rule.startswith("left-over")]
+        items += [Formula(a.structure.superbracket, e) for e in dotted]
+        yield "Left-over points", why, items
+
+
+def _condition(condition: Condition, a: Analysis) -> list[Item]:
+    return [Formula(ex.mul(condition.cofactor, a.structure.superbracket), condition.right_side)]
+
+
+def _replay(a: Analysis) -> list[Item]:
+    rules = " → ".join(step.rule for step in a.derivation)
+    found: list[Item] = [f"Derivation {rules}: replayed at exact random points, holds."]
+    if a.condition.kind != "always-singular":
+        found.append(f"Strategy, the rules that could run, in this order: {a.strategy}.")
+    return found
+
+
+def _starred(entity: Entity) -> str:
+    spaced = any(len(n.rstrip("*")) > 1 for n in entity.starred)
+    return (" " if spaced else "").join(entity.starred)
+
+
+def verdict_of(pose: PoseValue) -> str:
+    """The verdict as a sentence."""
+    return _VERDICTS[pose.verdict] if pose.superbracket else "Singular: the superbracket is exactly zero here."
+
+
+_VERDICTS = {
+    "singular": "Singular: the superbracket is zero here within rounding.",
+    "close": f"Warning: close to singular (closeness below {CLOSE:.2g}).",
+    "regular": "Regular: the six legs control the platform here.",
+}
+
+
+def _pose(pose: PoseValue) -> list[Item]:
+    unit = f" {pose.unit}⁹" if pose.unit else ""
+    items: list[Item] = [verdict_of(pose), Fact("superbracket", f"{decimal(pose.superbracket)}{unit}")]
+    if pose.cofactor != 1:
+        items.append(Fact("cofactor", f"{decimal(pose.cofactor)} (where it is 0 the condition says nothing)"))
+        items.append(Fact("condition", f"{decimal(pose.condition)} (cofactor times superbracket)"))
+    items.append(Fact("closeness", f"{pose.measure:.4g} (dimensionless, 0 singular to 1)"))
+    return items
+
+
+def _count(n: int) -> str:
+    return "1 term" if n == 1 else f"{n} terms"

@@ -1,0 +1,48 @@
+r"""Exact values at a configuration of a robot: its points, its expressions, and its free motions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from gcrules.algebra.evaluate import Evaluator
+from gcrules.algebra.expr import Expr
+from gcrules.core.linear_algebra import kernel
+from gcrules.mechanisms.description.family import Family
+from gcrules.mechanisms.description.relations import combined
+from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.lines.equivalent import Equivalent
+from gcrules.mechanisms.lines.wrenches import PLANAR
+from gcrules.screws import RATIONALS
+
+__all__ = ["Values", "Vector", "gained", "lines_at", "value_at"]
+
+Vector = tuple[Fraction, Fraction, Fraction]
+Values = Mapping[str, Vector]
+"""Cartesian coordinates of all points and directions."""
+
+
+def lines_at(family: Family, structure: Equivalent, values: Values) -> dict[str, tuple[Fraction, ...]]:
+    """Homogeneous coordinates (x, y, z, w) of all points and directions, derived ones among them, exact."""
+    found = family.homogeneous(values)
+    known = dict(values)
+    for name, u, v in (*structure.derived, *(d for limb in structure.limbs for d in limb.derived)):
+        known[name] = RATIONALS.cross(*(combined(t, known, RATIONALS) for t in (u, v)))
+        found[name] = (*known[name], Fraction(0))
+    return found
+
+
+def value_at(family: Family, structure: Equivalent, values: Values, e: Expr) -> Fraction:
+    """The value of a scalar expression, exact; in the plane points are (x, y, w)."""
+    points = lines_at(family, structure, values)
+    if family.plane:
+        points = {n: (p[0], p[1], p[3]) for n, p in points.items()}
+    return Fraction(Evaluator(points, 3 if family.plane else 4).value(e)[0])
+
+
+def gained(robot: RobotText, values: Values) -> list[tuple[Fraction, ...]]:
+    """A basis of the twists (ω; v) of the platform that no wrench of a limb with locked actuators opposes."""
+    rows = [tuple(map(Fraction, row)) for row in PLANAR] if robot.family.plane else []
+    for text in robot.limbs:
+        rows += text.at(values, RATIONALS).locked(RATIONALS)
+    return [tuple(v) for v in kernel([(*r[3:], *r[:3]) for r in rows], 6)]

@@ -1,0 +1,269 @@
+r"""Where the joints and links of a robot are drawn in space: each limb as a chain of places, in the robot's size.
+
+A prismatic joint between two joints whose line it follows is a sleeve on the link; one that comes first, or goes
+another way, is a carriage on a rail; a limb whose axes all pass through one point is drawn on a sphere around it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from math import atan2, cos, dist, sin
+from typing import SupportsFloat
+
+from gcrules.mechanisms.description.family import Family
+from gcrules.mechanisms.description.limb_file import JointText, LimbText
+from gcrules.mechanisms.description.relations import Term, Values
+from gcrules.views.drawing.bsp import XYZ, cross, dot, minus
+from gcrules.views.drawing.frame import Unit
+from gcrules.views.drawing.solids import center
+
+__all__ = ["Chain", "Place", "Stroke", "chains", "plus", "unit_vector"]
+
+_SPHERE = 1.0
+_RAIL = 0.3
+_BAR = 0.075  # half the distance of the bars of a parallelogram
+_SLEEVE = 0.42  # where on a link its sleeve is
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A joint where it is drawn, with unit vectors along its axes."""
+
+    kind: str
+    at: XYZ
+    axes: tuple[XYZ, ...] = ()
+    driven: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A link, a `bar` (thinner), a `rail` or an `axis` from one place to another."""
+
+    start: XYZ
+    end: XYZ
+    look: str = "link"
+
+
+@dataclass
+class Chain:
+    """A limb in space: its joints, its strokes, and its first and last place."""
+
+    limb: LimbText
+    places: list[Place] = field(default_factory=list)
+    strokes: list[Stroke] = field(default_factory=list)
+    foot: XYZ = (0.0, 0.0, 0.0)
+    head: XYZ = (0.0, 0.0, 0.0)
+
+
+def plus(p: XYZ, u: XYZ, s: float = 1.0) -> XYZ:
+    """p + s·u."""
+    return p[0] + s * u[0], p[1] + s * u[1], p[2] + s * u[2]
+
+
+def unit_vector(v: XYZ) -> XYZ:
+    """The unit vector along a vector that is not zero."""
+    length = dot(v, v) ** 0.5 or 1.0
+    return v[0] / length, v[1] / length, v[2] / length
+
+
+def chains(family: Family, limbs: Sequence[LimbText], values: Values) -> tuple[Unit, list[Chain]]:
+    """All limbs in a configuration (Cartesian coordinates of all names)."""
+    named = dict.fromkeys(n for limb in limbs for j in limb.joints for n in j.names)
+    points = [_xyz(values[n]) for n in named if family.sorts[n] == "point"]
+    for limb in limbs:
+        for j in (j for j in limb.joints if j.kind == "4S"):
+            first, second, bars = (_xyz(_sum(arg, values)) for arg in j.args if isinstance(arg, tuple))
+            points += [plus(first, bars), plus(second, bars)]
+    unit = Unit.of(points)
+    if len(set(points)) < 2:
+        unit = Unit(points[0] if points else (0.0, 0.0, 0.0), 1.0)
+    firsts = [limb.joints[0].points for limb in limbs if len(limb.joints) > 1]
+    ground = [unit.place(values[names[0]]) for names in firsts if names]
+    return unit, [_Builder(unit, family, values, limb, center(ground) if ground else None).chain() for limb in limbs]
+
+
+def _xyz(v: Sequence[SupportsFloat]) -> XYZ:
+    x, y, z = map(float, v)
+    return x, y, z
+
+
+def _sum(term: Term, values: Values) -> XYZ:
+    x, y, z = (sum(float(c) * float(values[n][i]) for c, n in term) for i in range(3))
+    return x, y, z
+
+
+@dataclass
+class _Builder:
+    """Makes the chain of one limb, joint by joint."""
+
+    unit: Unit
+    family: Family
+    values: Values
+    limb: LimbText
+    ground: XYZ | None  # the middle of the first joints of other limbs
+
+    def chain(self) -> Chain:
+        joints = self.limb.joints
+        made = Chain(self.limb)
+        if len(joints) > 1 and all(j.kind == "R" for j in joints) and len({j.points for j in joints}) == 1:
+            return self._on_sphere(made)
+        at: XYZ | None = None
+        waiting: list[JointText] = []
+        for j in joints:
+            anchor = self._anchor(j)
+            if anchor is None:
+                waiting.append(j)
+                continue
+            if at is None:
+                made.foot = self._rails(made, waiting, anchor, self._away(j, anchor))
+            else:
+                self._between(made, waiting, at, anchor)
+            waiting = []
+            at = self._joint(made, j, anchor)
+        if at is None:
+            at = made.foot = self._rails(made, waiting[:-1], (0.0, 0.0, 0.0), None)
+        if waiting:
+            at = self._beyond(made, waiting, at)
+        made.head = at
+        return made
+
+    def _point(self, name: str) -> XYZ:
+        return self.unit.place(self.values[name])
+
+    def _direction(self, term: Term) -> XYZ:
+        return unit_vector(_sum(term, self.values))
+
+    def _anchor(self, j: JointText) -> XYZ | None:
+        return self._point(j.points[0]) if j.points else None
+
+    def _away(self, j: JointText, anchor: XYZ) -> XYZ | None:
+        """The direction from a joint to the next one that has a place."""
+        rest = self.limb.joints[self.limb.joints.index(j) + 1 :]
+        following = next((p for k in rest if (p := self._anchor(k)) and dist(p, anchor) > 1e-9), None)
+        return unit_vector(minus(following, anchor)) if following else None
+
+    def _joint(self, made: Chain, j: JointText, at: XYZ) -> XYZ:
+        """Draw a joint that has a place; where the chain goes on."""
+        axes = tuple(self._direction(d) for d in j.directions)
+        if j.kind != "4S":
+            made.places.append(Place(j.kind, at, axes, bool(j.actuated)))
+            for term in (d for d in j.directions if len(d) == 2):
+                made.strokes.append(Stroke(at, self._point(next(n for _, n in term if self._point(n) != at)), "axis"))
+            return at
+        second = self._point(j.points[1])
+        x, y, z = (c / self.unit.radius for c in _sum(j.directions[0], self.values))
+        ends = plus(at, (x, y, z)), plus(second, (x, y, z))
+        made.strokes += [Stroke(at, second), Stroke(*ends)]
+        made.strokes += [Stroke(a, b, "bar") for a, b in zip((at, second), ends, strict=True)]
+        made.places += [Place("pin", p) for p in (at, second, *ends)]
+        return center(ends)
+
+    def _rails(self, made: Chain, slides: Sequence[JointText], at: XYZ, away: XYZ | None) -> XYZ:
+        """Carriages on rails under the first joint that has a place; where the first of them stands on the base."""
+        if len(slides) == 1 and away is None:
+            return self._column(made, slides[0], at)
+        for k, j in enumerate(reversed(slides)):
+            axis = self._direction(j.directions[0])
+            low, high = _RAIL, _RAIL
+            if away is not None and abs(dot(axis, away)) > 0.8:
+                low, high = (0.08, 1.5 * _RAIL) if dot(axis, away) < 0 else (1.5 * _RAIL, 0.08)
+            if k < len(slides) - 1:
+                low, high = (_RAIL, 0.1) if not self._outwards(at, axis) else (0.1, _RAIL)
+            ends = plus(at, axis, -low), plus(at, axis, high)
+            made.strokes.append(Stroke(*ends, "rail"))
+            made.places.append(Place("carriage", at, (axis,), bool(j.actuated)))
+            at = self._grounded(ends)
+        return at
+
+    def _column(self, made: Chain, j: JointText, at: XYZ) -> XYZ:
+        """A slide right under the only joint that has a place."""
+        axis = self._direction(j.directions[0])
+        foot = self._grounded((plus(at, axis, -0.75), plus(at, axis, 0.75)))
+        self._slide(made, j, foot, at)
+        return foot
+
+    def _grounded(self, ends: tuple[XYZ, XYZ]) -> XYZ:
+        """The end that is nearer to the base: to the middle of the other limbs' feet, else farther from the robot."""
+        ground = self.ground
+        if ground is not None:
+            return min(ends, key=lambda p: round(dist(p, ground), 6))
+        return max(ends, key=lambda p: (round(dist(p, (0.0, 0.0, 0.0)), 6), round(-p[2], 6)))
+
+    def _outwards(self, at: XYZ, axis: XYZ) -> bool:
+        return round(dist(plus(at, axis, _RAIL), (0, 0, 0)), 6) > round(dist(plus(at, axis, -_RAIL), (0, 0, 0)), 6)
+
+    def _between(self, made: Chain, slides: Sequence[JointText], start: XYZ, end: XYZ) -> None:
+        """The link between two joints, with the sleeves or parallelograms that it carries."""
+        for j in slides:
+            term = j.directions[0]
+            if len(term) == 2:  # written with two points: it stands on their line
+                first, second = (self._point(n) for _, n in reversed(term))
+                if dist(start, first) > 1e-9:
+                    made.strokes.append(Stroke(start, first))
+                start, goal = first, second
+            else:
+                goal = end
+            axis = self._direction(term)
+            length = dist(start, goal)
+            if length < 1e-9 or abs(dot(axis, minus(goal, start))) < 0.999 * length:
+                goal = plus(end, axis, -_RAIL)
+                made.strokes += [Stroke(start, goal)] if dist(start, goal) > 1e-9 else []
+                start, goal = goal, end
+            self._slide(made, j, start, goal)
+            start = goal
+        if dist(start, end) > 1e-9:
+            made.strokes.append(Stroke(start, end))
+
+    def _slide(self, made: Chain, j: JointText, start: XYZ, end: XYZ) -> None:
+        if j.kind != "Pa":
+            made.strokes.append(Stroke(start, end))
+            middle = plus(start, minus(end, start), _SLEEVE)
+            made.places.append(Place(j.kind, middle, (unit_vector(minus(end, start)),), bool(j.actuated)))
+            return
+        across = unit_vector(cross(self._direction(j.directions[1]), minus(end, start)))
+        corners = [(plus(p, across, _BAR), plus(p, across, -_BAR)) for p in (start, end)]
+        made.strokes += [Stroke(*pair) for pair in corners]
+        made.strokes += [Stroke(a, b, "bar") for a, b in zip(*corners, strict=True)]
+        made.places += [Place("pin", p, driven=bool(j.actuated)) for pair in corners for p in pair]
+
+    def _beyond(self, made: Chain, slides: Sequence[JointText], at: XYZ) -> XYZ:
+        """Slides after the last joint that has a place."""
+        for j in slides:
+            term = j.directions[0]
+            named = self._point(term[0][1]) if len(term) == 2 else None
+            goal = named or plus(at, self._direction(term), 2 * _RAIL)
+            self._between(made, [j], at, goal)
+            at = goal
+        return at
+
+    def _on_sphere(self, made: Chain) -> Chain:
+        o = self._anchor(self.limb.joints[0]) or (0.0, 0.0, 0.0)
+        before: XYZ | None = None
+        for j in self.limb.joints:
+            axis = self._direction(j.directions[0])
+            if before is not None:
+                axis = axis if dot(axis, before) >= 0 else (-axis[0], -axis[1], -axis[2])
+                arc = [plus(o, u, _SPHERE) for u in _arc(before, axis)]
+                made.strokes += [Stroke(a, b) for a, b in pairwise(arc)]
+            at = plus(o, axis, _SPHERE)
+            made.strokes.append(Stroke(o, at, "axis"))
+            made.places.append(Place("R", at, (axis,), bool(j.actuated)))
+            before = axis
+        made.foot, made.head = made.places[0].at, made.places[-1].at
+        return made
+
+
+def _arc(a: XYZ, b: XYZ) -> Iterator[XYZ]:
+    """Unit vectors along the great circle from one to another that is less than a half turn away."""
+    across = minus(b, (a[0] * dot(a, b), a[1] * dot(a, b), a[2] * dot(a, b)))
+    if dot(across, across) < 1e-12:
+        yield from (a, b)
+        return
+    side = unit_vector(across)
+    sine, cosine = dot(b, side), dot(a, b)
+    steps = 8
+    for k in range(steps + 1):
+        angle = atan2(sine, cosine) * k / steps
+        yield plus((a[0] * cos(angle), a[1] * cos(angle), a[2] * cos(angle)), side, sin(angle))

@@ -1,0 +1,98 @@
+r"""The legend below the drawing of a robot: limbs, signs of joints, wrenches, planes, and what is marked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from gcrules.screws import JOINTS
+from gcrules.views.drawing.bsp import XYZ
+from gcrules.views.drawing.drawing import Circle, Line, Polygon, Run, Shape, Text, mapped, name_runs, text_width
+from gcrules.views.drawing.frame import Frame
+from gcrules.views.drawing.viewpoint import View
+from gcrules.views.robots.entities import Entity, meeting
+from gcrules.views.robots.joint_chain import Place
+from gcrules.views.robots.lines import Motion, entity_role_of
+from gcrules.views.robots.picture import CONSTRAINT_DASH
+from gcrules.views.robots.scene import Scene
+from gcrules.views.robots.singular_poses import SingularPose
+from gcrules.views.robots.symbols import arrow, couple, sign
+
+__all__ = ["SAMPLE", "SIZE", "Entry", "entry_rows", "entry_width", "robot_legend"]
+
+SAMPLE = 30.0
+"""The room for a sample, in points."""
+SIZE = 12.5
+"""The size of the words, in points."""
+
+_ITEM_GAP = 16.0
+
+Entry = tuple[list[Shape], tuple[Run, ...]]
+"""A sample around the origin, and its words."""
+
+
+def entry_width(entry: Entry) -> float:
+    return SAMPLE + 4 + text_width(Text((0, 0), entry[1], SIZE)) + _ITEM_GAP
+
+
+def entry_rows(entries: Iterable[Entry], width: float) -> list[list[Entry]]:
+    rows: list[list[Entry]] = [[]]
+    for entry in entries:
+        if rows[-1] and sum(map(entry_width, [*rows[-1], entry])) > width:
+            rows.append([])
+        rows[-1].append(entry)
+    return [row for row in rows if row]
+
+
+_FLAT = Frame(View.at(-62, 22), 1.0, (0.0, 0.0), 0.8)
+_SMALL = Frame(View.at(-62, 22), 1.0, (0.0, 0.0), 0.58)
+_SHOWN = {"R": (1.0, 0.0, 0.0), "P": (1.0, 0.0, 0.0), "H": (1.0, 0.0, 0.0), "C": (1.0, 0.0, 0.0), "E": (0.0, 0.0, 1.0)}
+
+
+def robot_legend(
+    s: Scene,
+    shown: Sequence[Entity],
+    pose: SingularPose | None,
+    marks: Sequence[tuple[str, XYZ]] = (),
+    motion: Motion | None = None,
+) -> list[Entry]:
+    entries: list[Entry] = []
+    for limb, role in s.roles.items():
+        entries.append(([Line((-12, 0), (12, 0), role, 4.4)], (Run(limb),)))
+    if pose is None:
+        kinds = dict.fromkeys(j.kind for limb in s.a.robot.limbs for j in limb.joints if j.kind in (*_SHOWN, "U", "S"))
+        for kind in kinds:
+            axes = ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)) if kind == "U" else (_SHOWN.get(kind, (0.0, 0.0, 1.0)),)
+            sample = sign(Place(kind, (0.0, 0.0, 0.0), axes), _SMALL if kind in "CHE" else _FLAT, "muted")
+            entries.append((sample, (Run(JOINTS[kind].name),)))
+        entries.append((sign(Place("P", (0.0, 0.0, 0.0), ((1.0, 0.0, 0.0),), True), _FLAT, "ink"), (Run("driven"),)))
+    wrenches = [line for limb in s.a.structure.limbs for line in limb.lines or ()]
+    if any(not w.couple for w in wrenches):
+        entries.append((arrow((-13, 0), (13, 0), "ink", 2.6), (Run("force"),)))
+    if any(w.couple for w in wrenches):
+        entries.append(
+            (
+                [mapped(one, 0.8, (-8.0, 0.0)) for one in couple(_FLAT, (0, 0, 0), (1.0, 0.0, 0.0), "ink")],
+                (Run("couple"),),
+            )
+        )
+    if any(w.role == "constraint" for w in wrenches):
+        entries.append((arrow((-13, 0), (13, 0), "ink", 2.6, CONSTRAINT_DASH), (Run("constraint"),)))
+    for e in shown:
+        role = "mark" if pose and e.kind == "tetrahedron" else entity_role_of(s, e)
+        corners = ((-10.0, -6.0), (10.0, -6.0), (10.0, 6.0), (-10.0, 6.0))
+        flat = [Run(", flat")] if pose and e.kind == "tetrahedron" else []
+        entries.append(
+            (
+                [Polygon(corners, role, role, fill_opacity=0.3, width=1.3)],
+                (Run(f"{e.kind} "), *name_runs(*e.points), *flat),
+            )
+        )
+    for name, _ in marks:
+        entries.append(([Circle((0, 0), 5.0, "mark", "paper", 1.4)], (Run("common point "), *name_runs(name))))
+    met = meeting(s.a, pose.part, pose.values) if pose else None
+    if met and met[1]:
+        entries.append(([Circle((0, 0), 5.0, "mark", "paper", 1.4)], (Run("common point at infinity"),)))
+    if motion:
+        kind = "shift" if motion.pitch is None else "turn" if not motion.pitch else "screw motion"
+        entries.append((arrow((-13, 0), (13, 0), "mark", 2.6), (Run(f"{kind} that the platform gains"),)))
+    return entries

@@ -1,0 +1,120 @@
+r"""Limbs of a robot as plain data for a 3D view: joints and wrenches in space, in any configuration."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.algebra.language.legs_text import leg_text
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.limb_file import JointText
+from gcrules.mechanisms.description.relations import Term
+from gcrules.mechanisms.lines.equivalent import FRAME
+from gcrules.mechanisms.lines.wrenches import LimbWrenches, Line
+from gcrules.screws import JOINTS
+from gcrules.views.robots.limb_data import JointView, LimbView, LineView, Vec3
+
+__all__ = ["Values", "all_places", "directions", "limb_views", "wrench_words"]
+
+Floats = NDArray[np.float64]
+Values = Mapping[str, Sequence[float] | Floats]
+"""Coordinates of all points and directions of a robot."""
+
+
+def limb_views(robot: RobotAnalysis, values: Values) -> list[LimbView]:
+    """The limbs in a configuration; lines that only all limbs together hold stand in one more, of the frame."""
+    places, ideal = all_places(robot, values), directions(robot)
+    lines = robot.structure.lines or ()
+    views: list[LimbView] = [
+        {
+            "name": limb.limb.name,
+            "colour": i,
+            "wrenches": wrench_words(limb),
+            "joints": [_joint(j, places) for j in limb.limb.joints],
+            "lines": [_line(one, places, ideal) for one in lines if one.limb == limb.limb.name],
+        }
+        for i, limb in enumerate(robot.structure.limbs)
+    ]
+    own = {view["name"] for view in views}
+    rest = [_line(one, places, ideal) for one in lines if one.limb not in own]
+    if rest:
+        words = [line["text"] for line in rest]
+        views.append({"name": FRAME, "colour": len(views), "wrenches": words, "joints": [], "lines": rest})
+    return views
+
+
+def all_places(robot: RobotAnalysis, values: Values) -> dict[str, Floats]:
+    """Coordinates of all points and directions, those that the equivalent lines derive among them."""
+    places = {n: np.asarray(v, dtype=np.float64) for n, v in values.items()}
+    for name, u, v in robot.structure.derived:
+        places[name] = np.cross(_sum(u, places), _sum(v, places))
+    return places
+
+
+def directions(robot: RobotAnalysis) -> set[str]:
+    """The names that are directions."""
+    own = {n for n, sort in robot.robot.family.sorts.items() if sort == "direction"}
+    return own | {n for n, _, _ in robot.structure.derived}
+
+
+def _sum(term: Term, places: Mapping[str, Floats]) -> Floats:
+    found: Floats = sum((float(c) * places[n] for c, n in term), np.zeros(3))
+    return found
+
+
+def _joint(joint: JointText, places: Mapping[str, Floats]) -> JointView:
+    forms = JOINTS[joint.kind].parts.values()
+    given = [(form, _sum(arg, places)) for form, arg in zip(forms, joint.args, strict=True) if isinstance(arg, tuple)]
+    points = [v for form, v in given if form == "point"]
+    if not points and len(joint.names) == 2 and joint.kind == "P":  # between two points, and drawn there
+        points = [places[n] for n in joint.names]
+    return {
+        "kind": joint.kind,
+        "actuated": bool(joint.actuated),
+        "point": _vec(sum(points, np.zeros(3)) / len(points)) if points else None,
+        "axes": [_vec(_unit(v)) for form, v in given if form == "direction"],
+    }
+
+
+def _line(line: Line, places: Mapping[str, Floats], ideal: set[str]) -> LineView:
+    """A force with a point of its line, or a couple, whose direction is normal to the two directions of its line."""
+    finite = [n for n in line.ends if n not in ideal]
+    a, b = (places[n] for n in line.ends)
+    wrench: Literal["force", "couple"] = "force" if finite else "couple"
+    if len(finite) == 2:
+        direction = b - a
+    elif finite:
+        direction = b if finite[0] == line.ends[0] else a
+    else:
+        direction = np.cross(a, b)
+    return {
+        "text": leg_text(line.ends),
+        "wrench": wrench,
+        "point": _vec(places[finite[0]]) if finite else None,
+        "direction": _vec(_unit(direction)),
+    }
+
+
+def _unit(v: Floats) -> Floats:
+    size = float(np.linalg.norm(v))
+    found: Floats = v / size if size else v
+    return found
+
+
+def _vec(v: Floats) -> Vec3:
+    return [float(c) for c in v]
+
+
+def wrench_words(one: LimbWrenches) -> list[str]:
+    """What the limb applies with its actuators locked."""
+    if one.lines is None:
+        return [f"{one.kind}; no lines through the robot's points span it"]
+    return [_wrench(line) for line in one.lines]
+
+
+def _wrench(line: Line) -> str:
+    what = "couple" if line.couple else "force"
+    return f"{what} {leg_text(line.ends)}{' (constraint)' if line.role == 'constraint' else ''}"

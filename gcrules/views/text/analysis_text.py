@@ -1,0 +1,64 @@
+"""An analysis as plain text."""
+
+from __future__ import annotations
+
+from textwrap import indent
+
+from gcrules.algebra.expr import Expr, Sum
+from gcrules.algebra.language.text import text
+from gcrules.conditions.analysis import Analysis
+from gcrules.views.report.stages import Fact, Item, stages
+from gcrules.views.text.derivation import as_text as derivation_text
+from gcrules.views.text.derivation import ascii_words
+
+__all__ = ["as_text"]
+
+_WIDTH = 100
+_LONG = 120
+
+
+def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
+    """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows, `full` adds the derivation step by step."""
+    lines = [*_wrapped(a.condition.sentence.split(), ""), ""]
+    for n, stage in enumerate(stages(a), 1):
+        lines += [f"{n}. {stage.title}", *_why(stage.why)]
+        for item in stage.items:
+            lines += _text_item(item, a, unicode)
+        lines.append("")
+    if full:
+        chain = derivation_text(a.unfolded(), unicode=unicode)
+        lines += [f"{n + 1}. Derivation", "   Every single step.", indent(chain, "   ")]
+    out = "\n".join(lines).rstrip() + "\n"
+    return out if unicode else ascii_words(out)
+
+
+def _why(words: str) -> list[str]:
+    """The sentence below a heading, in one line unless it is long."""
+    if len(words) > _LONG:
+        return _wrapped(words.split(), "   ")
+    return [f"   {words}"] if words else []
+
+
+def _text_item(item: Item, a: Analysis, unicode: bool) -> list[str]:
+    if isinstance(item, Fact):
+        return _wrapped([f"{item.key:<12}", *item.value.split()], "   ")
+    if isinstance(item, str):
+        return _wrapped(item.split(), "   ")
+    names = a.structure.names
+    terms = [text(t, unicode=unicode, names=names) for t in _terms(item.right)]
+    pieces = terms[:1] + [f"− {t[1:]}" if t[0] == "−" else f"- {t[1:]}" if t[0] == "-" else f"+ {t}" for t in terms[1:]]
+    left = [text(item.left, unicode=unicode, names=names), "="] if item.left is not None else []
+    return _wrapped([*left, *pieces], "     ")
+
+
+def _terms(e: Expr) -> tuple[Expr, ...]:
+    return e.terms if isinstance(e, Sum) else (e,)
+
+
+def _wrapped(words: list[str], indent: str) -> list[str]:
+    lines = [indent]
+    for word in words:
+        if len(lines[-1]) + len(word) > _WIDTH and lines[-1].strip():
+            lines.append(indent + "  ")
+        lines[-1] += (" " if lines[-1].strip() else "") + word
+    return lines

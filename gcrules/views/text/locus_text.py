@@ -1,0 +1,101 @@
+"""A locus as text."""
+
+from __future__ import annotations
+
+from textwrap import fill
+from typing import TYPE_CHECKING
+
+from gcrules.core.errors import LimitReached
+from gcrules.poses.loci.variables import TRANSLATION
+from gcrules.views.text.tables import WIDTH, table
+
+if TYPE_CHECKING:
+    from gcrules.poses.loci.report import Factor, Locus
+
+__all__ = ["as_text"]
+
+SHOWN = 40
+"""Polynomials of more terms are not printed with the summary."""
+
+
+def as_text(found: Locus, *, unicode: bool = False) -> str:
+    """The summary, and the polynomial P where it is short."""
+    rows = [("variables", _variables(found)), *_fixed(found), ("centre", _centre(found))]
+    if found.vanishes:
+        what = "each of these poses is singular"
+        if found.question.whole:
+            what = "every pose is singular, so the robot is architecturally singular"
+        return "\n".join([f"The polynomial of the singular poses is 0: {what}.", "", *table([*rows, _checked(found)])])
+    times = "·" if unicode else "*"
+    coefficient = f"({found.coefficient}) {times} P" if found.coefficient != 1 else "P"
+    norm = f" {times} ".join(f"({n})^3" for n in found.norms)
+    rows += [
+        ("identity", f"{norm + f' {times} ' if norm else ''}superbracket = {coefficient}"),
+        ("P", f"{_count(len(found.form.terms), 'term')}, coefficients of {_count(found.form.digits, 'digit')} at most"),
+        ("degrees", _degrees(found)),
+        ("factors", _factors(found)),
+        _checked(found),
+    ]
+    head = "A pose is singular exactly where the polynomial P is 0."
+    if len(found.form.terms) > SHOWN:
+        end = "P is long: --export sympy (or maple, singular), --json or --latex prints it."
+    else:
+        end = fill(f"P = {found.form}", WIDTH, subsequent_indent="    ", break_long_words=False)
+    return "\n".join([head, "", *table(rows), "", end])
+
+
+def _count(n: int, what: str) -> str:
+    return f"{n} {what}{'s' * (n != 1)}"
+
+
+def _variables(found: Locus) -> str:
+    unit = f" in {found.rig.unit}" if found.rig.unit else ""
+    shift = [n for n in found.variables if n in TRANSLATION]
+    turn = [n for n in found.variables if n not in TRANSLATION]
+    parts = [f"{', '.join(shift)}: the translation{unit}"] if shift else []
+    parts += [f"{', '.join(turn)}: {found.question.meaning}"] if turn else []
+    return "; ".join(parts)
+
+
+def _fixed(found: Locus) -> list[tuple[str, str]]:
+    q = found.question
+    parts = [f"{n} = {c}" for n, c in q.fixed.items()]
+    if q.turn is not None:
+        parts.append(f"quaternion {' '.join(map(str, q.turn))}" if any(q.turn[1:]) else "no turn")
+    return [("fixed", ", ".join(parts))] if parts else []
+
+
+def _centre(found: Locus) -> str:
+    c = found.rig.centre
+    return f"the platform turns about {', '.join(map(str, c)) if any(c) else 'the origin'}"
+
+
+def _degrees(found: Locus) -> str:
+    degrees = dict(found.degrees)
+    total = degrees.pop("total")
+    groups = [f"{degrees.pop(g)} in the {g}" for g in ("translation", "rotation") if g in degrees]
+    each = ", ".join(f"{n} {d}" for n, d in degrees.items())
+    return f"{total} in all, {' and '.join(groups)}; {each}"
+
+
+def _factors(found: Locus) -> str:
+    try:
+        factors = found.factors
+    except LimitReached as fault:
+        return f"not decided: {fault.message}; {fault.hint}"
+    if len(factors) == 1 and factors[0].multiplicity == 1 and factors[0].kind == "condition":
+        return "none: P is irreducible over the rationals"
+    return "; ".join(map(_factor, factors))
+
+
+def _factor(f: Factor) -> str:
+    long = f"one of degree {f.form.degree} with {len(f.form.terms)} terms"
+    what = str(f.form) if len(f.form.terms) <= SHOWN // 4 else long
+    meaning = {"norm": " (never 0: it divides the quaternion's |e|^2)", "bracket": f" (of the bracket {f.name})"}
+    power = f", to the power {f.multiplicity}" if f.multiplicity > 1 else ""
+    return f"{what}{meaning.get(f.kind, '')}{power}"
+
+
+def _checked(found: Locus) -> tuple[str, str]:
+    c = found.checked
+    return "checked", f"at {c['rational']} exact random poses and {c['modular']} modulo a prime, from the joints alone"

@@ -1,0 +1,63 @@
+r"""A map as plain text: what was computed, what is singular, what is proved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gcrules.poses.maps.report import SingularMap
+from gcrules.views.text.tables import ASCII, table
+
+__all__ = ["as_text"]
+
+_MOST = 12
+
+
+def as_text(m: SingularMap, *, unicode: bool = False) -> str:
+    """The whole text; without `unicode` in ASCII."""
+    found = "\n".join(_lines(m))
+    return found if unicode else found.translate(ASCII)
+
+
+def _lines(m: SingularMap) -> Iterator[str]:
+    g = m.grid
+    rows = [("map", f"{' × '.join(f'{n:,}' for n in g.shape)} poses of {g.rig.title or 'the robot'}")]
+    for a in g.axes:
+        span = f"{a.name} from {float(a.start):g} to {float(a.stop):g} {a.unit}".rstrip()
+        rows.append(("over", f"{span}, every {float(a.step):.4g}: {a.meaning}"))
+    rows.append(("rest", f'"{g.at.text()}"'))
+    if m.limits:
+        rows.append(("limits", m.limits.text))
+        rows.append(("reached", f"{_share(m.summary.allowed, m.summary.poses)} of the poses"))
+    if m.summary.closeness is not None and m.summary.place is not None:
+        at = ", ".join(f"{a.name} = {c:.6g}" for a, c in zip(g.axes, m.summary.place, strict=True))
+        rows.append(("close", f"{_share(m.summary.close, m.summary.allowed)} of them (threshold {m.threshold.text})"))
+        rows.append(("least", f"closeness σ = {m.summary.closeness:.4g} at the node {at}"))
+    rows += list(_found(m))
+    rows.append(("proof", m.guarantee + "."))
+    rows += [("note", note) for note in m.notes]
+    before = ["", *(name for name, _ in rows)]
+    yield from table([("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)])
+
+
+def _found(m: SingularMap) -> Iterator[tuple[str, str]]:
+    if m.factors:
+        for k, f in enumerate(m.factors[:_MOST], 1):
+            times = f", {f.multiplicity} times" if f.multiplicity > 1 else ""
+            shown = f.text.replace("**", "^").replace("*", " ") + " = 0" if f.text else "(its polynomial is long)"
+            yield "factor", f"{k}. degree {f.degree}{times}: {shown}"
+    if len(m.grid.axes) == 2:
+        closed = sum(c.closed for c in m.curves)
+        inside = sum(bool(c.allowed.any()) for c in m.curves)
+        reached = f", {inside} of them within the limits somewhere" if m.limits and m.curves else ""
+        listed = f"{len(m.curves)} ({closed} closed){reached}" if m.curves else "none"
+        yield "curves", listed
+        if m.factors is None and not m.everywhere:
+            yield (
+                "accuracy",
+                "curves are traced from the signs at the nodes, zeros on edges found by halving; pieces smaller than a "
+                "cell may be missed, but in undecided cells only",
+            )
+
+
+def _share(part: int, whole: int) -> str:
+    return f"{100 * part / whole:.3g} %" if whole else "none"

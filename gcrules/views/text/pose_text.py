@@ -1,0 +1,210 @@
+r"""A pose's report as plain text and as LaTeX: the verdict with its reason, then short tables."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from gcrules.conditions.gained_motion import factors
+from gcrules.core.floats import decimal
+from gcrules.poses.numbers.nearest_pose import NearestPose
+from gcrules.poses.numbers.report import PoseReport
+from gcrules.poses.numbers.threshold import degrees
+from gcrules.screws.pose import Pose
+from gcrules.views.formulas.latex_text import latex_quantity
+from gcrules.views.text.tables import ASCII, columns, table, wrapped
+
+__all__ = ["as_latex", "as_text"]
+
+
+def as_text(r: PoseReport, *, unicode: bool = False) -> str:
+    """The whole report; without `unicode` in ASCII."""
+    lines = list(_lines(r))
+    found = "\n".join(lines)
+    return found if unicode else found.translate(ASCII)
+
+
+def _lines(r: PoseReport) -> Iterator[str]:
+    u = r.rig.unit
+    yield from wrapped(f"{r.verdict}: {r.reason}")
+    for sentence in r.causes:
+        yield from wrapped(sentence, "  ")
+    yield ""
+    yield from table(
+        [
+            ("pose", f"{_pose(r.pose)}, about {_about(r)}"),
+            ("closeness", f"σ = {r.closeness:.4g} (0 singular, at most 1; knows neither frame nor unit)"),
+            *_meaning(r),
+            ("superbracket", f"{decimal(r.superbracket)}{f' {u}⁹' if u else ''}"),
+            (
+                "Jacobian",
+                f"smallest singular value {_small(r.smallest_singular_value)}, condition number "
+                f"{_number(r.condition_number)}; characteristic length {_length(r.radius, u)}",
+            ),
+            (
+                "accuracy",
+                f"joints known up to {_length(r.accuracy, u)} move σ by at most {r.noise:.2g}"
+                if _inexact(r)
+                else f"coordinates taken as exact; rounding moves σ by at most {r.noise:.2g}",
+            ),
+            *((("note", note)) for note in r.notes),
+        ]
+    )
+    if r.readings:
+        yield ""
+        yield "Readings of the condition"
+        yield from _readings(r)
+    if r.nearest:
+        yield ""
+        yield "Nearest singular pose"
+        yield from _nearest(r)
+    yield ""
+    yield from _motion(r)
+
+
+def _meaning(r: PoseReport) -> Iterator[tuple[str, str]]:
+    if r.verdict == "singular":
+        return
+    yield (
+        "that is",
+        f"errors of the leg lengths move the platform's joints by up to {1 / r.closeness:.3g} times as much (root mean "
+        "squares)",
+    )
+    yield (
+        "free of",
+        f"singular poses: any leg's turn by {degrees(r.turn)} against the platform, a translation by "
+        f"{_length(r.shift, r.rig.unit)}{_as_given(r)}",
+    )
+
+
+def _as_given(r: PoseReport) -> str:
+    return ", for the joints' places as given" if _inexact(r) else ""
+
+
+def _inexact(r: PoseReport) -> bool:
+    return r.accuracy > 1e-9 * r.radius
+
+
+def _readings(r: PoseReport) -> Iterator[str]:
+    explained = set()
+    for part in dict.fromkeys(x.part for x in r.readings):
+        yield "  " + part.replace("/\\", "∧").replace("\\/", "∨")
+        rows = []
+        for x in r.readings:
+            if x.part == part:
+                value = f"not valid here: {x.why}" if x.value is None else f"{_small(x.value)} {x.unit}".rstrip()
+                meaning = "" if (x.name, x.meaning) in explained or x.value is None else x.meaning
+                explained.add((x.name, x.meaning))
+                rows.append((x.name, value, meaning))
+        yield from columns(rows, "    ")
+
+
+def _nearest(r: PoseReport) -> Iterator[str]:
+    u = r.rig.unit
+    rows = []
+    several = len(factors(r.condition.expression)) > 1
+    for n in r.nearest:
+        shown = degrees if n.kind == "rotation" else lambda x: _length(x, u)
+        if n.never:
+            rows.append((n.kind, "none", f"proved: a {n.kind} alone leads to no singular pose"))
+        elif n.pose is None:
+            rows.append((n.kind, "none found", f"proved: none below {shown(n.lower)}"))
+        else:
+            rows.append((n.kind, shown(n.distance), _status(n, shown(n.lower))))
+            if n.distance:
+                rows.append(("", "", f"at {_pose(n.pose)}"))
+            if several and n.distance:
+                rows += [("", "", cause) for cause in n.causes]
+    yield from columns(rows, "  ")
+    if any(n.kind == "combined" and n.pose for n in r.nearest) and r.verdict != "singular":
+        yield from wrapped(
+            f"combined: root of |shift|² + (ρ·angle)², ρ = {_length(r.radius, u)}, of the centroid of the legs' ends",
+            "  ",
+        )
+
+
+def _status(n: NearestPose, lower: str) -> str:
+    if n.distance == 0:
+        return "the pose itself"
+    if n.certified:
+        return "proved nearest"
+    return f"best found; proved: none below {lower}"
+
+
+def _motion(r: PoseReport) -> Iterator[str]:
+    u = r.rig.unit
+    d = r.dependence
+    if r.verdict == "close":
+        yield from wrapped(f"Nearly dependent legs, forces in the ratio {_shares(r, r.stress)}.")
+    if d is None:
+        yield from wrapped(
+            f"Softest motion: the platform can {r.softest.text(u)}. The legs' lengths then "
+            f"change only {r.closeness:.3g} times as fast as the platform's joints move (root mean squares)."
+        )
+        return
+    for m in d.motions:
+        yield from wrapped(f"Gained motion: the platform can {m.text(u)}; to first order no leg changes its length.")
+    if d.stress is not None:
+        yield from wrapped(f"Dependent legs: their forces balance in the ratio {_shares(r, d.stress)}.")
+    else:
+        yield from wrapped(f"Dependent legs: {', '.join(d.legs)}, in {len(d.motions)} independent ways.")
+    yield from wrapped(f"Line variety: the dependent legs span {d.within.name}; all six span {d.all_legs.name}.")
+
+
+def _shares(r: PoseReport, stress: Sequence[float]) -> str:
+    return ", ".join(f"{leg} {share:.3g}" for leg, share in zip(r.rig.names, stress, strict=True) if share)
+
+
+def _about(r: PoseReport) -> str:
+    if not any(r.rig.centre):
+        return "the origin"
+    return "(" + ", ".join(f"{float(c):.6g}" for c in r.rig.centre) + ")"
+
+
+def _pose(p: Pose) -> str:
+    """Text for --at, to five digits."""
+    least = 1e-9 * max(1e-300, *(abs(float(c)) for c in p.translation))
+    shift = " ".join(_digits(float(c), least) for c in p.translation)
+    if not p.angle:
+        return f'"{shift}"'
+    turn = " ".join(_digits(math.degrees(c), 1e-9) for c in p.rotation_vector)
+    return f'"{shift}; rotvec {turn} deg"'
+
+
+def _digits(x: float, least: float) -> str:
+    return "0" if abs(x) < least else f"{x:.5g}"
+
+
+def _length(x: float, unit: str) -> str:
+    return f"{x:.4g} {unit}".rstrip()
+
+
+def _number(x: float) -> str:
+    return f"{x:.4g}" if math.isfinite(x) else "infinite"
+
+
+def _small(x: float) -> str:
+    return "0" if abs(x) < 1e-12 else f"{x:.4g}"
+
+
+def as_latex(r: PoseReport) -> str:
+    """A tabular of the numbers; needs no package."""
+    u = r.rig.unit
+    rows = [
+        ("verdict", r.verdict),
+        ("closeness $\\sigma$", latex_quantity(r.closeness)),
+        ("superbracket", latex_quantity(r.superbracket, u, 9)),
+        ("smallest singular value", latex_quantity(r.smallest_singular_value)),
+        ("condition number", latex_quantity(r.condition_number)),
+        ("characteristic length", latex_quantity(r.radius, u)),
+    ]
+    for n in r.nearest:
+        name = f"nearest singular pose, {n.kind}"
+        if n.pose is None:
+            rows.append((name, "none" if n.never else "none found"))
+        elif n.kind == "rotation":
+            rows.append((name, latex_quantity(math.degrees(n.distance), "deg")))
+        else:
+            rows.append((name, latex_quantity(n.distance, u)))
+    body = "\n".join(f"  {name} & {value} \\\\" for name, value in rows)
+    return f"\\begin{{tabular}}{{ll}}\n{body}\n\\end{{tabular}}"

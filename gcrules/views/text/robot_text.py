@@ -1,0 +1,196 @@
+r"""Analyses of robots as plain text and as LaTeX."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.text import text
+from gcrules.mechanisms.conditions.common_factor import CommonFactor, Subset
+from gcrules.mechanisms.conditions.factor_causes import KINDS, Part
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.lines.serial import LimbSingularity
+from gcrules.mechanisms.lines.wrenches import LimbWrenches, Line
+
+__all__ = ["CONDITION", "FACTORS", "LIMBS", "LINES", "as_latex", "as_text", "sections"]
+
+LIMBS = "Limbs: wrenches with the actuators locked"
+LINES = "Equivalent structure"
+CONDITION = "Condition of the lines"
+FACTORS = "Its factors for this robot"
+"""Titles of sections."""
+
+_WIDTH = 100
+
+
+def as_text(a: RobotAnalysis, *, unicode: bool = False) -> str:
+    """Limbs, equivalent lines, condition, factors, singularities of limbs, certificate."""
+    out = [*_wrapped(a.statement), "", *_head(a)]
+    for number, (title, lines) in enumerate(sections(a, unicode), 1):
+        out += ["", f"{number}. {title}"]
+        for line in lines:
+            out += _wrapped(line, 3)
+    return "\n".join(out)
+
+
+def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]:
+    """The stages of an analysis: titles, and lines of text."""
+    if a.structure.limbs:
+        yield LIMBS, [_limb(limb) for limb in a.structure.limbs]
+    if a.structure.limbs and any(limb.lines is None for limb in a.structure.limbs):
+        none = ["not known: the file has no home configuration"]
+        yield "Wrenches that are no such lines, at home", [str(one) for one in a.wrenches] or none
+    if a.structure.lines is not None:
+        yield LINES, [_structure(a)]
+    if a.condition is not None and a.lines is not None:
+        names = a.lines.structure.names
+        sides = ex.mul(a.condition.cofactor, a.lines.structure.superbracket), a.condition.right_side
+        yield CONDITION, [" = ".join(text(e, unicode=unicode, names=names) for e in sides)]
+        factors = [_part(part, names, unicode) for part in a.parts]
+        if a.cofactors:
+            left = ", ".join(text(e, unicode=unicode, names=names) for e in a.cofactors)
+            factors.append(f"{left}: cofactor; where it vanishes so does the expression, singular or not")
+        yield FACTORS, factors
+    if a.structure.over and a.lines is not None and a.structure.limbs:
+        title = f"All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines"
+        too_high = ["not compared: their superbrackets have a degree above 63 in the parameters of the family"]
+        yield title, _common(a.common, a.lines.structure.names, unicode) if a.common else too_high
+    if a.structure.limbs:
+        yield "Singularities of the limbs by themselves (of codimension one)", [_serial(one) for one in a.limbs]
+    sure = [a.certificate]
+    if a.published is not None:
+        sure.append(f"published condition {a.published.condition}: {a.published.verdict}, {a.published.detail}")
+    yield "Certificate", sure
+
+
+_NUMBERS = ("six", "three")
+_SHOWN = 6  # cofactors that are shown in words
+
+
+def _common(c: CommonFactor, names: tuple[str, ...], unicode: bool) -> list[str]:
+    """What the subsets of an over-constrained robot's lines have in common, and the cofactors."""
+    count = "one of them is" if c.independent == 1 else f"{c.independent} of them are"
+    out = [
+        f"the limbs have {c.lines} different lines, with {c.subsets} such subset{'s' * (c.subsets > 1)}, and {count}"
+        " not zero in the whole family; the condition is the common factor of their superbrackets"
+    ]
+    for one in c.listed[:_SHOWN] if c.independent > 1 else ():
+        out.append(f"with the constraints {_lines(one)}: {_cofactor(one, names, unicode)}")
+    if c.independent > _SHOWN:
+        out.append(f"and {c.independent - _SHOWN} more, which --json lists")
+    if c.independent > 1:
+        out.append(f"with the constraints that were chosen, {_lines(c.chosen)}: {_cofactor(c.chosen, names, unicode)}")
+    return out
+
+
+def _lines(one: Subset) -> str:
+    return " ".join("".join(ends) for ends in one.lines)
+
+
+def _cofactor(one: Subset, names: tuple[str, ...], unicode: bool) -> str:
+    if not one.degree:
+        return "no cofactor"
+    shown = f" {text(one.cofactor, unicode=unicode, names=names)}" if one.cofactor else ""
+    return f"cofactor{shown}" + (f", zero where {one.statement}" if one.statement else "")
+
+
+def _serial(one: LimbSingularity) -> str:
+    words = "; ".join(f"{e} = 0: {s}" if e else s for e, s in one.conditions)
+    if one.unexplained and not words:
+        return f"{one.limb}: found at {one.unexplained} exact members, by none of the conditions that are tried"
+    more = f" ({one.unexplained} members of another kind)" if one.unexplained else ""
+    return f"{one.limb}: {words or 'none found'}{more}"
+
+
+def _head(a: RobotAnalysis) -> Iterator[str]:
+    yield f"{a.robot.title} ({a.robot.id}){': ' + a.robot.chain if a.robot.limbs else ''}"
+    if a.robot.limbs:
+        yield (
+            f"mobility of the platform {a.structure.mobility}, overconstraints {a.structure.over},"
+            f" idle freedoms {a.structure.idle}"
+        )
+    for key, value in (("source", a.robot.source), ("note", a.robot.note)):
+        if value:
+            yield from _wrapped(f"{key}: {value}")
+
+
+def _limb(limb: LimbWrenches) -> str:
+    what = f"{limb.limb.name} ({limb.limb.chain}): {limb.kind}"
+    if limb.lines is None:
+        return f"{what}; no lines through the robot's points span it"
+    return f"{what}: {', '.join(map(_line, limb.lines))}"
+
+
+def _line(line: Line) -> str:
+    word = "couple" if line.couple else "force"
+    return f"{word} {''.join(line.ends)}{' (constraint)' if line.role == 'constraint' else ''}"
+
+
+def _structure(a: RobotAnalysis) -> str:
+    words = [f"the lines {' '.join(''.join(leg) for leg in a.structure.legs)}"]
+    if a.structure.ideal:
+        words.append(f"at infinity {', '.join(a.structure.ideal)}")
+    words += [f"{n} is the direction {what}" for n, what in a.structure.named]
+    return "; ".join(words)
+
+
+def _part(part: Part, names: tuple[str, ...], unicode: bool) -> str:
+    shown = text(part.expression, unicode=unicode, names=names)
+    if part.same is not None:
+        return f"{shown}: {part.kind}, implies that {text(part.same, unicode=unicode, names=names)} is zero"
+    if part.reason and part.kind != "never":
+        return f"{shown}: zero where {part.statement}; {part.reason}" if part.statement else f"{shown}: {part.reason}"
+    if part.kind == "never":
+        return f"{shown}: never for this robot, {part.reason}"
+    said = f" zero where {part.statement}" if part.statement else ""
+    seen = f" (seen at {part.members - part.chosen} exact members)" if part.members else ""
+    chosen = f"; at {part.chosen} others only the chosen lines depend on each other" if part.chosen else ""
+    return f"{shown}: {part.kind},{said or ' ' + KINDS[part.kind]}{seen}{chosen}"
+
+
+def _wrapped(words: str, indent: int = 0) -> list[str]:
+    first, rest = " " * indent, " " * (indent + 2 * bool(indent))
+    return textwrap.wrap(
+        words, _WIDTH, initial_indent=first, subsequent_indent=rest, break_long_words=False, break_on_hyphens=False
+    )
+
+
+# --- LaTeX ---
+
+
+def as_latex(a: RobotAnalysis) -> str:
+    """A document with the limbs, the identity of the lines, the factors and the statement."""
+    from gcrules.views.formulas.latex_text import latex_document  # needed for LaTeX only
+    from gcrules.views.formulas.latex_text import latex_words as words
+
+    out = [rf"\section*{{{words(a.robot.title)}}}", words(a.statement)]
+    if a.structure.limbs:
+        out += [r"\subsection*{Limbs}", *(rf"{words(_limb(limb))}\par" for limb in a.structure.limbs)]
+    if a.wrenches:
+        out += [r"\subsection*{Wrenches that are no such lines, at home}"]
+        out += [rf"{words(str(one))}\par" for one in a.wrenches]
+    if a.condition is not None and a.lines is not None:
+        left = ex.mul(a.condition.cofactor, a.lines.structure.superbracket)
+        out += [r"\subsection*{Condition of the lines}", _display(left, a.condition.right_side)]
+        out += [r"\subsection*{Factors}"]
+        out += [f"{_display(None, p.expression)}\n{words(_told(p))}" for p in a.parts]
+    if a.common is not None and a.lines is not None:
+        out += [rf"\subsection*{{All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines}}"]
+        out += [rf"{words(line)}\par" for line in _common(a.common, a.lines.structure.names, True)]
+    return latex_document([*out, r"\subsection*{Certificate}", words(a.certificate)])
+
+
+def _told(part: Part) -> str:
+    if part.same is not None:
+        return f"{part.kind}; implies that {text(part.same, unicode=True)} is zero"
+    said = f"zero where {part.statement}" if part.statement else KINDS[part.kind]
+    return f"{part.kind}; {part.reason or said}"
+
+
+def _display(left: Expr | None, right: Expr) -> str:
+    from gcrules.views.formulas.latex import latex_lines
+
+    lines = [*([f"{line} = " for line in latex_lines(left)] if left else []), *latex_lines(right)]
+    return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
