@@ -21,7 +21,7 @@ import pytest
 
 import gcrules as gc
 from gcrules.poses.maps.maps import planned
-from gcrules.poses.numbers.threshold import DEFAULT
+from gcrules.screws.threshold import DEFAULT
 
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 OVER = ["x -300:300:160", "z -500:100:250"]

@@ -14,6 +14,7 @@ from products import PLANTED, products
 from scale import FORMS, by_gcrules, by_macaulay2, macaulay2
 
 from gcrules.algebra.bracket import BracketPolynomial, Terms
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expand import expand
 from gcrules.algebra.factoring.factorize import factor
 from gcrules.algebra.language.syntax import parse
@@ -22,7 +23,7 @@ from gcrules.algebra.straightening import straighten as module
 from gcrules.algebra.straightening.straighten import straighten, straighten_terms
 from gcrules.algebra.straightening.work import Work
 from gcrules.rules.catalog.file import load
-from gcrules.rules.condition import Certificate, Condition
+from gcrules.rules.condition import Condition
 
 SIZES = [(3, 6), (3, 9), (3, 12), (3, 15), (4, 8), (4, 9), (4, 10), (4, 12), (4, 14), (4, 16)]
 PEER = {3: 11, 4: 10}  # rank: the most points for which Macaulay2 needs seconds only

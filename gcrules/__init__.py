@@ -13,7 +13,11 @@ from __future__ import annotations
 
 from importlib import import_module
 
-__version__ = "0.1.0"
+from gcrules.core.shown import show_by
+from gcrules.core.version import __version__
+from gcrules.views.forms import shown
+
+show_by(shown)
 
 TYPE_CHECKING = False  # the command line begins here, and hears no signals while typing is loaded
 if TYPE_CHECKING:

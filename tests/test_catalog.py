@@ -13,9 +13,9 @@ from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.syntax import parse
 from gcrules.conditions.analysis import analyze
+from gcrules.conditions.catalog_check import check_catalog, check_entry, enumerate_classes, source_keys
 from gcrules.core.errors import FileError
 from gcrules.rules.catalog.catalog import Catalog, Entry
-from gcrules.rules.catalog.check import check_catalog, check_entry, enumerate_classes, source_keys
 from gcrules.rules.catalog.file import load, load_file
 
 CLASSES: list[dict[str, Any]] = yaml.safe_load(
@@ -301,8 +301,8 @@ def test_readings_are_parsed_as_written(catalog: Catalog) -> None:
 
 def test_what_can_be_computed_is_not_typed(catalog: Catalog, tmp_path: Path) -> None:
     """The drafts of all classes, read back, agree with the catalog in everything that is computed."""
-    from gcrules.rules.catalog.check import FOUND
-    from gcrules.rules.catalog.draft import draft
+    from gcrules.conditions.catalog_check import FOUND
+    from gcrules.conditions.catalog_draft import draft
 
     path = tmp_path / "draft.yaml"
     path.write_text("\n".join(["classes:", *(draft(e.id, e.legs) for e in catalog.entries)]), encoding="utf-8")

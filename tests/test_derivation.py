@@ -17,7 +17,7 @@ from click.testing import CliRunner
 import gcrules as gc
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import mul, neg, sub
+from gcrules.algebra.expr import ONE, mul, neg, sub
 from gcrules.algebra.language.legs_text import read_legs
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context, parse
@@ -27,7 +27,6 @@ from gcrules.algebra.superbrackets.shortest import superbracket_form
 from gcrules.apps.cli.legs import analyze as analyze_command
 from gcrules.conditions.analysis import Analysis, analyze
 from gcrules.core.errors import LimitReached
-from gcrules.rules.condition import ONE
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.deriving import derived_zero, from_catalog
 from gcrules.rules.elementary import ELEMENTARY

@@ -211,7 +211,7 @@ def test_scripts_say_what_is_true(block: Block) -> None:
 @pytest.mark.parametrize("block", of("yaml"), ids=[f"{b.name}: {b.text.split(':')[0]}" for b in of("yaml")])
 def test_files_are_what_the_document_says(block: Block, tmp_path: Path) -> None:
     import gcrules as gc
-    from gcrules.rules.catalog.check import check_entry
+    from gcrules.conditions.catalog_check import check_entry
     from gcrules.rules.catalog.file import load_file
 
     path = tmp_path / "file.yaml"

@@ -19,7 +19,7 @@ from gcrules.apps.studio.subject import read_subject
 from gcrules.core.errors import InputError
 from gcrules.core.floats import as_float, decimal
 from gcrules.mechanisms.description.platform_file import parse_platform
-from gcrules.poses.numbers.jacobian import jacobian
+from gcrules.screws.margin import jacobian
 from gcrules.views.drawing.solids import flat_normal, outline, patch
 
 ROOT = Path(__file__).resolve().parent.parent

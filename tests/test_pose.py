@@ -31,14 +31,14 @@ from gcrules.poses.nearest.zero import fibonacci, nearest_zero
 from gcrules.poses.numbers.arrays import from_poses, from_vectors, matrices, read_arrays
 from gcrules.poses.numbers.cubic import EXPONENTS, Cubic, determinant, superbracket_at, translation_polynomial
 from gcrules.poses.numbers.extensors import mutual_moment, normalised, plane_equation
-from gcrules.poses.numbers.guarantees import closeness, noise
 from gcrules.poses.numbers.incidence_measures import NEAR_ZERO, readings
-from gcrules.poses.numbers.jacobian import Jacobian, jacobian
 from gcrules.poses.numbers.motion import dependence, exact_dependence
-from gcrules.poses.numbers.threshold import parse_threshold
 from gcrules.poses.numbers.variety import signature, variety
+from gcrules.screws.guarantees import closeness, noise
+from gcrules.screws.margin import Jacobian, jacobian
 from gcrules.screws.pose import Pose, parse_pose
 from gcrules.screws.rotations import from_euler, product, rotation
+from gcrules.screws.threshold import parse_threshold
 
 F = Fraction
 EXAMPLES = ("octahedral", "platform-6-3", "platform-6-4", "platform-6-6", "four-dof")

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.language.legs_text import legs_text
 from gcrules.algebra.language.syntax import parse
 from gcrules.conditions.analysis import Analysis, analyze
@@ -23,7 +24,7 @@ from gcrules.conditions.gained_motion import common_point, factors, free_motions
 from gcrules.core.errors import FileError, InputError
 from gcrules.mechanisms.description.platform_file import Platform, load_platform
 from gcrules.rules.catalog.file import load
-from gcrules.rules.condition import Certificate, Condition
+from gcrules.rules.condition import Condition
 from gcrules.views.drawing.drawing import Circle, Drawing, Line, Polygon, Run, Text, name_runs, save, text_width
 from gcrules.views.drawing.figures import graph_figure, incidence_in_words, robot_figure, thumbnail
 from gcrules.views.drawing.graph import count_crossings, draw_graph, layered_order

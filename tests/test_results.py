@@ -24,12 +24,12 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.straightening.straighten import straighten_steps
 from gcrules.api.functions import functions as api
+from gcrules.conditions.catalog_check import check_entry
 from gcrules.conditions.example_poses import singular_pose
+from gcrules.conditions.pose_value import pose_value
 from gcrules.core.errors import FileError, InputError, LimitReached, Span, StepError, SyntaxFault, join_faults
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.platform_file import load_platform
-from gcrules.poses.numbers.value import pose_value
-from gcrules.rules.catalog.check import check_entry
 from gcrules.rules.catalog.file import load
 from gcrules.rules.script import run_script
 

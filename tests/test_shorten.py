@@ -36,8 +36,8 @@ from gcrules.algebra.shortening.symmetry import Action, orbits, symmetry
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import superbracket_form
 from gcrules.apps.cli import cli
+from gcrules.conditions.catalog_check import check_entry
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.rules.catalog.check import check_entry
 from gcrules.rules.catalog.file import load
 
 CLASSES = yaml.safe_load((Path(__file__).parent / "data" / "gsp_classes.yaml").read_text(encoding="utf-8"))["classes"]

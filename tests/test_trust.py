@@ -28,6 +28,7 @@ from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.prove import Proof, prove
 from gcrules.apps.cli import cli
 from gcrules.conditions.analysis import analyze
+from gcrules.conditions.catalog_check import check_digests, check_entry
 from gcrules.conditions.manual.file import load_session
 from gcrules.conditions.manual.session import Session
 from gcrules.core import proof_memory, seeds
@@ -36,7 +37,6 @@ from gcrules.mechanisms.conditions.robot_analysis import analyze_robot
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.rules import rule_file
 from gcrules.rules.catalog import proofs as catalog_proofs
-from gcrules.rules.catalog.check import check_digests, check_entry
 from gcrules.rules.catalog.file import load, load_file
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.random_witness import Oracle

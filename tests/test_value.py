@@ -13,8 +13,8 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Point, join
 from gcrules.algebra.language.legs_text import read_legs
 from gcrules.conditions.analysis import analyze
-from gcrules.poses.numbers.value import XYZ, line_measure, line_points, measure, pose_value
-from gcrules.poses.numbers.verdict import CLOSE
+from gcrules.conditions.pose_value import XYZ, line_measure, line_points, measure, pose_value
+from gcrules.screws.verdict import CLOSE
 
 Pose = dict[str, tuple[int, int, int]]
 LEGS = ["ab af cb cd ed ef", "Aa Bb Cc Dd Ee Ff", "Aa Ab Ba Bb Cc Dd", "Aa Ab Ac Bd Be Cf", "Aa Ab Bc Cd De Ef"]

@@ -17,8 +17,8 @@ import gcrules as gc
 from gcrules.apps.studio.numbers import numbers
 from gcrules.apps.studio.subject import read_subject
 from gcrules.mechanisms.description.platform_file import Platform, parse_platform
-from gcrules.poses.numbers.threshold import DEFAULT, closeness_of
-from gcrules.poses.numbers.verdict import CLOSE, VERDICTS, decide, rank
+from gcrules.screws.threshold import DEFAULT, closeness_of
+from gcrules.screws.verdict import CLOSE, VERDICTS, decide, rank
 from gcrules.views.report.scene_json import Scenery
 
 LEGS = "A1B1 A1B3 A2B1 A2B2 A3B2 A3B3"

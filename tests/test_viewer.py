@@ -19,8 +19,8 @@ from click.testing import CliRunner
 
 import gcrules as gc
 from gcrules.apps.cli import cli
+from gcrules.conditions.pose_value import measure
 from gcrules.core.errors import InputError
-from gcrules.poses.numbers.value import measure
 from gcrules.rules.catalog.file import load
 from gcrules.screws.pose import parse_pose
 from gcrules.views.drawing.palette import ROLES

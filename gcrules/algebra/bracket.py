@@ -17,10 +17,11 @@ from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.text import SHORT_NAME, text
+from gcrules.algebra.language.text import text
 from gcrules.core.budget import watched
 from gcrules.core.errors import InputError, StepError
 from gcrules.core.frozen import FrozenMap
+from gcrules.core.shown import Shown
 
 if TYPE_CHECKING:
     import sympy
@@ -83,13 +84,13 @@ def _nonzero(terms: Mapping[Monomial, Coefficient]) -> Terms:
     }
 
 
-def _repeats(monomial: Monomial) -> bool:
+def repeats(monomial: Monomial) -> bool:
     """Whether a bracket occurs so often that a power is shorter."""
     return any(a == b for a, b in zip(monomial, monomial[MANY_EQUAL - 1 :], strict=False))
 
 
-class _Shown(ABC):
-    """What both kinds of polynomials show of themselves."""
+class _Polynomial(Shown, ABC):
+    """What both kinds of polynomials have."""
 
     points: tuple[str, ...]
 
@@ -102,24 +103,6 @@ class _Shown(ABC):
     @abstractmethod
     def to_expr(self, *, short: bool = False) -> Expr: ...
 
-    def text(self, *, unicode: bool = False, short: bool = False) -> str:
-        """The text of the language, in plain ASCII or in Unicode mathematics; `short` writes many equal brackets as a
-        power (of which the language reads those up to 64 back).
-        """
-        return text(self.to_expr(short=short), unicode=unicode, names=self.points)
-
-    def latex(self) -> str:
-        """The LaTeX of the polynomial, without dollar signs."""
-        from gcrules.views.formulas.latex import latex  # needed for LaTeX only
-
-        return latex(self.to_expr())
-
-    def __str__(self) -> str:
-        return self.text()
-
-    def _repr_latex_(self) -> str:
-        return self.to_expr()._repr_latex_()
-
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self}>" if len(self) <= 24 else f"<{type(self).__name__} of {len(self)} terms>"
 
@@ -129,7 +112,7 @@ class _Shown(ABC):
 
 
 @dataclass(frozen=True, repr=False)
-class BracketPolynomial(_Shown):
+class BracketPolynomial(_Polynomial):
     """Σ coefficient · monomial in brackets of the given rank over `points`, the first `ideal` at infinity."""
 
     rank: int
@@ -152,21 +135,6 @@ class BracketPolynomial(_Shown):
 
     def _step(self) -> int:
         return self.step
-
-    def text(self, *, unicode: bool = False, short: bool = False) -> str:
-        """As for any expression, without making one of each of the terms, which may be many."""
-        if short and any(map(_repeats, self.terms)):
-            return super().text(unicode=unicode, short=True)
-        between = "" if all(map(SHORT_NAME.fullmatch, self.points)) else " "
-        minus = "−" if unicode else "-"
-        rows = {row: f"[{between.join(self.points[i] for i in row)}]" for row in set(chain.from_iterable(self.terms))}
-        words: list[str] = []
-        last = sorted(self.terms.items(), key=lambda term: not term[0])  # a number comes last
-        for m, c in watched(last):
-            words.append(f" {minus if c < 0 else '+'} " if words else minus * (c < 0))
-            words.append("" if abs(c) == 1 and m else str(ex.Number(c if c > 0 else -c).value))
-            words += map(rows.__getitem__, m)
-        return "".join(words) or "0"
 
     def with_terms(self, terms: Mapping[Monomial, Coefficient]) -> BracketPolynomial:
         """The polynomial over the same points with other terms."""
@@ -279,7 +247,7 @@ def primitive(poly: BracketPolynomial) -> tuple[Coefficient, BracketPolynomial]:
 
 
 @dataclass(frozen=True, repr=False)
-class ExtensorPolynomial(_Shown):
+class ExtensorPolynomial(_Polynomial):
     """Σ (bracket polynomial) · extensor for extensors of one positive step, each an increasing tuple of points."""
 
     rank: int

@@ -24,8 +24,10 @@ from numbers import Integral, Rational
 
 from gcrules.core.budget import watched
 from gcrules.core.errors import InputError, LimitReached, StepError
+from gcrules.core.shown import Shown
 
 __all__ = [
+    "ONE",
     "ZERO",
     "Bracket",
     "Dotted",
@@ -69,7 +71,7 @@ MAX_DOTTED_TERMS = 50_000
 
 
 @dataclass(frozen=True, slots=True)
-class Expr:
+class Expr(Shown):
     """Base of all expressions; `step` is the step of the value (0 for scalars), `depth` that of the nesting."""
 
     step: int = field(init=False, repr=False, compare=False)
@@ -78,16 +80,6 @@ class Expr:
     @property
     def children(self) -> tuple[Expr, ...]:
         return ()
-
-    def __str__(self) -> str:
-        from gcrules.algebra.language.text import text  # the renderer needs the classes below
-
-        return text(self)
-
-    def _repr_latex_(self) -> str:
-        from gcrules.views.formulas.latex import latex
-
-        return f"$\\displaystyle {latex(self)}$"
 
     def __or__(self, other: Expr) -> Expr:
         """The join, in the rank that the operands are written in (4 if they do not say)."""
@@ -310,6 +302,7 @@ class Power(Expr):
 
 
 ZERO = Number(0)
+ONE = Number(1)
 
 
 def too_many_bits() -> InputError:

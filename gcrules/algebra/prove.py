@@ -34,6 +34,7 @@ from gcrules.algebra.weights import unit_weights
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached, StepError
 from gcrules.core.frozen import FrozenMap
+from gcrules.core.shown import Shown
 
 __all__ = ["KindVerdict", "Proof", "prove"]
 
@@ -45,7 +46,6 @@ _SATISFYING = ", which satisfy the assumptions"
 _ANY_WEIGHT = ", of any weight); they are equal wherever every finite point has last coordinate 1"
 _VERDICTS = ("refuted", "undecided", "proved")
 _DO = ("does", "do")
-_SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class KindVerdict:
 
 
 @dataclass(frozen=True)
-class Proof:
+class Proof(Shown):
     """The answer to LHS == RHS and how sure it is.
 
     `verdict` is "proved" (the normal form of the difference is 0), "refuted" (`counterexample` holds exact homogeneous
@@ -116,38 +116,6 @@ class Proof:
             "kinds": [k.to_json() for k in self.kinds],
             "unit_weights": self.unit_weights,
         }
-
-    def text(self, *, unicode: bool = False) -> str:
-        """The verdict in words, with the counterexample if there is one."""
-        claim = f"{text(self.left, unicode=unicode)} == {text(self.right, unicode=unicode)}"
-        lines = [f"{self.verdict}: {claim}", f"  {self.reason}"]
-        if self.counterexample is not None and self.values is not None:
-            lines += [f"  {name} = ({', '.join(map(str, c))})" for name, c in self.counterexample.items()]
-            lines += [f"  left side  = {_shown(self.values[0])}", f"  right side = {_shown(self.values[1])}"]
-        return "\n".join([*lines, *self.conditions()])
-
-    def conditions(self) -> list[str]:
-        """The lines that say what was assumed not to vanish, and what that means, and which kinds of positions there
-        are; none if nothing was assumed and there is only one.
-        """
-        meanings = self.meanings or [""] * len(self.assumed)
-        shown = [f"{e} ({m})" if m else e for e, m in zip(self.assumed, meanings, strict=True)]
-        lines = [f"  assumed not to vanish: {', '.join(shown)}"] if shown else []
-        if self.kinds:
-            lines += ["  the assumptions allow several kinds of positions", *(f"    {k}" for k in self.kinds)]
-        return lines
-
-    def latex(self) -> str:
-        """The sides with the sign that the verdict calls for, without dollar signs."""
-        from gcrules.views.formulas.latex import latex  # needed for LaTeX only
-
-        return f"{latex(self.left)} {_SIGNS[self.verdict]} {latex(self.right)}"
-
-    def __str__(self) -> str:
-        return self.text()
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
 
 
 def prove(
@@ -303,11 +271,12 @@ def _differ(left: Any, right: Any) -> bool:
 def _plain(value: Any) -> Any:
     if isinstance(value, tuple):
         return [_plain(v) for v in value]
-    return value if isinstance(value, int) and value.bit_length() <= MAX_COEFFICIENT_BITS else _shown(value)
+    return value if isinstance(value, int) and value.bit_length() <= MAX_COEFFICIENT_BITS else number_text(value)
 
 
-def _shown(value: Any) -> str:
+def number_text(value: Any) -> str:
+    """A number, or a tuple of them; of one that is very long only its size."""
     if isinstance(value, tuple):
-        return f"({', '.join(map(_shown, value))})"
+        return f"({', '.join(map(number_text, value))})"
     bits = max(abs(value.numerator), value.denominator).bit_length()
     return str(value) if bits <= MAX_COEFFICIENT_BITS else f"a number of {bits:,} bits"

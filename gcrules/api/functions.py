@@ -34,6 +34,7 @@ from gcrules.conditions.analysis import analyze as _analyze
 from gcrules.conditions.transversals import Transversals
 from gcrules.conditions.transversals import transversals as _transversals
 from gcrules.core import budget
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError, InputError, LimitReached, StepError, SyntaxFault
 from gcrules.core.seeds import repeated
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
@@ -106,6 +107,13 @@ __all__ = [
     "within",
 ]
 
+decided = deferred("gcrules.algebra.factoring.factorize:factor")
+shortened = deferred("gcrules.algebra.shortening.shorten:shorten")
+posed = deferred("gcrules.poses.pose_report:pose")
+along = deferred("gcrules.poses.path_report:path")
+computed = deferred("gcrules.poses.loci.locus:locus")
+made = deferred("gcrules.poses.maps.maps:singular_map")
+
 analyze = public(_analyze)
 load_platform = public(_load_platform)
 load_rules = public(_load_rules)
@@ -174,10 +182,8 @@ def factor(
     where there is none. Raises InputError for zero and for what is not homogeneous in the points, LimitReached beyond
     `limit` extensors or `seconds`.
     """
-    from gcrules.algebra.factoring.factorize import factor as decided  # numpy, for this function only
-
     given = e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, rank, points, ideal)
-    return decided(
+    answer: Factorization = decided(
         given,
         points=split_names(points),
         ideal=split_names(ideal),
@@ -187,6 +193,7 @@ def factor(
         every=all,
         cofactor=cofactor,
     )
+    return answer
 
 
 @public
@@ -206,12 +213,11 @@ def shorten(
     the answer. Raises InputError for extensors, LimitReached where there are more than `limit` bracket monomials of the
     multidegree.
     """
-    from gcrules.algebra.shortening.shorten import shorten as shortened  # numpy, for this function only
-
     given = e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, rank, points, ideal)
-    return shortened(
+    answer: Shortening = shortened(
         given, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit, seconds=seconds
     )
+    return answer
 
 
 @public
@@ -309,9 +315,7 @@ def pose(
     "5 mm"), `accuracy` a length up to which the joints' places are known. `nearest=False` leaves out the search for
     singular poses, which takes a second or two. Raises InputError for what is no pose and for degenerate robots.
     """
-    from gcrules.poses.pose_report import pose as posed  # numpy, for this function only
-
-    return posed(
+    answer: PoseReport | PoseNumbers = posed(
         robot,
         at,
         quaternion=quaternion,
@@ -323,6 +327,7 @@ def pose(
         accuracy=accuracy,
         nearest=nearest,
     )
+    return answer
 
 
 @public
@@ -342,9 +347,8 @@ def path(
     which values are given; singular poses are found between them, too. `threshold` is an angle. Raises InputError for
     what is no path and for degenerate robots.
     """
-    from gcrules.poses.path_report import path as along  # numpy, for this function only
-
-    return along(robot, poses, samples=samples, about=about, threshold=threshold)
+    answer: PathReport = along(robot, poses, samples=samples, about=about, threshold=threshold)
+    return answer
 
 
 @public
@@ -368,9 +372,8 @@ def locus(
     terms are searched for factors where no proof decides. Raises InputError for unknown variables, where nothing is
     free, and for degenerate robots.
     """
-    from gcrules.poses.loci.locus import locus as computed  # numpy and sympy, for this function only
-
-    return computed(robot, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
+    answer: Locus = computed(robot, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
+    return answer
 
 
 @public
@@ -389,9 +392,8 @@ def compiled(
     `pose`. `engine` is "numba" or "numpy", with equal values; numba where it is installed if it is not given. Raises
     InputError for other expressions, for joints at infinity and for degenerate robots.
     """
-    from gcrules.poses.compiling.compiled import compiled as made  # numpy, for this function only
-
-    return made(robot, expression, about=about, engine=engine)
+    answer: CompiledCondition = made(robot, expression, about=about, engine=engine)
+    return answer
 
 
 @public
@@ -417,9 +419,7 @@ def singular_map(
     `restart` throws them away; `.store.close()` removes it. Raises InputError for what makes no sense and for
     degenerate robots, LimitReached for maps that are too large.
     """
-    from gcrules.poses.maps.maps import singular_map as made  # numpy, for this function only
-
-    return made(
+    answer: SingularMap = made(
         robot,
         over,
         at,
@@ -430,6 +430,7 @@ def singular_map(
         work=work,
         restart=restart,
     )
+    return answer
 
 
 @public

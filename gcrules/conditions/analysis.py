@@ -23,10 +23,11 @@ from gcrules.algebra.language.text import SHORT_NAME, Names, split_names, text
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.conditions import superbracket_forms as forms
 from gcrules.conditions.find_conditions import Readings, always_zero, linear_complex, read
+from gcrules.conditions.pose_value import PoseValue, pose_value
 from gcrules.core.errors import EngineFault, InputError
 from gcrules.core.seeds import remark
+from gcrules.core.shown import Shown
 from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.poses.numbers.value import PoseValue, pose_value
 from gcrules.rules.catalog.catalog import Match
 from gcrules.rules.catalog.file import load
 from gcrules.rules.condition import Condition, Entity, starred
@@ -43,7 +44,7 @@ __all__ = ["Analysis", "analyze"]
 
 
 @dataclass(frozen=True)
-class Analysis:
+class Analysis(Shown):
     """All stages of the analysis of six legs, as frozen values.
 
     `typed` is the superbracket of the legs in the order given, `shortest` its shortest form; `match` the class of the
@@ -118,32 +119,9 @@ class Analysis:
             "notes": list(self.notes),
         }
 
-    def text(self, *, unicode: bool = False, full: bool = False) -> str:
-        """Every stage as plain text; `full` adds every single step of the derivation, here as in the other forms."""
-        from gcrules.views.text.analysis_text import as_text
-
-        return as_text(self, unicode=unicode, full=full)
-
-    def latex(self, *, full: bool = False) -> str:
-        """Every stage as a LaTeX document that compiles with the article class and amsmath."""
-        from gcrules.views.formulas.latex_document import as_latex
-
-        return as_latex(self, full=full)
-
-    def __str__(self) -> str:
-        return self.text(unicode=True)
-
     def __repr__(self) -> str:
         name = self.match.entry.id if self.match else "no class"
         return f"<Analysis {name}: {self.condition.kind}, {self.condition.expression}>"
-
-    def _repr_html_(self) -> str:
-        from gcrules.views.report.report import fragment
-
-        return fragment(self)
-
-    def _repr_latex_(self) -> str:
-        return self.condition.expression._repr_latex_()
 
 
 def analyze(

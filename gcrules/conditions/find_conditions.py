@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from itertools import combinations, permutations
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr, Number, Point, points_of
+from gcrules.algebra.certificate import Certificate
+from gcrules.algebra.expr import ONE, Expr, Number, Point, points_of
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
@@ -16,7 +17,7 @@ from gcrules.core.english import listed
 from gcrules.core.errors import LimitReached
 from gcrules.rules.catalog.catalog import SHIPPED, Catalog, Match
 from gcrules.rules.claims import best_first, certify, describe, in_special_position
-from gcrules.rules.condition import ONE, Certificate, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import Claim
 from gcrules.rules.couples import COUPLES
 from gcrules.rules.factorization import factored

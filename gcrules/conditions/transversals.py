@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from textwrap import wrap
 from typing import Any
 
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.text import Names, text
 from gcrules.core.english import listed
+from gcrules.core.shown import Shown
 from gcrules.rules.claims import certify, in_special_position
 from gcrules.rules.condition import Condition
 from gcrules.rules.degenerate import explain
@@ -27,7 +27,7 @@ __all__ = ["Transversals", "transversals"]
 
 
 @dataclass(frozen=True)
-class Transversals:
+class Transversals(Shown):
     """Conditions cofactor · superbracket = coefficient · expression that compare the turns about two lines p and q.
 
     `readings` holds them with their legs g, h and lines p, q, each proved, the simplest first; `more` counts those that
@@ -62,41 +62,6 @@ class Transversals:
             "reason": self.reason or None,
             "assumed": [e for e, _ in self.structure.assumed],
         }
-
-    def text(self, *, unicode: bool = False) -> str:
-        """For each reading the identity, the sentence, p and q, and the certificate."""
-        names = self.structure.names
-        lines = []
-        for r in self.readings:
-            identity, *said = r.condition.text(unicode=unicode, names=names).splitlines()
-            lines += [identity, *(line for part in said for line in wrap(part, 100))]
-            for name, line in zip("pq", r.lines, strict=True):
-                lines.append(f"  {name:<12} {text(line.expression, unicode=unicode, names=names)}, {line.words}")
-            lines.append(f"  certificate  {r.condition.certificate.method}: {r.condition.certificate.detail}")
-            lines += [""] * (len(self.readings) > 1)
-        if self.more:
-            lines.append(f"  also         {self.more} other reading{'s' * (self.more != 1)} (shown with --all)")
-        if not self.readings:
-            lines.append(f"none: {self.reason}" if self.definite else f"none found: {self.reason}")
-        for e, meaning in self.structure.assumed:
-            lines.append(f"  assumed not to vanish: {e} ({meaning})" if meaning else f"  assumed not to vanish: {e}")
-        return "\n".join(lines).rstrip()
-
-    def latex(self) -> str:
-        """The identities as LaTeX without dollar signs, one on each line where there are several."""
-        from gcrules.views.formulas.latex_text import latex_words  # needed for LaTeX only
-
-        identities = [r.condition.latex() for r in self.readings]
-        if len(identities) < 2:
-            return identities[0] if identities else rf"\text{{none: {latex_words(self.reason)}}}"
-        rows = " \\\\\n".join(i.replace(" = ", " &= ", 1) for i in identities)
-        return f"\\begin{{aligned}}\n{rows}\n\\end{{aligned}}"
-
-    def __str__(self) -> str:
-        return self.text(unicode=True)
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
 
 
 def _reading(r: Reading, names: tuple[str, ...]) -> dict[str, Any]:

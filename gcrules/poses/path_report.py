@@ -26,11 +26,8 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.numbers.arrays import from_poses, matrices
-from gcrules.poses.numbers.guarantees import ROUNDING
 from gcrules.poses.numbers.many import PoseNumbers, numbers
 from gcrules.poses.numbers.pose_arguments import one_pose
-from gcrules.poses.numbers.threshold import DEFAULT, Threshold, angle_threshold, closeness_of, degrees
-from gcrules.poses.numbers.verdict import decide
 from gcrules.poses.paths.least import Least, least
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.poses.paths.segment import Segment, segments
@@ -38,7 +35,10 @@ from gcrules.poses.paths.table import load_poses
 from gcrules.poses.paths.zeros import Place, Stretch, places, stretches
 from gcrules.poses.pose_inputs import Given, moving_robot
 from gcrules.poses.pose_report import report
+from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.pose import Pose
+from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, closeness_of, degrees
+from gcrules.screws.verdict import decide
 
 __all__ = ["MAX_SAMPLES", "SAMPLES", "path"]
 

@@ -27,19 +27,19 @@ from gcrules.poses.nearest.poses import nearest_poses, nearest_translation
 from gcrules.poses.numbers.arrays import from_poses, normalised_note, read_arrays
 from gcrules.poses.numbers.causes import causes, near_causes, nearest_cause
 from gcrules.poses.numbers.cubic import superbracket_at
-from gcrules.poses.numbers.guarantees import ROUNDING, closeness, noise
 from gcrules.poses.numbers.incidence_measures import readings
-from gcrules.poses.numbers.jacobian import jacobian
 from gcrules.poses.numbers.many import PoseNumbers, homogeneous, numbers
 from gcrules.poses.numbers.motion import dependence, exact_dependence, scaled, softest_twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.poses.numbers.pose_arguments import known_accuracy, one_pose
 from gcrules.poses.numbers.report import PoseReading, PoseReport
-from gcrules.poses.numbers.threshold import DEFAULT, Threshold, threshold_of
-from gcrules.poses.numbers.verdict import verdict as verdict_of
 from gcrules.poses.pose_inputs import Given, moving_robot
 from gcrules.rules.condition import Condition
+from gcrules.screws.guarantees import ROUNDING, closeness, noise
+from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose, parse_pose
+from gcrules.screws.threshold import DEFAULT, Threshold, threshold_of
+from gcrules.screws.verdict import verdict as verdict_of
 
 __all__ = ["pose", "report"]
 

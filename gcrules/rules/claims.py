@@ -6,13 +6,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr, Join, Meet, Point
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.core.frozen import FrozenMap
-from gcrules.rules.condition import Certificate, Condition, Entity, starred
+from gcrules.rules.condition import Condition, Entity, starred
 from gcrules.rules.condition_rule import Claim
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.recognition_state import extensor

@@ -2,19 +2,15 @@ r"""Conditions: what the superbracket of a structure equals, in geometric terms,
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from gcrules.algebra.expr import Expr, Number, Point, mul, signed, sub
+from gcrules.algebra.certificate import Certificate
+from gcrules.algebra.expr import ONE, Expr, Number, mul, signed, sub
 from gcrules.algebra.language.text import text
-from gcrules.core.frozen import FrozenMap
+from gcrules.core.shown import Shown
 
-__all__ = ["ONE", "Certificate", "Condition", "Entity", "starred"]
-
-ONE = Number(1)
-
-_SUPERBRACKET = Point("superbracket")  # stands for that of the legs, which a condition does not know
+__all__ = ["Condition", "Entity", "starred"]
 
 
 @dataclass(frozen=True)
@@ -46,23 +42,7 @@ def starred(kinds_and_points: list[tuple[str, tuple[str, ...]]]) -> tuple[Entity
 
 
 @dataclass(frozen=True)
-class Certificate:
-    """How sure a condition is: `method` is normal-form | catalog-instance | random-points, `detail` in words."""
-
-    method: str
-    detail: str
-    data: Mapping[str, Any] = FrozenMap()
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "data", FrozenMap(self.data))
-
-    def to_json(self) -> dict[str, Any]:
-        data = {key: dict(value) if isinstance(value, Mapping) else value for key, value in self.data.items()}
-        return {"method": self.method, "detail": self.detail, **data}
-
-
-@dataclass(frozen=True)
-class Condition:
+class Condition(Shown):
     """cofactor · superbracket = coefficient · expression, for the legs exactly as typed.
 
     `lines` are the lines that the statement names (p and q, about which the platform could turn); `group` is the
@@ -114,21 +94,3 @@ class Condition:
     def wording(self) -> dict[str, str | None]:
         """The statement and its source for JSON objects."""
         return {"statement": self.statement, "statement_source": self.statement_source or None}
-
-    def text(self, *, unicode: bool = False, names: tuple[str, ...] = ()) -> str:
-        """The kind and the identity in the first line, the sentence in the second."""
-        sides = (mul(self.cofactor, _SUPERBRACKET), self.right_side)
-        left, right = (text(e, unicode=unicode, names=names) for e in sides)
-        return f"{self.kind}: {left} = {right}\n{self.sentence}"
-
-    def latex(self) -> str:
-        """The LaTeX of the identity, without dollar signs."""
-        from gcrules.views.formulas.latex import latex  # needed for LaTeX only
-
-        return f"{latex(mul(self.cofactor, _SUPERBRACKET))} = {latex(self.right_side)}"
-
-    def __str__(self) -> str:
-        return self.text()
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"

@@ -11,10 +11,9 @@ from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
-from gcrules.algebra.expr import Expr, Meet, meet
+from gcrules.algebra.expr import ONE, Expr, Meet, meet
 from gcrules.algebra.language.legs_text import Leg
 from gcrules.core.errors import StepError
-from gcrules.rules.condition import ONE
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES
 from gcrules.rules.foreign import foreign, place_of
 from gcrules.rules.random_witness import Oracle

@@ -12,9 +12,10 @@ from collections.abc import Iterator
 from itertools import permutations
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr, Point
+from gcrules.algebra.certificate import Certificate
+from gcrules.algebra.expr import ONE, Expr, Point
 from gcrules.algebra.language.legs_text import Structure
-from gcrules.rules.condition import ONE, Certificate, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.rule import StructureRule
 from gcrules.rules.sentences import sentence

@@ -17,6 +17,7 @@ from typing import Any
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.space import Space
 from gcrules.core.errors import LimitReached
+from gcrules.core.shown import Shown
 from gcrules.rules.rule import Rule
 from gcrules.rules.step import Step, joined
 from gcrules.rules.unfold import unfold
@@ -27,7 +28,7 @@ _SPACE = Space()
 
 
 @dataclass(frozen=True)
-class Derivation:
+class Derivation(Shown):
     """Steps in sequence in one space, each beginning where the one before ended: first = … = last expression."""
 
     steps: tuple[Step, ...] = ()
@@ -80,28 +81,10 @@ class Derivation:
         steps = self.unfolded(rules).steps
         return replace(self, steps=tuple(single for step in steps for single in step.steps or (step,)))
 
-    def text(self, *, unicode: bool = False, full: bool = False) -> str:
-        """The chain, each expression with the reason below; `full` shows every single step."""
-        from gcrules.views.text.derivation import as_text
-
-        return as_text(self.unfolded() if full else self, unicode=unicode)
-
-    def latex(self, *, full: bool = False) -> str:
-        r"""The chain in an `aligned` environment (package amsmath), without dollar signs."""
-        from gcrules.views.text.derivation import as_aligned
-
-        return as_aligned(self.unfolded() if full else self)
-
     def to_json(self, names: tuple[str, ...] = (), *, full: bool = False) -> list[dict[str, Any]]:
         """`[{rule, before, after, why, assumed, upward}]`, with `full` each with its single `steps`."""
         chosen = self.unfolded() if full else self
         return [step.to_json(names or self.space.points) for step in chosen.steps]
-
-    def __str__(self) -> str:
-        return self.text(unicode=True)
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
 
 
 def _unfolded(step: Step, space: Space, rules: tuple[Rule, ...]) -> Step:

@@ -7,10 +7,10 @@ with a cofactor every expression is multiplied by it, from the first to the last
 from __future__ import annotations
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr, Point
+from gcrules.algebra.expr import ONE, Expr, Point
 from gcrules.algebra.language.legs_text import Structure, leg_text
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
-from gcrules.rules.condition import ONE, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import Claim
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.factorization import BRACKETS_ONLY

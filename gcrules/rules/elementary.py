@@ -13,6 +13,7 @@ from functools import partial
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr, Point, Sum
+from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.parts import first_part
 from gcrules.algebra.space import Space
 from gcrules.algebra.steps import (
@@ -28,11 +29,14 @@ from gcrules.algebra.steps import (
 )
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import shortest_forms
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.rules.instance import of_the_catalog, structure_of
 from gcrules.rules.rule import Elementary
 
 __all__ = ["ELEMENTARY"]
+
+factor = deferred("gcrules.algebra.factoring.factorize:factor")
 
 
 def _shortest(e: Expr, space: Space) -> Expr | None:
@@ -61,14 +65,13 @@ def _factored(e: Expr, space: Space) -> Expr | None:
     """A sum as coefficient · Π brackets · one expression, if there is one."""
     if not isinstance(e, Sum) or e.step:
         return None
-    from gcrules.algebra.factoring.factorize import factor  # numpy, for an expression that may factor
-
     if not straighten(e, points=space.points, ideal=space.ideal, rank=space.rank):
         return None
     try:
-        return factor(e, points=space.points, ideal=space.ideal, rank=space.rank, seconds=_SECONDS).to_expr()
+        answer: Factorization = factor(e, points=space.points, ideal=space.ideal, rank=space.rank, seconds=_SECONDS)
     except InputError:  # not homogeneous in the points
         return None
+    return answer.to_expr()
 
 
 _SECONDS = 5.0

@@ -11,18 +11,22 @@ from time import monotonic
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.certificate import Certificate
+from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.core.budget import checkpoint
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError, LimitReached
 from gcrules.rules.claims import certify
-from gcrules.rules.condition import ONE, Certificate, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.sentences import sentence
 from gcrules.rules.strategy import FACTORIZATION
 
 __all__ = ["BRACKETS_ONLY", "SECONDS", "Outcome", "factored"]
+
+factor = deferred("gcrules.algebra.factoring.factorize:factor")
 
 BRACKETS_ONLY = "bracket-factors"
 SECONDS = 3.0
@@ -55,8 +59,6 @@ def factored(
     first that has one with a cofactor; else at least the brackets that divide. The polynomials equal the superbracket
     up to sign where the assumptions hold; which of them are given and in what order does not matter.
     """
-    from gcrules.algebra.factoring.factorize import factor  # numpy, which few analyses need
-
     end = monotonic() + seconds
     candidates = [p for p in _in_order(polynomials) if len(p) <= _MANY_TERMS or seconds > SECONDS]
     if not candidates:

@@ -12,6 +12,7 @@ from gcrules.algebra.expr import Expr, Join, Point, Product, Superbracket, subst
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.space import Space
 from gcrules.core.errors import InputError
+from gcrules.rules.catalog.file import load
 from gcrules.rules.catalog.proofs import standing
 
 __all__ = ["of_the_catalog", "structure_of", "structures_in"]
@@ -48,8 +49,6 @@ def of_the_catalog(e: Expr, space: Space) -> Expr | None:
     structures = structures_in(e, space)
     if not structures:
         return None
-    from gcrules.rules.catalog.file import load  # a file to read and to check, for an expression that may hold legs
-
     catalog = load()
     for structure in structures:
         match = catalog.match(structure)

@@ -21,6 +21,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.algebra.space import Space
 from gcrules.core.errors import EngineFault
+from gcrules.core.shown import Shown
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.foreign import PluginFault
 from gcrules.rules.identity import Identity, rewrite_all
@@ -30,7 +31,7 @@ __all__ = ["Rewriting", "rewrite"]
 
 
 @dataclass(frozen=True)
-class Rewriting:
+class Rewriting(Shown):
     """before = … = after, one step for each application of a rule; no steps where every rule stayed silent."""
 
     before: Expr
@@ -55,33 +56,6 @@ class Rewriting:
             "after": text(self.after, names=names),
             "derivation": self.derivation.to_json(),
         }
-
-    def text(self, *, unicode: bool = False) -> str:
-        """The chain of equal expressions, with the rule that made each of them."""
-        names = self.space.points
-        lines = [text(self.before, unicode=unicode, names=names)]
-        for step in self.steps:
-            why = f": {step.why}" if step.why else ""
-            lines += [f"  = {text(step.after, unicode=unicode, names=names)}", f"      by {step.rule}{why}"]
-            if step.assumed:
-                shown = ", ".join(text(e, unicode=unicode, names=names) for e in step.assumed)
-                lines.append(f"      assumed not to vanish: {shown}")
-        return "\n".join(lines if self.steps else [*lines, "  no rule fires"])
-
-    def latex(self) -> str:
-        """The chain in an `aligned` environment (package amsmath), without dollar signs."""
-        from gcrules.views.formulas.latex import latex  # needed for LaTeX only
-        from gcrules.views.formulas.latex_text import latex_words
-
-        lines = [f"&{latex(self.before)}"]
-        lines += [f"&={{}} {latex(s.after)} && \\text{{{latex_words(s.rule)}}}" for s in self.steps]
-        return "\n".join(["\\begin{aligned}", " \\\\\n".join(lines), "\\end{aligned}"])
-
-    def __str__(self) -> str:
-        return self.text()
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
 
 
 def rewrite(e: Expr, rules: Iterable[RewriteRule], space: Space | None = None) -> Rewriting:

@@ -13,11 +13,11 @@ from dataclasses import dataclass
 from string import Formatter
 from typing import Any, ClassVar
 
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.space import Space
 from gcrules.core.errors import InputError
-from gcrules.rules.condition import ONE, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.fields import FIELDS, RESULTS, expression_or_none, is_text
 from gcrules.rules.foreign import Guarded, foreign, is_foreign, place_of
 from gcrules.rules.random_witness import Oracle

@@ -9,7 +9,6 @@ line 1: ab /\ cde = [acde] * b - [bcde] * a
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -18,9 +17,9 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Claim, Rewrite, Script, Show
-from gcrules.algebra.language.text import text
 from gcrules.algebra.prove import Proof, prove
 from gcrules.core.errors import LimitReached
+from gcrules.core.shown import Shown
 from gcrules.rules.rewriting import Rewriting, rewrite
 from gcrules.rules.rule import RewriteRule
 from gcrules.rules.rule_file import RuleCheck, check_rule
@@ -36,11 +35,9 @@ __all__ = [
     "run_script",
 ]
 
-_LABEL = 100  # characters of a label that the text shows
-
 
 @dataclass(frozen=True)
-class ClaimResult:
+class ClaimResult(Shown):
     """The answer to a claim in the given line of the script; without a `proof` a limit was reached (`reason`)."""
 
     line: int
@@ -55,23 +52,9 @@ class ClaimResult:
             return place | self.proof.to_json()
         return place | {"verdict": self.verdict, "reason": self.reason, "counterexample": None, "assumed": []}
 
-    def text(self, *, unicode: bool = False) -> str:
-        lines = [f"line {self.line}: {self.verdict}: {_shortened(self.label)}"]
-        if self.verdict != "proved":
-            details = (
-                self.proof.text(unicode=unicode).splitlines()[1:] if self.proof is not None else [f"  {self.reason}"]
-            )
-            lines += ["  " + line for line in details]
-        elif self.proof is not None:
-            lines += ["  " + line for line in self.proof.conditions()]
-        return "\n".join(lines)
-
-    def __str__(self) -> str:
-        return self.text()
-
 
 @dataclass(frozen=True)
-class ShowResult:
+class ShowResult(Shown):
     """The expansion that `show` asks for; without a `polynomial` a limit was reached (`reason`)."""
 
     line: int
@@ -90,18 +73,9 @@ class ShowResult:
             return place | {"polynomial": None, "reason": self.reason}
         return place | self.polynomial.to_json()
 
-    def text(self, *, unicode: bool = False) -> str:
-        if self.polynomial is None:
-            return f"line {self.line}: undecided: {_shortened(self.label)}\n    {self.reason}"
-        shown = text(self.polynomial.to_expr(), unicode=unicode, names=(*self.names, *self.polynomial.points))
-        return f"line {self.line}: {_shortened(self.label)} = {shown}"
-
-    def __str__(self) -> str:
-        return self.text()
-
 
 @dataclass(frozen=True)
-class RuleResult:
+class RuleResult(Shown):
     """What became of a rule of the script: proved in all its ranks, refuted (or looping, or a failing case)."""
 
     line: int
@@ -118,16 +92,9 @@ class RuleResult:
     def to_json(self) -> dict[str, Any]:
         return {"kind": "rule", "line": self.line, "label": self.label, **self.check.to_json()}
 
-    def text(self, *, unicode: bool = False) -> str:
-        lines = [f"line {self.line}: {self.check.verdict}: {self.label}"]
-        return "\n".join(lines if self.check.ok else [*lines, f"    {self.check.reason}"])
-
-    def __str__(self) -> str:
-        return self.text()
-
 
 @dataclass(frozen=True)
-class RewriteResult:
+class RewriteResult(Shown):
     """What `rewrite` gives by the rules that stand before it; without a `rewriting` a limit was reached (`reason`)."""
 
     line: int
@@ -145,21 +112,12 @@ class RewriteResult:
             return place | {"after": None, "reason": self.reason}
         return place | self.rewriting.to_json()
 
-    def text(self, *, unicode: bool = False) -> str:
-        if self.rewriting is None:
-            return f"line {self.line}: undecided: {_shortened(self.label)}\n    {self.reason}"
-        first, *rest = self.rewriting.text(unicode=unicode).splitlines()
-        return "\n".join([f"line {self.line}: {first}", *(f"  {line}" for line in rest)])
-
-    def __str__(self) -> str:
-        return self.text()
-
 
 Result = ClaimResult | ShowResult | RuleResult | RewriteResult
 
 
 @dataclass(frozen=True)
-class ScriptResult:
+class ScriptResult(Shown):
     """The results of a script, one for each claim, show, rule and rewrite, in the sequence of the file."""
 
     results: tuple[Result, ...]
@@ -182,31 +140,10 @@ class ScriptResult:
         """`{verdict, results [{kind: claim | show | rule | rewrite, line, label, …}]}`."""
         return {"verdict": self.verdict, "results": [r.to_json() for r in self.results]}
 
-    def text(self, *, unicode: bool = False) -> str:
-        """A line or more for each result, and how many claims came out which way."""
-        return "\n".join([*(r.text(unicode=unicode) for r in self.results), *self.totals])
-
-    @property
-    def totals(self) -> tuple[str, ...]:
-        """ "3 claims: 2 proved, 1 refuted", and the same for rules where there are any."""
-        claims = [_count("claim", self.claims)] if self.claims or not self.rules else []
-        return (*claims, *([_count("rule", self.rules)] if self.rules else []))
-
-    def __str__(self) -> str:
-        return self.text()
-
 
 def run_script(script: Script, *, limit: int = MAX_TERMS) -> ScriptResult:
     """Answer every claim, show, rule and rewrite of a script. Limits that are reached stand in the results."""
     return ScriptResult(tuple(results(script, limit=limit)))
-
-
-def _count(what: str, results: Sequence[Result]) -> str:
-    """ "3 claims: 2 proved, 1 refuted"."""
-    counts = Counter(r.verdict for r in results)
-    total = f"{len(results)} {what}{'' if len(results) == 1 else 's'}"
-    found = ", ".join(f"{counts[v]} {v}" for v in ("proved", "refuted", "undecided") if counts[v])
-    return f"{total}: {found}" if found else total
 
 
 def results(script: Script, *, limit: int = MAX_TERMS, rules: Iterable[RewriteRule] = ()) -> Iterator[Result]:
@@ -251,7 +188,3 @@ def _rewrite(asked: Rewrite, rules: Sequence[RewriteRule]) -> RewriteResult:
     except LimitReached as limited:
         return RewriteResult(asked.line, asked.label, None, limited.message)
     return RewriteResult(asked.line, asked.label, found)
-
-
-def _shortened(label: str) -> str:
-    return label if len(label) <= _LABEL else f"{label[:_LABEL]}…"

@@ -14,11 +14,10 @@ from dataclasses import dataclass, field
 from itertools import groupby
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Point, Power, Product
+from gcrules.algebra.expr import ONE, Bracket, Expr, Join, Meet, Number, Point, Power, Product
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.text import text
 from gcrules.core.english import listed, together
-from gcrules.rules.condition import ONE
 from gcrules.rules.random_witness import Oracle
 
 __all__ = ["factors_of", "sentence"]

@@ -11,11 +11,12 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Bracket, Expr, Meet, meet
 from gcrules.algebra.language.legs_text import Leg, Structure, leg_text
 from gcrules.core.english import listed
 from gcrules.rules.common_lines import CommonLine
-from gcrules.rules.condition import Certificate, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.generic_lines import alive, written_back
 from gcrules.rules.line_cofactors import Balance, compared, quotient
 from gcrules.rules.random_witness import Oracle

@@ -32,9 +32,12 @@ from gcrules.algebra.language.text import text
 from gcrules.algebra.space import Assumption
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.budget import checkpoint, watched
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError, LimitReached
 
 __all__ = ["Alternative", "Task", "alternatives", "flats"]
+
+bracket_factors = deferred("gcrules.algebra.factoring.brackets:bracket_factors")
 
 _MAX_TERMS = 500  # of a scalar that is taken apart
 _SPAN = {"collinear": 2, "coplanar": 3}
@@ -225,8 +228,6 @@ def _parts(a: Assumption, base: Construction, task: Task) -> tuple[tuple[Expr, .
 
     None where nothing is gained: the assumption is one scalar that is no product.
     """
-    from gcrules.algebra.factoring.brackets import bracket_factors  # it loads numpy, which few commands need
-
     (e,) = equations(a, task.rank)
     written = tuple(_factors(e))
     if len(written) > 1 or written[:1] not in ((), (e,)):

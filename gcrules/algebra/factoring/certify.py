@@ -7,6 +7,7 @@ from itertools import count
 from math import isfinite
 
 from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.evaluate import Evaluator, random_rational_points
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number
@@ -15,7 +16,6 @@ from gcrules.algebra.straightening.order import same_function
 from gcrules.core.budget import seconds_left, within
 from gcrules.core.errors import LimitReached
 from gcrules.core.seeds import DRAWN, error_below, seed
-from gcrules.rules.condition import Certificate
 
 __all__ = ["PROVED", "certified", "proved"]
 

@@ -17,6 +17,7 @@ from time import monotonic
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS, Budget, terms_held
 from gcrules.algebra.factoring.normal import zero
@@ -27,7 +28,6 @@ from gcrules.algebra.factoring.rational import with_cofactor
 from gcrules.algebra.factoring.result import Factorization, Family, brackets_of
 from gcrules.algebra.factoring.whole import Whole
 from gcrules.core.budget import checkpoint, within
-from gcrules.rules.condition import Certificate
 
 __all__ = ["factor"]
 

@@ -8,6 +8,7 @@ from time import monotonic
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, primitive
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.certify import PROVED, certified
 from gcrules.algebra.factoring.extensors import extensor
@@ -20,7 +21,6 @@ from gcrules.algebra.factoring.whole import Whole, together
 from gcrules.algebra.language.text import text
 from gcrules.algebra.straightening.order import easy_order
 from gcrules.core.seeds import remark
-from gcrules.rules.condition import Certificate
 
 __all__ = ["each_once"]
 

@@ -11,9 +11,10 @@ from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, Row
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.certificate import Certificate
+from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.text import text
-from gcrules.rules.condition import ONE, Certificate
+from gcrules.core.shown import Shown
 
 __all__ = ["Factorization", "Family", "Form", "Part", "brackets_of"]
 
@@ -81,7 +82,7 @@ class Part:
 
 
 @dataclass(frozen=True)
-class Factorization:
+class Factorization(Shown):
     """input = coefficient · Π factors · expression, or the certificate that the family holds no such expression.
 
     The expression is a product where there are several irreducible factors that are no brackets. `points` is the
@@ -156,41 +157,8 @@ class Factorization:
             found["undecided"] = list(self.undecided)
         return found
 
-    def text(self, *, unicode: bool = False) -> str:
-        """The factorization, or that there is none, with the family and the certificate."""
-        lines = [
-            self._headline(unicode),
-            f"  family       {self.family.name}",
-            f"  searched     {self.family.searched()}",
-            f"  certificate  {self.certificate.method}: {self.certificate.detail}",
-        ]
-        lines += [f"  factor       {self._shown(part, unicode)}" for part in self.parts]
-        for form in self.alternatives:
-            lines.append(f"  also         {self._text(short(form.product()), unicode)}")
-        if self.more:
-            lines.append(f"  also         {self.more} other expression{'s' * (self.more != 1)} (shown with --all)")
-        times = " · " if unicode else " * "
-        for form in self.rational:
-            left, right = self._text(form.cofactor, unicode), self._text(short(form.product()), unicode)
-            lines.append(f"  cofactor     {left}{times}input = {right}")
-        if (self.excluded or self.undecided) and not self.rational:
-            lines.append("  cofactor     none found")
-        lines += [f"  excluded     {e}" for e in self.excluded]
-        lines += [f"  undecided    {e}" for e in self.undecided]
-        return "\n".join(lines)
-
-    def latex(self) -> str:
-        """The factorization as LaTeX without dollar signs; what is left stands as a bracket polynomial. Where cofactors
-        were found, the identities with them.
-        """
-        from gcrules.views.formulas.latex import latex  # needed for LaTeX only
-
-        if not self.rational:
-            return latex(self._whole())
-        rows = [f"{latex(ex.mul(f.cofactor, self._whole()))} = {latex(f.product())}" for f in self.rational]
-        return " \\\\\n".join(rows)
-
-    def _whole(self) -> Expr:
+    def whole(self) -> Expr:
+        """The input as it was factored; what has no expression stands as a bracket polynomial."""
         if self.expression is not None:
             return Form(self.coefficient, self.factors, self.expression).product()
         assert self.remainder is not None
@@ -198,22 +166,6 @@ class Factorization:
             left = (p.polynomial.to_expr() for p in self.parts for _ in range(p.times))
             return Form(self.coefficient, self.factors, ex.mul(*left)).product()
         return Form(self.coefficient, self.factors, self.remainder.to_expr()).product()
-
-    def _headline(self, unicode: bool) -> str:
-        if self.expression is not None:
-            return self._text(short(self._whole()), unicode)
-        equal = Counter(self.factors).items()
-        left = " · ".join(self._text(f if n < MANY else ex.Power(f, n), unicode) for f, n in equal)
-        return "none exists in the family" + (f" for what is left after the brackets {left}" if left else "")
-
-    def _shown(self, part: Part, unicode: bool) -> str:
-        """A factor as its expression, or else as its polynomial, with what is known of it."""
-        if part.expression is None:
-            shown = f"{part.polynomial.text(unicode=unicode)}: no expression"
-        else:
-            shown = self._text(part.expression, unicode)
-        known = "" if part.irreducible else ", not known to be irreducible"
-        return shown + known + (f", {part.times} times" if part.times > 1 else "")
 
     def _form(self, form: Form) -> dict[str, Any]:
         return {
@@ -224,12 +176,6 @@ class Factorization:
 
     def _text(self, e: Expr, unicode: bool = False) -> str:
         return text(e, unicode=unicode, names=self.points)
-
-    def __str__(self) -> str:
-        return self.text()
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
 
 
 def short(e: Expr) -> Expr:

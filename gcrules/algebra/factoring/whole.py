@@ -13,6 +13,7 @@ from operator import mul
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, Row, primitive
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.certify import PROVED, certified
 from gcrules.algebra.factoring.decomposition import Decomposition, decomposed
@@ -23,7 +24,6 @@ from gcrules.algebra.factoring.result import Factorization, Family, Form, Part, 
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.budget import checkpoint, seconds_left, within
 from gcrules.core.errors import LimitReached
-from gcrules.rules.condition import Certificate
 
 __all__ = ["Whole", "together"]
 

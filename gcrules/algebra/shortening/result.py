@@ -6,13 +6,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.rules.condition import Certificate
+from gcrules.algebra.certificate import Certificate
+from gcrules.core.shown import Shown
 
 __all__ = ["Shortening"]
 
 
 @dataclass(frozen=True)
-class Shortening:
+class Shortening(Shown):
     """`polynomial` equals the input (proved by normal forms), and no bracket polynomial with fewer than `lower` terms
     does; `bound` says why.
 
@@ -54,31 +55,3 @@ class Shortening:
             "certificate": self.certificate.to_json(),
             "notes": list(self.notes),
         }
-
-    def text(self, *, unicode: bool = False, short: bool = False) -> str:
-        """The polynomial (`short`: with powers), its number of terms, whether fewer are possible and why, and the
-        certificate."""
-        sure = "proved minimal" if self.minimal else f"best found; at least {self.lower} are needed"
-        lines = [
-            self.polynomial.text(unicode=unicode, short=short),
-            f"  terms        {self.terms} of {self.given}: {sure}",
-            f"  lower bound  {self.bound.method}: {self.bound.detail}",
-            f"  certificate  {self.certificate.method}: {self.certificate.detail}",
-        ]
-        if self.monomials:
-            lines.insert(2, f"  searched     {self._searched()}")
-        return "\n".join([*lines, *(f"  note         {note}" for note in self.notes)])
-
-    def _searched(self) -> str:
-        plural = "y" if self.symmetries == 1 else "ies"
-        return f"{self.monomials:,} bracket monomials, {self.symmetries:,} symmetr{plural}"
-
-    def latex(self) -> str:
-        """The LaTeX of the polynomial, without dollar signs."""
-        return self.polynomial.latex()
-
-    def __str__(self) -> str:
-        return self.text()
-
-    def _repr_latex_(self) -> str:
-        return self.polynomial._repr_latex_()

@@ -15,6 +15,7 @@ from math import comb
 import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.factoring.brackets import bracket_factors
 from gcrules.algebra.factoring.residues import Ints, random_positions, values
 from gcrules.algebra.shortening.exact import combination, simplicity
@@ -28,7 +29,6 @@ from gcrules.algebra.shortening.walk import shorter_supports
 from gcrules.algebra.straightening.straighten import is_standard, straighten
 from gcrules.core.budget import seconds_left
 from gcrules.core.errors import EngineFault, LimitReached
-from gcrules.rules.condition import Certificate
 
 __all__ = ["Divided", "Limits", "Search", "shortest_of"]
 

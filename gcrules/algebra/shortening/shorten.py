@@ -15,6 +15,7 @@ from time import monotonic
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Terms
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.pieces import Pieces, taken_apart
@@ -27,7 +28,6 @@ from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import shortest_forms
 from gcrules.core.budget import as_float, checkpoint, within
 from gcrules.core.errors import EngineFault, LimitReached
-from gcrules.rules.condition import Certificate
 
 __all__ = ["shorten"]
 

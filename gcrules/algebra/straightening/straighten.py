@@ -30,6 +30,7 @@ from gcrules.algebra.expr import Expr, sub
 from gcrules.algebra.straightening.syzygies import offending_column, pattern_of, syzygy, two_rows
 from gcrules.algebra.straightening.work import WORK_PER_TERM, Work
 from gcrules.core.budget import checkpoint, watched
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import LimitReached
 
 __all__ = [
@@ -43,6 +44,8 @@ __all__ = [
     "straighten_terms",
     "terms_are_zero",
 ]
+
+straighten_levels = deferred("gcrules.algebra.straightening.batch:straighten_levels")
 
 _FEW = 20_000  # replacements after which arrays take over, unless there are more possible rows than they can number
 _MOST_ROWS = 100_000
@@ -136,10 +139,6 @@ def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int =
     arrays = max(map(len, pending), default=0) <= _TALL and _possible_rows(pending) <= _MOST_ROWS
     normal = _largest_first(pending, ideal, work, _FEW if arrays else inf)
     if pending:
-        from gcrules.algebra.straightening.batch import (
-            straighten_levels,  # needs numpy, which is worth while for many terms only
-        )
-
         for m, c in straighten_levels(pending, ideal, work).items():
             normal[m] = normal.get(m, 0) + c
     return normal

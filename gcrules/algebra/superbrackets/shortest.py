@@ -16,6 +16,7 @@ from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms, sor
 from gcrules.algebra.expr import permutation_sign
 from gcrules.algebra.superbrackets.superbracket import FORMS, form_terms
 from gcrules.core.budget import checkpoint
+from gcrules.core.shown import Shown
 
 if TYPE_CHECKING:
     import numpy as np
@@ -28,7 +29,7 @@ Dead = Iterable[Sequence[str]]
 
 
 @dataclass(frozen=True)
-class SuperbracketForm:
+class SuperbracketForm(Shown):
     """The superbracket of `lines` taken in `order` (positions from 0), written in the 24-term or 16-term form.
 
     The polynomial equals `sign` (the sign of the order) times the superbracket of the lines as given. The number of
@@ -53,23 +54,6 @@ class SuperbracketForm:
             "terms": len(self.polynomial),
             "polynomial": str(self.polynomial),
         }
-
-    def text(self, *, unicode: bool = False) -> str:
-        """The form, the order of the lines (counted from 1) and the polynomial."""
-        order, n = " ".join(str(i + 1) for i in self.order), len(self.polynomial)
-        shown = self.polynomial.text(unicode=unicode)
-        form = f"{self.form}-term form" if self.form else "expansion"
-        return f"{form}, lines in the order {order}, {n} term{'s' * (n != 1)}:\n  {shown}"
-
-    def latex(self) -> str:
-        """The LaTeX of the polynomial, without dollar signs."""
-        return self.polynomial.latex()
-
-    def __str__(self) -> str:
-        return self.text()
-
-    def _repr_latex_(self) -> str:
-        return self.polynomial._repr_latex_()
 
 
 def superbracket_form(

@@ -6,10 +6,10 @@ import traceback
 
 import click
 
-from gcrules import __version__
 from gcrules.apps.cli.base import LazyGroup, colour_choice
 from gcrules.apps.main import main
 from gcrules.core import interrupts
+from gcrules.core.version import __version__
 
 __all__ = ["answered", "cli", "main"]
 

@@ -36,6 +36,9 @@ from gcrules.core.errors import InputError
 from gcrules.core.yaml_file import read_text
 from gcrules.rules.rewriting import rewrite as rewritten
 from gcrules.rules.script import Result, ScriptResult, results
+from gcrules.views.formulas.latex import latex
+from gcrules.views.results.proof import conditions
+from gcrules.views.results.script import totals
 
 __all__ = ["expand", "prove", "rewrite", "run", "straighten"]
 
@@ -74,7 +77,7 @@ def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: S
         proof = decide(*sides, points=at.points, ideal=at.ideal, rank=at.rank, given=at.given, limit=limit)
     if out.latex:
         out.write(
-            "\n".join([proof.latex(), f"% {proof.verdict}: {proof.reason}", *(f"%{c}" for c in proof.conditions())])
+            "\n".join([proof.latex(), f"% {proof.verdict}: {proof.reason}", *(f"%{c}" for c in conditions(proof))])
         )
     else:
         out.show(proof, _coloured(proof.verdict, proof.text(unicode=out.unicode)))
@@ -178,14 +181,15 @@ def run(ctx: click.Context, files: tuple[str, ...], limit: int, seconds: float, 
     scripts = [parse_script(*((read_stdin(), "<stdin>") if f == "-" else (read_text(f), f))) for f in files]
     answers = [_answered(script, limit, seconds) for script in scripts]
     shown = [
-        "\n".join([*(_coloured(r.verdict, r.text(unicode=out.unicode)) for r in a.results), *a.totals]) for a in answers
+        "\n".join([*(_coloured(r.verdict, r.text(unicode=out.unicode)) for r in a.results), *totals(a)])
+        for a in answers
     ]
     whole = ScriptResult(tuple(r for a in answers for r in a.results))
     if len(files) == 1:
         out.show(answers[0], shown[0])
     else:
         parts = (f"{s.filename}\n{indent(text, '  ')}" for s, text in zip(scripts, shown, strict=True))
-        out.show(_Scripts(scripts, answers, whole), "\n\n".join([*parts, "\n".join(whole.totals)]))
+        out.show(_Scripts(scripts, answers, whole), "\n\n".join([*parts, "\n".join(totals(whole))]))
     ctx.exit(EXIT_CODES[whole.verdict])
 
 
@@ -242,8 +246,6 @@ class _Polynomial:
 
 
 def _latex(e: Expr) -> str:
-    from gcrules.views.formulas.latex import latex  # needed for --latex only
-
     return latex(e)
 
 

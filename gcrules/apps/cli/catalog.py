@@ -7,27 +7,35 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.language.legs_text import Leg, Structure, legs_text
 from gcrules.apps.cli.base import LazyGroup, Output, catalog_option, output_options
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.rules import plugins_option
 from gcrules.conditions.analysis import analyze
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
 from gcrules.rules.catalog.catalog import SHIPPED, Catalog, Entry, Match, Reading
 from gcrules.rules.catalog.file import load
 from gcrules.rules.catalog.proofs import is_shipped
-from gcrules.rules.condition import Certificate, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.sentences import sentence
 from gcrules.views.pages.catalog_index import degrees_text
 
 if TYPE_CHECKING:
-    from gcrules.rules.catalog.check import CheckResult
+    from gcrules.conditions.catalog_check import CheckResult
 
 __all__ = ["catalog", "check", "enumerate_", "list_", "show"]
+
+check_digests = deferred("gcrules.conditions.catalog_check:check_digests")
+check_entry = deferred("gcrules.conditions.catalog_check:check_entry")
+write_digests = deferred("gcrules.conditions.catalog_check:write_digests")
+enumerate_classes = deferred("gcrules.conditions.catalog_check:enumerate_classes")
+draft = deferred("gcrules.conditions.catalog_draft:draft")
 
 COMMANDS = {
     "list": ("gcrules.apps.cli.catalog:list_", "List the classes."),
@@ -95,8 +103,6 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...
     gcrules catalog check
     gcrules catalog check --catalog mine.yaml
     """
-    from gcrules.rules.catalog.check import check_digests, check_entry, write_digests  # slower to load than others need
-
     loaded = _loaded(catalogs, folders)
     checked = []
     with working("checking") as status:
@@ -124,14 +130,10 @@ def enumerate_(catalogs: tuple[str, ...], folders: tuple[str, ...], as_yaml: boo
     gcrules catalog enumerate
     gcrules catalog enumerate --yaml > draft.yaml
     """
-    from gcrules.rules.catalog.check import enumerate_classes  # slower to load than the other commands need
-
     loaded = _loaded(catalogs, folders)
     with working("enumerating"):
         found = tuple((legs, loaded.match(Structure(legs))) for legs in enumerate_classes())
         if as_yaml:
-            from gcrules.rules.catalog.draft import draft
-
             entries = [
                 draft(m.entry.id, m.entry.legs) if m else draft(f"new-{i}", legs) for i, (legs, m) in enumerate(found)
             ]

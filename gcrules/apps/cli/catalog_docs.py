@@ -11,10 +11,12 @@ from gcrules.apps.cli.files import Status, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.page_files import renew
 from gcrules.apps.cli.rules import plugins_option
+from gcrules.conditions.catalog_check import false_identities
 from gcrules.core.errors import FileError, GcrulesError, join_faults
 from gcrules.rules.catalog.catalog import SHIPPED, Catalog
 from gcrules.rules.catalog.file import load
 from gcrules.rules.plugins import load_rules
+from gcrules.views.pages.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages
 
 __all__ = ["docs"]
 
@@ -39,8 +41,6 @@ def docs(
     gcrules catalog docs --check
     gcrules catalog docs --out build/catalog --catalog mine.yaml
     """
-    from gcrules.views.pages.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages
-
     strategy = load_rules(folders=folders, identities=bool(folders)).strategy()
     loaded = load(catalogs, (r.id for r in strategy.incidences))
     own = [*(("catalog", path) for path in catalogs), *(("plugins", folder) for folder in folders)]
@@ -60,8 +60,6 @@ def _prove(loaded: Catalog, options: str, status: Status) -> None:
 
     Raises FileError with all that is false; what is shipped is proved by its tests.
     """
-    from gcrules.rules.catalog.check import false_identities  # slower to load than the other commands need
-
     faults: list[GcrulesError] = []
     for entry in loaded.entries:
         if entry.owner != SHIPPED:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import click
 
+from gcrules.algebra.factoring.factorize import factor as factored
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS
 from gcrules.apps.cli.base import ExpressionCommand, Output, Space, limit_option, output_options, space_options
 from gcrules.apps.cli.expressions import read_expression
@@ -45,8 +46,6 @@ def factor(
     Exit code 0: found and proved. 1: none exists in the family, whether one with a cofactor was found or not. 3: not
     decided within the limits; or found, and shown, but tested at random points only, as the proof took too long.
     """
-    from gcrules.algebra.factoring.factorize import factor as factored  # numpy, for this command only
-
     with limited(seconds, AROUND):
         e = read_expression(expression, space)
         with working("factoring") as status:

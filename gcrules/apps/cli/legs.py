@@ -25,11 +25,14 @@ from gcrules.apps.cli.manual import Manual, manual_options, run_manual
 from gcrules.apps.cli.rules import Choice, rules_options
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.analysis import analyze as analyzed
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document
+from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
+from gcrules.mechanisms.description.robot_file import describes_joints
 from gcrules.rules.factorization import SECONDS
 
 if TYPE_CHECKING:
@@ -37,6 +40,11 @@ if TYPE_CHECKING:
     from gcrules.mechanisms.robot import Robot
 
 __all__ = ["analyze", "report"]
+
+rendered = deferred("gcrules.views.report.report:report")
+save = deferred("gcrules.views.drawing.drawing:save")
+graph_figure = deferred("gcrules.views.drawing.figures:graph_figure")
+robot_figure = deferred("gcrules.views.drawing.figures:robot_figure")
 
 _order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
 _recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
@@ -157,8 +165,6 @@ def report(
     their joints, as `gcrules robot analyze` does: an id, or a robot file. In the page the robot is seen in 3D, and its
     platform can be moved; the page loads nothing, and works from a file. --no-3d leaves that out.
     """
-    from gcrules.views.report.report import report as rendered  # not needed by analyze
-
     _check_page(path)
     others = order or recheck or assumptions or catalogs or space != _SPACE
     found: Analysis | RobotAnalysis | None = _of_joints(legs, choice, search, others)
@@ -215,10 +221,6 @@ def _robot(words: tuple[str, ...], folders: tuple[str, ...]) -> Robot | None:
     path = _is_path(word)
     if not path and re.search(r"[\s,]", word):  # legs, for which the modules of robots need not be loaded
         return None
-    from gcrules.mechanisms.description.discovery import robots
-    from gcrules.mechanisms.description.robot_file import describes_joints
-    from gcrules.mechanisms.robot import Robot
-
     if path:
         return Robot.load(word, plugins=folders) if describes_joints(Document.load(word)) else None
     known = {one.id for one in robots(folders)}
@@ -297,7 +299,4 @@ def _is_path(word: str) -> bool:
 
 
 def _draw(analysis: Analysis, path: str) -> None:
-    from gcrules.views.drawing.drawing import save  # figures are rarely asked for
-    from gcrules.views.drawing.figures import graph_figure, robot_figure
-
     save(robot_figure(analysis) if analysis.platform else graph_figure(analysis), path)

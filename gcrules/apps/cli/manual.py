@@ -17,7 +17,7 @@ from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.apps.cli.base import Output, Space, decorated
 from gcrules.apps.cli.files import read_stdin
 from gcrules.apps.cli.limits import limited
-from gcrules.conditions.manual import MOVES, PROPOSALS, Session
+from gcrules.conditions.manual import MOVES, PROPOSALS, Session, analysis_of, load_session, save_session
 from gcrules.conditions.manual.forms import orders_text
 from gcrules.conditions.manual.words import Words, relocated
 from gcrules.core import interrupts
@@ -117,9 +117,9 @@ def _opened(found: Platform | str | None, order: str | None, path: str | None, s
             raise InputError(what, filename=path or "<input>", hint="give the legs, and the session starts with them")
         session = Session.start(structure, order=order)
         if path is not None:  # now, so that a path that cannot be written is noticed before any work
-            session.save(path)
+            save_session(session, path)
         return session
-    session = Session.load(path)
+    session = load_session(path)
     if structure is not None and structure.legs != session.structure.legs:
         raise InputError("this session is about other legs", filename=path, hint="leave the legs out to resume it")
     if order is not None:
@@ -157,7 +157,7 @@ class _Console:
             "orders": lambda: "\n".join(orders_text(self.session.structure)),
             "history": self._history,
             "statement": lambda: self.session.statement,
-            "analysis": lambda: self.session.analysis().text(unicode=self.out.unicode),
+            "analysis": lambda: analysis_of(self.session).text(unicode=self.out.unicode),
             "help": lambda: HELP.rstrip("\n"),
         }
 
@@ -221,7 +221,7 @@ class _Console:
         elif verb == "save":
             if not words.text:
                 raise words.fault("save needs the name of a file")
-            self.session.save(words.text)
+            save_session(self.session, words.text)
             self.say(f"saved in {words.text}")
         elif verb in ("quit", "exit"):
             words.nothing(verb)
@@ -238,7 +238,7 @@ class _Console:
         before = self.session
         self.session = before.do(line)
         if self.path:
-            self.session.save(self.path)
+            save_session(self.session, self.path)
         if verb == "undo":
             self.say(f"undone: {self.session.undone[0][0].command}")
             return

@@ -14,8 +14,11 @@ from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.lines import run_pieces, stdin_pieces, tell_all
 from gcrules.apps.repl.reading import pieces
 from gcrules.apps.repl.state import Settings
+from gcrules.core.deferred import deferred
 
 __all__ = ["repl"]
+
+run_terminal = deferred("gcrules.apps.repl.terminal:run_terminal")
 
 
 @click.command(cls=ExpressionCommand)
@@ -65,8 +68,6 @@ def repl(
     session = Interpreter(settings=settings)
     codes = [tell_all(session.load(file))] if file is not None else []
     if not texts and sys.stdin.isatty() and sys.stdout.isatty():
-        from gcrules.apps.repl.terminal import run_terminal  # loads prompt_toolkit
-
         run_terminal(session)
         return
     for text in texts:

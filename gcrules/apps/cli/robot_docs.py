@@ -10,6 +10,7 @@ from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.page_files import renew
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.robot import Robot
+from gcrules.views.pages.robot_pages import FIGURES, HEAD, robot_pages
 
 __all__ = ["docs"]
 
@@ -32,8 +33,6 @@ def docs(ctx: click.Context, check: bool, out: str, folders: tuple[str, ...], as
     gcrules robot docs --check
     gcrules robot docs --out build/robots --plugins mine
     """
-    from gcrules.views.pages.robot_pages import FIGURES, HEAD, robot_pages
-
     with working("computing the pages"):
         pages = robot_pages([Robot.load(one.path, plugins=folders) for one in robots(folders)])
     done = renew(pages, out, head=HEAD, figures=FIGURES, command="gcrules robot docs", check=check)

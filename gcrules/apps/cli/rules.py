@@ -15,6 +15,7 @@ from gcrules.apps.cli.base import LazyGroup, Output, decorated, output_options
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.core.errors import InputError
+from gcrules.rules.check import check_rules
 from gcrules.rules.library import Library
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.rule import Rule
@@ -191,8 +192,6 @@ def check(ctx: click.Context, words: tuple[str, ...], folders: tuple[str, ...], 
 
     Exit code 0: all hold. 1: a rule is no identity, loops, or a case fails; exact points that refute it are shown.
     """
-    from gcrules.rules.check import check_rules  # tries rules on whole analyses, which nothing else here does
-
     with working("proving"):
         chosen = Choice(words)
         found = list(check_rules(chosen.files, folders, chosen.ids))

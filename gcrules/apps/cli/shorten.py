@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from gcrules.algebra.shortening.limits import MAX_MONOMIALS, SECONDS
+from gcrules.algebra.shortening.shorten import shorten as shortened
 from gcrules.apps.cli.base import ExpressionCommand, Output, Space, limit_option, output_options, space_options
 from gcrules.apps.cli.expressions import read_expression
 from gcrules.apps.cli.files import working
@@ -31,8 +32,6 @@ def shorten(expression: str, limit: int, seconds: float, space: Space, out: Outp
 
     Exit code 0: an answer was given. 3: there are more bracket monomials than the limit allows.
     """
-    from gcrules.algebra.shortening.shorten import shorten as shortened  # numpy, for this command only
-
     with limited(seconds, AROUND):
         e = read_expression(expression, space)
         with working("shortening") as status:

@@ -8,6 +8,7 @@ import click
 
 from gcrules.apps.cli.files import read_stdin
 from gcrules.core.errors import FileError, InputError
+from gcrules.core.yaml_file import read_text
 
 __all__ = ["studio"]
 
@@ -47,7 +48,6 @@ def studio(source: str | None, port: int | None, no_browser: bool) -> None:
 def _source(word: str) -> dict[str, str]:
     """What the word means: a file, an id, or legs. Faults show here, before a page is opened."""
     from gcrules.apps.studio.subject import known_as, read_subject
-    from gcrules.core.yaml_file import read_text
 
     if word == "-":
         found = {"kind": "file", "text": read_stdin(), "name": "<stdin>"}

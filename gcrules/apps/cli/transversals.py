@@ -7,6 +7,7 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand, Output, Space, given_option, output_options, space_options
 from gcrules.apps.cli.files import read_stdin, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.conditions.transversals import transversals as compared
 
 __all__ = ["transversals"]
 
@@ -41,10 +42,6 @@ def transversals(
 
     Exit code 0: found. 1: there is no such condition. 3: none was found, though there may be one.
     """
-    from gcrules.conditions.transversals import (
-        transversals as compared,  # the name of this command is that of the function
-    )
-
     source = read_stdin() if legs == ("-",) else " ".join(legs)
     with working("looking for transversals"):
         found = compared(source, every=every, points=space.points, ideal=space.ideal, given=assumptions)

@@ -11,11 +11,11 @@ import anywidget
 import traitlets
 
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.pose_value import judged
 from gcrules.core.arguments import described
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.poses.numbers.report import PoseReport
-from gcrules.poses.numbers.value import judged
 from gcrules.poses.pose_report import pose as report_at
 from gcrules.screws.pose import Pose, parse_pose
 from gcrules.views.report.robot_report import on_six_legs, robot_scene

@@ -26,7 +26,6 @@ from prompt_toolkit.lexers import Lexer
 from prompt_toolkit.output import Output
 from prompt_toolkit.styles import Style
 
-from gcrules import __version__
 from gcrules.apps.cli.files import working
 from gcrules.apps.repl.answers import wrapped
 from gcrules.apps.repl.completion import candidates
@@ -36,6 +35,7 @@ from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.lines import CONTINUED, PROMPT, tell
 from gcrules.apps.repl.reading import unfinished
 from gcrules.core import interrupts
+from gcrules.core.version import __version__
 
 __all__ = ["make_session", "respond", "run_terminal", "toolbar"]
 

@@ -17,10 +17,10 @@ from gcrules.apps.studio.numbers import exact_pose, numbers
 from gcrules.apps.studio.subject import Subject, Vector, examples
 from gcrules.apps.studio.views import PoseJson
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.pose_value import pose_value
 from gcrules.core.errors import InputError
 from gcrules.core.yaml_file import read_text
 from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.poses.numbers.value import pose_value
 from gcrules.views.drawing.drawing import Drawing
 from gcrules.views.drawing.figures import robot_figure
 from gcrules.views.report.report import report

@@ -19,7 +19,7 @@ from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.kinematics.targets import wanted_actuators
 from gcrules.poses.limbs.around import Met, Way, along, amounts_of, begun_at, ways
 from gcrules.poses.limbs.pose_report import SINGULAR, here
-from gcrules.poses.numbers.threshold import DEFAULT, degrees
+from gcrules.screws.threshold import DEFAULT, degrees
 
 __all__ = ["first_around"]
 

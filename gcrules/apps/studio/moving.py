@@ -14,7 +14,7 @@ from gcrules.poses.limbs.pose_report import posed
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.extensors import coordinates
 from gcrules.poses.numbers.motion import Twist
-from gcrules.poses.numbers.threshold import DEFAULT
+from gcrules.screws.threshold import DEFAULT
 from gcrules.views.robots.limb_views import Values, all_places, directions, limb_views
 
 __all__ = ["actuator_axes", "configuration", "motion_view", "robot_numbers", "values_at"]

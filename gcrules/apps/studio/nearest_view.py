@@ -11,11 +11,11 @@ from gcrules.apps.studio.numbers import exact_pose, threshold_of
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.views import PoseJson
 from gcrules.core.errors import InputError
-from gcrules.poses.numbers.guarantees import ROUNDING
 from gcrules.poses.numbers.nearest_pose import NearestPose
-from gcrules.poses.numbers.threshold import degrees
 from gcrules.poses.pose_report import report
+from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.pose import Pose
+from gcrules.screws.threshold import degrees
 
 __all__ = ["nearest"]
 

@@ -19,24 +19,24 @@ from gcrules.apps.studio.moving import motion_view, robot_numbers
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.views import PoseJson
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.pose_value import judged, line_measure
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.moving_platform import FAR, Rig
 from gcrules.poses.nearest.poses import nearest_translation
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.causes import causes, near_causes, nearest_cause
 from gcrules.poses.numbers.cubic import superbracket_at
-from gcrules.poses.numbers.guarantees import ROUNDING, closeness, noise
 from gcrules.poses.numbers.incidence_measures import readings
-from gcrules.poses.numbers.jacobian import Jacobian, jacobian
 from gcrules.poses.numbers.many import homogeneous
 from gcrules.poses.numbers.many import numbers as numbers_of
 from gcrules.poses.numbers.motion import scaled, softest_twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
-from gcrules.poses.numbers.threshold import DEFAULT, Threshold, parse_threshold
-from gcrules.poses.numbers.value import judged, line_measure
-from gcrules.poses.numbers.verdict import verdict
 from gcrules.rules.condition import Condition
+from gcrules.screws.guarantees import ROUNDING, closeness, noise
+from gcrules.screws.margin import Jacobian, jacobian
 from gcrules.screws.pose import Pose
+from gcrules.screws.threshold import DEFAULT, Threshold, parse_threshold
+from gcrules.screws.verdict import verdict
 from gcrules.views.robots.limb_views import limb_views
 
 __all__ = ["along", "arrays", "exact_pose", "numbers", "threshold_of"]

@@ -29,11 +29,25 @@ The same proposals as text are the commands of the prompt, `session.do("plane AB
 | `undo()`, `redo()`, `auto()` | the same | |
 
 What makes no sense (unknown points, wrong numbers of them, a repeated proposal) raises InputError with its place.
-`hint()` is the next step of the automatic procedure, `save` and `load` write and replay a file, `analysis()` gives all
-stages once a condition is confirmed, `to_json()` the whole session.
+`hint()` is the next step of the automatic procedure, `to_json()` the whole session. `save_session` and `load_session`
+write and replay a file, `analysis_of` gives all stages once a condition is confirmed.
 """
 
+from gcrules.conditions.manual.analysis import analysis_of
+from gcrules.conditions.manual.file import load_session, save_session
 from gcrules.conditions.manual.outcome import REASONS, Formula, Hint, Outcome
 from gcrules.conditions.manual.session import MOVES, PROPOSALS, Record, Session
 
-__all__ = ["MOVES", "PROPOSALS", "REASONS", "Formula", "Hint", "Outcome", "Record", "Session"]
+__all__ = [
+    "MOVES",
+    "PROPOSALS",
+    "REASONS",
+    "Formula",
+    "Hint",
+    "Outcome",
+    "Record",
+    "Session",
+    "analysis_of",
+    "load_session",
+    "save_session",
+]

@@ -12,7 +12,7 @@ from typing import Any
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import expand
-from gcrules.algebra.expr import Expr, Number, Power, Product, mul, sub
+from gcrules.algebra.expr import ONE, Expr, Number, Power, Product, mul, sub
 from gcrules.algebra.language.text import text
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.conditions.manual.automatic import oracle_of
@@ -25,7 +25,7 @@ from gcrules.conditions.manual.words import Words
 from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.rules.catalog.file import load
 from gcrules.rules.claims import best_first, certify, describe
-from gcrules.rules.condition import ONE, Condition
+from gcrules.rules.condition import Condition
 
 __all__ = ["propose_condition"]
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gcrules.algebra.expr import Expr, Sum
+from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.core.frozen import FrozenMap
+from gcrules.core.shown import Shown
 
 __all__ = ["REASONS", "Formula", "Hint", "Outcome", "confirmed", "plain", "possible", "refused"]
 
@@ -53,7 +53,7 @@ class Formula:
 
 
 @dataclass(frozen=True)
-class Outcome:
+class Outcome(Shown):
     """The answer to one proposal.
 
     `answer` is confirmed, refused, or possible: then what was proposed stands on the board as a trial, unproved.
@@ -79,14 +79,6 @@ class Outcome:
     def refused(self) -> bool:
         return self.answer == "refused"
 
-    def text(self, *, unicode: bool = False, names: tuple[str, ...] = ()) -> str:
-        """The answer, the words, the formulas and the coordinates as lines of text."""
-        first, *rest = (_in_style(line, unicode) for line in self.words)
-        lines = [f"{self.answer}: {first}", *(f"  {line}" for line in rest)]
-        lines += [f"  {_in_style(f.name, unicode)}: {_shown(f.value, unicode, names)}" for f in self.formulas]
-        lines += [f"  {n} = ({', '.join(map(str, c))})" for n, c in self.data.get("points", {}).items()]
-        return "\n".join(lines)
-
     def to_json(self, names: tuple[str, ...] = ()) -> dict[str, Any]:
         """`{answer, reason, words, formulas [{name, value}], data}`; numbers that are not whole are text."""
         return {
@@ -96,22 +88,6 @@ class Outcome:
             "formulas": [{"name": f.name, "value": text(f.value, names=names)} for f in self.formulas],
             "data": plain(self.data),
         }
-
-
-def _shown(e: Expr, unicode: bool, names: tuple[str, ...]) -> str:
-    """The text of an expression; of a long sum the first terms."""
-    if not isinstance(e, Sum) or len(e.terms) <= _MOST_TERMS:
-        return text(e, unicode=unicode, names=names)
-    first = text(Sum(e.terms[:_SHOWN_TERMS]), unicode=unicode, names=names)
-    return f"{first} + {'…' if unicode else '...'} ({len(e.terms)} terms)"
-
-
-_MOST_TERMS, _SHOWN_TERMS = 12, 4
-_ASCII = str.maketrans({"∧": "/\\", "∨": "\\/", "−": "-", "·": "*"})
-
-
-def _in_style(words: str, unicode: bool) -> str:
-    return re.sub(r"(?<![\w)\]])-(?=\[)", "−", words) if unicode else words.translate(_ASCII)
 
 
 def confirmed(reason: str, *words: str, formulas: tuple[Formula, ...] = (), **data: Any) -> Outcome:

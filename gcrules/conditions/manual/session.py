@@ -11,12 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.legs_text import Structure, read_legs, read_order
 from gcrules.algebra.language.text import Names, text
+from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.conditions.manual.automatic import automatic
 from gcrules.conditions.manual.board import Board
 from gcrules.conditions.manual.conditions import propose_condition
@@ -28,10 +28,8 @@ from gcrules.conditions.manual.suggest import suggest
 from gcrules.conditions.manual.words import Words
 from gcrules.core.errors import InputError, Span
 from gcrules.core.hints import near
+from gcrules.core.shown import Shown
 from gcrules.rules.condition import Condition
-
-if TYPE_CHECKING:
-    from gcrules.conditions.analysis import Analysis
 
 __all__ = ["MOVES", "PROPOSALS", "Record", "Session"]
 
@@ -67,7 +65,7 @@ class Record:
 
 
 @dataclass(frozen=True)
-class Session:
+class Session(Shown):
     """A sequence of proposals on six legs; every method returns a new session.
 
     `first` is the board at the start, `history` the proposals with their outcomes, refused ones among them. `undone`
@@ -140,14 +138,6 @@ class Session:
     def orders(self) -> dict[int, dict[int, int]]:
         """For both forms: number of terms -> how many of the 720 orders of the legs give so many."""
         return orders(self.structure)
-
-    def analysis(self) -> Analysis:
-        """All stages up to the condition confirmed, as the automatic analysis gives them. Raises InputError before."""
-        from gcrules.conditions.manual.report import (
-            analysis_of,  # what is shown at the end takes more than a proposal does
-        )
-
-        return analysis_of(self)
 
     # --- proposals -------------------------------------------------------------------------------------------------
 
@@ -253,35 +243,27 @@ class Session:
     def _written(self, e: str | Expr) -> str:
         return text(e, names=self.structure.names) if isinstance(e, Expr) else e
 
-    # --- files and output ------------------------------------------------------------------------------------------
-
-    def save(self, path: str | PathLike[str]) -> None:
-        """Write a session file, complete or not at all. Raises FileError."""
-        from gcrules.conditions.manual.file import save_session
-
-        save_session(self, path)
-
-    @classmethod
-    def load(cls, path: str | PathLike[str]) -> Session:
-        """Replay a session file. Raises FileError with line and column where it is no session or answers differ."""
-        from gcrules.conditions.manual.file import load_session
-
-        return load_session(path)
-
     def to_json(self) -> dict[str, Any]:
-        """The whole session as one object."""
-        from gcrules.conditions.manual.report import session_json
-
-        return session_json(self)
-
-    def text(self, *, unicode: bool = False) -> str:
-        """The board as plain text: form, terms, entities, left-over points, condition."""
-        from gcrules.conditions.manual.report import board_text
-
-        return board_text(self, unicode=unicode)
-
-    def __str__(self) -> str:
-        return self.text()
+        """`{schema, legs, points, base, platform, form {form, order, terms, polynomial}, entities, left, condition,
+        hint, history, undone}`; the order of the legs counts from 0, as in the object of `analyze`.
+        """
+        board, s = self.board, self.structure
+        shown = SuperbracketForm(board.form.form, board.form.order, board.polynomial)
+        return {
+            "schema": 1,
+            "legs": [list(leg) for leg in s.legs],
+            "points": list(s.names),
+            "ideal": list(s.ideal),
+            "base": list(s.base),
+            "platform": list(s.platform),
+            "form": shown.to_json(),
+            "entities": [e.to_json() for e in board.starred],
+            "left": list(self.left),
+            "condition": self.confirmed.to_json(s.names) if self.confirmed else None,
+            "hint": self.hint().to_json(),
+            "history": [r.to_json() for r in self.history],
+            "undone": [r.command for chunk in self.undone for r in chunk],
+        }
 
 
 def _spelt(points: str | Sequence[str]) -> str:

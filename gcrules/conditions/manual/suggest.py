@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 
+from gcrules.algebra.expr import ONE
 from gcrules.algebra.language.text import text
 from gcrules.conditions.manual.automatic import automatic, best_form, claims_in
 from gcrules.conditions.manual.board import KINDS, Board
 from gcrules.conditions.manual.outcome import Hint
 from gcrules.conditions.manual.words import counted
-from gcrules.rules.condition import ONE, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import Claim
 
 __all__ = ["suggest"]

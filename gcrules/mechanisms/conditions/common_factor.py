@@ -18,7 +18,7 @@ from itertools import combinations
 from math import comb
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.text import text
 from gcrules.core.budget import checkpoint
 from gcrules.core.english import listed
@@ -31,7 +31,6 @@ from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.random_lines import Along
 from gcrules.mechanisms.lines.singular import PRIME, Poly, divided, gcd, radical
 from gcrules.mechanisms.lines.wrenches import Line
-from gcrules.rules.condition import ONE
 from gcrules.screws import RESIDUES
 
 __all__ = ["CommonFactor", "Subset", "common_factor", "sees_constraints"]

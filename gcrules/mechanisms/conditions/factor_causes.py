@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import combinations_with_replacement, count, islice
 
 from gcrules.algebra.evaluate import Evaluator
-from gcrules.algebra.expr import Expr, points_of
+from gcrules.algebra.expr import ONE, Expr, points_of
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import GcrulesError
 from gcrules.mechanisms.description.family import Family, Path
@@ -23,7 +23,6 @@ from gcrules.mechanisms.description.relations import Term, Values, combined
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
 from gcrules.mechanisms.lines.wrenches import PLANAR
-from gcrules.rules.condition import ONE
 from gcrules.screws import RATIONALS, RESIDUES, Field, reciprocal
 from gcrules.screws.field import Row
 

@@ -7,14 +7,14 @@ from itertools import combinations
 from typing import Any
 
 from gcrules.algebra.evaluate import PRIME, Evaluator
-from gcrules.algebra.expr import Expr, Sum
+from gcrules.algebra.expr import ONE, Expr, Sum
 from gcrules.conditions.analysis import Analysis, analyze
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.conditions.at_infinity import separated
 from gcrules.mechanisms.conditions.factor_causes import at_member
 from gcrules.mechanisms.description.robot_spec import RobotText
 from gcrules.mechanisms.lines.equivalent import Equivalent
-from gcrules.rules.condition import ONE, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.sentences import factors_of
 
 __all__ = ["condition_of_lines", "factors_at"]

@@ -16,6 +16,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault
 from gcrules.core.seeds import remark
+from gcrules.core.shown import Shown
 from gcrules.mechanisms.conditions.common_factor import CommonFactor, common_factor, sees_constraints
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, Part, at_member, not_told, ranks, tell_apart
 from gcrules.mechanisms.conditions.line_conditions import condition_of_lines, factors_at
@@ -35,7 +36,7 @@ __all__ = ["RobotAnalysis", "analyze_robot"]
 
 
 @dataclass(frozen=True)
-class RobotAnalysis:
+class RobotAnalysis(Shown):
     """What was found for a robot.
 
     `lines` is the analysis of the equivalent structure's lines, None where limbs apply wrenches that are no lines of
@@ -94,24 +95,6 @@ class RobotAnalysis:
             "robot_certificate": {"detail": self.certificate, "members": self.members, "singular_members": self.met},
             "published": None if self.published is None else vars(self.published).copy(),
         }
-
-    def text(self, *, unicode: bool = False) -> str:
-        """Every stage as plain text."""
-        from gcrules.views.text.robot_text import as_text
-
-        return as_text(self, unicode=unicode)
-
-    def latex(self) -> str:
-        """A LaTeX document that compiles with the article class and amsmath."""
-        from gcrules.views.text.robot_text import as_latex
-
-        return as_latex(self)
-
-    def __str__(self) -> str:
-        return self.text(unicode=True)
-
-    def _repr_latex_(self) -> str | None:
-        return self.condition.expression._repr_latex_() if self.condition else None
 
     def __repr__(self) -> str:
         return f"<RobotAnalysis {self.robot.id}: {self.condition.kind if self.condition else 'no lines'}>"

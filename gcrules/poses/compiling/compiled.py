@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.algebra.expr import Expr, points_of, rank_of
+from gcrules.algebra.expr import ONE, Expr, points_of, rank_of
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.language.text import text as as_text
 from gcrules.conditions.analysis import Analysis
@@ -34,7 +34,6 @@ from gcrules.poses.compiling.tape import Program
 from gcrules.poses.compiling.tracing import Mechanism, Road, trace
 from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
 from gcrules.poses.pose_inputs import Given, analysed, moving_robot
-from gcrules.rules.condition import ONE
 
 __all__ = ["CompiledCondition", "compiled"]
 

@@ -37,9 +37,9 @@ from gcrules.poses.limbs.factors import Factor, factors
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.limbs.search import first_singular
 from gcrules.poses.numbers.motion import Twist, twist_of
-from gcrules.poses.numbers.threshold import DEFAULT, Threshold, degrees, parse_threshold
-from gcrules.poses.numbers.verdict import decide
 from gcrules.screws.pose import Pose, exact
+from gcrules.screws.threshold import DEFAULT, Threshold, degrees, parse_threshold
+from gcrules.screws.verdict import decide
 
 __all__ = ["SINGULAR", "first_singular_pose", "here", "posed"]
 

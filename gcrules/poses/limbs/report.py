@@ -8,18 +8,19 @@ from dataclasses import dataclass
 from typing import Any
 
 from gcrules.core.frozen import FrozenMap, HoldsArrays
+from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.mechanism import Actuator
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.poses.limbs.balance import LimbNumbers
 from gcrules.poses.limbs.factors import Factor
 from gcrules.poses.numbers.motion import Twist
-from gcrules.poses.numbers.threshold import Threshold
+from gcrules.screws.threshold import Threshold
 
 __all__ = ["RobotPose"]
 
 
 @dataclass(frozen=True, eq=False)
-class RobotPose(HoldsArrays):
+class RobotPose(HoldsArrays, Shown):
     """A robot in one configuration. Lengths are in the unit of its file, angles in radians, all from home.
 
     `verdict` is regular | close | singular, `reason` the sentence with it, `causes` the factors that vanish, in words.
@@ -108,27 +109,7 @@ class RobotPose(HoldsArrays):
             "notes": list(self.notes),
         }
 
-    def text(self, *, unicode: bool = False) -> str:
-        """A short table, the reason first."""
-        from gcrules.views.text.robot_pose_text import as_text
-
-        return as_text(self, unicode=unicode)
-
-    def latex(self) -> str:
-        """A LaTeX table of the numbers."""
-        from gcrules.views.text.robot_pose_text import as_latex
-
-        return as_latex(self)
-
-    def __str__(self) -> str:
-        return self.text(unicode=True)
-
     def __repr__(self) -> str:
         return (
             f"<RobotPose {self.robot}: {self.verdict}, closeness {self.closeness:.4g}, {math.degrees(self.turn):.3g}°>"
         )
-
-    def _repr_html_(self) -> str:
-        from html import escape
-
-        return f"<pre>{escape(self.text(unicode=True))}</pre>"

@@ -31,7 +31,6 @@ _WRITTEN = {
     "maple": "P := {0}:",
     "singular": "ring R = 0, ({1}), dp;\npoly P = {0};",
 }
-_LINE = 4  # terms in a line of LaTeX
 
 
 @dataclass(frozen=True)
@@ -99,28 +98,12 @@ class Form:
         def factor(name: str, n: int) -> str:
             return name if n == 1 else f"{name}{power}{n}"
 
-        return _joined(
+        return joined(
             (c, "*".join(factor(v, n) for v, n in zip(self.variables, e, strict=True) if n), "*") for e, c in self.terms
         )
 
-    def latex(self) -> str:
-        """A sum; a long one is `aligned`."""
-        from gcrules.views.formulas.latex import latex_name  # needed for LaTeX only
 
-        def factor(name: str, n: int) -> str:
-            return latex_name(name) if n == 1 else f"{latex_name(name)}^{{{n}}}"
-
-        terms = [
-            (c, " ".join(factor(v, n) for v, n in zip(self.variables, e, strict=True) if n), r"\,")
-            for e, c in self.terms
-        ]
-        if len(terms) <= _LINE:
-            return _joined(terms)
-        lines = [_joined(terms[k : k + _LINE], first=not k) for k in range(0, len(terms), _LINE)]
-        return "\\begin{aligned}\n&" + " \\\\\n&".join(lines) + "\n\\end{aligned}"
-
-
-def _joined(terms: Iterable[tuple[int, str, str]], *, first: bool = True) -> str:
+def joined(terms: Iterable[tuple[int, str, str]], *, first: bool = True) -> str:
     """A sum of coefficients, what they are multiplied by, and the sign of that product."""
     found: list[str] = []
     for c, monomial, times in terms:

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from gcrules.core.errors import LimitReached
+from gcrules.core.shown import Shown
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.loci.factors import factored
 from gcrules.poses.loci.form import Form
@@ -43,7 +44,7 @@ class Factor:
 
 
 @dataclass(frozen=True)
-class Locus:
+class Locus(Shown):
     """norm³ · superbracket = `coefficient` · `form`, exactly, for every pose of the `question`.
 
     `norms` are polynomials whose product is the squared length of the quaternion up to a constant, so positive in every
@@ -150,26 +151,10 @@ class Locus:
             "checked": dict(self.checked),
         }
 
-    def text(self, *, unicode: bool = False) -> str:
-        """What it is of, its degrees and factors, and the polynomial itself if it is short."""
-        from gcrules.views.text.locus_text import as_text
-
-        return as_text(self, unicode=unicode)
-
-    def latex(self) -> str:
-        """The polynomial."""
-        return self.form.latex()
-
-    def __str__(self) -> str:
-        return self.text(unicode=True)
-
     def __repr__(self) -> str:
         if self.vanishes:
             return f"<Locus 0 in {', '.join(self.variables)}: {self.verdict}>"
         return f"<Locus of degree {self.form.degree} in {', '.join(self.variables)}: {len(self.form.terms)} terms>"
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
 
 
 def _listed(form: Form) -> dict[str, Any]:

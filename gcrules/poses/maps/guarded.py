@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.poses.maps.grid import Grid
-from gcrules.poses.numbers.guarantees import closeness
-from gcrules.poses.numbers.jacobian import jacobian
+from gcrules.screws.guarantees import closeness
+from gcrules.screws.margin import jacobian
 
 __all__ = ["guarded"]
 

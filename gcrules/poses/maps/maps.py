@@ -22,11 +22,11 @@ from typing import Any
 
 import numpy as np
 
-from gcrules import __version__
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.seeds import drawn
+from gcrules.core.version import __version__
 from gcrules.poses.compiling.compiled import compiled
 from gcrules.poses.maps.axes import Axis, read_axes
 from gcrules.poses.maps.grid import grid
@@ -39,8 +39,8 @@ from gcrules.poses.maps.store import Folder, Memory, Store
 from gcrules.poses.maps.summary import Summary, summed, together
 from gcrules.poses.maps.tracing import polished, traced
 from gcrules.poses.maps.values import KINDS, Task
-from gcrules.poses.numbers.threshold import DEFAULT, Threshold, angle_threshold, closeness_of
 from gcrules.poses.pose_inputs import Given, moving_robot
+from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, closeness_of
 
 __all__ = ["MEASURES", "bytes_of", "done", "planned", "singular_map"]
 

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules import __version__
 from gcrules.core.arguments import FILE, TEXT, checked, each
 from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.core.frozen import HoldsArrays
+from gcrules.core.shown import Shown
+from gcrules.core.version import __version__
 from gcrules.poses.maps.grid import Grid
 from gcrules.poses.maps.limits import Limits
 from gcrules.poses.maps.mesh import Mesh
@@ -22,8 +23,8 @@ from gcrules.poses.maps.store import Store
 from gcrules.poses.maps.summary import Summary
 from gcrules.poses.maps.surface import Sheet, of_factor, sheet
 from gcrules.poses.maps.values import Chunk, Task
-from gcrules.poses.numbers.threshold import Threshold, closeness_of
 from gcrules.rules.condition import Condition
+from gcrules.screws.threshold import Threshold, closeness_of
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -61,7 +62,7 @@ class Curve(HoldsArrays):
 
 
 @dataclass(frozen=True, eq=False)
-class SingularMap(HoldsArrays):
+class SingularMap(HoldsArrays, Shown):
     """A robot over two or three coordinates of its poses.
 
     `values(name)` are arrays over the grid, in the order of the axes (`arrays` are their names); `curves` are the
@@ -222,19 +223,6 @@ class SingularMap(HoldsArrays):
             + (f"{free:,} cells are proved free: {how}")
         )
 
-    def to_xarray(self) -> Dataset:
-        """An xarray Dataset with coordinates, units and metadata. Raises InputError where xarray is missing."""
-        from gcrules.poses.maps.data import dataset
-
-        return dataset(self)
-
-    @checked("map.save", paths=each(FILE))
-    def save(self, *paths: str) -> None:
-        """Write files; the suffix says of what kind: .nc, .svg, .pdf, .png, .ply, .glb, .json."""
-        from gcrules.views.plots.map_files import save
-
-        save(self, paths)
-
     def to_json(self) -> dict[str, Any]:
         """One JSON object, with the curves but without the arrays."""
         g = self.grid
@@ -258,29 +246,18 @@ class SingularMap(HoldsArrays):
             "notes": list(self.notes),
         }
 
-    def text(self, *, unicode: bool = False) -> str:
-        """What was found and what is guaranteed."""
-        from gcrules.views.text.map_text import as_text
+    def to_xarray(self) -> Dataset:
+        """An xarray Dataset with coordinates, units and metadata. Raises InputError where xarray is missing."""
+        data: Dataset = self._show("xarray")
+        return data
 
-        return as_text(self, unicode=unicode)
-
-    def __str__(self) -> str:
-        return self.text(unicode=True)
+    @checked("map.save", paths=each(FILE))
+    def save(self, *paths: str) -> None:
+        """Write files; the suffix says of what kind: .nc, .svg, .pdf, .png, .ply, .glb, .json."""
+        self._show("save", paths=paths)
 
     def __repr__(self) -> str:
         shape = " x ".join(map(str, self.grid.shape))
         over = ", ".join(a.name for a in self.grid.axes)
         found = f", {len(self.curves)} curves" if len(self.grid.axes) == 2 else ""
         return f"<SingularMap over {over}, {shape} poses{found}>"
-
-    def _repr_svg_(self) -> str | None:
-        try:
-            from gcrules.views.plots.map_plot import picture  # an extra of the installation
-        except ImportError:
-            return None
-        return picture(self, "svg").decode() if len(self.grid.axes) == 2 else None
-
-    def _repr_html_(self) -> str:
-        from html import escape
-
-        return f"<pre>{escape(self.text(unicode=True))}</pre>"

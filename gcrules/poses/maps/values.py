@@ -23,8 +23,8 @@ from gcrules.poses.maps.grid import Grid
 from gcrules.poses.maps.guarded import guarded
 from gcrules.poses.maps.limits import Limits
 from gcrules.poses.maps.slices import Factor, middle
-from gcrules.poses.numbers.guarantees import ROUNDING
-from gcrules.poses.numbers.jacobian import jacobian
+from gcrules.screws.guarantees import ROUNDING
+from gcrules.screws.margin import jacobian
 
 __all__ = ["KINDS", "Chunk", "Task"]
 

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.poses.numbers.arrays import from_vectors, matrices
-from gcrules.poses.numbers.guarantees import closeness
-from gcrules.poses.numbers.jacobian import Jacobian, jacobian
+from gcrules.screws.guarantees import closeness
+from gcrules.screws.margin import Jacobian, jacobian
 
 __all__ = ["MAX_POSES", "free_angle", "free_distance"]
 

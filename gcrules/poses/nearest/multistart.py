@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint
 from gcrules.poses.nearest.zero import fibonacci
 from gcrules.poses.numbers.arrays import from_vectors, matrices
-from gcrules.poses.numbers.jacobian import Jacobian
+from gcrules.screws.margin import Jacobian
 
 __all__ = ["Determinant", "best_zero"]
 

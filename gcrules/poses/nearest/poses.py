@@ -16,9 +16,9 @@ from gcrules.poses.nearest.multistart import Determinant, best_zero
 from gcrules.poses.nearest.zero import nearest_zero
 from gcrules.poses.numbers.arrays import from_poses
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
-from gcrules.poses.numbers.guarantees import closeness
-from gcrules.poses.numbers.jacobian import Jacobian, jacobian
 from gcrules.poses.numbers.nearest_pose import NearestPose
+from gcrules.screws.guarantees import closeness
+from gcrules.screws.margin import Jacobian, jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import from_vector, product, rotation, short
 

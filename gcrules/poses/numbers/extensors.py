@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
+from gcrules.core.deferred import deferred
 
 __all__ = [
     "Points",
@@ -24,6 +25,8 @@ __all__ = [
     "size_of",
     "unit_scale",
 ]
+
+factors = deferred("gcrules.conditions.gained_motion:factors")
 
 Floats = NDArray[np.float64]
 Points = Mapping[str, Floats]
@@ -85,8 +88,6 @@ def normalised(e: Expr, points: Points) -> Floats:
 
     It does not know frame and unit: turns about the centroid leave these lengths as they are.
     """
-    from gcrules.conditions.gained_motion import factors
-
     at = unit_scale(points)
     found = np.ones(len(next(iter(points.values()))))
     for factor in factors(e):

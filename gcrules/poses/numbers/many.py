@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
+from gcrules.core.shown import Shown
 from gcrules.mechanisms.moving_platform import Rig
-from gcrules.poses.numbers.guarantees import ROUNDING, closeness, noise
 from gcrules.poses.numbers.incidence_measures import Reading, readings
-from gcrules.poses.numbers.jacobian import jacobian
-from gcrules.poses.numbers.threshold import Threshold, closeness_of
-from gcrules.poses.numbers.verdict import VERDICTS, rank
 from gcrules.rules.condition import Condition
+from gcrules.screws.guarantees import ROUNDING, closeness, noise
+from gcrules.screws.margin import jacobian
+from gcrules.screws.threshold import Threshold, closeness_of
+from gcrules.screws.verdict import VERDICTS, rank
 
 __all__ = ["PoseNumbers", "homogeneous", "numbers"]
 
@@ -30,7 +31,7 @@ CHUNK = 20_000
 
 
 @dataclass(frozen=True, eq=False)
-class PoseNumbers(HoldsArrays):
+class PoseNumbers(HoldsArrays, Shown):
     """Arrays over N poses, shape (N,); the names and units are those of `PoseReport`. `readings` hold arrays too;
     `notes` say what was changed on reading.
 

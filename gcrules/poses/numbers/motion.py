@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from gcrules.algebra.language.legs_text import Leg
 from gcrules.conditions.gained_motion import Screw, free_motions
 from gcrules.core.linear_algebra import kernel
-from gcrules.poses.numbers.jacobian import Jacobian
 from gcrules.poses.numbers.variety import Variety, variety
+from gcrules.screws.margin import Jacobian
 
 __all__ = ["Dependence", "Twist", "dependence", "exact_dependence", "scaled", "softest_twist", "twist_of"]
 

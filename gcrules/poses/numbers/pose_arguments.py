@@ -10,10 +10,10 @@ import numpy as np
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.moving_platform import Rig
-from gcrules.poses.numbers.guarantees import ROUNDING
-from gcrules.poses.numbers.threshold import parse_length
+from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.pose import Pose, exact, exact_float, parse_pose, unit_note
 from gcrules.screws.rotations import IDENTITY, from_euler, from_vector
+from gcrules.screws.threshold import parse_length
 
 __all__ = ["centre_of", "known_accuracy", "one_pose"]
 

@@ -8,12 +8,13 @@ from fractions import Fraction
 from typing import Any
 
 from gcrules.core.floats import as_float
+from gcrules.core.shown import Shown
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.numbers.motion import Dependence, Twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
-from gcrules.poses.numbers.threshold import Threshold, degrees
 from gcrules.rules.condition import Condition
 from gcrules.screws.pose import Pose
+from gcrules.screws.threshold import Threshold, degrees
 
 __all__ = ["PoseReading", "PoseReport"]
 
@@ -46,7 +47,7 @@ class PoseReading:
 
 
 @dataclass(frozen=True)
-class PoseReport:
+class PoseReport(Shown):
     """A robot in one pose. Lengths are in the robot's unit, angles in radians.
 
     `verdict` is regular | close | singular, `reason` the sentence with it and `causes` the incidences that make the
@@ -130,25 +131,5 @@ class PoseReport:
             "notes": list(self.notes),
         }
 
-    def text(self, *, unicode: bool = False) -> str:
-        """A short table, the reason first."""
-        from gcrules.views.text.pose_text import as_text
-
-        return as_text(self, unicode=unicode)
-
-    def latex(self) -> str:
-        """A LaTeX table of the numbers."""
-        from gcrules.views.text.pose_text import as_latex
-
-        return as_latex(self)
-
-    def __str__(self) -> str:
-        return self.text(unicode=True)
-
     def __repr__(self) -> str:
         return f"<PoseReport {self.verdict}: closeness {self.closeness:.4g}, {degrees(self.turn)}>"
-
-    def _repr_html_(self) -> str:
-        from html import escape
-
-        return f"<pre>{escape(self.text(unicode=True))}</pre>"

@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.numbers.arrays import matrices
-from gcrules.poses.numbers.guarantees import ROUNDING, noise
-from gcrules.poses.numbers.jacobian import jacobian
 from gcrules.poses.numbers.many import CHUNK
 from gcrules.poses.paths.segment import Segment
+from gcrules.screws.guarantees import ROUNDING, noise
+from gcrules.screws.margin import jacobian
 
 __all__ = ["MOST", "Least", "least"]
 

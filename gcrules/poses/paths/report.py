@@ -11,17 +11,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.frozen import HoldsArrays
+from gcrules.core.shown import Shown
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.numbers.many import PoseNumbers
 from gcrules.poses.numbers.motion import Dependence
-from gcrules.poses.numbers.threshold import Threshold, degrees
 from gcrules.poses.paths.least import Least
 from gcrules.poses.paths.zeros import Stretch
 from gcrules.rules.condition import Condition
 from gcrules.screws.pose import Pose
+from gcrules.screws.threshold import Threshold, degrees
 
 if TYPE_CHECKING:
-    from gcrules.views.drawing.drawing import Drawing
+    pass
 
 __all__ = ["PathReport", "Zero"]
 
@@ -69,7 +70,7 @@ class Zero:
 
 
 @dataclass(frozen=True, eq=False)
-class PathReport(HoldsArrays):
+class PathReport(HoldsArrays, Shown):
     """A robot along a path through `poses`. The parameter is 0 at the first of them, 1 at the second, and so on.
 
     `zeros` are all singular places, but for the `stretches` that are singular throughout: both are proved complete, as
@@ -154,33 +155,16 @@ class PathReport(HoldsArrays):
         for row, verdict, kind in zip(numbers.tolist(), n.verdict.tolist(), self.kinds(), strict=True):
             yield [*("" if x != x else repr(x + 0.0).removesuffix(".0") for x in row), verdict, kind]
 
-    def plot(self) -> Drawing:
-        """Closeness and superbracket over the parameter, the zeros marked; `views.drawing.drawing.save` writes it."""
-        from gcrules.views.plots.path_plot import plot
-
-        return plot(self)
-
-    def text(self, *, unicode: bool = False) -> str:
-        """The verdict, the singular places with their causes, the least closeness, and what is guaranteed."""
-        from gcrules.views.text.path_text import as_text
-
-        return as_text(self, unicode=unicode)
-
     def __len__(self) -> int:
         return len(self.parameters)
 
-    def __str__(self) -> str:
-        return self.text(unicode=True)
+    def plot(self) -> Any:
+        """A `Drawing` of the margin and the superbracket over the parameter, the zeros marked; it has `svg()` and
+        `pdf()`.
+        """
+        return self._show("plot")
 
     def __repr__(self) -> str:
         angle = degrees(2 * float(np.arcsin(self.least.bound / 2)))
         found = f"{len(self.zeros)} zeros" + (f", {len(self.stretches)} stretches" if self.stretches else "")
         return f"<PathReport {self.verdict}: {found}, closeness at least {self.least.bound:.4g}, {angle}>"
-
-    def _repr_html_(self) -> str:
-        from html import escape
-
-        return f"<pre>{escape(self.text(unicode=True))}</pre>"
-
-    def _repr_svg_(self) -> str:
-        return self.plot().svg()

@@ -14,6 +14,7 @@ from itertools import islice
 from typing import Any
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr, Point, substitute
 from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.algebra.language.syntax import parse
@@ -22,7 +23,7 @@ from gcrules.core.errors import EngineFault, FileError
 from gcrules.core.frozen import FrozenMap
 from gcrules.rules.catalog.proofs import Standing, is_shipped, standing
 from gcrules.rules.claims import certify
-from gcrules.rules.condition import Certificate, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.random_witness import SAMPLES, Oracle
 
 __all__ = ["FROM_CATALOG", "LABELS", "SHIPPED", "Catalog", "Entry", "Match", "Reading"]

@@ -14,6 +14,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.language.legs_text import Leg, Structure, read_legs
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.superbrackets.shortest import counts
 from gcrules.core.errors import FileError, GcrulesError, join_faults
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
@@ -112,8 +113,6 @@ KINDS = (*(rule.id for rule in INCIDENCES), *FROM_CATALOG, "linear-complex", "al
 
 def _fewest(legs: tuple[Leg, ...]) -> dict[int, int]:
     """The fewest terms of both forms, for an entry that leaves them out."""
-    from gcrules.algebra.superbrackets.shortest import counts  # loads numpy, which the shipped entries do not need
-
     return {form: int(n.min()) for form, n in counts(legs).items()}
 
 

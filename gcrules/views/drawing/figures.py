@@ -13,9 +13,9 @@ from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket,
 from gcrules.algebra.language.text import text
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import common_point, factors, free_motions, vanishing
+from gcrules.conditions.pose_value import XYZ, line_points
 from gcrules.core.english import listed, of_kind
 from gcrules.core.errors import InputError
-from gcrules.poses.numbers.value import XYZ, line_points
 from gcrules.rules.condition import Condition, Entity, starred
 from gcrules.views.drawing.drawing import Drawing, beside, scaled, without_text
 from gcrules.views.drawing.graph import draw_graph

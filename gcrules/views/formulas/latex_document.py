@@ -7,7 +7,7 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.views.formulas.latex import latex, latex_lines
 from gcrules.views.formulas.latex_text import latex_document, latex_words
 from gcrules.views.report.stages import Fact, Formula, Item, stages
-from gcrules.views.text.derivation import as_align
+from gcrules.views.results.derivation import as_align
 
 __all__ = ["as_latex"]
 

@@ -18,7 +18,7 @@ from itertools import groupby
 
 from gcrules.core.floats import decimal
 
-__all__ = ["latex_document", "latex_quantity", "latex_words"]
+__all__ = ["latex_document", "latex_quantity", "latex_table", "latex_words"]
 
 _TEXT = {
     **{"\\": r"\textbackslash{}", "^": r"\^{}", "~": r"\~{}", **{c: f"\\{c}" for c in "{}_&#%$"}},
@@ -86,6 +86,12 @@ def latex_quantity(x: float | Fraction, unit: str = "", power: int = 1) -> str:
         return rf"${shown}{{}}^{{\circ}}$"
     raised = f"^{{{power}}}" if power != 1 else ""
     return rf"${shown}\,\mathrm{{{latex_words(unit)}}}{raised}$" if unit else f"${shown}$"
+
+
+def latex_table(rows: Iterable[tuple[str, str]]) -> str:
+    """A tabular of names and values, both LaTeX; it needs no package."""
+    body = "\n".join(f"  {name} & {value} \\\\" for name, value in rows)
+    return f"\\begin{{tabular}}{{ll}}\n{body}\n\\end{{tabular}}"
 
 
 def latex_document(body: Iterable[str]) -> str:

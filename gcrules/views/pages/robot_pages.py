@@ -27,9 +27,9 @@ from gcrules.views.pages.markdown import inline, reference
 from gcrules.views.pages.page_names import page_names
 from gcrules.views.pages.robot_index import HEAD, gallery
 from gcrules.views.pages.robot_pages_singular import singular_section
+from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, sections
 from gcrules.views.robots.robot_drawing import draw_robot, draw_singular, robot_thumbnail
 from gcrules.views.robots.singular_poses import SingularPose, live_parts, singular_pose
-from gcrules.views.text.robot_text import CONDITION, FACTORS, LIMBS, LINES, sections
 
 __all__ = ["FIGURES", "HEAD", "robot_pages"]
 

@@ -6,14 +6,17 @@ import json
 import os
 from collections.abc import Sequence
 
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.files import check_target, replacing
-from gcrules.poses.maps.data import netcdf
 from gcrules.poses.maps.mesh import glb, ply
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.maps.store import written
+from gcrules.views.plots.map_data import netcdf
 
 __all__ = ["PICTURES", "SUFFIXES", "check_outputs", "save"]
+
+picture = deferred("gcrules.views.plots.map_plot:picture")
 
 PICTURES = (".svg", ".pdf", ".png")
 _MESHES = {".ply": ply, ".glb": glb}
@@ -70,8 +73,6 @@ def _write(m: SingularMap, path: str, suffix: str) -> None:
         netcdf(m, path)
         return
     if suffix in PICTURES:
-        from gcrules.views.plots.map_plot import picture  # matplotlib
-
         data = picture(m, suffix[1:])
     elif suffix in _MESHES:
         data = _MESHES[suffix](m.mesh)

@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.poses.numbers.arrays import matrices
-from gcrules.poses.numbers.jacobian import jacobian
 from gcrules.poses.paths.report import PathReport, Zero
+from gcrules.screws.margin import jacobian
 from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, text_width
 
-__all__ = ["plot"]
+__all__ = ["plot", "svg"]
 
 Floats = NDArray[np.float64]
 
@@ -181,3 +181,8 @@ def _sign(z: Zero, height: float, u: float) -> Shape:
 def _block(height: float, u: float) -> Shape:
     corners = ((u - 8, height - 9), (u + 8, height - 9), (u + 8, height + 1), (u - 8, height + 1))
     return Polygon(corners, fill="mark", fill_opacity=0.16)
+
+
+def svg(r: PathReport) -> str:
+    """The plot as SVG."""
+    return plot(r).svg()

@@ -7,17 +7,18 @@ from html import escape
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.pose_value import PoseValue
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.poses.numbers.value import PoseValue
 from gcrules.rules.derivation import Step
 from gcrules.views.drawing.figures import graph_figure, robot_figure
 from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
+from gcrules.views.report.robot_report import robot_report
 from gcrules.views.report.scene_json import drawable, scene
 from gcrules.views.report.stages import Fact, Formula, Item, Stage, stages, verdict_of
-from gcrules.views.text.derivation import reasons
+from gcrules.views.results.derivation import reasons
 
 __all__ = ["fragment", "report"]
 
@@ -36,8 +37,6 @@ def report(analysis: Analysis | RobotAnalysis, *, interactive: bool = True) -> s
             hint="gc.report(gc.analyze(…)), or gc.report(gc.Robot.load(…).analyze())",
         )
     if isinstance(analysis, RobotAnalysis):
-        from gcrules.views.report.robot_report import robot_report  # numpy, for robots only
-
         return robot_report(analysis, interactive=interactive)
     live = interactive and drawable(analysis)
     platform = analysis.platform

@@ -14,6 +14,7 @@ from importlib.resources import files
 from typing import Any
 
 from gcrules.core.errors import EngineFault
+from gcrules.core.version import __version__
 
 __all__ = ["footer", "in_script", "page", "robot_figure_html"]
 
@@ -71,8 +72,6 @@ def robot_figure_html(drawing: str, caption: str, *, live: bool = False, hint: s
 
 def footer() -> str:
     """The version, and what the brackets mean."""
-    from gcrules import __version__
-
     legend = "Brackets [abcd] are determinants of homogeneous points; ∨ is join, ∧ is meet."
     return f"<footer>gcrules {__version__}. {legend}</footer>"
 

@@ -21,13 +21,13 @@ from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.scene_json import drawable, scene
 from gcrules.views.report.stages import Formula
+from gcrules.views.results.robot import CONDITION, FACTORS, sections
 from gcrules.views.robots.entities import Entity, entities
 from gcrules.views.robots.exact_values import lines_at
 from gcrules.views.robots.joint_chain import unit_vector
 from gcrules.views.robots.limb_views import limb_views
 from gcrules.views.robots.robot_drawing import draw_robot
 from gcrules.views.robots.singular_poses import live_parts
-from gcrules.views.text.robot_text import CONDITION, FACTORS, sections
 
 __all__ = ["on_six_legs", "robot_report", "robot_scene"]
 

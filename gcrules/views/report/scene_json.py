@@ -25,14 +25,19 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.structure import Structure
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import incidence_rows
+from gcrules.conditions.pose_value import XYZ, line_points
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
-from gcrules.poses.numbers.value import XYZ, line_points
-from gcrules.poses.numbers.verdict import CLOSE
 from gcrules.screws.pose import Pose
+from gcrules.screws.verdict import CLOSE
 from gcrules.views.drawing.figures import distinct_entities, named_lines, sample_points
 from gcrules.views.drawing.scene_parts import Incidence, entity_data, incidences, nested
 
 __all__ = ["Scenery", "drawable", "entity_data", "scene"]
+
+softest_twist = deferred("gcrules.poses.numbers.motion:softest_twist")
+jacobian = deferred("gcrules.screws.margin:jacobian")
+on_one_line = deferred("gcrules.screws.margin:on_one_line")
 
 Points = Mapping[str, XYZ]
 Vector = tuple[Fraction, Fraction, Fraction]
@@ -180,9 +185,6 @@ class Scenery:
         if not self.movable:
             return None
         import numpy as np
-
-        from gcrules.poses.numbers.jacobian import jacobian, on_one_line
-        from gcrules.poses.numbers.motion import softest_twist
 
         base, ends = (np.array([points[leg[i]] for leg in self.structure.oriented]) for i in (0, 1))
         if np.linalg.norm(ends - base, axis=1).min() <= 1e-12 * self.size:

@@ -6,15 +6,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.legs_text import Structure, leg_text
 from gcrules.algebra.language.text import text
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.pose_value import PoseValue
 from gcrules.core.english import listed
 from gcrules.core.floats import decimal
-from gcrules.poses.numbers.value import PoseValue
-from gcrules.poses.numbers.verdict import CLOSE
-from gcrules.rules.condition import ONE, Condition, Entity
+from gcrules.rules.condition import Condition, Entity
+from gcrules.screws.verdict import CLOSE
 
 __all__ = ["Fact", "Formula", "Item", "Stage", "stages", "verdict_of"]
 

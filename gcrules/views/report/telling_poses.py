@@ -11,7 +11,7 @@ from gcrules.algebra.expr import Bracket, Meet, Sum
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.example_poses import WorkedPose, regular_poses, singular_poses
 from gcrules.conditions.gained_motion import Screw, common_point, factors, free_motions, vanishing
-from gcrules.poses.numbers.value import line_points
+from gcrules.conditions.pose_value import line_points
 from gcrules.views.drawing.bsp import XYZ, cross, dot, minus
 from gcrules.views.drawing.figures import named_lines, sample_points, shown_entities
 from gcrules.views.drawing.solids import center, direction, flat_normal

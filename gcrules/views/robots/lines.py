@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from math import dist
 
 from gcrules.algebra.evaluate import evaluate
+from gcrules.conditions.pose_value import line_points
 from gcrules.mechanisms.lines.wrenches import Line as Wrench
-from gcrules.poses.numbers.value import line_points
 from gcrules.views.drawing.bsp import XYZ, Piece, cross, dot, minus
 from gcrules.views.drawing.drawing import Circle, Line, Shape, name_runs
 from gcrules.views.drawing.frame import Frame

@@ -8,10 +8,10 @@ from gcrules.algebra.expr import Expr, Sum
 from gcrules.algebra.language.text import text
 from gcrules.conditions.analysis import Analysis
 from gcrules.views.report.stages import Fact, Item, stages
-from gcrules.views.text.derivation import as_text as derivation_text
-from gcrules.views.text.derivation import ascii_words
+from gcrules.views.results.derivation import as_text as derivation_text
+from gcrules.views.results.derivation import ascii_words
 
-__all__ = ["as_text"]
+__all__ = ["as_text", "formula"]
 
 _WIDTH = 100
 _LONG = 120
@@ -62,3 +62,8 @@ def _wrapped(words: list[str], indent: str) -> list[str]:
             lines.append(indent + "  ")
         lines[-1] += (" " if lines[-1].strip() else "") + word
     return lines
+
+
+def formula(a: Analysis) -> str:
+    """The expression of the condition as LaTeX, without dollar signs."""
+    return a.condition.expression.latex()

@@ -1,4 +1,4 @@
-r"""A path's report as plain text: the verdict, the singular places with their causes, what is proved and how."""
+r"""A path's report as plain text and as LaTeX: the verdict, the singular places with causes, what is proved and how."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from gcrules.poses.numbers.motion import Dependence
-from gcrules.poses.numbers.threshold import degrees
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.screws.pose import Pose
+from gcrules.screws.threshold import degrees
+from gcrules.views.formulas.latex_text import latex_quantity, latex_table
 
-__all__ = ["as_text"]
+__all__ = ["as_latex", "as_text"]
 
 WIDTH = 100
 _MOST = 40  # places that are explained; the JSON object and the table hold all
@@ -130,3 +131,15 @@ def _wrapped(text: str, first: str = "", rest: str | None = None) -> list[str]:
     return textwrap.wrap(
         text, WIDTH, initial_indent=first, subsequent_indent=other, break_long_words=False, break_on_hyphens=False
     )
+
+
+def as_latex(r: PathReport) -> str:
+    """A tabular: the verdict, each singular place, or the proved least margin; needs no package."""
+    rows = [("verdict", r.verdict)]
+    for z in r.zeros:
+        times = f", multiplicity {z.multiplicity}" if z.multiplicity > 1 else ""
+        rows.append(("singular at parameter", f"{latex_quantity(z.parameter)} ({z.kind}{times})"))
+    rows += [("singular from, to", f"{latex_quantity(s.start)}, {latex_quantity(s.end)}") for s in r.stretches]
+    if not r.zeros and not r.stretches:
+        rows.append(("least margin $\\sigma$, proved", latex_quantity(r.least.bound)))
+    return latex_table(rows)

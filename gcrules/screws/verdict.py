@@ -11,12 +11,12 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from gcrules.poses.numbers.threshold import DEFAULT, Threshold, closeness_of, degrees
+from gcrules.screws.threshold import DEFAULT, Threshold, closeness_of, degrees
 
 if TYPE_CHECKING:  # they load numpy
-    from gcrules.poses.numbers.guarantees import Closeness
-    from gcrules.poses.numbers.jacobian import Jacobian
     from gcrules.poses.numbers.nearest_pose import NearestPose
+    from gcrules.screws.guarantees import Closeness
+    from gcrules.screws.margin import Jacobian
 
 __all__ = ["CLOSE", "FLOOR", "VERDICTS", "decide", "rank", "verdict"]
 

@@ -13,8 +13,11 @@ from gcrules.mechanisms.conditions.factor_causes import KINDS, Part
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.serial import LimbSingularity
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, Line
+from gcrules.views.formulas.latex import latex_lines
+from gcrules.views.formulas.latex_text import latex_document
+from gcrules.views.formulas.latex_text import latex_words as words
 
-__all__ = ["CONDITION", "FACTORS", "LIMBS", "LINES", "as_latex", "as_text", "sections"]
+__all__ = ["CONDITION", "FACTORS", "LIMBS", "LINES", "as_latex", "as_text", "formula", "sections"]
 
 LIMBS = "Limbs: wrenches with the actuators locked"
 LINES = "Equivalent structure"
@@ -162,9 +165,6 @@ def _wrapped(words: str, indent: int = 0) -> list[str]:
 
 def as_latex(a: RobotAnalysis) -> str:
     """A document with the limbs, the identity of the lines, the factors and the statement."""
-    from gcrules.views.formulas.latex_text import latex_document  # needed for LaTeX only
-    from gcrules.views.formulas.latex_text import latex_words as words
-
     out = [rf"\section*{{{words(a.robot.title)}}}", words(a.statement)]
     if a.structure.limbs:
         out += [r"\subsection*{Limbs}", *(rf"{words(_limb(limb))}\par" for limb in a.structure.limbs)]
@@ -190,7 +190,10 @@ def _told(part: Part) -> str:
 
 
 def _display(left: Expr | None, right: Expr) -> str:
-    from gcrules.views.formulas.latex import latex_lines
-
     lines = [*([f"{line} = " for line in latex_lines(left)] if left else []), *latex_lines(right)]
     return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
+
+
+def formula(a: RobotAnalysis) -> str | None:
+    """The expression of the condition as LaTeX, without dollar signs; None where there are no lines."""
+    return a.condition.expression.latex() if a.condition else None

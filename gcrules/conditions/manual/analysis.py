@@ -1,23 +1,18 @@
-"""What a session shows: the board as text, the whole as JSON, and the analysis at the end."""
+"""The analysis that a session ends with."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
 
-from gcrules.algebra import expr as ex
-from gcrules.algebra.language.legs_text import legs_text
-from gcrules.algebra.language.text import text
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.manual.automatic import automatic, oracle_of
 from gcrules.conditions.manual.board import Board
 from gcrules.conditions.manual.follow import LEFT_OVER, follow
-from gcrules.conditions.manual.forms import form_text
 from gcrules.conditions.manual.session import Session
 from gcrules.core.errors import InputError
-from gcrules.rules.condition import Condition, Entity
+from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import Claim
 from gcrules.rules.derivation import Derivation
 from gcrules.rules.deriving import from_claim, terms_of
@@ -25,71 +20,7 @@ from gcrules.rules.entities import LINES, PLANES, TETRAHEDRA
 from gcrules.rules.recognition_state import State
 from gcrules.rules.rule import EntityRule
 
-__all__ = ["analysis_of", "board_text", "session_json"]
-
-
-# --- text and JSON -------------------------------------------------------------------------------------------------
-
-
-def board_text(session: Session, *, unicode: bool = False) -> str:
-    """The board as lines of text."""
-    return "\n".join(_lines(session, unicode))
-
-
-def _lines(session: Session, unicode: bool) -> Iterator[str]:
-    board, names = session.board, session.structure.names
-
-    def shown(e: ex.Expr) -> str:
-        return text(e, unicode=unicode, names=names)
-
-    yield f"legs       {legs_text(session.structure.legs)}"
-    yield f"form       {form_text(board)}"
-    terms = board.polynomial.to_expr()
-    for n, term in enumerate(terms.terms if isinstance(terms, ex.Sum) else (terms,), 1):
-        yield f"  {n:>6}   {shown(term)}"
-    collected = board.collected()
-    if collected is not None:
-        yield f"in front   {shown(collected)}"
-    yield f"entities   {', '.join(map(_entity, board.starred)) or 'none'}"
-    yield f"left over  {' '.join(session.left) or 'none'}"
-    condition = session.confirmed
-    if condition is None:
-        yield "condition  none yet"
-    else:
-        factor = "" if condition.cofactor == ex.Number(1) else f"({shown(condition.cofactor)}) times "
-        yield f"condition  {condition.kind}: {factor}superbracket = {shown(condition.right_side)}"
-        yield f"           {condition.sentence}"
-
-
-def _entity(entity: Entity) -> str:
-    spaced = any(len(n.rstrip("*")) > 1 for n in entity.starred)
-    return f"{entity.kind} {(' ' if spaced else '').join(entity.starred)}"
-
-
-def session_json(session: Session) -> dict[str, Any]:
-    """`{schema, legs, points, base, platform, form {form, order, terms, polynomial}, entities, left, condition,
-    hint, history, undone}`; the order of the legs counts from 0, as in the object of `analyze`.
-    """
-    board, s = session.board, session.structure
-    shown = SuperbracketForm(board.form.form, board.form.order, board.polynomial)
-    return {
-        "schema": 1,
-        "legs": [list(leg) for leg in s.legs],
-        "points": list(s.names),
-        "ideal": list(s.ideal),
-        "base": list(s.base),
-        "platform": list(s.platform),
-        "form": shown.to_json(),
-        "entities": [e.to_json() for e in board.starred],
-        "left": list(session.left),
-        "condition": session.confirmed.to_json(s.names) if session.confirmed else None,
-        "hint": session.hint().to_json(),
-        "history": [r.to_json() for r in session.history],
-        "undone": [r.command for chunk in session.undone for r in chunk],
-    }
-
-
-# --- the analysis --------------------------------------------------------------------------------------------------
+__all__ = ["analysis_of"]
 
 
 def analysis_of(session: Session) -> Analysis:

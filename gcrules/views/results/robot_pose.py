@@ -7,10 +7,10 @@ from collections.abc import Iterator
 
 from gcrules.mechanisms.kinematics.coordinates import SHIFTS, TURNS
 from gcrules.poses.limbs.report import RobotPose
-from gcrules.poses.numbers.threshold import degrees
+from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex import latex_name
-from gcrules.views.formulas.latex_text import latex_quantity
-from gcrules.views.text.tables import ASCII, columns, table, wrapped
+from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
 __all__ = ["as_latex", "as_text"]
 
@@ -129,5 +129,4 @@ def as_latex(r: RobotPose) -> str:
         ("characteristic length", latex_quantity(r.jacobian.length)),
         *((f"${latex_name(a.name)}$", latex_quantity(v, "rad" if a.angle else "")) for a, v in r.actuators),
     ]
-    body = "\n".join(f"  {name} & {value} \\\\" for name, value in rows)
-    return f"\\begin{{tabular}}{{ll}}\n{body}\n\\end{{tabular}}"
+    return latex_table(rows)

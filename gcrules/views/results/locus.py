@@ -1,21 +1,22 @@
-"""A locus as text."""
+"""A locus as text and as LaTeX."""
 
 from __future__ import annotations
 
 from textwrap import fill
-from typing import TYPE_CHECKING
 
 from gcrules.core.errors import LimitReached
+from gcrules.poses.loci.form import joined
+from gcrules.poses.loci.report import Factor, Locus
 from gcrules.poses.loci.variables import TRANSLATION
-from gcrules.views.text.tables import WIDTH, table
+from gcrules.views.formulas.latex import latex_name
+from gcrules.views.text_tables import WIDTH, table
 
-if TYPE_CHECKING:
-    from gcrules.poses.loci.report import Factor, Locus
-
-__all__ = ["as_text"]
+__all__ = ["as_latex", "as_text"]
 
 SHOWN = 40
 """Polynomials of more terms are not printed with the summary."""
+
+_LINE = 4  # terms in a line of LaTeX
 
 
 def as_text(found: Locus, *, unicode: bool = False) -> str:
@@ -99,3 +100,19 @@ def _factor(f: Factor) -> str:
 def _checked(found: Locus) -> tuple[str, str]:
     c = found.checked
     return "checked", f"at {c['rational']} exact random poses and {c['modular']} modulo a prime, from the joints alone"
+
+
+def as_latex(found: Locus) -> str:
+    """The polynomial without dollar signs; a long one is `aligned`."""
+    form = found.form
+
+    def factor(name: str, n: int) -> str:
+        return latex_name(name) if n == 1 else f"{latex_name(name)}^{{{n}}}"
+
+    terms = [
+        (c, " ".join(factor(v, n) for v, n in zip(form.variables, e, strict=True) if n), r"\,") for e, c in form.terms
+    ]
+    if len(terms) <= _LINE:
+        return joined(terms)
+    lines = [joined(terms[k : k + _LINE], first=not k) for k in range(0, len(terms), _LINE)]
+    return "\\begin{aligned}\n&" + " \\\\\n&".join(lines) + "\n\\end{aligned}"

@@ -10,6 +10,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
+from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
 from gcrules.algebra.expr import ZERO
 from gcrules.algebra.language.legs_text import Leg, Structure
@@ -21,7 +22,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.files import write_file
 from gcrules.rules.catalog.catalog import SHIPPED, Catalog, Entry, Reading
 from gcrules.rules.catalog.proofs import DIGESTS, counterexample, digests
-from gcrules.rules.condition import Certificate, Condition
+from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import INCIDENCES
 from gcrules.rules.recognition_state import extensor
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.poses.numbers.jacobian import Jacobian
+from gcrules.screws.margin import Jacobian
 
 __all__ = ["ROUNDING", "Closeness", "closeness", "noise"]
 

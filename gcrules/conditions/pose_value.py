@@ -9,11 +9,17 @@ from typing import Any
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.language.legs_text import Leg, Structure
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
-from gcrules.poses.numbers.verdict import CLOSE, FLOOR, decide
 from gcrules.rules.condition import Condition
+from gcrules.screws.guarantees import ROUNDING
+from gcrules.screws.verdict import CLOSE, FLOOR, decide
 
 __all__ = ["PoseValue", "judged", "line_measure", "line_points", "measure", "pose_value"]
+
+noise = deferred("gcrules.screws.guarantees:noise")
+jacobian = deferred("gcrules.screws.margin:jacobian")
+on_one_line = deferred("gcrules.screws.margin:on_one_line")
 
 XYZ = tuple[float, float, float]
 
@@ -79,7 +85,7 @@ def _centred(structure: Structure, points: Mapping[str, Sequence[Fraction]]) -> 
 
 
 def measure(structure: Structure, points: Mapping[str, XYZ]) -> float:
-    """The measure σ of `gcrules.poses.numbers.jacobian` in [0, 1], which knows neither frame nor unit; 0 for a leg
+    """The measure σ of `gcrules.screws.margin` in [0, 1], which knows neither frame nor unit; 0 for a leg
     of no length. Where the legs do not tell base from platform, `line_measure`.
     """
     return _measured(structure, points)[0]
@@ -96,9 +102,6 @@ def _measured(structure: Structure, points: Mapping[str, XYZ]) -> tuple[float, f
     if not all(n in structure.sides for leg in structure.legs for n in leg):
         return line_measure(structure.legs, points), FLOOR
     import numpy as np
-
-    from gcrules.poses.numbers.guarantees import ROUNDING, noise
-    from gcrules.poses.numbers.jacobian import jacobian, on_one_line  # numpy, for numbers only
 
     base, ends = (np.array([points[leg[i]] for leg in structure.oriented]) for i in (0, 1))
     if not np.linalg.norm(ends - base, axis=1).all() or on_one_line(ends):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from gcrules.algebra.language.legs_text import Leg, Structure, legs_text
 from gcrules.algebra.superbrackets.shortest import counts
 from gcrules.conditions.analysis import analyze
-from gcrules.rules.catalog.check import factors
+from gcrules.conditions.catalog_check import factors
 
 __all__ = ["draft"]
 

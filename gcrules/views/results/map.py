@@ -1,15 +1,19 @@
-r"""A map as plain text: what was computed, what is singular, what is proved."""
+r"""A map as plain text, as LaTeX and as a picture: what was computed, what is singular, what is proved."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from gcrules.core.deferred import deferred
 from gcrules.poses.maps.report import SingularMap
-from gcrules.views.text.tables import ASCII, table
+from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
+from gcrules.views.text_tables import ASCII, table
 
-__all__ = ["as_text"]
+__all__ = ["as_latex", "as_text", "picture_of"]
 
 _MOST = 12
+
+picture = deferred("gcrules.views.plots.map_plot:picture")  # matplotlib, an extra of the installation
 
 
 def as_text(m: SingularMap, *, unicode: bool = False) -> str:
@@ -61,3 +65,27 @@ def _found(m: SingularMap) -> Iterator[tuple[str, str]]:
 
 def _share(part: int, whole: int) -> str:
     return f"{100 * part / whole:.3g} %" if whole else "none"
+
+
+def as_latex(m: SingularMap) -> str:
+    """A tabular of the axes and of what was found; needs no package."""
+    rows = [("poses", " $\\times$ ".join(map(str, m.grid.shape)))]
+    for a in m.grid.axes:
+        ends = (latex_quantity(float(c), a.unit) for c in (a.start, a.stop))
+        rows.append((latex_words(a.name), " to ".join(ends)))
+    if m.summary.closeness is not None:
+        rows.append(("least margin $\\sigma$ at a node", latex_quantity(m.summary.closeness)))
+    if len(m.grid.axes) == 2:
+        rows.append(("singular curves", str(len(m.curves))))
+    return latex_table(rows)
+
+
+def picture_of(m: SingularMap) -> str | None:
+    """The map over two coordinates as SVG; None over three, and where matplotlib is missing."""
+    if len(m.grid.axes) != 2:
+        return None
+    try:
+        svg: bytes = picture(m, "svg")
+    except ImportError:
+        return None
+    return svg.decode()

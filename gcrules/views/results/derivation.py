@@ -35,8 +35,11 @@ _ASCII = str.maketrans(
 )
 
 
-def as_text(d: Derivation, *, unicode: bool = False) -> str:
-    """The chain; the single steps of a longer step stand below its own reason. Formulas are text of the language."""
+def as_text(d: Derivation, *, unicode: bool = False, full: bool = False) -> str:
+    """The chain, with `full` every single step; the single steps of a longer step stand below its own reason. Formulas
+    are text of the language.
+    """
+    d = d.unfolded() if full else d
     names = d.space.points
     if not d.steps:
         return ""
@@ -75,9 +78,9 @@ def as_align(d: Derivation) -> str:
     return f"\\begin{{align*}}\n{_joined(d)}\n\\end{{align*}}"
 
 
-def as_aligned(d: Derivation) -> str:
+def as_aligned(d: Derivation, *, full: bool = False) -> str:
     """The chain in an `aligned` environment, for a formula that is one display."""
-    return f"\\begin{{aligned}}\n{_joined(d)}\n\\end{{aligned}}"
+    return f"\\begin{{aligned}}\n{_joined(d.unfolded() if full else d)}\n\\end{{aligned}}"
 
 
 def _joined(d: Derivation) -> str:

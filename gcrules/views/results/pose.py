@@ -9,10 +9,10 @@ from gcrules.conditions.gained_motion import factors
 from gcrules.core.floats import decimal
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.poses.numbers.report import PoseReport
-from gcrules.poses.numbers.threshold import degrees
 from gcrules.screws.pose import Pose
-from gcrules.views.formulas.latex_text import latex_quantity
-from gcrules.views.text.tables import ASCII, columns, table, wrapped
+from gcrules.screws.threshold import degrees
+from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
 __all__ = ["as_latex", "as_text"]
 
@@ -206,5 +206,4 @@ def as_latex(r: PoseReport) -> str:
             rows.append((name, latex_quantity(math.degrees(n.distance), "deg")))
         else:
             rows.append((name, latex_quantity(n.distance, u)))
-    body = "\n".join(f"  {name} & {value} \\\\" for name, value in rows)
-    return f"\\begin{{tabular}}{{ll}}\n{body}\n\\end{{tabular}}"
+    return latex_table(rows)

@@ -1,0 +1,34 @@
+"""Functions whose modules load large libraries: imported when they are first called.
+
+>>> dumps = deferred("json:dumps")
+>>> dumps([1])
+'[1]'
+
+They are written at the head of a module like any import, so that a reader sees them, and are held to the order of the
+rooms like imports (`tests/project/test_rooms.py`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from importlib import import_module
+from typing import Any
+
+__all__ = ["deferred", "resolved"]
+
+
+@cache
+def resolved(where: str) -> Any:
+    """What `package.module:name` names."""
+    module, _, name = where.partition(":")
+    return getattr(import_module(module), name)
+
+
+def deferred(where: str) -> Callable[..., Any]:
+    """The function `package.module:name`, imported when it is called."""
+
+    def function(*args: Any, **options: Any) -> Any:
+        return resolved(where)(*args, **options)
+
+    return function

@@ -1,0 +1,56 @@
+"""Polynomials in brackets, as text and as LaTeX."""
+
+from __future__ import annotations
+
+from itertools import chain
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, repeats
+from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.language.text import text as expression_text
+from gcrules.algebra.superbrackets.shortest import SuperbracketForm
+from gcrules.core.budget import watched
+from gcrules.views.formulas import latex as formulas
+
+__all__ = ["form_latex", "form_text", "latex", "text"]
+
+
+def text(p: BracketPolynomial | ExtensorPolynomial, *, unicode: bool = False, short: bool = False) -> str:
+    """The text of the language; `short` writes many equal brackets as a power (of which the language reads those up to
+    64 back).
+    """
+    if isinstance(p, BracketPolynomial) and not (short and any(map(repeats, p.terms))):
+        return _of_brackets(p, unicode)
+    return expression_text(p.to_expr(short=short), unicode=unicode, names=p.points)
+
+
+def _of_brackets(p: BracketPolynomial, unicode: bool) -> str:
+    """As for any expression, without making one of each of the terms, which may be many."""
+    between = "" if all(map(SHORT_NAME.fullmatch, p.points)) else " "
+    minus = "−" if unicode else "-"
+    rows = {row: f"[{between.join(p.points[i] for i in row)}]" for row in set(chain.from_iterable(p.terms))}
+    words: list[str] = []
+    last = sorted(p.terms.items(), key=lambda term: not term[0])  # a number comes last
+    for m, c in watched(last):
+        words.append(f" {minus if c < 0 else '+'} " if words else minus * (c < 0))
+        words.append("" if abs(c) == 1 and m else str(ex.Number(c if c > 0 else -c).value))
+        words += map(rows.__getitem__, m)
+    return "".join(words) or "0"
+
+
+def latex(p: BracketPolynomial | ExtensorPolynomial) -> str:
+    """Without dollar signs."""
+    return formulas.latex(p.to_expr())
+
+
+def form_text(form: SuperbracketForm, *, unicode: bool = False) -> str:
+    """The form, the order of the lines (counted from 1) and the polynomial."""
+    order, n = " ".join(str(i + 1) for i in form.order), len(form.polynomial)
+    name = f"{form.form}-term form" if form.form else "expansion"
+    shown = text(form.polynomial, unicode=unicode)
+    return f"{name}, lines in the order {order}, {n} term{'s' * (n != 1)}:\n  {shown}"
+
+
+def form_latex(form: SuperbracketForm) -> str:
+    """The polynomial, without dollar signs."""
+    return latex(form.polynomial)
