@@ -15,9 +15,8 @@ from importlib import import_module
 
 from gcrules.core.shown import show_by
 from gcrules.core.version import __version__
-from gcrules.views.forms import shown
 
-show_by(shown)
+show_by("gcrules.views.forms:shown")
 
 TYPE_CHECKING = False  # the command line begins here, and hears no signals while typing is loaded
 if TYPE_CHECKING:

@@ -15,7 +15,8 @@ from gcrules.algebra.language.syntax import parse
 from gcrules.conditions.analysis import analyze
 from gcrules.conditions.catalog_check import check_catalog, check_entry, enumerate_classes, source_keys
 from gcrules.core.errors import FileError
-from gcrules.rules.catalog.catalog import Catalog, Entry
+from gcrules.rules.catalog.catalog import Catalog
+from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load, load_file
 
 CLASSES: list[dict[str, Any]] = yaml.safe_load(

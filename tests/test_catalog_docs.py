@@ -26,7 +26,8 @@ from gcrules.algebra.language.text import text as formula
 from gcrules.apps.cli import cli
 from gcrules.conditions.analysis import Analysis, analyze
 from gcrules.conditions.gained_motion import free_motions
-from gcrules.rules.catalog.catalog import Catalog, Entry
+from gcrules.rules.catalog.catalog import Catalog
+from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load
 from gcrules.rules.strategy import Strategy
 from gcrules.views.drawing import bsp, graph, labels, legend, sample, scene, solids

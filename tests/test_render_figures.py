@@ -25,7 +25,8 @@ from gcrules.core.errors import FileError, InputError
 from gcrules.mechanisms.description.platform_file import Platform, load_platform
 from gcrules.rules.catalog.file import load
 from gcrules.rules.condition import Condition
-from gcrules.views.drawing.drawing import Circle, Drawing, Line, Polygon, Run, Text, name_runs, save, text_width
+from gcrules.views.drawing.drawing import Circle, Drawing, Line, Polygon, Run, Text, name_runs, text_width
+from gcrules.views.drawing.drawing_files import save
 from gcrules.views.drawing.figures import graph_figure, incidence_in_words, robot_figure, thumbnail
 from gcrules.views.drawing.graph import count_crossings, draw_graph, layered_order
 from gcrules.views.drawing.labels import Label, label_box, overlap, place_labels

@@ -30,7 +30,6 @@ from gcrules.algebra.superbrackets.shortest import SuperbracketForm, shortest_fo
 from gcrules.api.signatures import public
 from gcrules.apps.notebook.view import view as _view
 from gcrules.conditions.analysis import Analysis
-from gcrules.conditions.analysis import analyze as _analyze
 from gcrules.conditions.transversals import Transversals
 from gcrules.conditions.transversals import transversals as _transversals
 from gcrules.core import budget
@@ -40,6 +39,7 @@ from gcrules.core.seeds import repeated
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.description.platform_file import load_platform as _load_platform
+from gcrules.mechanisms.platform_analysis import analyze as _analyze
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.library import Library

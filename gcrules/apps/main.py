@@ -7,12 +7,19 @@ import os
 import sys
 
 from gcrules.core import interrupts  # what else is needed is imported when signals are heard
+from gcrules.core.deferred import deferred
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import NoReturn
 
 __all__ = ["main"]
+
+answered = deferred("gcrules.apps.cli:answered")  # loads click
+prepare = deferred("gcrules.core.streams:prepare")
+remove_unfinished = deferred("gcrules.core.files:remove_unfinished")
+flush = deferred("gcrules.core.streams:flush")
+silence = deferred("gcrules.core.streams:silence")
 
 
 def main() -> NoReturn:
@@ -28,20 +35,16 @@ def main() -> NoReturn:
 
 
 def _answered() -> int:
-    from gcrules.apps.cli import answered  # loads click
-    from gcrules.core import streams
-
-    streams.prepare()
-    return answered()
+    prepare()
+    code: int = answered()
+    return code
 
 
 def _tidy() -> None:
     """Leave no unfinished file; what is printed from now on, by a plugin that is called at the end, is no answer."""
-    from gcrules.core import files, streams
-
-    files.remove_unfinished()
-    streams.flush()
-    streams.silence()
+    remove_unfinished()
+    flush()
+    silence()
 
 
 def _waits() -> bool:

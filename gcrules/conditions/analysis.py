@@ -19,15 +19,14 @@ from typing import Any
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Meet
 from gcrules.algebra.language.legs_text import Structure, read_legs, read_order
-from gcrules.algebra.language.text import SHORT_NAME, Names, split_names, text
+from gcrules.algebra.language.text import Names, text
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.conditions import superbracket_forms as forms
 from gcrules.conditions.find_conditions import Readings, always_zero, linear_complex, read
-from gcrules.conditions.pose_value import PoseValue, pose_value
+from gcrules.conditions.pose_value import Coordinates, PoseValue
 from gcrules.core.errors import EngineFault, InputError
 from gcrules.core.seeds import remark
 from gcrules.core.shown import Shown
-from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.rules.catalog.catalog import Match
 from gcrules.rules.catalog.file import load
 from gcrules.rules.condition import Condition, Entity, starred
@@ -64,7 +63,7 @@ class Analysis(Shown):
     claim: Claim | None = None
     degeneracy: Degeneracy | None = None
     notes: tuple[str, ...] = ()
-    platform: Platform | None = None
+    platform: Coordinates | None = None
     pose: PoseValue | None = None
 
     @property
@@ -125,7 +124,7 @@ class Analysis(Shown):
 
 
 def analyze(
-    legs: str | Iterable[str | Sequence[str]] | Structure | Platform,
+    legs: str | Iterable[str | Sequence[str]] | Structure,
     *,
     order: str | Sequence[int | str] | None = None,
     points: Names = (),
@@ -139,21 +138,16 @@ def analyze(
 ) -> Analysis:
     """Analyse six legs: when is the platform singular, and why.
 
-    `legs` is text ("ab af cb cd ed ef") or pairs of names, a leg written with one body's joint first throughout, or a
-    platform with coordinates (`load_platform`), for which the numbers in its pose are given too. A line that is no pair
-    of joints is built from points: "abc /\\ def". `order` keeps the user's own order of legs instead of the shortest
-    one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points (as
-    `gcrules.prove` takes it), and `rank` another space, in which there are n (n − 1) / 2 lines.
+    `legs` is text ("ab af cb cd ed ef") or pairs of names, a leg written with one body's joint first throughout. A line
+    that is no pair of joints is built from points: "abc /\\ def". `order` keeps the user's own order of legs instead of
+    the shortest one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points
+    (as `gcrules.prove` takes it), and `rank` another space, in which there are n (n − 1) / 2 lines.
 
     `catalogs` adds files of the user's own; `strategy` says which rules run. With `recheck` readings that are instances
     of catalog identities are proved from scratch. Where no rule finds a condition, a factorization is sought for
     `search` seconds. Raises InputError for the wrong number of lines, for what is no line, and for assumptions that are
     not resolved.
     """
-    if isinstance(legs, Platform):
-        if given or rank != 4:
-            raise InputError(f"{legs.filename} gives coordinates: assumptions and other ranks are for legs without")
-        return _in_pose(legs, order, split_names(points), split_names(ideal), catalogs, recheck, strategy, search)
     if isinstance(legs, Structure):
         if points or ideal or given or rank not in (4, legs.rank):
             raise InputError("a structure has its own points, assumptions and rank")
@@ -241,31 +235,3 @@ def _pair(leg: tuple[str, str], line: Expr, names: tuple[str, ...]) -> list[str]
     if isinstance(line, Meet) and len(line.args) == 2:
         return [text(e, names=names) for e in line.args]
     return None
-
-
-def _in_pose(
-    platform: Platform,
-    order: str | Sequence[int | str] | None,
-    points: tuple[str, ...],
-    ideal: tuple[str, ...],
-    catalogs: Iterable[str | PathLike[str]],
-    recheck: bool,
-    strategy: Strategy | None,
-    search: float,
-) -> Analysis:
-    """The analysis of a platform's legs with the numbers in its pose."""
-    if ideal:
-        raise InputError(f"{', '.join(ideal)} cannot lie at infinity: {platform.filename} gives finite coordinates")
-    long_names = (n for n in platform.points if not SHORT_NAME.fullmatch(n))
-    try:
-        structure = read_legs(platform.legs, points=tuple(dict.fromkeys((*points, *long_names))))
-    except InputError as fault:
-        fault.filename = platform.filename
-        raise
-    found = analyze(structure, order=order, catalogs=catalogs, recheck=recheck, strategy=strategy, search=search)
-    try:
-        pose = pose_value(found.structure, found.condition, platform.homogeneous(), unit=platform.units)
-    except InputError as fault:  # the condition holds all the same
-        said = f"{platform.filename}: there are no numbers for the pose of the file: {fault.message}"
-        return replace(found, platform=replace(platform, warnings=(*platform.warnings, said)))
-    return replace(found, platform=platform, pose=pose)

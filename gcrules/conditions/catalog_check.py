@@ -20,7 +20,8 @@ from gcrules.algebra.superbrackets.shortest import counts
 from gcrules.conditions.analysis import analyze
 from gcrules.core.budget import checkpoint
 from gcrules.core.files import write_file
-from gcrules.rules.catalog.catalog import SHIPPED, Catalog, Entry, Reading
+from gcrules.rules.catalog.catalog import Catalog
+from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.proofs import DIGESTS, counterexample, digests
 from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import INCIDENCES
@@ -96,9 +97,9 @@ def check_digests(shipped: Catalog) -> tuple[CheckResult, ...]:
         known = _digest_file().read_text(encoding="utf-8")
     except OSError as fault:
         known = str(fault)
-    if known == digests(shipped):
+    if known == digests(shipped.statements, shipped.entries):
         return ()
-    lines = sorted(set(digests(shipped).splitlines()) ^ set(known.splitlines()))
+    lines = sorted(set(digests(shipped.statements, shipped.entries).splitlines()) ^ set(known.splitlines()))
     what = ", ".join(dict.fromkeys(line.partition("  ")[2] for line in lines[:_SHOWN])) or "in another sequence"
     why = f"the digests are not those of {SHIPPED} ({what}); once all is proved, `gcrules catalog check --write`"
     return (CheckResult("digests", f"gcrules/{DIGESTS}", 0, (why,)),)
@@ -106,7 +107,7 @@ def check_digests(shipped: Catalog) -> tuple[CheckResult, ...]:
 
 def write_digests(shipped: Catalog) -> None:
     """Write the digests of the shipped catalog, of which everything was proved."""
-    write_file(str(_digest_file()), digests(shipped))
+    write_file(str(_digest_file()), digests(shipped.statements, shipped.entries))
 
 
 def _digest_file() -> Path:
@@ -165,7 +166,7 @@ def factors(structure: Structure) -> Iterator[tuple[str, ...]]:
             yield tuple(sorted(four))
 
 
-def _proved(reading: Reading, structure: Structure) -> list[str]:
+def _proved(reading: CatalogIdentity, structure: Structure) -> list[str]:
     if vanishes(reading.cofactor):
         return [f"the cofactor {reading.cofactor_text} is zero identically, so the identity says nothing"]
     statement = reading.statement or ""

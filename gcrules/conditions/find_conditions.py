@@ -15,7 +15,8 @@ from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.conditions import superbracket_forms as forms
 from gcrules.core.english import listed
 from gcrules.core.errors import LimitReached
-from gcrules.rules.catalog.catalog import SHIPPED, Catalog, Match
+from gcrules.rules.catalog.catalog import Catalog, Match
+from gcrules.rules.catalog.entries import SHIPPED
 from gcrules.rules.claims import best_first, certify, describe, in_special_position
 from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import Claim

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, Protocol
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.language.legs_text import Leg, Structure
@@ -15,13 +15,42 @@ from gcrules.rules.condition import Condition
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.verdict import CLOSE, FLOOR, decide
 
-__all__ = ["PoseValue", "judged", "line_measure", "line_points", "measure", "pose_value"]
+__all__ = ["Coordinates", "PoseValue", "judged", "line_measure", "line_points", "measure", "pose_value"]
 
 noise = deferred("gcrules.screws.guarantees:noise")
 jacobian = deferred("gcrules.screws.margin:jacobian")
 on_one_line = deferred("gcrules.screws.margin:on_one_line")
 
 XYZ = tuple[float, float, float]
+
+
+class Coordinates(Protocol):
+    """A platform on six legs with the places of its joints, exact and in `units` ("" if they are not named)."""
+
+    @property
+    def points(self) -> Mapping[str, tuple[Fraction, Fraction, Fraction]]: ...
+
+    @property
+    def legs(self) -> tuple[tuple[str, str], ...]: ...
+
+    @property
+    def title(self) -> str: ...
+
+    @property
+    def note(self) -> str: ...
+
+    @property
+    def units(self) -> str: ...
+
+    @property
+    def filename(self) -> str: ...
+
+    @property
+    def warnings(self) -> tuple[str, ...]: ...
+
+    def homogeneous(self) -> dict[str, tuple[Fraction, Fraction, Fraction, Fraction]]:
+        """The points as (x, y, z, 1)."""
+        ...
 
 
 @dataclass(frozen=True)

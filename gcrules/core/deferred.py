@@ -10,19 +10,24 @@ rooms like imports (`tests/project/test_rooms.py`).
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache
 from importlib import import_module
-from typing import Any
+
+TYPE_CHECKING = False  # the command line begins here, and hears no signals while typing is loaded
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
 
 __all__ = ["deferred", "resolved"]
 
+_resolved: dict[str, Any] = {}
 
-@cache
+
 def resolved(where: str) -> Any:
     """What `package.module:name` names."""
-    module, _, name = where.partition(":")
-    return getattr(import_module(module), name)
+    if where not in _resolved:
+        module, _, name = where.partition(":")
+        _resolved[where] = getattr(import_module(module), name)
+    return _resolved[where]
 
 
 def deferred(where: str) -> Callable[..., Any]:

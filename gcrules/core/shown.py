@@ -1,26 +1,32 @@
 """Results know what they are, not how they look: every form of one is asked of the views.
 
-`gcrules` hands in the function that finds a form (`gcrules.views.forms.shown`) when it is imported; no room below the
-views names one of them.
+`gcrules` names the function that finds a form (`gcrules.views.forms.shown`) when it is imported; no room below the
+views knows one of them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from gcrules.core.deferred import resolved
+
+TYPE_CHECKING = False  # the command line begins here, and hears no signals while typing is loaded
+if TYPE_CHECKING:
+    from typing import Any
 
 __all__ = ["Shown", "show_by"]
 
-View = Callable[..., Any]
-_view: View
+_where = ""
 
 
-def show_by(view: View) -> None:
-    """Let `view(value, form, **options)` give the forms of all values: text, latex, formula, html, svg; None for one
-    that a value does not have.
+def show_by(where: str) -> None:
+    """Let the function `package.module:name`, called as f(value, form, **options), give the forms of all values: text,
+    str, latex, formula, html, svg, or one that few have; None for a form that a value does not have.
     """
-    global _view
-    _view = view
+    global _where
+    _where = where
+
+
+def _view(value: object, form: str, **options: Any) -> Any:
+    return resolved(_where)(value, form, **options)
 
 
 class Shown:

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.algebra.language.legs_text import Structure, leg_text
+from gcrules.conditions.pose_value import Coordinates
 from gcrules.core.errors import InputError
 from gcrules.core.floats import decimal
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import kernel
-from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.screws.pose import Pose, check_unit, read_number
 from gcrules.screws.rotations import Vector
 
@@ -114,7 +114,7 @@ def _no_length(leg: tuple[str, str], where: str = " in this pose") -> InputError
     return InputError(f"the leg {leg_text(leg)} has no length{where}: {leg[0]} and {leg[1]} are in the same place")
 
 
-def rig(structure: Structure, platform: Platform, about: str | Sequence[Fraction] = "origin") -> Rig:
+def rig(structure: Structure, platform: Coordinates, about: str | Sequence[Fraction] = "origin") -> Rig:
     """The robot of a geometry file, turned about the origin of the file, the centroid of the platform's joints
     ("centroid") or a point ("x, y, z" in the file's unit and frame).
 

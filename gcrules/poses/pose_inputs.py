@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from os import PathLike
 from typing import Any
 
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.platform_file import Platform, load_platform
 from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.poses.numbers.pose_arguments import centre_of
 
 __all__ = ["Given", "analysed", "moving_robot"]

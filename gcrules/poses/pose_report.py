@@ -32,6 +32,7 @@ from gcrules.poses.numbers.many import PoseNumbers, homogeneous, numbers
 from gcrules.poses.numbers.motion import dependence, exact_dependence, scaled, softest_twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.poses.numbers.pose_arguments import known_accuracy, one_pose
+from gcrules.poses.numbers.reason import verdict as verdict_of
 from gcrules.poses.numbers.report import PoseReading, PoseReport
 from gcrules.poses.pose_inputs import Given, moving_robot
 from gcrules.rules.condition import Condition
@@ -39,7 +40,6 @@ from gcrules.screws.guarantees import ROUNDING, closeness, noise
 from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose, parse_pose
 from gcrules.screws.threshold import DEFAULT, Threshold, threshold_of
-from gcrules.screws.verdict import verdict as verdict_of
 
 __all__ = ["pose", "report"]
 

@@ -19,7 +19,6 @@ from typing import Any
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.floats import as_float, exact, exact_float
 from gcrules.core.hints import near
-from gcrules.mechanisms.description.platform_file import UNITS
 from gcrules.screws.rotations import (
     IDENTITY,
     Matrix,
@@ -31,7 +30,20 @@ from gcrules.screws.rotations import (
     rotation,
 )
 
-__all__ = ["SILENT", "UNIT_TOLERANCE", "Pose", "exact", "exact_float", "parse_pose", "read_number", "unit_note"]
+__all__ = [
+    "SILENT",
+    "UNITS",
+    "UNIT_TOLERANCE",
+    "Pose",
+    "exact",
+    "exact_float",
+    "parse_pose",
+    "read_number",
+    "unit_note",
+]
+
+UNITS = ("m", "dm", "cm", "mm", "um", "in", "ft")
+"""Of lengths, in files and behind numbers."""
 
 UNIT_TOLERANCE = 1e-3
 """How far the length of a quaternion may be from 1; it is then normalised, and the answer says so."""

@@ -1,4 +1,4 @@
-r"""regular | close | singular: the one place where a closeness becomes a word, and the reason in a sentence.
+r"""regular | close | singular: the one place where a closeness becomes a word, nothing else decides it.
 
 >>> decide(0.3), decide(0.00872), decide(0.00873), decide(3e-10), decide(1e-13)
 ('regular', 'close', 'regular', 'close', 'singular')
@@ -6,19 +6,11 @@ r"""regular | close | singular: the one place where a closeness becomes a word, 
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
-from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from gcrules.screws.threshold import DEFAULT, Threshold, closeness_of, degrees
+from gcrules.screws.threshold import DEFAULT, closeness_of
 
-if TYPE_CHECKING:  # they load numpy
-    from gcrules.poses.numbers.nearest_pose import NearestPose
-    from gcrules.screws.guarantees import Closeness
-    from gcrules.screws.margin import Jacobian
-
-__all__ = ["CLOSE", "FLOOR", "VERDICTS", "decide", "rank", "verdict"]
+__all__ = ["CLOSE", "FLOOR", "VERDICTS", "decide", "rank"]
 
 assert DEFAULT.angle is not None
 CLOSE = closeness_of(DEFAULT.angle)
@@ -42,42 +34,3 @@ def rank(sigma: Any, floor: Any = FLOOR, spread: Any = 0.0, close: float = CLOSE
 def decide(sigma: float, floor: float = FLOOR, spread: float = 0.0, close: float = CLOSE) -> str:
     """The word for one σ, by `rank`."""
     return VERDICTS[rank(sigma, floor, spread, close)]
-
-
-def verdict(
-    j: Jacobian,
-    bounds: Closeness,
-    value: Fraction,
-    floor: float,
-    spread: float,
-    threshold: Threshold,
-    found: Sequence[NearestPose],
-    unit: str,
-) -> tuple[str, str]:
-    """The verdict and the reason, at the one pose of `j`.
-
-    `value` is the superbracket, `floor` what rounding may do to σ and `spread` what the accuracy of the joints may;
-    `found` holds the nearest singular pose in translation first, if the threshold is a length.
-    """
-    sigma, turn = float(j.sigma[0]), float(bounds.turn[0])
-    if value == 0:
-        return "singular", "The superbracket is exactly 0: the legs do not control the platform."
-    close = CLOSE if threshold.angle is None else closeness_of(threshold.angle)
-    word = decide(sigma, floor, spread, close)
-    if word == "singular":
-        return word, f"σ = {sigma:.2g} is 0 within rounding (to 1e-12 of the robot's size)."
-    if sigma <= spread:
-        return "close", f"σ = {sigma:.2g}, but the accuracy of the joints leaves σ uncertain by {spread:.2g}."
-    if threshold.length is not None:
-        near = found[0]
-        safe = near.lower >= threshold.length
-        length = f"{near.lower:.4g} {unit}".strip()
-        if near.never:
-            return "regular", "At this orientation there is no singular pose at all."
-        words = f"t this orientation no singular pose is nearer than {length} (threshold {threshold.text})."
-        return ("regular", f"A{words}") if safe else ("close", f"Singular poses may be near: a{words}")
-    safe_turn = 2 * math.asin((sigma - spread) / 2)
-    words = f"singular pose before some leg has turned by {degrees(min(turn, safe_turn))} relative to the platform"
-    if word == "regular":
-        return word, f"No {words} (threshold {threshold.text})."
-    return word, f"It is only certain that there is no {words}; the threshold is {threshold.text}."

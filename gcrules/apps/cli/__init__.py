@@ -7,11 +7,10 @@ import traceback
 import click
 
 from gcrules.apps.cli.base import LazyGroup, colour_choice
-from gcrules.apps.main import main
 from gcrules.core import interrupts
 from gcrules.core.version import __version__
 
-__all__ = ["answered", "cli", "main"]
+__all__ = ["answered", "cli"]
 
 INTERNAL_FAULT = 70
 

@@ -17,7 +17,8 @@ from gcrules.conditions.analysis import analyze
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
-from gcrules.rules.catalog.catalog import SHIPPED, Catalog, Entry, Match, Reading
+from gcrules.rules.catalog.catalog import Catalog, Match
+from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.file import load
 from gcrules.rules.catalog.proofs import is_shipped
 from gcrules.rules.condition import Condition
@@ -205,7 +206,7 @@ class _Class:
         return "\n".join(lines)
 
 
-def _sentence(entry: Entry, reading: Reading) -> str:
+def _sentence(entry: Entry, reading: CatalogIdentity) -> str:
     """The statement without the braces around labels; one that is left to its kind is filled in by the analysis."""
     if reading.statement is not None:
         return reading.statement.translate({ord("{"): None, ord("}"): None})

@@ -13,7 +13,8 @@ from gcrules.apps.cli.page_files import renew
 from gcrules.apps.cli.rules import plugins_option
 from gcrules.conditions.catalog_check import false_identities
 from gcrules.core.errors import FileError, GcrulesError, join_faults
-from gcrules.rules.catalog.catalog import SHIPPED, Catalog
+from gcrules.rules.catalog.catalog import Catalog
+from gcrules.rules.catalog.entries import SHIPPED
 from gcrules.rules.catalog.file import load
 from gcrules.rules.plugins import load_rules
 from gcrules.views.pages.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages

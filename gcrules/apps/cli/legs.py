@@ -24,7 +24,6 @@ from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual import Manual, manual_options, run_manual
 from gcrules.apps.cli.rules import Choice, rules_options
 from gcrules.conditions.analysis import Analysis
-from gcrules.conditions.analysis import analyze as analyzed
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
@@ -33,6 +32,7 @@ from gcrules.core.yaml_file import Document
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
 from gcrules.mechanisms.description.robot_file import describes_joints
+from gcrules.mechanisms.platform_analysis import analyze as analyzed
 from gcrules.rules.factorization import SECONDS
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 __all__ = ["analyze", "report"]
 
 rendered = deferred("gcrules.views.report.report:report")
-save = deferred("gcrules.views.drawing.drawing:save")
+save = deferred("gcrules.views.drawing.drawing_files:save")
 graph_figure = deferred("gcrules.views.drawing.figures:graph_figure")
 robot_figure = deferred("gcrules.views.drawing.figures:robot_figure")
 

@@ -12,7 +12,7 @@ from gcrules.core.files import write_file
 from gcrules.core.streams import is_stdout
 from gcrules.poses.path_report import SAMPLES
 from gcrules.poses.path_report import path as along
-from gcrules.views.drawing.drawing import save
+from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["path"]
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis, analyze_robot
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.platform_analysis import analyze
 
 if TYPE_CHECKING:
     from gcrules.apps.notebook.widget import RobotWidget

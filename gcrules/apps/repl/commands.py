@@ -6,29 +6,26 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from math import inf, nan
 from os.path import expanduser
-from typing import TYPE_CHECKING
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, points_of, step_name
-from gcrules.algebra.language.legs_text import Structure, read_legs
+from gcrules.algebra.language.legs_text import read_legs
 from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.straightening.straighten import straighten, straighten_steps
 from gcrules.apps.repl.answers import Answer, bound_text, polynomial_text, value_text
 from gcrules.apps.repl.help import help_text
 from gcrules.apps.repl.reading import Source, is_blank
-from gcrules.apps.repl.state import State
+from gcrules.apps.repl.state import Session, State
 from gcrules.apps.repl.tables import Command
-from gcrules.conditions.analysis import analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.files import write_file
 from gcrules.core.hints import near
-from gcrules.mechanisms.description.platform_file import Platform, load_platform
+from gcrules.mechanisms.description.platform_file import load_platform
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.identity import Identity
 from gcrules.views.formulas.latex import latex
-
-if TYPE_CHECKING:
-    from gcrules.apps.repl.interpreter import Interpreter
 
 __all__ = ["HANDLERS", "Request"]
 
@@ -51,7 +48,7 @@ class Request:
         return InputError(message, hint=hint).located(self.source.text, self.source.filename, self.span)
 
 
-def _asked(repl: Interpreter, request: Request) -> Expr:
+def _asked(repl: Session, request: Request) -> Expr:
     """The expression behind a command, or the last result where there is none."""
     if not is_blank(request.argument):
         return repl.expression(request.source)
@@ -63,11 +60,11 @@ def _asked(repl: Interpreter, request: Request) -> Expr:
 # --- algebra -------------------------------------------------------------------------------------------------------
 
 
-def _expand(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _expand(repl: Session, request: Request) -> Iterator[Answer]:
     return repl.shown(_asked(repl, request), request.source)
 
 
-def _straighten(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _straighten(repl: Session, request: Request) -> Iterator[Answer]:
     at, limit = repl.state.context, repl.settings.limit
     e = _asked(repl, request)
     found = straighten(e, points=at.points, ideal=at.ideal, rank=at.rank, limit=limit)
@@ -75,7 +72,7 @@ def _straighten(repl: Interpreter, request: Request) -> Iterator[Answer]:
     yield Answer(polynomial_text(found, repl.settings, at), "shown")
 
 
-def _steps(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _steps(repl: Session, request: Request) -> Iterator[Answer]:
     at, settings = repl.state.context, repl.settings
     e = _asked(repl, request)
     found = expand(e, points=at.points, ideal=at.ideal, rank=at.rank, limit=settings.limit)
@@ -88,43 +85,44 @@ def _steps(repl: Interpreter, request: Request) -> Iterator[Answer]:
     yield Answer("\n".join([*(f"{line}{end}" for line in lines), polynomial_text(normal, settings, at)]), "shown")
 
 
-def _prove(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _prove(repl: Session, request: Request) -> Iterator[Answer]:
     if is_blank(request.argument):
         raise request.fault("no equation to prove", request.command.usage)
     return repl.equation(request.source)
 
 
-def _analyze(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _analyze(repl: Session, request: Request) -> Iterator[Answer]:
     at = repl.state.context
     if at.rank != 4:
         raise request.fault(f"platforms with six legs are in rank 4, and this is rank {at.rank}", ":reset begins anew")
     if is_blank(request.argument):
         raise request.fault("no legs", "six legs, each its two joints:  :analyze ab af cb cd ed ef")
-    found = analyze(_legs(repl, request))
+    found = _analysis(repl, request)
     repl.remember(found.condition.expression)
     settings = repl.settings
     text = found.latex() if settings.latex else found.text(unicode=settings.unicode)
     yield Answer(text.rstrip("\n"), "shown", wraps=False)
 
 
-def _legs(repl: Interpreter, request: Request) -> Structure | Platform:
+def _analysis(repl: Session, request: Request) -> Analysis:
     at = repl.state.context
     word = request.argument.partition("#")[0].strip()
     if word.lower().endswith((".yaml", ".yml")):
-        return load_platform(expanduser(word))
+        return analyze(load_platform(expanduser(word)))
     text = request.source.text
     place = request.span
     try:
         legs = read_legs(word, points=(*at.points, *at.ideal), built=True)
         known = {*legs.names, *at.points}
         given = tuple(a for a in at.given if known.issuperset(points_of(*a.args)))
-        return replace(legs, points=at.points, ideal=tuple(n for n in at.ideal if n in legs.names), given=given)
+        structure = replace(legs, points=at.points, ideal=tuple(n for n in at.ideal if n in legs.names), given=given)
     except GcrulesError as fault:
         if fault.source == word and fault.span is not None:
             fault.source = text
             fault.span = Span(fault.span.start + place.start, fault.span.end + place.start)
             fault.filename = request.source.filename
         raise fault.located(text, request.source.filename, place) from None
+    return analyze(structure)
 
 
 # --- how answers are shown -----------------------------------------------------------------------------------------
@@ -137,7 +135,7 @@ def _switch(request: Request, now: bool) -> bool:
     return {"on": True, "off": False, "": now}[word]
 
 
-def _latex(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _latex(repl: Session, request: Request) -> Iterator[Answer]:
     if request.argument in ("on", "off"):
         repl.settings = replace(repl.settings, latex=_switch(request, False))
         yield Answer(f"LaTeX {request.argument}")
@@ -145,13 +143,13 @@ def _latex(repl: Interpreter, request: Request) -> Iterator[Answer]:
         yield Answer(latex(_asked(repl, request)), "shown")
 
 
-def _unicode(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _unicode(repl: Session, request: Request) -> Iterator[Answer]:
     on = _switch(request, repl.settings.unicode)
     repl.settings = replace(repl.settings, unicode=on)
     yield Answer(f"Unicode {'on' if on else 'off'}")
 
 
-def _limit(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _limit(repl: Session, request: Request) -> Iterator[Answer]:
     word = request.argument.replace(",", "").replace("_", "")
     if word:
         if not (word.isascii() and word.isdigit() and len(word) < 19 and int(word)):
@@ -160,7 +158,7 @@ def _limit(repl: Interpreter, request: Request) -> Iterator[Answer]:
     yield Answer(f"limit {repl.settings.limit:,} terms")
 
 
-def _seconds(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _seconds(repl: Session, request: Request) -> Iterator[Answer]:
     if request.argument:
         try:
             found = float(request.argument)
@@ -175,7 +173,7 @@ def _seconds(repl: Interpreter, request: Request) -> Iterator[Answer]:
 # --- what is declared ----------------------------------------------------------------------------------------------
 
 
-def _context(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _context(repl: Session, request: Request) -> Iterator[Answer]:
     at, settings = repl.state.context, replace(repl.settings, latex=False)
     facts = {
         "rank": [str(at.rank)],
@@ -189,7 +187,7 @@ def _context(repl: Interpreter, request: Request) -> Iterator[Answer]:
     yield Answer("\n".join(f"{key if i == 0 else '':<10}  {v}" for key, vs in facts.items() for i, v in enumerate(vs)))
 
 
-def _rules(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _rules(repl: Session, request: Request) -> Iterator[Answer]:
     rules = repl.state.rules
     if is_blank(request.argument):
         shown = [f"{r.id}: {r.text if isinstance(r, Identity) else r.sentence}" for r in rules]
@@ -208,7 +206,7 @@ def _rules(repl: Interpreter, request: Request) -> Iterator[Answer]:
     yield Answer("\n".join(f"{key:<10}  {value}" for key, value in facts.items() if value))
 
 
-def _help(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _help(repl: Session, request: Request) -> Iterator[Answer]:
     yield Answer(help_text(request.argument), wraps=False)
 
 
@@ -224,11 +222,11 @@ def _file(request: Request) -> str:
     return expanduser(name)
 
 
-def _load(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _load(repl: Session, request: Request) -> Iterator[Answer]:
     return repl.script(_file(request))
 
 
-def _save(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _save(repl: Session, request: Request) -> Iterator[Answer]:
     name, script = _file(request), repl.state.script()
     if not script:
         raise request.fault("there are no statements to save")
@@ -244,7 +242,7 @@ def _save(repl: Interpreter, request: Request) -> Iterator[Answer]:
 # --- the session ---------------------------------------------------------------------------------------------------
 
 
-def _undo(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _undo(repl: Session, request: Request) -> Iterator[Answer]:
     if not repl.past:
         raise request.fault("there is nothing to take back")
     before = repl.state.statements
@@ -260,19 +258,19 @@ def _few(statements: tuple[str, ...]) -> str:
     return " ".join(statements[0].split()) if len(statements) == 1 else f"{len(statements)} statements"
 
 
-def _reset(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _reset(repl: Session, request: Request) -> Iterator[Answer]:
     before = repl.state.statements
     with repl.step():
         repl.state = State()
     yield Answer(f"forgotten: {_few(before)}; :undo brings this back" if before else "nothing is declared")
 
 
-def _quit(repl: Interpreter, request: Request) -> Iterator[Answer]:
+def _quit(repl: Session, request: Request) -> Iterator[Answer]:
     repl.over = True
     yield from ()
 
 
-HANDLERS: Mapping[str, Callable[[Interpreter, Request], Iterator[Answer]]] = {
+HANDLERS: Mapping[str, Callable[[Session, Request], Iterator[Answer]]] = {
     "help": _help,
     "analyze": _analyze,
     "expand": _expand,

@@ -22,6 +22,7 @@ from gcrules.core.errors import InputError
 from gcrules.core.yaml_file import read_text
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.views.drawing.drawing import Drawing
+from gcrules.views.drawing.drawing_files import pdf_bytes
 from gcrules.views.drawing.figures import robot_figure
 from gcrules.views.report.report import report
 
@@ -109,12 +110,7 @@ def _svg(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
 
 
 def _pdf(subject: Subject, pose: PoseJson, threshold: str | None) -> bytes:
-    drawing = _drawing(subject, pose)
-    try:
-        from gcrules.views.drawing.pdf import pdf  # an extra of the installation
-    except ImportError:
-        raise InputError("PDF figures need matplotlib", hint='pip install "gcrules[figures]"') from None
-    return pdf(drawing)
+    return pdf_bytes(_drawing(subject, pose))
 
 
 def _png(subject: Subject, pose: PoseJson, threshold: str | None) -> bytes:

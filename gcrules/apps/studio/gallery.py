@@ -17,7 +17,7 @@ from gcrules.mechanisms.description.discovery import Found, robots
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.mechanisms.description.robot_spec import RobotText
 from gcrules.mechanisms.robot import Robot
-from gcrules.rules.catalog.catalog import Entry
+from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load as load_catalog
 from gcrules.views.drawing.sample import sample_coordinates
 

@@ -31,12 +31,12 @@ from gcrules.poses.numbers.many import homogeneous
 from gcrules.poses.numbers.many import numbers as numbers_of
 from gcrules.poses.numbers.motion import scaled, softest_twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
+from gcrules.poses.numbers.reason import verdict
 from gcrules.rules.condition import Condition
 from gcrules.screws.guarantees import ROUNDING, closeness, noise
 from gcrules.screws.margin import Jacobian, jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold, parse_threshold
-from gcrules.screws.verdict import verdict
 from gcrules.views.robots.limb_views import limb_views
 
 __all__ = ["along", "arrays", "exact_pose", "numbers", "threshold_of"]

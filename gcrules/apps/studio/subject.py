@@ -10,7 +10,7 @@ from pathlib import Path
 
 from gcrules.algebra.language.legs_text import Structure, legs_text, read_legs
 from gcrules.apps.studio.views import SourceJson
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
@@ -22,6 +22,7 @@ from gcrules.mechanisms.description.robot_file import describes_joints
 from gcrules.mechanisms.description.robot_spec import RobotText
 from gcrules.mechanisms.kinematics.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.catalog.file import load as load_catalog
 from gcrules.rules.plugins import shipped_folder

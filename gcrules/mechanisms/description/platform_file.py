@@ -30,11 +30,11 @@ from gcrules.core.floats import exact
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document, Node
+from gcrules.screws.pose import UNITS
 
-__all__ = ["UNITS", "Platform", "load_platform", "parse_platform"]
+__all__ = ["Platform", "load_platform", "parse_platform"]
 
 _UNIT_ONCE = "the unit stands once in the file, as  units: {}"
-UNITS = ("m", "dm", "cm", "mm", "um", "in", "ft")
 """Units of length that a file may name."""
 
 Vector = tuple[Fraction, Fraction, Fraction]

@@ -8,111 +8,24 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr, Point, substitute
-from gcrules.algebra.language.legs_text import Leg, Structure
-from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.core.errors import EngineFault, FileError
 from gcrules.core.frozen import FrozenMap
+from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.proofs import Standing, is_shipped, standing
 from gcrules.rules.claims import certify
 from gcrules.rules.condition import Condition
 from gcrules.rules.random_witness import SAMPLES, Oracle
 
-__all__ = ["FROM_CATALOG", "LABELS", "SHIPPED", "Catalog", "Entry", "Match", "Reading"]
-
-SHIPPED = "gcrules/catalog.yaml"
-
-
-@dataclass(frozen=True)
-class Reading:
-    """An identity of a class in its own labels: cofactor · superbracket = coefficient · expression."""
-
-    kind: str
-    expression_text: str
-    cofactor_text: str
-    coefficient: int
-    statement: str | None
-    line_texts: tuple[tuple[str, str], ...] = ()
-    place: str = field(default="", compare=False)
-
-    @cached_property
-    def lines(self) -> tuple[tuple[str, Expr], ...]:
-        return tuple((name, parse(line)) for name, line in self.line_texts)
-
-    @cached_property
-    def expression(self) -> Expr:
-        return parse(self.expression_text)
-
-    @cached_property
-    def cofactor(self) -> Expr:
-        return parse(self.cofactor_text)
-
-
-@dataclass(frozen=True)
-class Entry:
-    """One class of platforms: its legs (base joint first) and what is known about them."""
-
-    id: str
-    legs: tuple[Leg, ...]
-    degrees: tuple[tuple[int, ...], tuple[int, ...]]
-    terms: Mapping[int, int]
-    factors: tuple[tuple[str, ...], ...]
-    group: str | None
-    status: str
-    sources: tuple[str, ...]
-    condition: Reading
-    readings: tuple[Reading, ...]
-    name: str | None
-    note: str | None
-    owner: str
-    place: str
-    left_out: frozenset[str] = frozenset()
-    shortest: int | None = None
-
-    @property
-    def structure(self) -> Structure:
-        return Structure(self.legs)
-
-    @property
-    def title(self) -> str:
-        """The id and the name; those of a catalog from outside with its file."""
-        name = f", {self.name}" if self.name else ""
-        return f"{self.id}{name}" if self.owner == SHIPPED else f"{self.id}{name} (of {self.owner})"
-
-    def to_json(self) -> dict[str, Any]:
-        def reading(r: Reading) -> dict[str, Any]:
-            return {
-                "kind": r.kind,
-                "expression": r.expression_text,
-                "cofactor": r.cofactor_text,
-                "coefficient": r.coefficient,
-                "statement": r.statement,
-            }
-
-        return {
-            "id": self.id,
-            "legs": [list(leg) for leg in self.legs],
-            "name": self.name,
-            "degrees": [list(d) for d in self.degrees],
-            "terms": {str(k): v for k, v in self.terms.items()},
-            "shortest": self.shortest,
-            "factors": ["".join(f) for f in self.factors],
-            "group": self.group,
-            "status": self.status,
-            "sources": list(self.sources),
-            "condition": reading(self.condition),
-            "readings": [reading(r) for r in self.readings],
-            "note": self.note,
-            "owner": self.owner,
-        }
+__all__ = ["FROM_CATALOG", "LABELS", "Catalog", "Match"]
 
 
 @dataclass(frozen=True)
@@ -207,7 +120,7 @@ class Catalog:
 
 
 def _certificate(
-    condition: Condition, known: Standing, reading: Reading, match: Match, structure: Structure
+    condition: Condition, known: Standing, reading: CatalogIdentity, match: Match, structure: Structure
 ) -> Certificate:
     """How sure an instance of an identity is, which holds at the points of the oracle."""
     entry, construction = match.entry, structure.construction
@@ -225,7 +138,7 @@ def _certificate(
     return Certificate("random-points", detail, data | {"points": _FURTHER})
 
 
-def _false(condition: Condition, known: Standing, reading: Reading, entry: Entry) -> Exception:
+def _false(condition: Condition, known: Standing, reading: CatalogIdentity, entry: Entry) -> Exception:
     """The fault of an identity that does not hold at exact random points: of the catalog, unless it was proved."""
     if known.verdict != "unproved":
         return EngineFault(f"the identity of class {entry.id} does not hold for its instance {condition}")

@@ -19,7 +19,8 @@ from gcrules.core.errors import FileError, GcrulesError, join_faults
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document, Node
-from gcrules.rules.catalog.catalog import FROM_CATALOG, LABELS, SHIPPED, Catalog, Entry, Reading
+from gcrules.rules.catalog.catalog import FROM_CATALOG, LABELS, Catalog
+from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.proofs import is_shipped_sentence
 from gcrules.rules.condition_rule import INCIDENCES
 
@@ -179,7 +180,7 @@ class _Reader:
             node.fault(f"{word!r} is not made of points", "points are a letter with digits or primes: a, S1, A'")
         return names
 
-    def _reading(self, node: Node, names: set[str], told: bool = False) -> Reading | None:
+    def _reading(self, node: Node, names: set[str], told: bool = False) -> CatalogIdentity | None:
         """One identity over the class's points; with `told`, or a kind that has no sentence, it needs a statement."""
         top = node.mapping(required={"kind", "expression"}, optional={"cofactor", "coefficient", "statement", "lines"})
         if "kind" not in top or "expression" not in top:
@@ -207,7 +208,9 @@ class _Reader:
             if names and not names.issuperset(SHORT_NAME.findall(word)):
                 top["statement"].fault(f"{{{word}}} is not made of points of the class")
         texts_of_lines = tuple((name, line.text) for name, line in lines)
-        return Reading(kind, expression, cofactor, coefficient, statement, texts_of_lines, top["expression"].place)
+        return CatalogIdentity(
+            kind, expression, cofactor, coefficient, statement, texts_of_lines, top["expression"].place
+        )
 
     def _expression(self, node: Node, step: int, what: str, names: set[str]) -> None:
         """Record a fault unless the text is an expression of this step over points of the class."""

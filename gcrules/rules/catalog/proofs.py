@@ -8,21 +8,18 @@ or a shipped one that was changed: it is proved by normal forms before it become
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from shlex import quote
-from typing import TYPE_CHECKING
 
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import ZERO, Expr, Number, mul, sub
 from gcrules.algebra.prove import Proof, prove
 from gcrules.core.errors import FileError
 from gcrules.core.proof_memory import digest_of, remember, remembered
-
-if TYPE_CHECKING:
-    from gcrules.rules.catalog.catalog import Catalog, Entry, Reading
+from gcrules.rules.catalog.entries import CatalogIdentity, Entry
 
 __all__ = ["DIGESTS", "Standing", "counterexample", "digests", "is_shipped", "is_shipped_sentence", "standing"]
 
@@ -39,7 +36,7 @@ class Standing:
     digest: str
 
 
-def standing(entry: Entry, reading: Reading) -> Standing:
+def standing(entry: Entry, reading: CatalogIdentity) -> Standing:
     """Look the proof of an identity up, or prove it. Raises FileError, with the place and exact points, where it is
     false or says nothing.
     """
@@ -72,7 +69,7 @@ def counterexample(proof: Proof) -> str:
     return shown if finite else f"{shown} (homogeneous coordinates)"
 
 
-def is_shipped(entry: Entry, reading: Reading) -> bool:
+def is_shipped(entry: Entry, reading: CatalogIdentity) -> bool:
     """Whether an identity with its sentence is one that was shipped and proved."""
     return _digest(entry, reading) in _shipped_digests()
 
@@ -86,15 +83,15 @@ def is_shipped_sentence(kind: str, sentence: str) -> bool:
     return _sentence_digest(kind, sentence) in _shipped_digests()
 
 
-def digests(catalog: Catalog) -> str:
-    """The text of `catalog.sha256` for the shipped catalog: one digest a line, and of what it is."""
-    return "".join(f"{digest}  {what}\n" for digest, what in _digests(catalog))
+def digests(statements: Mapping[str, str], entries: Iterable[Entry]) -> str:
+    """The text of `catalog.sha256` for sentences and classes: one digest a line, and of what it is."""
+    return "".join(f"{digest}  {what}\n" for digest, what in _digests(statements, entries))
 
 
-def _digests(catalog: Catalog) -> Iterator[tuple[str, str]]:
-    for kind, sentence in catalog.statements.items():
+def _digests(statements: Mapping[str, str], entries: Iterable[Entry]) -> Iterator[tuple[str, str]]:
+    for kind, sentence in statements.items():
         yield _sentence_digest(kind, sentence), f"the sentence of {kind}"
-    for entry in catalog.entries:
+    for entry in entries:
         for number, reading in enumerate((entry.condition, *entry.readings)):
             yield _digest(entry, reading), f"class {entry.id}, {f'reading {number}' if number else 'condition'}"
 
@@ -105,16 +102,16 @@ def _shipped_digests() -> frozenset[str]:
     return frozenset(line.split()[0] for line in text.splitlines() if line.strip())
 
 
-def _identity_digest(entry: Entry, reading: Reading) -> str:
+def _identity_digest(entry: Entry, reading: CatalogIdentity) -> str:
     legs = " ".join("-".join(leg) for leg in entry.legs)
     return digest_of("identity", legs, reading.cofactor_text, str(reading.coefficient), reading.expression_text)
 
 
-def _digest(entry: Entry, reading: Reading) -> str:
+def _digest(entry: Entry, reading: CatalogIdentity) -> str:
     lines = "; ".join(f"{n}: {line}" for n, line in reading.line_texts)
     return digest_of(_identity_digest(entry, reading), reading.kind, reading.statement or "", lines)
 
 
-def _identity(entry: Entry, reading: Reading) -> Expr:
+def _identity(entry: Entry, reading: CatalogIdentity) -> Expr:
     left = mul(reading.cofactor, entry.structure.superbracket)
     return sub(left, mul(Number(reading.coefficient), reading.expression))

@@ -6,17 +6,13 @@ installed fonts or on the time: equal drawings give equal bytes.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from html import escape
 from math import floor
-from os import PathLike, fspath
-from pathlib import Path
 from typing import Literal
 from unicodedata import east_asian_width
 
-from gcrules.core.errors import InputError
-from gcrules.core.files import write_file
 from gcrules.views.drawing.palette import ROLES
 from gcrules.views.formulas.notation import split_name
 
@@ -32,7 +28,6 @@ __all__ = [
     "beside",
     "mapped",
     "name_runs",
-    "save",
     "scaled",
     "text_width",
     "without_text",
@@ -211,36 +206,6 @@ _WIDTHS = {"upright": 0.6, "italic": 0.62, "subscript": 0.45}
 
 def _letter_width(c: str) -> float:
     return 1.6 if c in "MWmw@%—" or east_asian_width(c) in "FW" else 0.6 if c in "ijl.,:;'′|! " else 1.0
-
-
-def save(drawing: Drawing, path: str | PathLike[str]) -> None:
-    """Write a figure; the suffix .svg or .pdf decides the format. The file appears complete or not at all.
-
-    Raises InputError for another suffix, and for PDF where matplotlib is missing; FileError if it cannot be written.
-    """
-    target = Path(fspath(path))
-    writer = _WRITERS.get(target.suffix.lower())
-    if writer is None:
-        found = f"the suffix {target.suffix!r}" if target.suffix else "a name without suffix"
-        raise InputError(f"{target}: {found} is no figure format", hint="figures are written as .svg or .pdf")
-    write_file(fspath(path), writer(drawing))
-
-
-def _svg_bytes(drawing: Drawing) -> bytes:
-    return drawing.svg().encode()
-
-
-def _pdf_bytes(drawing: Drawing) -> bytes:
-    try:
-        import matplotlib  # noqa: F401  # an extra of the installation
-    except ImportError:
-        raise InputError("PDF figures need matplotlib", hint='pip install "gcrules[figures]"') from None
-    from gcrules.views.drawing.pdf import pdf
-
-    return pdf(drawing)
-
-
-_WRITERS: dict[str, Callable[[Drawing], bytes]] = {".svg": _svg_bytes, ".pdf": _pdf_bytes}
 
 
 # --- SVG -----------------------------------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import PurePath
 
 from gcrules.algebra.language.legs_text import legs_text
-from gcrules.rules.catalog.catalog import SHIPPED, Entry
+from gcrules.rules.catalog.entries import SHIPPED, Entry
 from gcrules.views.pages.markdown import inline
 
 __all__ = ["GROUP_NAMES", "HEAD", "degrees_text", "index_page", "owner_name", "two_bodies"]

@@ -20,7 +20,8 @@ from gcrules.algebra.language.text import text
 from gcrules.algebra.shortening.shorten import shorten
 from gcrules.conditions.analysis import Analysis, analyze
 from gcrules.conditions.example_poses import WorkedPose
-from gcrules.rules.catalog.catalog import SHIPPED, Catalog, Entry
+from gcrules.rules.catalog.catalog import Catalog
+from gcrules.rules.catalog.entries import SHIPPED, Entry
 from gcrules.rules.condition import Condition
 from gcrules.rules.strategy import Strategy
 from gcrules.views.drawing.figures import graph_figure, incidence_in_words, robot_figure, thumbnail

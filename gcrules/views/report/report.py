@@ -7,10 +7,9 @@ from html import escape
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.conditions.analysis import Analysis
-from gcrules.conditions.pose_value import PoseValue
+from gcrules.conditions.pose_value import Coordinates, PoseValue
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.rules.derivation import Step
 from gcrules.views.drawing.figures import graph_figure, robot_figure
 from gcrules.views.formulas.terms import formula_html
@@ -68,7 +67,7 @@ def _identity(a: Analysis) -> tuple[Expr, Expr]:
     return ex.mul(c.cofactor, a.structure.superbracket), c.right_side
 
 
-def _header(title: str, a: Analysis, platform: Platform | None) -> str:
+def _header(title: str, a: Analysis, platform: Coordinates | None) -> str:
     lines = []
     if a.match:
         lines.append(f"Class {a.match.entry.title}")
