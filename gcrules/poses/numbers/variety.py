@@ -6,7 +6,8 @@ some lines is told by its dimension and the signature of this form on it: positi
 `gcrules.screws.kinds` tells more of less: any span of screws, with the points and planes of its lines, finite and
 infinite ones apart, and it raises LimitReached where floats do not decide that. Here the span is one of lines and the
 words are projective (a bundle may have its point at infinity), so that the signature is enough; it always answers, as a
-report of a pose must, and the signature is part of the answer. On spans of lines both agree (`tests/test_screws.py`).
+report of a pose must, and the signature is part of the answer. On spans of lines both agree
+(`tests/screws/test_screws.py`).
 """
 
 from __future__ import annotations

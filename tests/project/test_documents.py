@@ -1,0 +1,138 @@
+"""The examples in the documents are true: commands print what stands there, Python answers what stands there.
+
+`python tools/document_outputs.py` writes the output of every command and Python example into the documents.
+"""
+
+from __future__ import annotations
+
+import doctest
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from documents import BLOCKS, DOCUMENTS, Block, fenced, of, run, session
+from places import ROOT
+
+# Blocks that no test runs, by document and first line, with the reason.
+NOT_RUN = {
+    ("README.md", "make demo     # makes .venv, installs, analyses the octahedral platform and writes its report"): (
+        "targets of make; .ci/run goes through make test and make check"
+    ),
+    ("docs/rules.md", '[project.entry-points."gcrules.plugins"]'): "tests/outside is a package with such a table",
+    ("docs/index.md", "make demo     # makes .venv, installs, analyses a platform and writes its report"): (
+        "a target of make"
+    ),
+}
+
+
+# --- nothing is left out --------------------------------------------------------------------------------------------
+
+RUN = ("console", "python", "gca", "yaml")
+
+
+@pytest.mark.parametrize("block", [b for b in BLOCKS if b.title], ids=lambda b: b.title)
+def test_copies_of_files_are_true(block: Block) -> None:
+    assert block.text == (ROOT / block.title).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("block", [b for b in BLOCKS if b.language not in RUN], ids=lambda b: b.name)
+def test_other_blocks_are_known(block: Block) -> None:
+    assert (block.document, block.first) in NOT_RUN, (
+        f"{block.name}: a block in {block.language!r} is tested by nothing; "
+        f"write it in one of {', '.join(RUN)}, or give the reason in NOT_RUN"
+    )
+
+
+def test_the_table_of_other_blocks_is_up_to_date() -> None:
+    assert set(NOT_RUN) == {(b.document, b.first) for b in BLOCKS if b.language not in RUN}
+
+
+DURATION = re.compile(r"\b([0-9.,]+) ?(?:[mµn]?s|sec|seconds?|minutes?)\b")
+
+
+@pytest.mark.parametrize("block", of("console") + of("python"), ids=lambda b: b.name)
+def test_no_output_depends_on_the_speed_of_a_machine(block: Block) -> None:
+    """Times differ from run to run: an output that is compared must not tell any but the limit that was asked for."""
+    lines = block.text.splitlines()
+    typed = [line for line in lines if line.startswith(("$ ", ">>> ", "... "))]
+    asked = set(re.findall(r"\bseconds[= ]([0-9.]+)", "\n".join(typed)))
+    told = ((line, DURATION.findall(line)) for line in lines if line not in typed)
+    assert not [line for line, times in told if not asked.issuperset(times)]
+
+
+def test_there_is_something_to_run() -> None:
+    assert all(len(of(language)) > 1 for language in RUN)
+    assert len(DOCUMENTS) > 10
+
+
+# A block inside a list or a fence that is not closed would not be found, and so not be tested.
+@pytest.mark.parametrize("document", DOCUMENTS)
+def test_every_fence_is_found(document: str) -> None:
+    text = (ROOT / document).read_text(encoding="utf-8")
+    assert len(re.findall(r"^[ \t>]*(?:```|~~~)", text, re.MULTILINE)) == 2 * len(fenced(document))
+
+
+# --- console --------------------------------------------------------------------------------------------------------
+
+
+COMMANDS = [(b.document, c, out) for b in of("console") for c, out in session(b.text)]
+
+
+@pytest.mark.parametrize(("document", "command", "output"), COMMANDS, ids=[f"{d}: {c}" for d, c, _ in COMMANDS])
+def test_command_prints_what_the_document_says(document: str, command: str, output: str, tmp_path: Path) -> None:
+    assert run(command, tmp_path).rstrip("\n") == output.rstrip("\n")
+
+
+@pytest.mark.parametrize("block", of("console"), ids=lambda b: b.name)
+def test_console_blocks_have_commands(block: Block) -> None:
+    assert block.text.startswith("$ ")
+
+
+# --- Python: the blocks of a document are one session ---------------------------------------------------------------
+
+SESSIONS = {d: [b for b in of("python") if b.document == d] for d in dict.fromkeys(b.document for b in of("python"))}
+
+
+@pytest.mark.parametrize("document", SESSIONS)
+def test_python_answers_what_the_document_says(document: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    names: dict[str, Any] = {}
+    for block in SESSIONS[document]:
+        test = doctest.DocTestParser().get_doctest(block.text, names, block.name, document, block.line)
+        test.globs = names  # doctest copies what it is given
+        runner = doctest.DocTestRunner()
+        runner.run(test, clear_globs=False)
+        assert runner.tries, block.name
+        assert not runner.failures, block.name
+
+
+# --- scripts and files ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("block", of("gca"), ids=lambda b: b.name)
+def test_scripts_say_what_is_true(block: Block) -> None:
+    from gcrules.algebra.language.statements import parse_script
+    from gcrules.rules.script import run_script
+
+    result = run_script(parse_script(block.text, block.name))
+    assert result.results or "rule" in block.text.split()
+    assert result.verdict == "proved", result.text()
+
+
+@pytest.mark.parametrize("block", of("yaml"), ids=[f"{b.name}: {b.text.split(':')[0]}" for b in of("yaml")])
+def test_files_are_what_the_document_says(block: Block, tmp_path: Path) -> None:
+    import gcrules as gc
+    from gcrules.conditions.catalog_check import check_entry
+    from gcrules.rules.catalog.file import load_file
+
+    path = tmp_path / "file.yaml"
+    path.write_text(block.text, encoding="utf-8")
+    if "limbs:" in block.text:
+        assert gc.Robot.load(path).analyze().condition is not None
+    elif "points:" in block.text:
+        assert gc.analyze(gc.load_platform(path)).pose is not None
+    else:
+        checked = [check_entry(e) for e in load_file(path).entries]
+        assert checked
+        assert all(c.ok for c in checked), checked
