@@ -61,10 +61,11 @@ fuzz-nightly: $(READY) ## the same with 100,000 inputs of each kind, which takes
 	$(BIN)/python -m tests.fuzz --nightly --workers $(WORKERS) --seed $(SEED) --record
 
 .PHONY: check
-check: $(READY) ## lint, formatting, types, documentation
+check: $(READY) ## lint, formatting, types, the order of the rooms, documentation
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/lint-imports --no-cache
 	$(BIN)/python tools/check_docs.py
 	@$(build-site)
 

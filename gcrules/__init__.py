@@ -66,9 +66,9 @@ if TYPE_CHECKING:
         straighten,
         superbracket,
         transversals,
-        view,
         within,
     )
+    from gcrules.apps.notebook.view import view
 
 __all__ = [
     "Analysis",
@@ -120,9 +120,12 @@ __all__ = [
 ]
 
 
+_ELSEWHERE = {"view": "gcrules.apps.notebook.view"}  # it shows a robot in an app, the notebook
+
+
 def __getattr__(name: str) -> Any:
     if name in __all__:
-        return getattr(import_module("gcrules.api.functions"), name)
+        return getattr(import_module(_ELSEWHERE.get(name, "gcrules.api.functions")), name)
     raise AttributeError(f"module 'gcrules' has no attribute {name!r}")
 
 

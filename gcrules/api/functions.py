@@ -28,7 +28,6 @@ from gcrules.algebra.space import Space
 from gcrules.algebra.straightening.straighten import straighten as _straighten
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm, shortest_forms, superbracket_form
 from gcrules.api.signatures import public
-from gcrules.apps.notebook.view import view as _view
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.transversals import Transversals
 from gcrules.conditions.transversals import transversals as _transversals
@@ -103,7 +102,6 @@ __all__ = [
     "straighten",
     "superbracket",
     "transversals",
-    "view",
     "within",
 ]
 
@@ -120,7 +118,6 @@ load_rules = public(_load_rules)
 parse = public(_parse)
 report = public(_report)
 transversals = public(_transversals)
-view = public(_view)
 
 
 def _expression(e: str | Expr, rank: int | None, points: Names, ideal: Names) -> Expr:

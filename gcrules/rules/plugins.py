@@ -24,6 +24,7 @@ from typing import Any, TypeVar
 from gcrules.algebra.expr import Expr, Point, add, bracket, join, meet, mul, sub
 from gcrules.algebra.language.legs_text import leg_text
 from gcrules.core.arguments import ANYTHING, FILE, TEXT, listed, read
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import FileError
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES, TETRAHEDRA
 from gcrules.rules.foreign import foreign
@@ -63,6 +64,8 @@ __all__ = [
     "sub",
 ]
 
+load_rule_file = deferred("gcrules.rules.rule_file:load_rule_file")  # takes the parser, which few runs need
+
 GROUP = "gcrules.plugins"
 _R = TypeVar("_R", bound=Rule)
 
@@ -93,8 +96,6 @@ class Plugin:
 
     def identities(self, *, proved: bool = True) -> Iterator[Identity]:
         """The rules of the files, each proved unless `proved` is False. Raises InputError with place."""
-        from gcrules.rules.rule_file import load_rule_file  # reading rules takes the parser, which few runs need
-
         for path in self.files:
             for rule in load_rule_file(path, proved=proved):
                 yield replace(rule, owner=f"{self.owner}, {Path(rule.owner).name}") if self.owner else rule

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from gcrules.core.deferred import resolved
 from gcrules.screws.fields import RATIONALS, RESIDUES, Field, Rationals, Residues
 from gcrules.screws.jacobians import Jacobian, RowLabel, jacobian
 from gcrules.screws.joints import JOINTS, Joint, JointKind, joint
@@ -79,7 +80,5 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     if name in ("FLOATS", "Floats"):
-        from gcrules.screws import floats  # numpy is loaded when there are floats
-
-        return getattr(floats, name)
+        return resolved(f"gcrules.screws.floats:{name}")  # numpy is loaded when there are floats
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from gcrules.core.deferred import resolved
 from gcrules.screws.exact import RATIONALS, RESIDUES, Exact, Rationals, Residues
 from gcrules.screws.field import Field, Matrix, Row, Vector
 
@@ -25,12 +26,14 @@ __all__ = [
 ]
 
 
+FLOATS = "gcrules.screws.floats:FLOATS"
+
+
 def field_of(*values: Any) -> Field:
     """The field that numbers belong to: `FLOATS` if a float or an array is among them, else `RATIONALS`."""
     if any(map(_floating, values)):
-        from gcrules.screws.floats import FLOATS  # numpy is loaded when there are floats
-
-        return FLOATS
+        floats: Field = resolved(FLOATS)  # numpy is loaded when there are floats
+        return floats
     return RATIONALS
 
 

@@ -7,6 +7,8 @@ import os
 import click
 
 from gcrules.apps.cli.files import read_stdin
+from gcrules.apps.studio.subject import known_as, read_subject
+from gcrules.core.deferred import resolved
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.yaml_file import read_text
 
@@ -34,7 +36,7 @@ def studio(source: str | None, port: int | None, no_browser: bool) -> None:
     closes it.
     """
     try:
-        from gcrules.apps.studio.serving import PORT, serve  # an extra of the installation
+        usual, serve = (resolved(f"gcrules.apps.studio.serving:{name}") for name in ("PORT", "serve"))
     except ImportError as missing:
         if (missing.name or "").split(".")[0] not in ("starlette", "uvicorn", "websockets"):
             raise
@@ -42,13 +44,11 @@ def studio(source: str | None, port: int | None, no_browser: bool) -> None:
             f"the studio needs {missing.name}, which is not installed", hint='pip install "gcrules[studio]"'
         ) from None
     opened = None if source is None else _source(source)
-    serve(opened, port=PORT if port is None else port, browser=not no_browser, say=click.echo)
+    serve(opened, port=usual if port is None else port, browser=not no_browser, say=click.echo)
 
 
 def _source(word: str) -> dict[str, str]:
     """What the word means: a file, an id, or legs. Faults show here, before a page is opened."""
-    from gcrules.apps.studio.subject import known_as, read_subject
-
     if word == "-":
         found = {"kind": "file", "text": read_stdin(), "name": "<stdin>"}
     elif os.path.isfile(word) or word.endswith((".yaml", ".yml")):

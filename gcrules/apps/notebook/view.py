@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from gcrules.api.signatures import public
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.deferred import resolved
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis, analyze_robot
 from gcrules.mechanisms.description.platform_file import Platform
@@ -17,6 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["view"]
 
 
+@public
 def view(robot: Platform | Analysis | RobotText | RobotAnalysis | str, *, pose: Any = None) -> RobotWidget:
     """A widget that shows a robot in 3D and moves its platform, for Jupyter and other notebooks.
 
@@ -29,7 +32,7 @@ def view(robot: Platform | Analysis | RobotText | RobotAnalysis | str, *, pose: 
     Raises InputError where the optional dependency is missing, and for lines that are no legs between finite joints.
     """
     try:
-        from gcrules.apps.notebook.widget import RobotWidget
+        widget = resolved("gcrules.apps.notebook.widget:RobotWidget")
     except ImportError as fault:
         raise InputError(
             f"a widget needs the package {fault.name}, which is not installed",
@@ -39,4 +42,5 @@ def view(robot: Platform | Analysis | RobotText | RobotAnalysis | str, *, pose: 
         robot = analyze_robot(robot)
     elif not isinstance(robot, (Analysis, RobotAnalysis)):
         robot = analyze(robot)
-    return RobotWidget(robot, pose)
+    shown: RobotWidget = widget(robot, pose)
+    return shown

@@ -16,7 +16,8 @@ from gcrules.algebra.straightening.straighten import straighten, straighten_step
 from gcrules.apps.repl.answers import Answer, bound_text, polynomial_text, value_text
 from gcrules.apps.repl.help import help_text
 from gcrules.apps.repl.reading import Source, is_blank
-from gcrules.apps.repl.state import Session, State
+from gcrules.apps.repl.session import Session
+from gcrules.apps.repl.state import State
 from gcrules.apps.repl.tables import Command
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, Span

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
 from math import inf
-from typing import Any, Protocol
+from typing import Any
 
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax import Context
-from gcrules.apps.repl.answers import Answer
-from gcrules.apps.repl.reading import Source
 from gcrules.rules.rule import RewriteRule
 
-__all__ = ["Session", "Settings", "State"]
+__all__ = ["Settings", "State"]
 
 MAX_RESULTS = 9
 _NOTHING = Context()
@@ -60,36 +56,3 @@ class Settings:
     limit: int = MAX_TERMS
     seconds: float = inf
     short: bool = False
-
-
-class Session(Protocol):
-    """What a command may ask of the interpreter that runs it."""
-
-    state: State
-    settings: Settings
-    past: tuple[State, ...]
-    over: bool
-
-    def expression(self, source: Source) -> Expr:
-        """Read an expression. Raises SyntaxFault and StepError with place."""
-        ...
-
-    def equation(self, source: Source) -> Iterator[Answer]:
-        """Decide an equation."""
-        ...
-
-    def shown(self, e: Expr, source: Source) -> Iterator[Answer]:
-        """Expand an expression."""
-        ...
-
-    def remember(self, e: Expr | None) -> None:
-        """Let % stand for an expression."""
-        ...
-
-    def script(self, name: str) -> Iterator[Answer]:
-        """Run a script."""
-        ...
-
-    def step(self) -> AbstractContextManager[None]:
-        """One step for `:undo`."""
-        ...

@@ -1,0 +1,47 @@
+"""What a command may ask of the interpreter that runs it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import AbstractContextManager
+from typing import Protocol
+
+from gcrules.algebra.expr import Expr
+from gcrules.apps.repl.answers import Answer
+from gcrules.apps.repl.reading import Source
+from gcrules.apps.repl.state import Settings, State
+
+__all__ = ["Session"]
+
+
+class Session(Protocol):
+    """An interpreter, as its commands see it."""
+
+    state: State
+    settings: Settings
+    past: tuple[State, ...]
+    over: bool
+
+    def expression(self, source: Source) -> Expr:
+        """Read an expression. Raises SyntaxFault and StepError with place."""
+        ...
+
+    def equation(self, source: Source) -> Iterator[Answer]:
+        """Decide an equation."""
+        ...
+
+    def shown(self, e: Expr, source: Source) -> Iterator[Answer]:
+        """Expand an expression."""
+        ...
+
+    def remember(self, e: Expr | None) -> None:
+        """Let % stand for an expression."""
+        ...
+
+    def script(self, name: str) -> Iterator[Answer]:
+        """Run a script."""
+        ...
+
+    def step(self) -> AbstractContextManager[None]:
+        """One step for `:undo`."""
+        ...
