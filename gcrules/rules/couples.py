@@ -14,6 +14,7 @@ from itertools import permutations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.scalars import bracket
 from gcrules.rules.condition import ONE, Certificate, Condition
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.rule import StructureRule
@@ -58,7 +59,7 @@ def _planes(far: list[Expr], near: list[Expr], oracle: Oracle) -> Iterator[tuple
             for finite in (p for line in near for p in line.children if not oracle.at_infinity(p)):
                 if new not in one.children:
                     common = ex.join(ex.meet(ex.join(one, finite), two), three)
-                    yield ex.bracket(one, new, finite), ex.join(one, new), common
+                    yield bracket(one, new, finite), ex.join(one, new), common
 
 
 FORCES_AND_COUPLES = StructureRule(

@@ -1,8 +1,8 @@
 r"""All real zeros of an exact polynomial in [0, 1], with their multiplicities: no sampling, no floats.
 
-Polynomials are lists of integers, lowest power first. Descartes' rule of signs tells at once where no zero is inside, and
-where a single one is, which halving encloses; in all other cases sympy isolates them (Yun's factors without multiple
-zeros, then continued fractions). Everything is exact, so nothing can be missed, a touching zero neither.
+Polynomials are lists of integers, lowest power first. Descartes' rule of signs tells at once where no zero is inside,
+and where a single one is, which halving encloses; in all other cases sympy isolates them (Yun's factors without
+multiple zeros, then continued fractions). Everything is exact: nothing can be missed, a touching zero neither.
 
 >>> [(str(r.lower), r.multiplicity) for r in roots([-1, 7, -16, 12])]            # (3x − 1) (2x − 1)²
 [('1/3', 1), ('1/2', 2)]
@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from math import gcd, lcm
+from typing import Any
 
 from gcrules.core.budget import checkpoint
 
@@ -118,7 +119,12 @@ def _isolated(p: Poly) -> list[Root]:
 
     checkpoint()
     intervals = Poly(p[::-1], Symbol("x"), domain=ZZ).intervals(eps=QQ(1, WIDTH.denominator), inf=0, sup=1)
-    return [_exactly(Root(*(Fraction(int(x.p), int(x.q)) for x in ends), n), p) for ends, n in intervals]
+    return [_exactly(Root(_fraction(low), _fraction(high), n), p) for (low, high), n in intervals]
+
+
+def _fraction(x: Any) -> Fraction:
+    """Of a rational number of sympy."""
+    return Fraction(int(x.p), int(x.q))
 
 
 def _exactly(r: Root, p: Poly) -> Root:
