@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from gcrules.core.errors import InputError
 from gcrules.core.files import check_target, replacing
 from gcrules.poses.maps.data import netcdf
-from gcrules.poses.maps.mesh import glb, ply
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.maps.store import written
+from gcrules.views.plots.map_meshes import glb, ply
 
 __all__ = ["PICTURES", "SUFFIXES", "check_outputs", "save"]
 
@@ -32,6 +32,8 @@ def check_outputs(paths: Sequence[str], axes: int) -> None:
             raise InputError(f"{path}: a surface needs three coordinates", hint="give --over three times")
         if suffix in _MESHES or (suffix in PICTURES and axes == 3):
             _need("skimage", "surfaces need scikit-image")
+        if suffix == ".glb":
+            _need("trimesh", "GLB files need trimesh")
         if suffix in PICTURES:
             _need("matplotlib", "pictures need matplotlib")
         if suffix == ".nc":
