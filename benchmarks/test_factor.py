@@ -17,6 +17,7 @@ from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.factorize import factor
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import superbracket_form
 from gcrules.rules.random_witness import Oracle
@@ -61,7 +62,7 @@ def one_after_the_other(poly: BracketPolynomial) -> bool:
     for six in set(combinations(letters, 6)):
         for one in lines(six):
             for other in lines(without(letters, six)):
-                e = ex.bracket(one, other)
+                e = bracket(one, other)
                 v, w = (a.value(e)[0] for a in at)
                 if v and (v * values[1] - w * values[0]) % PRIME == 0:
                     return True

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from itertools import permutations
 from typing import Any
 
-from gcrules.algebra.assumptions.assumed import _resolved
+from gcrules.algebra.assumptions.assumed import _kinds
 from gcrules.algebra.bracket import BracketPolynomial, sorted_row
 from gcrules.algebra.expand import expand
 from gcrules.algebra.language.statements import parse_assumption, parse_script
@@ -72,7 +72,7 @@ def test_proof_under_assumptions(ratio: Callable[..., Any]) -> None:
     sides = parse_equation(DESARGUES, context=space)
 
     def ours() -> bool:
-        _resolved.cache_clear()
+        _kinds.cache_clear()
         return prove(*sides, rank=3, given=space.given).proved
 
     ratio(ours, {"sympy, coordinates": by_coordinates}, agree=lambda a, b: a is b is True, others_rounds=1)

@@ -6,8 +6,9 @@ import random
 from collections.abc import Iterable, Mapping, Sequence
 
 from gcrules.algebra.evaluate import evaluate, random_rational_points
-from gcrules.algebra.expr import Expr, Number, Point, add, bracket, mul
+from gcrules.algebra.expr import Expr, Number, Point, add, mul
 from gcrules.algebra.language.legs_text import Structure, read_legs
+from gcrules.algebra.scalars import bracket
 
 __all__ = ["LEGS", "MERSENNE", "attacks", "guessed", "monomials", "vanishing"]
 

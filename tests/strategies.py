@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.scalars import bracket, dotted, power, superbracket
 
 SHORT_NAMES = ("a", "b", "c", "d", "e", "f", "A", "S1", "S_2", "A'", "B2''", "p10")
 LONG_NAMES = ("left", "right", "top", "base", "ab", "arm_1")
@@ -41,16 +42,16 @@ def expressions(
             case "points":
                 return ex.join(*map(point, range(step)), rank=rank)
             case "bracket":
-                return ex.bracket(*map(point, range(rank)), rank=rank)
+                return bracket(*map(point, range(rank)), rank=rank)
             case "extensors":
-                return ex.bracket(*(of(k, depth - 1) for k in split(rank)), rank=rank)
+                return bracket(*(of(k, depth - 1) for k in split(rank)), rank=rank)
             case "join":
                 return ex.join(*(of(k, depth - 1) for k in split(step)), rank=rank)
             case "dotted":
-                return ex.dotted(*(entries() for _ in range(draw(st.integers(1, 3)))), rank=rank)
+                return dotted(*(entries() for _ in range(draw(st.integers(1, 3)))), rank=rank)
             case "superbracket" if rank <= 4:
                 lines = (of(2, draw(st.integers(0, depth - 1))) for _ in range(comb(rank, 2)))
-                return ex.superbracket(*lines, rank=rank)
+                return superbracket(*lines, rank=rank)
             case "meet" | "superbracket":
                 return meet(step, depth)
             case "sum":
@@ -63,7 +64,7 @@ def expressions(
                 return ex.mul(*scalars[:place], of(step, depth - 1), *scalars[place:])
             case "negated":
                 return ex.mul(ex.Number(-1), of(step, depth - 1))
-        return ex.power(of(0, depth - 1), draw(st.integers(0, 4)), rank=rank)
+        return power(of(0, depth - 1), draw(st.integers(0, 4)), rank=rank)
 
     def meet(step: int, depth: int) -> Expr:
         # The larger step comes first: flattening `line ∧ (line ∧ whole space)` would meet a scalar on the way.

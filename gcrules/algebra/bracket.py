@@ -18,8 +18,10 @@ from typing import TYPE_CHECKING, Any
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
+from gcrules.algebra.names import point_key
 from gcrules.core.budget import watched
 from gcrules.core.errors import InputError, StepError
+from gcrules.core.floats import exact_number
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 
@@ -55,7 +57,7 @@ def tableau_order(names: Iterable[str], declared: Iterable[str] = (), ideal: Ite
     present = dict.fromkeys(names)
     at_infinity = [n for n in dict.fromkeys(ideal) if n in present]
     first = [n for n in dict.fromkeys(declared) if n in present and n not in at_infinity]
-    rest = sorted((n for n in present if n not in at_infinity and n not in first), key=ex.point_key)
+    rest = sorted((n for n in present if n not in at_infinity and n not in first), key=point_key)
     return (*at_infinity, *first, *rest)
 
 
@@ -159,7 +161,7 @@ class BracketPolynomial(_Polynomial):
 
     def __mul__(self, other: BracketPolynomial | int | Fraction) -> BracketPolynomial:
         if not isinstance(other, BracketPolynomial):
-            number = ex.exact_number(other)
+            number = exact_number(other)
             return NotImplemented if number is None else self.with_terms({m: c * number for m, c in self.terms.items()})
         a, b = self._aligned(other)
         if len(a) < len(b):

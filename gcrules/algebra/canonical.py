@@ -28,6 +28,8 @@ from typing import Any, TypeVar
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Dotted, Expr, Number, Point, Power, Sum, points_of
 from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.names import point_key
+from gcrules.algebra.parts import substitute
 from gcrules.algebra.space import Assumption
 from gcrules.algebra.spelling import Key, normal, split
 from gcrules.core.budget import checkpoint
@@ -207,7 +209,7 @@ class Canonical:
     @cached_property
     def points(self) -> tuple[str, ...]:
         """The canonical names in their order."""
-        return tuple(sorted(self.names.values(), key=ex.point_key))
+        return tuple(sorted(self.names.values(), key=point_key))
 
     @cached_property
     def users(self) -> Mapping[str, str]:
@@ -221,7 +223,7 @@ class Canonical:
 
     def back(self, e: Expr, rank: int) -> Expr:
         """An expression in the user's names."""
-        return ex.substitute(e, {n: Point(self.name_back(n)) for n in points_of(e)}, rank)
+        return substitute(e, {n: Point(self.name_back(n)) for n in points_of(e)}, rank)
 
     def words_back(self, words: str) -> str:
         """Words about canonical names in the user's."""
@@ -279,7 +281,7 @@ def _renamed(
     written: dict[str, Assumption] = {}
     for a in given:
         key, args = _stated(a, place, rank)
-        args = tuple(ex.substitute(e, points, rank) for e in args)
+        args = tuple(substitute(e, points, rank) for e in args)
         text = f"{args[0]} == 0" if a.kind == "zero" else f"{a.kind}({', '.join(map(str, args))})"
         found.setdefault(key, Assumption(a.kind, args, text, a.place))
         written.setdefault(text, a)

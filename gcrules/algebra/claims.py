@@ -18,6 +18,7 @@ from hashlib import blake2b
 from math import ceil, comb, factorial, log2
 
 from gcrules.algebra.expr import Bracket, Dotted, Expr, Join, Meet, Number, Point, Power, Product, Sum, Superbracket
+from gcrules.algebra.scalars import written_out
 from gcrules.core import seeds
 
 __all__ = ["Size", "digest", "error_below", "size"]
@@ -106,7 +107,7 @@ def size(e: Expr, points: Mapping[str, Size] | None = None, *, rank: int = 4) ->
             case Power(base=base, exponent=n):
                 return multiplied([of(base)] * n)
             case Dotted():
-                return of(x.written_out())
+                return of(written_out(x))
         raise TypeError(f"not an expression: {x!r}")
 
     degree, norm, denominator = of(e)

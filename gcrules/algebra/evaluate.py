@@ -35,12 +35,13 @@ from gcrules.algebra.expr import (
     Product,
     Sum,
     Superbracket,
-    permutation_sign,
     points_of,
     rank_of,
 )
+from gcrules.algebra.scalars import written_out
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError, LimitReached
+from gcrules.core.linear_algebra import permutation_sign
 from gcrules.core.seeds import DRAWN, PRIME, drawn
 
 __all__ = [
@@ -149,7 +150,7 @@ class Evaluator:
             case Power(base=base, exponent=n):
                 return [self._power(self.value(base)[0], n)]
             case Dotted():
-                return self.value(e.written_out())
+                return self.value(written_out(e))
         raise TypeError(f"not an expression: {e!r}")
 
     def _power(self, base: Any, exponent: int) -> Any:

@@ -41,15 +41,15 @@ from gcrules.algebra.expr import (
     Sum,
     Superbracket,
     common_rank,
-    permutation_sign,
     points_of,
-    superbracket,
     too_many_bits,
 )
+from gcrules.algebra.scalars import superbracket, written_out
 from gcrules.algebra.superbrackets.determinant import Pair, determinant_terms
 from gcrules.algebra.superbrackets.superbracket import form_terms
 from gcrules.core.budget import MORE_TERMS, checkpoint, watched
 from gcrules.core.errors import LimitReached
+from gcrules.core.linear_algebra import permutation_sign
 
 __all__ = ["MAX_BRACKETS", "MAX_TERMS", "Expander", "Multivector", "expand", "expand_superbracket", "shuffles"]
 
@@ -154,7 +154,7 @@ class Expander:
             case Power(base=base, exponent=n):
                 return self._product({base: n})
             case Dotted():
-                return self.value(e.written_out())
+                return self.value(written_out(e))
         raise TypeError(f"not an expression: {e!r}")
 
     def _product(self, powers: Mapping[Expr, int]) -> Multivector:

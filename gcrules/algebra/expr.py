@@ -15,15 +15,16 @@ with the same structure give equal values, and `parse(str(e)) == e`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import chain, combinations, repeat
-from math import comb, factorial, isqrt, prod
-from numbers import Integral, Rational
+from itertools import chain, repeat
+from math import isqrt
 
+from gcrules.algebra.names import step_name
 from gcrules.core.budget import watched
 from gcrules.core.errors import InputError, LimitReached, StepError
+from gcrules.core.floats import exact_number
 from gcrules.core.shown import Shown
 
 __all__ = [
@@ -41,45 +42,32 @@ __all__ = [
     "Sum",
     "Superbracket",
     "add",
-    "bracket",
     "common_rank",
-    "dotted",
-    "exact_number",
     "join",
     "meet",
     "mul",
     "neg",
-    "number",
-    "permutation_sign",
-    "point_key",
     "points_of",
-    "power",
     "rank_of",
     "signed",
-    "step_name",
     "sub",
     "subexpressions",
-    "substitute",
-    "superbracket",
     "too_many_bits",
 ]
 
 MAX_DEPTH = 150
-MAX_EXPONENT = 64
 MAX_COEFFICIENT_BITS = 10_000
-MAX_DOTTED_TERMS = 50_000
 
 
 @dataclass(frozen=True, slots=True)
 class Expr(Shown):
-    """Base of all expressions; `step` is the step of the value (0 for scalars), `depth` that of the nesting."""
+    """Base of all expressions; `step` is the step of the value (0 for scalars), `depth` that of the nesting, `children`
+    the expressions that it is made of.
+    """
 
     step: int = field(init=False, repr=False, compare=False)
     depth: int = field(init=False, repr=False, compare=False)
-
-    @property
-    def children(self) -> tuple[Expr, ...]:
-        return ()
+    children: tuple[Expr, ...] = field(init=False, repr=False, compare=False)
 
     def __or__(self, other: Expr) -> Expr:
         """The join, in the rank that the operands are written in (4 if they do not say)."""
@@ -119,20 +107,14 @@ class Expr(Shown):
     __array_ufunc__ = None  # arrays take no expressions apart
 
 
-def exact_number(value: object) -> int | Fraction | None:
-    """A rational number as Python's own; None for what is none, floats among them, which are not exact."""
-    if isinstance(value, Integral):
-        return int(value)
-    return Fraction(value) if isinstance(value, Rational) else None
-
-
-def _measure(e: Expr, step: int) -> None:
+def _measure(e: Expr, step: int, children: tuple[Expr, ...] = ()) -> None:
     """Fill in the derived fields of a new expression."""
-    depth = 1 + max((c.depth for c in e.children), default=0)
+    depth = 1 + max((c.depth for c in children), default=0)
     if depth > MAX_DEPTH:
         raise LimitReached(f"an expression of more than {MAX_DEPTH} operations inside each other")
     object.__setattr__(e, "step", step)
     object.__setattr__(e, "depth", depth)
+    object.__setattr__(e, "children", children)
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,11 +149,7 @@ class Join(Expr):
     args: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        _measure(self, sum(a.step for a in self.args))
-
-    @property
-    def children(self) -> tuple[Expr, ...]:
-        return self.args
+        _measure(self, sum(a.step for a in self.args), self.args)
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,11 +160,7 @@ class Meet(Expr):
     rank: int
 
     def __post_init__(self) -> None:
-        _measure(self, sum(a.step for a in self.args) - self.rank * (len(self.args) - 1))
-
-    @property
-    def children(self) -> tuple[Expr, ...]:
-        return self.args
+        _measure(self, sum(a.step for a in self.args) - self.rank * (len(self.args) - 1), self.args)
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,11 +170,7 @@ class Bracket(Expr):
     args: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        _measure(self, 0)
-
-    @property
-    def children(self) -> tuple[Expr, ...]:
-        return self.args
+        _measure(self, 0, self.args)
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,29 +184,6 @@ class Dotted(Expr):
     def __post_init__(self) -> None:
         _measure(self, 0)
 
-    def written_out(self) -> Expr:
-        """The sum that the dots stand for."""
-        names = [n for entries in self.brackets for n, d in entries if d]
-        sizes = [sum(d for _, d in entries) for entries in self.brackets]
-        if factorial(len(names)) // prod(map(factorial, sizes)) > MAX_DOTTED_TERMS:
-            raise LimitReached(f"dotted brackets that stand for more than {MAX_DOTTED_TERMS:,} terms")
-        terms = []
-        for order in _deals(tuple(range(len(names))), sizes):
-            moved = iter(names[i] for i in order)
-            factors = [Bracket(tuple(Point(next(moved) if d else n) for n, d in entries)) for entries in self.brackets]
-            terms.append(mul(Number(permutation_sign(order)), *factors))
-        return add(*terms, rank=len(self.brackets[0]))
-
-
-def _deals(cards: tuple[int, ...], sizes: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    """All ways to deal the cards out into hands of these sizes, each hand in increasing order."""
-    if not sizes:
-        yield ()
-        return
-    for hand in combinations(cards, sizes[0]):
-        for others in _deals(tuple(c for c in cards if c not in hand), sizes[1:]):
-            yield (*hand, *others)
-
 
 @dataclass(frozen=True, slots=True)
 class Superbracket(Expr):
@@ -247,15 +194,11 @@ class Superbracket(Expr):
     lines: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        _measure(self, 0)
+        _measure(self, 0, self.lines)
 
     @property
     def rank(self) -> int:
         return (1 + isqrt(1 + 8 * len(self.lines))) // 2
-
-    @property
-    def children(self) -> tuple[Expr, ...]:
-        return self.lines
 
 
 @dataclass(frozen=True, slots=True)
@@ -265,11 +208,7 @@ class Sum(Expr):
     terms: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        _measure(self, self.terms[0].step)
-
-    @property
-    def children(self) -> tuple[Expr, ...]:
-        return self.terms
+        _measure(self, self.terms[0].step, self.terms)
 
 
 @dataclass(frozen=True, slots=True)
@@ -279,11 +218,7 @@ class Product(Expr):
     factors: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        _measure(self, max(f.step for f in self.factors))
-
-    @property
-    def children(self) -> tuple[Expr, ...]:
-        return self.factors
+        _measure(self, max(f.step for f in self.factors), self.factors)
 
 
 @dataclass(frozen=True, slots=True)
@@ -294,11 +229,7 @@ class Power(Expr):
     exponent: int
 
     def __post_init__(self) -> None:
-        _measure(self, 0)
-
-    @property
-    def children(self) -> tuple[Expr, ...]:
-        return (self.base,)
+        _measure(self, 0, (self.base,))
 
 
 ZERO = Number(0)
@@ -308,33 +239,6 @@ ONE = Number(1)
 def too_many_bits() -> InputError:
     """What is raised for a number that is too large."""
     return InputError(f"a coefficient has more than {MAX_COEFFICIENT_BITS} bits")
-
-
-def permutation_sign(order: Sequence[int]) -> int:
-    """+1 for an even arrangement of distinct numbers, −1 for an odd one."""
-    inversions = sum(order[i] > order[j] for i in range(len(order)) for j in range(i + 1, len(order)))
-    return -1 if inversions % 2 else 1
-
-
-_STEP_NAMES = {1: "a point", 2: "a line", 3: "a plane"}
-
-
-def step_name(step: int, rank: int = 4) -> str:
-    """What an extensor of this step is called: "a scalar", "a line (step 2)", …
-
-    >>> step_name(2), step_name(3, rank=3)
-    ('a line (step 2)', 'the whole space (step 3)')
-    """
-    if step == 0:
-        return "a scalar (step 0)"
-    if step == rank:
-        return f"the whole space (step {step})"
-    return f"{_STEP_NAMES.get(step, 'an extensor')} (step {step})"
-
-
-def number(value: int | Fraction | str) -> Number:
-    """A rational constant from an integer, a fraction or text such as "-3/4"."""
-    return Number(Fraction(value) if isinstance(value, str) else value)
 
 
 def join(*args: Expr, rank: int = 4) -> Expr:
@@ -378,64 +282,6 @@ def meet(*args: Expr, rank: int = 4) -> Expr:
             )
         step += a.step - rank
     return flat[0] if len(flat) == 1 else Meet(tuple(flat), rank)
-
-
-def bracket(*args: Expr, rank: int = 4) -> Expr:
-    """The bracket [A B …] of extensors whose steps add up to the rank. Raises StepError for any other size."""
-    if any(a == ZERO for a in args):
-        return ZERO
-    flat = tuple(chain.from_iterable(a.args if isinstance(a, Join) else (a,) for a in args))
-    total = sum(a.step for a in flat)
-    if total != rank or any(a.step == 0 for a in flat):
-        what = (
-            f"{total} point{'' if total == 1 else 's'}" if all(isinstance(a, Point) for a in flat) else f"step {total}"
-        )
-        raise StepError(
-            f"a bracket of {what}, expected {rank} in rank {rank}",
-            hint=None
-            if total == rank or not 2 <= total <= 8
-            else f"for another rank say so: `rank {total}` in a file, --rank {total} in the shell",
-        )
-    return Bracket(flat)
-
-
-def dotted(*brackets: Sequence[tuple[str, bool]], rank: int = 4) -> Expr:
-    """A product of brackets of points, each (name, dotted?). Without any dot this is the plain product."""
-    for entries in brackets:
-        if len(entries) != rank:
-            raise StepError(f"a bracket of {len(entries)} points, expected {rank} in rank {rank}")
-    plain = [b for b in brackets if not any(d for _, d in b)]
-    with_dots = tuple(tuple(b) for b in brackets if any(d for _, d in b))
-    factors = [bracket(*(Point(n) for n, _ in entries), rank=rank) for entries in plain]
-    return mul(*factors, Dotted(with_dots)) if with_dots else mul(*factors)
-
-
-def superbracket(*lines: Expr, rank: int = 4) -> Expr:
-    """The superbracket of n(n − 1)/2 lines in rank n: [[ab]], [[ab, cd, ef]], [[ab, cd, ef, gh, ij, kl]], …
-
-    Raises StepError for any other number of lines, and for an entry that is no line.
-    """
-    found, expected = len(lines), comb(rank, 2)
-    if found != expected:
-        raise StepError(
-            f"a superbracket of {found} line{'' if found == 1 else 's'}, expected {expected} in rank {rank}",
-            hint=_rank_of_lines(found),
-        )
-    if any(a == ZERO for a in lines):
-        return ZERO
-    for i, a in enumerate(lines, 1):
-        if a.step != 2:
-            raise StepError(f"entry {i} of the superbracket is {step_name(a.step, rank)}, expected a line (step 2)")
-    return Superbracket(tuple(lines))
-
-
-def _rank_of_lines(number: int) -> str:
-    """What to do with so many lines in a superbracket."""
-    for rank in range(2, 9):
-        if comb(rank, 2) == number:
-            count = "1 line makes" if number == 1 else f"{number} lines make"
-            return f"{count} a superbracket in rank {rank}: `rank {rank}` in a file, --rank {rank} in the shell"
-    return "rank n takes n(n - 1)/2 lines: 3 in rank 3, 6 in rank 4, 10 in rank 5"
 
 
 def add(*terms: Expr, rank: int = 4) -> Expr:
@@ -487,21 +333,6 @@ def mul(*factors: Expr) -> Expr:
     if coefficient != 1 or not rest:
         rest.insert(0, Number(coefficient))
     return rest[0] if len(rest) == 1 else Product(tuple(rest))
-
-
-def power(base: Expr, exponent: int, rank: int = 4) -> Expr:
-    """base ** exponent for a scalar and a non-negative integer exponent of at most 64."""
-    if base.step != 0:
-        raise StepError(f"a power of {step_name(base.step, rank)}; only scalars have powers")
-    if exponent > MAX_EXPONENT:
-        raise LimitReached(f"exponent {exponent} is above the limit {MAX_EXPONENT}")
-    if exponent == 0:
-        return Number(1)
-    if exponent == 1:
-        return base
-    if isinstance(base, Number):
-        return Number(base.value**exponent)
-    return Power(base, exponent)
 
 
 def subexpressions(e: Expr) -> Iterator[Expr]:
@@ -560,52 +391,3 @@ def common_rank(rank: int | None, *exprs: Expr) -> int:
     if rank is not None and found is not None and rank != found:
         raise StepError(f"the expression is written in rank {found}, not in rank {rank}")
     return rank or found or 4
-
-
-def substitute(e: Expr, names: dict[str, Expr], rank: int = 4) -> Expr:
-    """Replace points by expressions (usually other points). Raises StepError where the steps do not fit."""
-
-    def walk(x: Expr) -> Expr:
-        match x:
-            case Point(name=name):
-                return names.get(name, x)
-            case Number():
-                return x
-            case Join(args=args):
-                return join(*map(walk, args), rank=rank)
-            case Meet(args=args, rank=r):
-                return meet(*map(walk, args), rank=r)
-            case Bracket(args=args):
-                return bracket(*map(walk, args), rank=rank)
-            case Superbracket(lines=lines):
-                return superbracket(*map(walk, lines), rank=x.rank)
-            case Sum(terms=terms):
-                return add(*map(walk, terms), rank=rank)
-            case Product(factors=factors):
-                return mul(*map(walk, factors))
-            case Power(base=base, exponent=n):
-                return power(walk(base), n)
-            case Dotted(brackets=brackets):
-                return dotted(*([(_name_of(names, n), d) for n, d in entries] for entries in brackets), rank=rank)
-        raise TypeError(f"not an expression: {x!r}")
-
-    return walk(e)
-
-
-def _name_of(names: dict[str, Expr], name: str) -> str:
-    target = names.get(name, Point(name))
-    if not isinstance(target, Point):
-        raise InputError(f"a dotted bracket can only hold points; {name} stands for something else")
-    return target.name
-
-
-def point_key(name: str) -> tuple[str, int, int]:
-    """Sort key of point names: letters first, then the numeric suffix, then primes.
-
-    >>> sorted(["p10", "p2", "a'", "B", "a"], key=point_key)
-    ['B', 'a', "a'", 'p2', 'p10']
-    """
-    stem = name.rstrip("'")
-    letters = stem.rstrip("0123456789")
-    digits = stem[len(letters) :]
-    return letters.rstrip("_"), int(digits) if digits else -1, len(name) - len(stem)

@@ -2,13 +2,29 @@ r"""Rewriting the parts of an expression."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Power, Product, Sum, Superbracket
+from gcrules.algebra.expr import (
+    Bracket,
+    Dotted,
+    Expr,
+    Join,
+    Meet,
+    Number,
+    Point,
+    Power,
+    Product,
+    Sum,
+    Superbracket,
+    meet,
+    mul,
+)
+from gcrules.algebra.scalars import bracket, dotted, power, superbracket
 from gcrules.core.budget import checkpoint
+from gcrules.core.errors import InputError
 
-__all__ = ["everywhere", "first_part", "rebuilt"]
+__all__ = ["everywhere", "first_part", "rebuilt", "substitute"]
 
 At = Callable[[Expr], Expr | None]
 
@@ -21,9 +37,9 @@ def rebuilt(e: Expr, children: tuple[Expr, ...], rank: int) -> Expr:
         case Meet():
             return ex.meet(*children, rank=rank)
         case Bracket():
-            return ex.bracket(*children, rank=rank)
+            return bracket(*children, rank=rank)
         case Superbracket():
-            return ex.superbracket(*children, rank=e.rank)
+            return superbracket(*children, rank=e.rank)
         case Sum():
             return ex.add(*children, rank=rank)
         case Product():
@@ -32,7 +48,7 @@ def rebuilt(e: Expr, children: tuple[Expr, ...], rank: int) -> Expr:
                     return ex.signed(-1, total)
             return ex.mul(*children)
         case Power(exponent=n):
-            return ex.power(children[0], n, rank)
+            return power(children[0], n, rank)
     raise TypeError(f"no parts: {e!r}")
 
 
@@ -57,3 +73,28 @@ def everywhere(e: Expr, at: At, rank: int) -> Expr:
         e = rebuilt(e, children, rank)
     found = at(e)
     return e if found is None else found
+
+
+def substitute(e: Expr, names: Mapping[str, Expr], rank: int = 4) -> Expr:
+    """Replace points by expressions (usually other points). Raises StepError where the steps do not fit."""
+    match e:
+        case Point(name=name):
+            return names.get(name, e)
+        case Number():
+            return e
+        case Dotted(brackets=brackets):
+            return dotted(*([(_name_of(names, n), d) for n, d in entries] for entries in brackets), rank=rank)
+    children = tuple(substitute(c, names, rank) for c in e.children)
+    match e:
+        case Product():
+            return mul(*children)
+        case Meet(rank=own):
+            return meet(*children, rank=own)
+    return rebuilt(e, children, rank)
+
+
+def _name_of(names: Mapping[str, Expr], name: str) -> str:
+    target = names.get(name, Point(name))
+    if not isinstance(target, Point):
+        raise InputError(f"a dotted bracket can only hold points; {name} stands for something else")
+    return target.name

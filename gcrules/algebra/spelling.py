@@ -33,6 +33,7 @@ from gcrules.algebra.expr import (
     Sum,
     Superbracket,
 )
+from gcrules.algebra.scalars import bracket, power, superbracket
 from gcrules.core.budget import checkpoint
 
 __all__ = ["Key", "Normal", "normal", "split"]
@@ -72,13 +73,13 @@ def normal(e: Expr, place: Mapping[str, int], rank: int) -> Normal:
             case Point(name=name):
                 return Normal(Fraction(1), x, (0, place[name]))
             case Join(args=args) | Bracket(args=args):
-                tag, build = (2, ex.join) if isinstance(x, Join) else (7, ex.bracket)
+                tag, build = (2, ex.join) if isinstance(x, Join) else (7, bracket)
                 return arranged(_flat(map(of, args), Join, of), tag, 0, lambda *a: build(*a, rank=rank))
             case Meet(args=args, rank=d):
                 return arranged(_flat(map(of, args), Meet, of), 3, d, lambda *a: ex.meet(*a, rank=d))
             case Superbracket(lines=lines):
                 d = x.rank
-                return arranged([*map(of, lines)], 8, None, lambda *a: ex.superbracket(*a, rank=d))
+                return arranged([*map(of, lines)], 8, None, lambda *a: superbracket(*a, rank=d))
             case Product(factors=factors):
                 return multiplied(map(of, factors))
             case Power(base=base, exponent=n):
@@ -123,7 +124,7 @@ def normal(e: Expr, place: Mapping[str, int], rank: int) -> Normal:
             return Normal(factor, _ONE, (1,))
         if len(found) == 1 and found[0][1][1] == 1:
             return Normal(factor, found[0][1][0], found[0][0])
-        e = ex.mul(*(ex.power(base, n) if n > 1 else base for _, (base, n) in found))
+        e = ex.mul(*(power(base, n) if n > 1 else base for _, (base, n) in found))
         return Normal(factor, e, (5, len(found), *((n, key) for key, (_, n) in found)))
 
     def added(parts: Iterable[Normal]) -> Normal:

@@ -39,11 +39,13 @@ from gcrules.algebra.expr import (
     Superbracket,
 )
 from gcrules.algebra.parts import everywhere, first_part, rebuilt
+from gcrules.algebra.scalars import bracket, power, superbracket, written_out
 from gcrules.algebra.space import Space
 from gcrules.algebra.straightening.straighten import next_syzygy
 from gcrules.algebra.superbrackets.superbracket import form_terms
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
+from gcrules.core.linear_algebra import permutation_sign
 
 __all__ = [
     "common_factors",
@@ -94,9 +96,7 @@ def lines_in_order(e: Expr, space: Space) -> Expr | None:
         turned = sum(a != b for a, b in zip(lines, ends, strict=True))
         order = sorted(range(len(lines)), key=lambda i: [place[n] for n in lines[i]])
         sorted_lines = (ex.join(*map(Point, lines[i])) for i in order)
-        return ex.mul(
-            Number((-1) ** turned * ex.permutation_sign(order)), ex.superbracket(*sorted_lines, rank=space.rank)
-        )
+        return ex.mul(Number((-1) ** turned * permutation_sign(order)), superbracket(*sorted_lines, rank=space.rank))
 
     return _changed(e, everywhere(e, at, space.rank))
 
@@ -189,7 +189,7 @@ def expanded_meets(e: Expr, space: Space) -> Expr | None:
 
 def without_dots(e: Expr, space: Space) -> Expr | None:
     """Dotted brackets as the sums that they stand for."""
-    return _changed(e, everywhere(e, lambda p: p.written_out() if isinstance(p, Dotted) else None, space.rank))
+    return _changed(e, everywhere(e, lambda p: written_out(p) if isinstance(p, Dotted) else None, space.rank))
 
 
 def multiplied_out(e: Expr, space: Space) -> Expr | None:
@@ -206,10 +206,10 @@ def _one_layer(e: Expr, rank: int) -> Expr:
         i, j = pair
         rest = tuple(a for n, a in enumerate(e.args) if n not in pair)
         odd = [n for n in (i, j, *(n for n in range(len(e.args)) if n not in pair)) if (rank - e.args[n].step) % 2]
-        found = ex.signed(ex.permutation_sign(odd), _shuffled(_points(e.args[i]), _points(e.args[j]), rank))
+        found = ex.signed(permutation_sign(odd), _shuffled(_points(e.args[i]), _points(e.args[j]), rank))
         if found.step or not rest:
             return ex.meet(found, *rest, rank=rank)
-        return ex.mul(found, *(ex.bracket(x, rank=rank) for x in rest))
+        return ex.mul(found, *(bracket(x, rank=rank) for x in rest))
     children = tuple(_one_layer(c, rank) for c in e.children)
     return rebuilt(e, children, rank) if children != e.children else e
 
@@ -284,7 +284,7 @@ def _sorted(e: Expr, space: Space) -> Expr:
         case Sum(terms=terms):
             return ex.add(*(_sorted(t, space) for t in terms), rank=space.rank)
         case Power(base=base, exponent=n):
-            return ex.power(_sorted(base, space), n, space.rank)
+            return power(_sorted(base, space), n, space.rank)
     others = [_sorted(f, space) for f in _factors(e) if not _is_monomial(f)]
     monomial = _collected(ex.mul(*(f for f in _factors(e) if _is_monomial(f))), space)
     for i, other in enumerate(others):

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
 
-from gcrules.algebra import expr as ex
+from gcrules.algebra import scalars
 from gcrules.algebra.assumptions.assumed import resolve
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.assumptions.incidences import fault
@@ -22,6 +22,7 @@ from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Meet, Point, join, points_of
 from gcrules.algebra.language.line_text import Leg
 from gcrules.algebra.language.text import text as as_text
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.space import Assumption, Space
 from gcrules.core.arguments import TEXT, WHOLE, instance, listed, read, row
 from gcrules.core.errors import InputError
@@ -156,7 +157,7 @@ class Structure:
         if not self.given:
             return ()
         at = Evaluator(self.construction.random_points(("dead", self.text())), self.rank, PRIME)
-        rows = {r: ex.bracket(*map(Point, r), rank=self.rank) for r in combinations(self.names, self.rank)}
+        rows = {r: bracket(*map(Point, r), rank=self.rank) for r in combinations(self.names, self.rank)}
         return tuple(r for r, e in rows.items() if not at.value(e)[0] and self.vanishes(e))
 
     def vanishes(self, e: Expr) -> bool:
@@ -239,7 +240,7 @@ class Structure:
     @cached_property
     def superbracket(self) -> Expr:
         """The superbracket of the legs as typed."""
-        return ex.superbracket(*self.lines, rank=self.rank)
+        return scalars.superbracket(*self.lines, rank=self.rank)
 
     @cached_property
     def degrees(self) -> tuple[tuple[int, ...], tuple[int, ...]]:

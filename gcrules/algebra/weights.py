@@ -22,6 +22,7 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.expr import Bracket, Expr, Number, Point
+from gcrules.algebra.scalars import bracket, power
 from gcrules.core.seeds import seed
 
 __all__ = ["unit_weights"]
@@ -46,7 +47,7 @@ def unit_weights(e: Expr, construction: Construction, *, limit: int = MAX_TERMS)
         free=(*construction.free, *names),
         ideal=(*construction.ideal, *(p.name for p in at_infinity)),
     )
-    scalar = ex.bracket(e, *new, rank=rank) if e.step else e
+    scalar = bracket(e, *new, rank=rank) if e.step else e
     poly = expand(scalar, ideal=construction.ideal, rank=rank, limit=limit)
     assert isinstance(poly, BracketPolynomial)
     return all(wider.is_zero(part, limit=limit) for part in _made_even(poly, at_infinity))
@@ -85,7 +86,7 @@ def _made_even(poly: BracketPolynomial, at_infinity: list[Point]) -> Iterator[Ex
                 ex.mul(
                     term,
                     *(
-                        ex.power(Bracket((*at_infinity, Point(n))), k - often[n])
+                        power(Bracket((*at_infinity, Point(n))), k - often[n])
                         for n, k in sorted(most.items())
                         if k > often[n] and n not in ideal
                     ),

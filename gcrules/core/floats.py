@@ -11,13 +11,13 @@ from __future__ import annotations
 import math
 from decimal import Context, Decimal
 from fractions import Fraction
-from numbers import Real
+from numbers import Integral, Rational, Real
 from typing import Any
 
 from gcrules.core.arguments import described, is_truth
 from gcrules.core.errors import InputError
 
-__all__ = ["as_float", "decimal", "exact", "exact_float"]
+__all__ = ["as_float", "decimal", "exact", "exact_float", "exact_number"]
 
 _WIDE = Context(prec=30, Emax=999_999, Emin=-999_999)
 
@@ -67,3 +67,10 @@ def exact_float(value: Any, what: str = "this") -> float:
     if not math.isfinite(found):
         raise InputError(f"{what} is {decimal(exact(value))}, expected a number that floats can hold")
     return found
+
+
+def exact_number(value: object) -> int | Fraction | None:
+    """A rational number as Python's own; None for what is none, floats among them, which are not exact."""
+    if isinstance(value, Integral):
+        return int(value)
+    return Fraction(value) if isinstance(value, Rational) else None

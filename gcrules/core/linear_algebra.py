@@ -14,7 +14,7 @@ from typing import Any
 
 from gcrules.core.budget import checkpoint
 
-__all__ = ["echelon", "kernel", "rank"]
+__all__ = ["echelon", "kernel", "permutation_sign", "rank"]
 
 Row = tuple[Any, ...]
 
@@ -65,3 +65,9 @@ def kernel(matrix: Iterable[Sequence[Any]], width: int, modulus: int | None = No
 
 def _number(x: Any, modulus: int | None) -> Any:
     return Fraction(x) if modulus is None else x % modulus
+
+
+def permutation_sign(order: Sequence[int]) -> int:
+    """+1 for an even arrangement of distinct numbers, −1 for an odd one."""
+    inversions = sum(order[i] > order[j] for i in range(len(order)) for j in range(i + 1, len(order)))
+    return -1 if inversions % 2 else 1

@@ -10,9 +10,10 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.assumed import holds
 from gcrules.algebra.bracket import BracketPolynomial, Coefficient, Monomial, Terms, sorted_row
 from gcrules.algebra.expand import expand
-from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Point, Power, Product, Sum, substitute
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Point, Power, Product, Sum
 from gcrules.algebra.language.rule_text import Instance, Order
-from gcrules.algebra.parts import first_part
+from gcrules.algebra.names import point_key
+from gcrules.algebra.parts import first_part, substitute
 from gcrules.algebra.space import Assumption, Space
 from gcrules.rules.matching import match_monomial, matches, trials
 
@@ -159,7 +160,7 @@ def _satisfied(guard: Order | Assumption, values: Mapping[str, Expr], space: Spa
 
 
 def _key(name: str, place: Mapping[str, int]) -> tuple[int, tuple[str, int, int]]:
-    return place.get(name, len(place)), ex.point_key(name)
+    return place.get(name, len(place)), point_key(name)
 
 
 def _with_rest(part: Expr, new: Expr, rest: tuple[Expr, ...], rank: int) -> Expr:

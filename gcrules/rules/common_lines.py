@@ -20,6 +20,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, Point, join, meet
 from gcrules.algebra.language.legs_text import Leg, leg_text
+from gcrules.algebra.names import point_key
 from gcrules.core.budget import checkpoint
 from gcrules.rules.recognition_state import extensor
 
@@ -60,7 +61,7 @@ class FourLegs:
     def joints(self) -> tuple[str, ...]:
         """The joints in their order."""
         used = {n for leg in self.legs for n in leg}
-        return tuple(n for n in self.names if n in used) or tuple(sorted(used, key=ex.point_key))
+        return tuple(n for n in self.names if n in used) or tuple(sorted(used, key=point_key))
 
     @cached_property
     def positions(self) -> tuple[Evaluator, ...]:

@@ -15,6 +15,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import ONE, Expr, Point
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.scalars import bracket
 from gcrules.rules.condition import Condition
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.rule import StructureRule
@@ -59,7 +60,7 @@ def _planes(far: list[Expr], near: list[Expr], oracle: Oracle) -> Iterator[tuple
             for finite in (p for line in near for p in line.children if not oracle.at_infinity(p)):
                 if new not in one.children:
                     common = ex.join(ex.meet(ex.join(one, finite), two), three)
-                    yield ex.bracket(one, new, finite), ex.join(one, new), common
+                    yield bracket(one, new, finite), ex.join(one, new), common
 
 
 FORCES_AND_COUPLES = StructureRule(

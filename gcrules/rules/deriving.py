@@ -9,6 +9,7 @@ from __future__ import annotations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import ONE, Expr, Point
 from gcrules.algebra.language.legs_text import Structure, leg_text
+from gcrules.algebra.scalars import superbracket
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import Claim
@@ -132,7 +133,7 @@ def terms_of(
         return Derivation((step,), structure.space)
     sign = form.sign * structure.sign
     legs = [structure.neutral[i] for i in form.order]
-    ordered = ex.mul(ex.Number(sign), ex.superbracket(*(ex.join(*map(Point, leg)) for leg in legs)))
+    ordered = ex.mul(ex.Number(sign), superbracket(*(ex.join(*map(Point, leg)) for leg in legs)))
     last = ex.mul(cofactor, structure.superbracket)
     steps = []
     if ordered != structure.superbracket:

@@ -15,6 +15,7 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr, Point, Sum
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.parts import first_part
+from gcrules.algebra.scalars import superbracket
 from gcrules.algebra.space import Space
 from gcrules.algebra.steps import (
     common_factors,
@@ -46,7 +47,7 @@ def _shortest(e: Expr, space: Space) -> Expr | None:
             return None
         form = shortest_forms(structure.neutral, points=structure.points, ideal=structure.ideal)[0]
         lines = (ex.join(*map(Point, structure.neutral[i])) for i in form.order)
-        after = ex.mul(ex.Number(form.sign * structure.sign), ex.superbracket(*lines))
+        after = ex.mul(ex.Number(form.sign * structure.sign), superbracket(*lines))
         return None if after == part else after
 
     return first_part(e, at, space.rank)

@@ -22,6 +22,7 @@ from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Bracket, Expr, Join, Point, points_of
 from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
 
 __all__ = ["alive", "said_of_lines", "written_back", "written_out"]
@@ -48,7 +49,7 @@ def _walk(e: Expr, stand_ins: StandIns, rank: int) -> Expr:
                         sign *= (-1) ** sum(p.step for p in parts[:at])
                         parts.insert(0, parts.pop(at))
                     parts[:2] = [line]
-            made = ex.join(*parts, rank=rank) if isinstance(e, Join) else ex.bracket(*parts, rank=rank)
+            made = ex.join(*parts, rank=rank) if isinstance(e, Join) else bracket(*parts, rank=rank)
             return ex.signed(sign, made)
         case ex.Meet(args=args, rank=r):
             factors = [_walk(a, stand_ins, rank) for a in args]

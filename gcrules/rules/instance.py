@@ -8,8 +8,9 @@ r"""Instances of the catalog's identities: what the superbracket of the legs of 
 from __future__ import annotations
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr, Join, Point, Product, Superbracket, substitute
+from gcrules.algebra.expr import Expr, Join, Point, Product, Superbracket
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.parts import substitute
 from gcrules.algebra.space import Space
 from gcrules.core.errors import InputError
 from gcrules.rules.catalog.file import load

@@ -26,6 +26,7 @@ from itertools import combinations, product
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, meet
+from gcrules.algebra.scalars import bracket, superbracket
 from gcrules.core.budget import checkpoint
 from gcrules.rules.common_lines import FREE, CommonLine, FourLegs, letters
 from gcrules.rules.random_witness import Oracle
@@ -54,7 +55,7 @@ def balance(four: FourLegs, p: CommonLine, q: CommonLine) -> Balance | None:
     no products of brackets and meets p ∧ ab of these degrees.
     """
     g, h = extensor(FREE[:2]), extensor(FREE[2:])
-    whole = ex.superbracket(*map(extensor, four.legs), g, h)
+    whole = superbracket(*map(extensor, four.legs), g, h)
     turns = compared(p.expression, q.expression, g, h)
     sides = [(at.value(whole)[0], at.value(turns)[0]) for at in four.positions]
     if not all(x and y for x, y in sides):
@@ -109,7 +110,7 @@ def _products(degrees: Counter[str], lines: Factors, names: Sequence[str]) -> It
         checkpoint()
         row = (left[0], *rest)
         for more in _products(degrees - Counter(row), (), names):
-            yield (ex.bracket(*map(Point, row)), *more)
+            yield (bracket(*map(Point, row)), *more)
     for line in lines:
         for ends in combinations(left, 2):
             factor = meet(line, extensor(ends))

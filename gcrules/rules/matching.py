@@ -10,20 +10,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations, permutations
 
 from gcrules.algebra.bracket import Monomial, Row, sorted_row
-from gcrules.algebra.expr import (
-    Bracket,
-    Expr,
-    Join,
-    Meet,
-    Number,
-    Point,
-    Power,
-    Product,
-    Sum,
-    Superbracket,
-    permutation_sign,
-)
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Point, Power, Product, Sum, Superbracket
 from gcrules.core.budget import Count
+from gcrules.core.linear_algebra import permutation_sign
 
 __all__ = ["MAX_TRIALS", "match_monomial", "matches", "trials"]
 

@@ -21,8 +21,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, TypeVar
 
-from gcrules.algebra.expr import Expr, Point, add, bracket, join, meet, mul, sub
+from gcrules.algebra.expr import Expr, Point, add, join, meet, mul, sub
 from gcrules.algebra.language.legs_text import leg_text
+from gcrules.algebra.scalars import bracket
 from gcrules.core.arguments import ANYTHING, FILE, TEXT, listed, read
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import FileError

@@ -9,9 +9,11 @@ from functools import cached_property
 from typing import Any
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra import scalars
 from gcrules.algebra.bracket import BracketPolynomial, Coefficient, Row, sorted_row
 from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.core.budget import checkpoint
 
@@ -74,7 +76,7 @@ class State:
     @property
     def brackets(self) -> list[Expr]:
         """The tetrahedra as brackets, the factors in front of the rest."""
-        return [ex.bracket(*map(Point, self.named(row))) for row in self.tetrahedra]
+        return [bracket(*map(Point, self.named(row))) for row in self.tetrahedra]
 
     def labels(self, rows: Iterable[Row], between: str = ", ") -> str:
         """Entities as text: "Aab, Bcd"."""
@@ -124,7 +126,7 @@ class State:
             [*((n, False) for n in self.named(plane)), (self.named((point,))[0], True)]
             for plane, point in zip(self.planes, self.left, strict=True)
         ]
-        return ex.mul(*self.brackets, ex.dotted(*brackets))
+        return ex.mul(*self.brackets, scalars.dotted(*brackets))
 
     def collected(self) -> Expr:
         """The form's polynomial with tetrahedra in front and each bracket beginning with its entity."""
@@ -139,6 +141,6 @@ class State:
                 row = (*entity, *(p for p in monomial[i] if p not in entity))
                 s, _ = sorted_row(row)
                 sign *= s
-                factors.append(ex.bracket(*map(Point, self.named(row))))
+                factors.append(bracket(*map(Point, self.named(row))))
             terms.append(ex.mul(ex.Number(sign), *factors))
         return ex.mul(*self.brackets, ex.add(*terms)) if self.degree else ex.mul(*terms, *self.brackets)

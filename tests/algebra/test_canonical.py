@@ -11,9 +11,11 @@ import pytest
 from gcrules.algebra import expr as ex
 from gcrules.algebra.canonical import Canonical, canonical
 from gcrules.algebra.evaluate import evaluate, random_rational_points
-from gcrules.algebra.expr import Expr, Point, points_of, substitute
+from gcrules.algebra.expr import Expr, Point, points_of
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context, parse
+from gcrules.algebra.parts import substitute
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.space import Assumption
 from gcrules.algebra.spelling import normal
 
@@ -51,8 +53,8 @@ def spelled(e: Expr, names: Mapping[str, Expr], rank: int, rng: random.Random) -
             moved = [spelled(a, names, rank, rng) for a in args]
             if moved[i].step % 2 and moved[j].step % 2:
                 moved[i], moved[j] = moved[j], moved[i]
-                return ex.neg(ex.bracket(*moved, rank=rank))
-            return ex.bracket(*moved, rank=rank)
+                return ex.neg(bracket(*moved, rank=rank))
+            return bracket(*moved, rank=rank)
         case ex.Sum(terms=terms):
             return ex.add(*(spelled(t, names, rank, rng) for t in rng.sample(terms, len(terms))), rank=rank)
         case ex.Product(factors=factors):
@@ -65,7 +67,7 @@ def test_the_same_problem_in_other_words(rank: int, text: str) -> None:
     given = parse_assumption(text, Context(rank)).given
     names = points_of(*(e for a in given for e in a.args))
     rng = random.Random(text)
-    claim = ex.bracket(*map(Point, names[:rank]), rank=rank)
+    claim = bracket(*map(Point, names[:rank]), rank=rank)
     for ideal in ((), names[:1], names[-2:]):
         expected = problem(rank, given, ideal, [claim])
         place = {n: i for i, n in enumerate(expected.points)}

@@ -19,7 +19,9 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import evaluate, plucker, random_points, random_rational_points, vanishes
 from gcrules.algebra.expr import Expr, Point, points_of
 from gcrules.algebra.language.syntax import parse, parse_equation
+from gcrules.algebra.scalars import bracket
 from gcrules.core.errors import InputError, StepError
+from gcrules.core.linear_algebra import permutation_sign
 
 SMALL_PRIME = 2**31 - 1
 ALL_RANKS = range(2, 9)
@@ -119,7 +121,7 @@ def test_line_coordinates() -> None:
 def test_bracket_is_the_determinant_of_the_columns(data: st.DataObject, rank: int) -> None:
     at = data.draw(coordinates(tuple(names(rank)), rank))
     expected = determinant(columns(list(at.values())))
-    assert evaluate(ex.bracket(*map(Point, at), rank=rank), at) == expected
+    assert evaluate(bracket(*map(Point, at), rank=rank), at) == expected
     assert expected == determinant(list(at.values()))  # the road itself: transposing changes nothing
 
 
@@ -128,7 +130,7 @@ def test_bracket_is_the_determinant_of_the_columns(data: st.DataObject, rank: in
 def test_floats_agree_with_numpy(rank: int, shape: tuple[int, ...]) -> None:
     rng = np.random.default_rng(rank)
     at = {n: rng.uniform(-1, 1, (*shape, rank)) for n in names(rank)}
-    found = evaluate(ex.bracket(*map(Point, at), rank=rank), at)
+    found = evaluate(bracket(*map(Point, at), rank=rank), at)
     expected = np.linalg.det(np.stack(list(at.values()), axis=-1))
     assert np.shape(found) == shape
     np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-12)
@@ -206,7 +208,7 @@ def test_meet_by_its_definition(rank: int, k: int, h: int) -> None:
     expected = [Fraction(0)] * comb(rank, k + h - rank)
     for first in combinations(range(k), rank - h):
         rest = [i for i in range(k) if i not in first]
-        sign = ex.permutation_sign([*first, *rest])
+        sign = permutation_sign([*first, *rest])
         scalar = sign * determinant(columns([*(at[a[i]] for i in first), *(at[n] for n in b)]))
         extensor = minors([at[a[i]] for i in rest]) if rest else (Fraction(1),)
         expected = [x + scalar * y for x, y in zip(expected, extensor, strict=True)]

@@ -16,7 +16,9 @@ from gcrules.algebra.evaluate import PRIME, Evaluator, evaluate, random_points
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Point, join, meet, points_of
 from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.scalars import bracket
 from gcrules.core.errors import LimitReached
+from gcrules.core.linear_algebra import permutation_sign
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 RANKS = range(2, 9)
@@ -214,9 +216,9 @@ def test_limits(text: str) -> None:
 def test_bracket_is_alternating(case: tuple[int, list[int]]) -> None:
     rank, order = case
     names = LETTERS[:rank]
-    one = expand(ex.bracket(*(Point(names[i]) for i in order), rank=rank))
-    assert one.to_expr() == ex.mul(ex.Number(ex.permutation_sign(order)), ex.bracket(*map(Point, names), rank=rank))
-    assert not expand(ex.bracket(*(Point(names[i]) for i in (*order[:-1], order[0])), rank=rank))
+    one = expand(bracket(*(Point(names[i]) for i in order), rank=rank))
+    assert one.to_expr() == ex.mul(ex.Number(permutation_sign(order)), bracket(*map(Point, names), rank=rank))
+    assert not expand(bracket(*(Point(names[i]) for i in (*order[:-1], order[0])), rank=rank))
 
 
 def test_oracle_knows_the_determinant() -> None:

@@ -45,6 +45,7 @@ from gcrules.algebra.factoring.splitting import split
 from gcrules.algebra.factoring.symmetry import Symmetries, moved_row
 from gcrules.algebra.factoring.trees import simplest
 from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.parts import substitute
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.errors import InputError, LimitReached
 
@@ -529,7 +530,7 @@ def test_coinciding_points(legs: list[str], rng: random.Random) -> None:
     kept, gone = sorted(rng.sample(range(len(p.points)), 2))
     names: dict[str, Expr] = {p.points[gone]: ex.Point(p.points[kept])}
     merged = coinciding(p, kept, gone)
-    assert vanishes(sub(ex.substitute(p.to_expr(), names), merged.to_expr()))
+    assert vanishes(sub(substitute(p.to_expr(), names), merged.to_expr()))
 
 
 @pytest.mark.parametrize("legs", ["Aa Ab Ba Bb Cc Dd", "Aa Ab Bc Cc Dd Ee"], ids=["4-4.4", "5-5.2"])

@@ -14,6 +14,7 @@ import pytest
 from gcrules.algebra import expand, space
 from gcrules.algebra import expr as ex
 from gcrules.algebra.language import syntax
+from gcrules.algebra.scalars import MAX_DOTTED_TERMS, MAX_EXPONENT
 from gcrules.algebra.straightening import straighten
 
 LIMIT = syntax.MAX_TEXT - 4_000  # characters, just below the limit of the language
@@ -364,9 +365,9 @@ def test_the_computer_notices_too_much_memory(compute: Compute) -> None:
         syntax.MAX_DIGITS,
         syntax.MAX_WORD,
         space.MAX_NAMES,
-        ex.MAX_EXPONENT,
+        MAX_EXPONENT,
         ex.MAX_COEFFICIENT_BITS,
-        ex.MAX_DOTTED_TERMS,
+        MAX_DOTTED_TERMS,
         expand.MAX_TERMS,
         straighten.WORK_PER_TERM * expand.MAX_TERMS,
     ],

@@ -14,6 +14,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
 from gcrules.algebra.expr import Expr, points_of, sub
 from gcrules.algebra.prove import Proof, prove
+from gcrules.algebra.scalars import bracket
 from gcrules.core.errors import StepError
 
 PROVED = [
@@ -204,7 +205,7 @@ def _sums_of_brackets(case: tuple[int, int]) -> st.SearchStrategy[tuple[int, str
 
     def built(terms: list[tuple[int, list[list[str]]]]) -> Expr:
         return ex.add(
-            *(ex.mul(ex.Number(c), *(ex.bracket(*map(ex.Point, r), rank=rank) for r in rows)) for c, rows in terms),
+            *(ex.mul(ex.Number(c), *(bracket(*map(ex.Point, r), rank=rank) for r in rows)) for c, rows in terms),
             rank=rank,
         )
 

@@ -17,12 +17,14 @@ from platform_classes import CLASSES
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, random_rational_points
 from gcrules.algebra.expand import expand_superbracket
-from gcrules.algebra.expr import Number, join, mul, permutation_sign, sub, substitute
+from gcrules.algebra.expr import Number, join, mul, sub
+from gcrules.algebra.parts import substitute
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.determinant import determinant_terms
 from gcrules.algebra.superbrackets.shortest import Line, counts, shortest_forms, superbracket_form
 from gcrules.algebra.superbrackets.superbracket import FORMS, form_terms
 from gcrules.core.errors import LimitReached, StepError
+from gcrules.core.linear_algebra import permutation_sign
 from gcrules.views.formulas.latex import latex
 
 ALL = pytest.mark.parametrize("facts", CLASSES, ids=[c["id"] for c in CLASSES])

@@ -14,6 +14,7 @@ from strategies import LONG_NAMES, RANKS, SHORT_NAMES, expressions
 
 import gcrules as gc
 from gcrules.algebra import expr as ex
+from gcrules.algebra import scalars
 from gcrules.algebra.expr import (
     Bracket,
     Dotted,
@@ -45,7 +46,7 @@ def join(names: str) -> Expr:
 
 
 def bracket(names: str) -> Expr:
-    return ex.bracket(*pts(names))
+    return scalars.bracket(*pts(names))
 
 
 AB, CDE, CD = join("a b"), join("c d e"), join("c d")

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from gcrules.algebra.evaluate import evaluate
-from gcrules.algebra.expr import Point, join, superbracket
+from gcrules.algebra.expr import Point, join
+from gcrules.algebra.scalars import superbracket
 from gcrules.core.errors import FileError, GcrulesError
 from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
 

@@ -38,13 +38,14 @@ from gcrules.poses.maps.grid import Grid, grid
 from gcrules.poses.maps.joining import joined
 from gcrules.poses.maps.limits import parse_limits
 from gcrules.poses.maps.maps import singular_map
-from gcrules.poses.maps.mesh import Mesh, glb, ply
+from gcrules.poses.maps.mesh import Mesh
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.maps.slices import Factor, factors, middle, slice_polynomial
 from gcrules.poses.maps.tracing import traced
 from gcrules.poses.numbers.cubic import superbracket_at
 from gcrules.screws.pose import Pose, parse_pose
 from gcrules.views.plots import map_files as outputs
+from gcrules.views.plots.map_meshes import glb, ply
 
 F = Fraction
 EXAMPLES = ("octahedral", "platform-6-3", "platform-6-4", "platform-6-6", "four-dof")
@@ -618,7 +619,9 @@ def test_meshes_are_read_back(robots: dict[str, Analysis]) -> None:
     assert high[1] * 1000 == pytest.approx(mesh.vertices[:, 2].max(), abs=0.1)
     data = glb(mesh)
     assert int.from_bytes(data[8:12], "little") == len(data)
-    assert b'"units": ["mm", "mm", "mm"]' in data
+    described = json.loads(data[20 : 20 + int.from_bytes(data[12:16], "little")])
+    assert described["scenes"][0]["extras"] == {"axes": ["x", "y", "z"], "units": ["mm", "mm", "mm"]}
+    assert described["asset"]["extras"]["unit_of_length"] == "mm"
 
 
 def test_an_empty_surface(robots: dict[str, Analysis]) -> None:
@@ -942,7 +945,13 @@ def test_the_command_tells_faults(robot: str, arguments: tuple[str, ...], code: 
 
 @pytest.mark.parametrize(
     ("module", "suffix", "over"),
-    [("skimage", ".ply", SOLID), ("skimage", ".png", SOLID), ("matplotlib", ".svg", OVER), ("h5netcdf", ".nc", OVER)],
+    [
+        ("skimage", ".ply", SOLID),
+        ("trimesh", ".glb", SOLID),
+        ("skimage", ".png", SOLID),
+        ("matplotlib", ".svg", OVER),
+        ("h5netcdf", ".nc", OVER),
+    ],
     ids=str,
 )
 def test_missing_libraries(

@@ -21,6 +21,7 @@ from gcrules.algebra.expr import ONE, mul, neg, sub
 from gcrules.algebra.language.legs_text import read_legs
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context, parse
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.space import Space
 from gcrules.algebra.straightening.straighten import next_syzygy, straighten, straighten_steps
 from gcrules.algebra.superbrackets.shortest import superbracket_form
@@ -185,7 +186,7 @@ def test_a_claim_with_a_cofactor() -> None:
         id="twice",
         sentence="One more tetrahedron.",
         degree=0,
-        expression=lambda s: mul(parse("[ABde]"), *(ex.bracket(*map(ex.Point, s.named(r))) for r in s.tetrahedra)),
+        expression=lambda s: mul(parse("[ABde]"), *(bracket(*map(ex.Point, s.named(r))) for r in s.tetrahedra)),
         cofactor=lambda s: parse("[ABde]"),
         statement="{expression}",
     )

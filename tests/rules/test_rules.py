@@ -21,6 +21,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.rule_text import Order
 from gcrules.algebra.language.statements import parse_assumption, parse_script
 from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.space import Space
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.rules.check import check_cases, check_rules, fires_on
@@ -289,9 +290,9 @@ def test_runs_in_every_rank(rank: int) -> None:
     assert instance is not None
     names = [f"p{i}" for i in range(rank + 2)]
     shared, (w, x, y, z) = names[: rank - 2], names[rank - 2 :]
-    before = ex.mul(*(ex.bracket(*map(ex.Point, (*shared, *pair)), rank=rank) for pair in ((w, y), (x, z))))
+    before = ex.mul(*(bracket(*map(ex.Point, (*shared, *pair)), rank=rank) for pair in ((w, y), (x, z))))
     after = rule.rewrite(before, Space(rank))
-    other = ex.mul(*(ex.bracket(*map(ex.Point, (*shared, *pair)), rank=rank) for pair in ((w, z), (x, y))))
+    other = ex.mul(*(bracket(*map(ex.Point, (*shared, *pair)), rank=rank) for pair in ((w, z), (x, y))))
     fired = [e for e in (before, other) if rule.rewrite(e, Space(rank)) is not None]
     assert fired or after is not None
     for e in fired:

@@ -22,10 +22,11 @@ from gcrules.algebra import claims
 from gcrules.algebra.assumptions.assumed import resolve
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
-from gcrules.algebra.expr import Expr, Point, sub, substitute
+from gcrules.algebra.expr import Expr, Point, sub
 from gcrules.algebra.language.legs_text import read_legs
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
+from gcrules.algebra.parts import substitute
 from gcrules.algebra.prove import Proof, prove
 from gcrules.apps.cli import cli
 from gcrules.conditions.analysis import analyze

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, tableau_order
 from gcrules.algebra.expr import Expr, Point
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.errors import LimitReached
 
@@ -51,4 +52,4 @@ def pascal(six: Sequence[str]) -> tuple[Expr, Expr, Expr]:
 
 
 def _on_conic(six: Sequence[str]) -> Expr:
-    return ex.bracket(*pascal(six), rank=3)
+    return bracket(*pascal(six), rank=3)

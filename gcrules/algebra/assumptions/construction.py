@@ -23,6 +23,7 @@ from gcrules.algebra.bracket import Monomial, Terms, tableau_order
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expand import MAX_TERMS, Expander, Multivector
 from gcrules.algebra.expr import Expr, Join, Point, points_of
+from gcrules.algebra.parts import substitute
 from gcrules.algebra.straightening.straighten import terms_are_zero
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
@@ -137,7 +138,7 @@ class Construction:
         """With other names for all points; `points` are those of the user in tableau order, in the new names."""
 
         def of(es: Iterable[Expr]) -> tuple[Expr, ...]:
-            return tuple(ex.substitute(e, {n: Point(name(n)) for n in points_of(e)}, self.rank) for e in es)
+            return tuple(substitute(e, {n: Point(name(n)) for n in points_of(e)}, self.rank) for e in es)
 
         def step(s: Step) -> Step:
             (within,) = of([s.within])

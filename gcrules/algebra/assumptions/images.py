@@ -12,6 +12,8 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point
+from gcrules.algebra.parts import substitute
+from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
 
 __all__ = ["MAX_KINDS", "Kind", "with_images"]
@@ -52,7 +54,7 @@ def with_images(told: Sequence[Kind], symmetries: Sequence[Mapping[str, str]]) -
             c = kind.construction.renamed(partial(_image, s), kind.construction.points)
             if len(found) < MAX_KINDS and _dependent(c) not in found:
                 names: dict[str, Expr] = {old: Point(new) for old, new in s.items()}
-                where = tuple(ex.substitute(e, names, c.rank) for e in kind.where)
+                where = tuple(substitute(e, names, c.rank) for e in kind.where)
                 waiting.append(Kind(where, c, image=True))
                 found[_dependent(c)] = waiting[-1]
     if len(found) == len(told):
@@ -90,7 +92,7 @@ def _only_there(
 
     def vanishing(some: tuple[str, ...]) -> Expr:
         e = ex.join(*map(Point, some), rank=rank)
-        return ex.bracket(e, rank=rank) if e.step == rank else e
+        return bracket(e, rank=rank) if e.step == rank else e
 
     left = list(others)
     alone = next((some for some in order if not any(some in other for other in left)), None)

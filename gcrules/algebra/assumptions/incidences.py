@@ -21,6 +21,8 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.linear import hyperplane, is_extensor, simplified, weighted, weights
 from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point, Power, Product, Sum, points_of
+from gcrules.algebra.names import point_key
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.space import Assumption
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
@@ -141,7 +143,7 @@ def _sorted(e: Expr, rank: int) -> Expr:
     if isinstance(e, Join | Bracket):
         args = sorted(e.args, key=lambda a: (not isinstance(a, Point), *name_key(a)))
         joined = ex.join(*args, rank=rank)
-        return ex.bracket(joined, rank=rank) if joined.step == rank else joined
+        return bracket(joined, rank=rank) if joined.step == rank else joined
     return e
 
 
@@ -151,7 +153,7 @@ def _unsigned(e: Expr) -> Expr:
 
 
 def name_key(e: Expr) -> tuple[tuple[str, int, int], str]:
-    return ex.point_key(e.name if isinstance(e, Point) else ""), str(e)
+    return point_key(e.name if isinstance(e, Point) else ""), str(e)
 
 
 def on(cause: Assumption, p: Expr, X: Expr, rank: int) -> Condition:

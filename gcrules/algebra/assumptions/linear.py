@@ -19,6 +19,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point, Product, Sum, points_of
+from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
 
@@ -79,7 +80,7 @@ def _out(e: Expr, name: str, other: Expr | None, rank: int) -> Expr | None:
             if factors[i].step:
                 return _times(rest, _out(factors[i], name, other, rank))
             (extensor,) = (f for f in rest if f.step)
-            closed = ex.bracket(extensor, *([other] if other is not None else []), rank=rank)
+            closed = bracket(extensor, *([other] if other is not None else []), rank=rank)
             scalars = [f for f in rest if not f.step]
             return _times((*scalars, closed), _scalar(factors[i], name, rank))
         case Sum(terms=terms):

@@ -16,6 +16,7 @@ from gcrules.algebra.assumptions.construction import Step
 from gcrules.algebra.assumptions.incidences import Helper
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
 from gcrules.algebra.language.text import text
+from gcrules.algebra.parts import substitute
 
 __all__ = ["assumed", "fewest", "words"]
 
@@ -88,7 +89,7 @@ def _told(e: Expr, helpers: Mapping[str, Helper], rank: int) -> Expr | None:
             if any(n in points_of(a) for a in rest) or sum(a.step for a in rest) + h.line.step > rank:
                 return None
             return _told(ex.join(*rest, h.line, rank=rank), helpers, rank)
-    return ex.substitute(e, names, rank) if names else e
+    return substitute(e, names, rank) if names else e
 
 
 def _implies(whole: Expr, part: Expr) -> bool:

@@ -29,7 +29,7 @@ from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms, primitiv
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Bracket, Expr, Number, Point, Power, Product
 from gcrules.algebra.language.text import text
-from gcrules.algebra.space import Assumption
+from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.budget import checkpoint, watched
 from gcrules.core.deferred import deferred
@@ -47,11 +47,9 @@ _MAX_BRACKETS = 300  # of the points of a scalar
 
 @dataclass(frozen=True)
 class Task:
-    """Where the points are: the rank, all points in tableau order, those at infinity first; how to construct them."""
+    """What is given of the points of a space, in tableau order, and how to construct points of which some is given."""
 
-    rank: int
-    points: tuple[str, ...]
-    ideal: tuple[str, ...]
+    space: Space
     construct: Callable[[tuple[Assumption, ...]], Construction]
 
 
@@ -81,10 +79,11 @@ class _Open:
     nonzero: tuple[Expr, ...] = ()
 
 
-def alternatives(given: Sequence[Assumption], task: Task) -> list[Alternative]:
+def alternatives(task: Task) -> list[Alternative]:
     """The alternatives that together are all that is given allows. Raises InputError where there are too many."""
-    plain = tuple(a for a in given if _plain(a, task.rank))
-    pieces = {a: _pieces(a, task.rank) for a in given if a not in plain}
+    given, rank = task.space.given, task.space.rank
+    plain = tuple(a for a in given if _plain(a, rank))
+    pieces = {a: _pieces(a, rank) for a in given if a not in plain}
     waiting = [_Open(plain, tuple(dict.fromkeys(p for some in pieces.values() for p in some)))]
     done: dict[frozenset[str], Alternative] = {}
     for _ in range(_MAX_ROUNDS):
@@ -160,7 +159,7 @@ def _next(at: _Open, task: Task) -> Iterator[_Open]:
     Raises InputError where the plain assumptions alone cannot be satisfied.
     """
     for a in at.plain:
-        if (ways := _through_a_corner(a, task.rank)) is not None:
+        if (ways := _through_a_corner(a, task.space.rank)) is not None:
             for e, some in ways:
                 plain = dict.fromkeys(x for x in (*at.plain, *some) if x != a)
                 where = at.where if e == ex.ZERO else tuple(dict.fromkeys((*at.where, e)))
@@ -228,7 +227,7 @@ def _parts(a: Assumption, base: Construction, task: Task) -> tuple[tuple[Expr, .
 
     None where nothing is gained: the assumption is one scalar that is no product.
     """
-    (e,) = equations(a, task.rank)
+    (e,) = equations(a, task.space.rank)
     written = tuple(_factors(e))
     if len(written) > 1 or written[:1] not in ((), (e,)):
         return tuple(dict.fromkeys(written)), ()
@@ -266,7 +265,7 @@ def _factors(e: Expr) -> Iterator[Expr]:
 
 def _polynomial(e: Expr, task: Task) -> BracketPolynomial:
     """The normal form. Raises LimitReached for one of many terms."""
-    found = straighten(e, points=task.points, ideal=task.ideal, rank=task.rank, limit=_MAX_TERMS)
+    found = straighten(e, points=task.space.points, ideal=task.space.ideal, rank=task.space.rank, limit=_MAX_TERMS)
     assert isinstance(found, BracketPolynomial)
     return found
 
@@ -275,12 +274,12 @@ def _without_zeros(e: Expr, base: Construction, task: Task) -> BracketPolynomial
     """What is left of a scalar, in normal form, without the brackets that vanish by other assumptions: without terms
     that hold one, in whichever order of the points there are most of them.
     """
-    left = expand(e, points=task.points, ideal=task.ideal, rank=task.rank, limit=_MAX_TERMS)
+    left = expand(e, points=task.space.points, ideal=task.space.ideal, rank=task.space.rank, limit=_MAX_TERMS)
     assert isinstance(left, BracketPolynomial)
     used = sorted({i for m in left.terms for row in m for i in row})
-    if comb(len(used), task.rank) > _MAX_BRACKETS:
+    if comb(len(used), task.space.rank) > _MAX_BRACKETS:
         return _normal(left)
-    names = [tuple(left.points[i] for i in row) for row in combinations(used, task.rank)]
+    names = [tuple(left.points[i] for i in row) for row in combinations(used, task.space.rank)]
     zeros = [row for row in names if _is_zero(Bracket(tuple(map(Point, row))), base)]
     left = _dropped(left, zeros)
     if len(left) == 1:
@@ -320,9 +319,9 @@ def _solved(at: _Open, task: Task) -> _Open | None:
 
     rows: dict[int, Terms] = {}
     for i, a in enumerate(at.scalars):
-        (e,) = equations(a, task.rank)
+        (e,) = equations(a, task.space.rank)
         try:
-            rows[i] = dict(_polynomial(e, task).over(_order(task), len(task.ideal)).terms)
+            rows[i] = dict(_polynomial(e, task).over(_order(task), len(task.space.ideal)).terms)
         except LimitReached:
             continue
     reduced = _echelon(list(rows.values()))
@@ -333,13 +332,13 @@ def _solved(at: _Open, task: Task) -> _Open | None:
     if any(set(terms) == {()} for terms in reduced):
         raise fault(cause, "it contradicts the others: together they say that 1 is 0")
     for terms in reduced:
-        poly = BracketPolynomial(task.rank, _order(task), terms, len(task.ideal))
+        poly = BracketPolynomial(task.space.rank, _order(task), terms, len(task.space.ideal))
         found = _with(found, primitive(poly)[1].to_expr(), cause)
     return found
 
 
 def _order(task: Task) -> tuple[str, ...]:
-    return (*task.ideal, *(n for n in task.points if n not in task.ideal))
+    return (*task.space.ideal, *(n for n in task.space.points if n not in task.space.ideal))
 
 
 def _echelon(rows: Sequence[Mapping[Monomial, int | Fraction]]) -> list[Terms]:

@@ -37,6 +37,7 @@ from gcrules.algebra.assumptions.incidences import (
 )
 from gcrules.algebra.assumptions.linear import is_extensor, weights
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, points_of
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.space import Assumption
 from gcrules.core.errors import StepError
 
@@ -148,7 +149,7 @@ def _named_meets(assumption: Assumption, rank: int, helpers: dict[Expr, Helper])
             case Meet(args=args):
                 return ex.meet(*map(walk, args), rank=rank)
             case Bracket(args=args):
-                return ex.bracket(*map(walk, args), rank=rank)
+                return bracket(*map(walk, args), rank=rank)
         return e
 
     def inside(e: Expr) -> Expr:

@@ -14,6 +14,7 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row, 
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.powers import number_power, powers
+from gcrules.algebra.names import step_name
 from gcrules.core.errors import InputError
 
 __all__ = ["Pieces", "taken_apart"]
@@ -99,4 +100,4 @@ def _together(
 
 
 def _no_scalar(what: str, step: int, rank: int) -> InputError:
-    return InputError(f"only scalars are {what}, this is {ex.step_name(step, rank)}")
+    return InputError(f"only scalars are {what}, this is {step_name(step, rank)}")

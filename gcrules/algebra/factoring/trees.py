@@ -20,6 +20,8 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.extensors import Tree
 from gcrules.algebra.language.text import text
+from gcrules.algebra.names import point_key
+from gcrules.algebra.scalars import bracket
 
 __all__ = ["Written", "simplest"]
 
@@ -99,11 +101,11 @@ class _Writer:
 
     def rooted(self, node: _Node, nodes: int) -> Written:
         parts = self._parts(node, None)
-        e = ex.bracket(*parts, rank=self.rank) if node.kind == "join" else ex.meet(*parts, rank=self.rank)
+        e = bracket(*parts, rank=self.rank) if node.kind == "join" else ex.meet(*parts, rank=self.rank)
         return Written(e, nodes, self.names)
 
     def _parts(self, node: _Node, source: _Node | None) -> list[Expr]:
-        points = sorted(node.points, key=lambda n: (self.place.get(n, 0), ex.point_key(n)))
+        points = sorted(node.points, key=lambda n: (self.place.get(n, 0), point_key(n)))
         branches = list(node.ties)
         if source is not None:
             branches.remove(source)

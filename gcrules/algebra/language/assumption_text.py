@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax import Builder, Node, span_of
+from gcrules.algebra.names import step_name
 from gcrules.algebra.space import Assumption, Place
 from gcrules.core.errors import InputError, StepError
 
@@ -31,7 +32,7 @@ def _points_only(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], N
         for arg, tree in zip(args, trees, strict=True):
             if arg.step != 1:
                 hint = "separate the points with commas" if isinstance(arg, ex.Join) else None
-                what = f"{ex.step_name(arg.step, rank)} where a point is expected"
+                what = f"{step_name(arg.step, rank)} where a point is expected"
                 raise StepError(what, span=span_of(tree), hint=hint)
         if len(args) < number:
             found = "1 point is" if len(args) == 1 else f"{len(args)} points are"
@@ -46,7 +47,7 @@ def _steps_between(number: int) -> Callable[[tuple[Expr, ...], list[Node], int],
     def check(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
         for arg, tree in zip(args, trees, strict=True):
             if not 1 <= arg.step < rank:
-                raise StepError(f"{ex.step_name(arg.step, rank)} where an extensor is expected", span=span_of(tree))
+                raise StepError(f"{step_name(arg.step, rank)} where an extensor is expected", span=span_of(tree))
         if len(args) < number:
             raise InputError(f"at least {number} extensors are expected, found {len(args)}")
 

@@ -11,9 +11,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from gcrules.algebra.expr import Expr, Join, Meet, Point, step_name, subexpressions
+from gcrules.algebra.expr import Expr, Join, Meet, Point, subexpressions
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.names import step_name
 from gcrules.core.errors import InputError, Span, StepError
 
 __all__ = ["Leg", "different", "read_line", "split_lines"]

@@ -9,6 +9,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.assumption_text import read_assumption
 from gcrules.algebra.language.syntax import Builder, Context, Node, run_name, span_of
+from gcrules.algebra.names import step_name
 from gcrules.algebra.space import RANKS, Assumption, shortened
 from gcrules.core.errors import GcrulesError, InputError, Span, StepError
 from gcrules.core.frozen import FrozenMap
@@ -111,7 +112,7 @@ def _instance(
     builder = Builder(space, runs)
     before, after = builder.value(left), builder.value(right)
     if before.step != after.step and ex.ZERO not in (before, after):
-        names = (ex.step_name(after.step, space.rank), ex.step_name(before.step, space.rank))
+        names = (step_name(after.step, space.rank), step_name(before.step, space.rank))
         raise StepError(f"{names[0]} cannot replace {names[1]}", span=span_of(right))
     bound = {*ex.points_of(before)}
     found: list[Order | Assumption] = []

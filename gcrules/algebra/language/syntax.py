@@ -21,9 +21,12 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra import scalars
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax_faults import call_hint, syntax_fault
 from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.names import step_name
+from gcrules.algebra.scalars import MAX_EXPONENT, superbracket
 from gcrules.algebra.space import Space, shortened
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import GcrulesError, Span, StepError, SyntaxFault
@@ -179,7 +182,7 @@ class Builder:
 
     def _plain(self, found: _Value, tree: Node) -> Expr:
         if isinstance(found, _DottedBracket):
-            return ex.dotted(found.points, rank=self.rank)
+            return scalars.dotted(found.points, rank=self.rank)
         if isinstance(found, _DottedRun):
             raise SyntaxFault(
                 "a dot outside a bracket", span=span_of(tree), hint="dots mark points of brackets: [.a b c d]"
@@ -203,7 +206,7 @@ class Builder:
     def equation(self, tree: Node) -> tuple[Expr, Expr]:
         left, right = map(self.value, tree.children)
         if left.step != right.step and ex.ZERO not in (left, right):
-            names = (ex.step_name(left.step, self.rank), ex.step_name(right.step, self.rank))
+            names = (step_name(left.step, self.rank), step_name(right.step, self.rank))
             raise StepError(f"{names[0]} cannot equal {names[1]}", span=span_of(tree))
         return left, right
 
@@ -213,7 +216,7 @@ class Builder:
         for sign, term in zip(rest[::2], rest[1::2], strict=True):
             terms.append(ex.neg(self.value(term)) if sign.type == "MINUS" else self.value(term))
             if terms[-1].step != terms[0].step and ex.ZERO not in (terms[-1], terms[0]):
-                names = (ex.step_name(terms[-1].step, self.rank), ex.step_name(terms[0].step, self.rank))
+                names = (step_name(terms[-1].step, self.rank), step_name(terms[0].step, self.rank))
                 raise StepError(
                     f"cannot add {names[0]} to {names[1]}",
                     span=span_of(term),
@@ -247,7 +250,7 @@ class Builder:
             return _DottedRun(tuple(entry for p, t in zip(parts, trees, strict=True) for entry in self._entries(p, t)))
         dotted = [p.points for p in parts if isinstance(p, _DottedBracket)]
         plain = [p for p in parts if isinstance(p, Expr)]
-        return ex.join(*plain, *([ex.dotted(*dotted, rank=self.rank)] if dotted else []), rank=self.rank)
+        return ex.join(*plain, *([scalars.dotted(*dotted, rank=self.rank)] if dotted else []), rank=self.rank)
 
     def _entries(self, part: _Value, tree: Node) -> tuple[tuple[str, bool], ...]:
         match part:
@@ -262,9 +265,9 @@ class Builder:
     def power(self, tree: Node) -> Expr:
         base, exponent = tree.children
         n = whole(exponent, "an exponent")
-        if n > ex.MAX_EXPONENT:
-            raise SyntaxFault(f"an exponent above the limit {ex.MAX_EXPONENT}", span=span_of(exponent))
-        return ex.power(self.value(base), n, rank=self.rank)
+        if n > MAX_EXPONENT:
+            raise SyntaxFault(f"an exponent above the limit {MAX_EXPONENT}", span=span_of(exponent))
+        return scalars.power(self.value(base), n, rank=self.rank)
 
     def word(self, tree: Node) -> _Value:
         entries = self.split(tree.children[0])
@@ -298,10 +301,10 @@ class Builder:
     def bracket(self, tree: Node) -> _Value:
         first = tree.children[0]
         if len(tree.children) == 1 and first.data == "bracket" and span_of(first).start == span_of(tree).start + 1:
-            return ex.superbracket(*map(self.value, first.children), rank=self.rank)
+            return superbracket(*map(self.value, first.children), rank=self.rank)
         sizes = [self._size(t) for t in tree.children]
         if None not in sizes and sum(n or 0 for n in sizes) > self.rank:
-            ex.bracket(*[ex.Point("a")] * sum(n or 0 for n in sizes), rank=self.rank)  # raises, naming the bracket
+            scalars.bracket(*[ex.Point("a")] * sum(n or 0 for n in sizes), rank=self.rank)  # raises, naming the bracket
         trees = self._present(tree.children)
         parts = [self.any(t) for t in trees]
         if any(isinstance(p, _DottedRun) for p in parts):
@@ -309,7 +312,7 @@ class Builder:
             if len(entries) != self.rank:
                 raise StepError(f"a bracket of {len(entries)} points, expected {self.rank} in rank {self.rank}")
             return _DottedBracket(tuple(entries))
-        return ex.bracket(*map(self._plain, parts, trees), rank=self.rank)
+        return scalars.bracket(*map(self._plain, parts, trees), rank=self.rank)
 
     def _size(self, tree: Node) -> int | None:
         """The number of points if there are only points side by side."""

@@ -22,9 +22,9 @@ from math import factorial, prod
 from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms
-from gcrules.algebra.expr import permutation_sign
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
+from gcrules.core.linear_algebra import permutation_sign
 
 if TYPE_CHECKING:
     import numpy as np

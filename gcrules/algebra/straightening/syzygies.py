@@ -12,8 +12,8 @@ from itertools import combinations
 from math import comb
 
 from gcrules.algebra.bracket import Monomial, Row, sorted_row
-from gcrules.algebra.expr import permutation_sign
 from gcrules.core.budget import checkpoint
+from gcrules.core.linear_algebra import permutation_sign
 
 __all__ = ["Pattern", "exchange", "offending_column", "pattern_of", "syzygy", "two_row_pattern", "two_rows"]
 

@@ -24,7 +24,7 @@ from heapq import heapify, heappop, heappush
 from itertools import combinations
 
 from gcrules.algebra.bracket import Monomial, Row, Terms, sorted_row
-from gcrules.algebra.expr import permutation_sign
+from gcrules.core.linear_algebra import permutation_sign
 
 __all__ = ["Pair", "determinant_terms"]
 

@@ -13,9 +13,9 @@ from itertools import permutations
 from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms, sorted_row, tableau_order
-from gcrules.algebra.expr import permutation_sign
 from gcrules.algebra.superbrackets.superbracket import FORMS, form_terms
 from gcrules.core.budget import checkpoint
+from gcrules.core.linear_algebra import permutation_sign
 from gcrules.core.shown import Shown
 
 if TYPE_CHECKING:

@@ -7,9 +7,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
-from gcrules.algebra.expr import Expr, step_name
+from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
+from gcrules.algebra.names import step_name
 from gcrules.apps.repl.reading import as_typed
 from gcrules.apps.repl.state import Settings
 from gcrules.core.errors import GcrulesError, LimitReached

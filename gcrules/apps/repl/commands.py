@@ -9,9 +9,10 @@ from os.path import expanduser
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expand import expand
-from gcrules.algebra.expr import Expr, points_of, step_name
+from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.language.legs_text import read_legs
 from gcrules.algebra.language.statements import parse_script
+from gcrules.algebra.names import step_name
 from gcrules.algebra.straightening.straighten import straighten, straighten_steps
 from gcrules.apps.repl.answers import Answer, bound_text, polynomial_text, value_text
 from gcrules.apps.repl.help import help_text

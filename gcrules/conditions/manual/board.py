@@ -15,8 +15,9 @@ from itertools import islice, permutations, product
 from operator import and_
 
 from gcrules.algebra.bracket import BracketPolynomial, Coefficient, Monomial, Row
-from gcrules.algebra.expr import Expr, Number, Point, bracket, mul, signed
+from gcrules.algebra.expr import Expr, Number, Point, mul, signed
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm, superbracket_form
 from gcrules.core.budget import checkpoint
 from gcrules.rules.condition import Condition, Entity, starred

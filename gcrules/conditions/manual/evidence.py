@@ -12,8 +12,9 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.claims import digest
 from gcrules.algebra.evaluate import PRIME, Evaluator, evaluate, random_points, random_rational_points
 from gcrules.algebra.expand import expand
-from gcrules.algebra.expr import Expr, Number, Point, bracket, mul
+from gcrules.algebra.expr import Expr, Number, Point, mul
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.scalars import bracket
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import superbracket_form
 from gcrules.conditions.example_poses import singular_poses

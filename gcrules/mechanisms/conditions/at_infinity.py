@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product
+from gcrules.algebra.scalars import bracket
 
 __all__ = ["INFINITY", "separated"]
 
@@ -35,7 +36,7 @@ def separated(e: Expr, far: Callable[[Expr], bool], finite: str) -> tuple[Expr, 
 def _rebuilt(e: Expr, far: Callable[[Expr], bool], finite: str, pulled: list[Expr]) -> Expr:
     if e.step == 3 and isinstance(e, Join | Meet) and e != INFINITY and far(e):
         args = e.args if isinstance(e, Join) else (e,)
-        pulled.append(ex.bracket(*(_rebuilt(a, far, finite, pulled) for a in args), Point(finite)))
+        pulled.append(bracket(*(_rebuilt(a, far, finite, pulled) for a in args), Point(finite)))
         return INFINITY
     match e:
         case Meet(args=args):

@@ -20,6 +20,7 @@ from math import comb
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.text import text
+from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
 from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault, LimitReached
@@ -187,7 +188,7 @@ def _candidates(along: Along, lines: Sequence[Pair]) -> Iterator[Expr]:
 def _bracket(names: Sequence[str], rank: int) -> Expr:
     if len(set(names)) < len(names):
         return ex.Number(0)
-    return ex.bracket(*map(ex.Point, names), rank=rank)
+    return bracket(*map(ex.Point, names), rank=rank)
 
 
 def _coincidence(along: Along, lines: Sequence[Pair], left: Poly) -> str:

@@ -11,6 +11,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
+from gcrules.algebra.scalars import bracket
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import checkpoint
 from gcrules.core.english import listed
@@ -151,8 +152,7 @@ def _given_lines(robot: RobotText) -> Equivalent:
     given = tuple(
         some
         for some in combinations(names, rank)
-        if not set(some) <= set(ideal)
-        and not any(one.value(ex.bracket(*map(ex.Point, some), rank=rank))[0] for one in at)
+        if not set(some) <= set(ideal) and not any(one.value(bracket(*map(ex.Point, some), rank=rank))[0] for one in at)
     )
     return Equivalent((), lines, robot.mobility, 0, 0, full, ideal, given)
 

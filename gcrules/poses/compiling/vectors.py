@@ -15,8 +15,9 @@ from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import Evaluator
-from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket, permutation_sign
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket
 from gcrules.algebra.language.line_text import Leg
+from gcrules.core.linear_algebra import permutation_sign
 from gcrules.poses.compiling.scalars import Ring, Scalar
 
 __all__ = ["Places", "Vector", "add", "cross", "dot", "of_expression", "of_legs", "of_polynomial", "sub"]

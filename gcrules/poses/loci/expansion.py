@@ -22,9 +22,9 @@ from itertools import combinations
 from math import lcm
 from typing import Any
 
-from gcrules.algebra.expr import permutation_sign
 from gcrules.core.budget import checkpoint
 from gcrules.core.frozen import FrozenMap
+from gcrules.core.linear_algebra import permutation_sign
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.numbers.cubic import EXPONENTS, interpolated
 from gcrules.screws.rotations import unscaled

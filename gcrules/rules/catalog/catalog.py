@@ -14,11 +14,13 @@ from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
-from gcrules.algebra.expr import Expr, Point, substitute
+from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.parts import substitute
 from gcrules.core.errors import EngineFault, FileError
 from gcrules.core.frozen import FrozenMap
+from gcrules.core.linear_algebra import permutation_sign
 from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.proofs import Standing, is_shipped, standing
 from gcrules.rules.claims import certify
@@ -43,7 +45,7 @@ class Match:
             image = (self.mapping[a], self.mapping[b])
             order.append(position[frozenset(image)])
             turned += structure.legs[order[-1]] != image
-        return -ex.permutation_sign(order) if turned % 2 else ex.permutation_sign(order)
+        return -permutation_sign(order) if turned % 2 else permutation_sign(order)
 
 
 @dataclass(frozen=True)

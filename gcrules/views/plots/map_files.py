@@ -9,10 +9,10 @@ from collections.abc import Sequence
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.files import check_target, replacing
-from gcrules.poses.maps.mesh import glb, ply
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.maps.store import written
 from gcrules.views.plots.map_data import netcdf
+from gcrules.views.plots.map_meshes import glb, ply
 
 __all__ = ["PICTURES", "SUFFIXES", "check_outputs", "save"]
 
@@ -35,6 +35,8 @@ def check_outputs(paths: Sequence[str], axes: int) -> None:
             raise InputError(f"{path}: a surface needs three coordinates", hint="give --over three times")
         if suffix in _MESHES or (suffix in PICTURES and axes == 3):
             _need("skimage", "surfaces need scikit-image")
+        if suffix == ".glb":
+            _need("trimesh", "GLB files need trimesh")
         if suffix in PICTURES:
             _need("matplotlib", "pictures need matplotlib")
         if suffix == ".nc":

@@ -11,9 +11,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from gcrules.poses.maps.mesh import SHEETS, Mesh
+from gcrules.poses.maps.mesh import Mesh
 from gcrules.poses.maps.report import SingularMap
 from gcrules.views.drawing.palette import LIGHT
+from gcrules.views.plots.map_meshes import SHEETS, sheet_colours
 
 __all__ = ["views"]
 
@@ -95,7 +96,7 @@ def _rendered(mesh: Mesh, places: Floats, normals: Floats, margin: Floats, half:
     number = _PIXELS * _PIXELS
     depth = np.full(number, -np.inf)
     colour = np.zeros((number, 3))
-    base = np.array([[int(LIGHT[role][k : k + 2], 16) for k in (1, 3, 5)] for role in SHEETS], dtype=np.float64)
+    base = sheet_colours().astype(np.float64)
     light = _LIGHT / np.linalg.norm(_LIGHT)
     pixels = (places[:, :2] / (2 * half) + 0.5) * _PIXELS
     corners = pixels[mesh.faces]

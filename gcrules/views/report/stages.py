@@ -9,6 +9,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.legs_text import Structure, leg_text
 from gcrules.algebra.language.text import text
+from gcrules.algebra.scalars import bracket
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import PoseValue
 from gcrules.core.english import listed
@@ -110,7 +111,7 @@ _WHY = {
 
 
 def _brackets(s: Structure) -> str:
-    shown = [text(ex.bracket(*map(ex.Point, names), rank=s.rank), names=s.names) for names in s.dead]
+    shown = [text(bracket(*map(ex.Point, names), rank=s.rank), names=s.names) for names in s.dead]
     return listed(shown) if len(shown) <= _MANY else f"{len(shown)} brackets"
 
 

@@ -1,0 +1,32 @@
+"""What extensors are called, and the order of the names of points."""
+
+from __future__ import annotations
+
+__all__ = ["point_key", "step_name"]
+
+_STEP_NAMES = {1: "a point", 2: "a line", 3: "a plane"}
+
+
+def step_name(step: int, rank: int = 4) -> str:
+    """What an extensor of this step is called: "a scalar", "a line (step 2)", …
+
+    >>> step_name(2), step_name(3, rank=3)
+    ('a line (step 2)', 'the whole space (step 3)')
+    """
+    if step == 0:
+        return "a scalar (step 0)"
+    if step == rank:
+        return f"the whole space (step {step})"
+    return f"{_STEP_NAMES.get(step, 'an extensor')} (step {step})"
+
+
+def point_key(name: str) -> tuple[str, int, int]:
+    """Sort key of point names: letters first, then the numeric suffix, then primes.
+
+    >>> sorted(["p10", "p2", "a'", "B", "a"], key=point_key)
+    ['B', 'a', "a'", 'p2', 'p10']
+    """
+    stem = name.rstrip("'")
+    letters = stem.rstrip("0123456789")
+    digits = stem[len(letters) :]
+    return letters.rstrip("_"), int(digits) if digits else -1, len(name) - len(stem)
