@@ -66,6 +66,7 @@ check: $(READY) ## lint, formatting, types, the order of the rooms, documentatio
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
+	$(BIN)/python tools/studio_protocol.py --check
 	$(BIN)/python tools/check_docs.py
 	@$(build-site)
 
@@ -76,7 +77,8 @@ docs: $(READY) ## write the generated pages of docs/, check every link, build th
 	@echo "The guide is in $(CURDIR)/$(SITE)/index.html"
 
 .PHONY: studio
-studio: studio-ui/node_modules/.package-lock.json ## build the studio's page from studio-ui/ into gcrules/apps/studio/static (needs Node)
+studio: $(READY) studio-ui/node_modules/.package-lock.json ## build the viewer and the studio's page from studio-ui/ (needs Node)
+	$(BIN)/python tools/studio_protocol.py
 	cd studio-ui && npm run --silent build
 
 .PHONY: studio-check

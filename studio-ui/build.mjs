@@ -1,6 +1,6 @@
-// Bundles the page and the viewer into gcrules/apps/studio/static, which is committed.
-//   node build.mjs           writes the bundle
-//   node build.mjs --check   compares it with the committed one; exit 1 and the names of stale files
+// Bundles the viewer into gcrules/views/static, and the page into gcrules/apps/studio/static; both are committed.
+//   node build.mjs           writes the bundles
+//   node build.mjs --check   compares them with the committed ones; exit 1 and the names of stale files
 //   node build.mjs --watch   writes it again at every change, with source maps
 import { build, context } from "esbuild";
 import {
@@ -11,7 +11,7 @@ import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const target = join(here, "..", "gcrules", "apps", "studio", "static");
+const target = join(here, "..", "gcrules");
 const check = process.argv.includes("--check");
 const watch = process.argv.includes("--watch");
 
@@ -31,13 +31,23 @@ const common = {
   assetNames: "fonts/[name]",
 };
 
-const bundles = (out) => [
-  // the page of `gcrules studio`
-  { ...common, entryPoints: { studio: "src/page/main.tsx" }, outdir: out, format: "esm" },
-  // the viewer by itself: a classic script that defines `GcrulesViewer` (module scripts do not load from file://);
+/** The page takes the viewer from the script that stands before it, the same that reports and notebooks have. */
+const sharedViewer = {
+  name: "viewer",
+  setup(build) {
+    build.onResolve({ filter: /\/viewer$/ }, () => ({ path: "viewer", namespace: "script" }));
+    build.onLoad({ filter: /^/, namespace: "script" }, () => ({ contents: "module.exports = GcrulesViewer" }));
+  },
+};
+
+/** Folder of gcrules → what is built into it. */
+const BUNDLES = {
+  // a classic script that defines `GcrulesViewer` (module scripts do not load from file://);
   // gcrules/apps/notebook/widget.py makes the module of the notebook widget of it
-  { ...common, entryPoints: { viewer: "src/viewer/index.ts" }, outdir: out, format: "iife", globalName: "GcrulesViewer" },
-];
+  "views/static": { entryPoints: { viewer: "src/viewer/index.ts" }, format: "iife", globalName: "GcrulesViewer" },
+  // the page of `gcrules studio`, without the viewer
+  "apps/studio/static": { entryPoints: { studio: "src/page/main.tsx" }, format: "esm", plugins: [sharedViewer] },
+};
 
 function listed(folder, below = folder) {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
@@ -57,39 +67,42 @@ function licences(files) {
   }).join(`\n${"-".repeat(80)}\n\n`);
 }
 
-async function write(out) {
-  rmSync(out, { recursive: true, force: true });
-  mkdirSync(out, { recursive: true });
-  const inputs = [];
-  for (const options of bundles(out)) {
+async function write(root) {
+  for (const [folder, own] of Object.entries(BUNDLES)) {
+    const outdir = join(root, folder);
+    const options = { ...common, ...own, outdir };
+    rmSync(outdir, { recursive: true, force: true });
+    mkdirSync(outdir, { recursive: true });
     if (watch) await (await context(options)).watch();
-    else inputs.push(...Object.keys((await build(options)).metafile.inputs));
+    else writeFileSync(join(outdir, "LICENSES.txt"), licences(Object.keys((await build(options)).metafile.inputs)));
   }
-  writeFileSync(join(out, "LICENSES.txt"), licences(inputs));
-  cpSync(join(here, "src", "page", "index.html"), join(out, "index.html"));
+  cpSync(join(here, "src", "page", "index.html"), join(root, "apps/studio/static", "index.html"));
 }
 
-if (check) {
+if (watch) {
+  await write(target);
+} else {
+  // elsewhere first: a fault in the sources leaves the old bundles as they are
   const fresh = mkdtempSync(join(tmpdir(), "studio-"));
   await write(fresh);
-  const names = new Set([...listed(fresh), ...(existsSync(target) ? listed(target) : [])]);
+  const folders = Object.keys(BUNDLES);
+  const below = (root) =>
+    folders.flatMap((f) => (existsSync(join(root, f)) ? listed(join(root, f)) : []).map((name) => join(f, name)));
+  const names = new Set([...below(fresh), ...below(target)]);
   const same = (name) =>
     [fresh, target].every((f) => existsSync(join(f, name))) &&
     readFileSync(join(fresh, name)).equals(readFileSync(join(target, name)));
   const stale = [...names].filter((name) => !same(name)).sort();
-  rmSync(fresh, { recursive: true });
-  if (stale.length) {
+  if (check && stale.length) {
     console.error(`the bundle is stale (npm run build): ${stale.join(", ")}`);
-    process.exit(1);
+    process.exitCode = 1;
+  } else if (check) {
+    console.log(`the bundle is up to date: ${names.size} files`);
+  } else {
+    for (const folder of folders) {
+      rmSync(join(target, folder), { recursive: true, force: true });
+      cpSync(join(fresh, folder), join(target, folder), { recursive: true });
+    }
   }
-  console.log(`the bundle is up to date: ${names.size} files`);
-} else if (watch) {
-  await write(target);
-} else {
-  // elsewhere first: a fault in the sources leaves the old bundle as it is
-  const fresh = mkdtempSync(join(tmpdir(), "studio-"));
-  await write(fresh);
-  rmSync(target, { recursive: true, force: true });
-  cpSync(fresh, target, { recursive: true });
   rmSync(fresh, { recursive: true });
 }

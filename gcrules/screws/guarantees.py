@@ -15,15 +15,17 @@ from numpy.typing import NDArray
 
 from gcrules.screws.margin import Jacobian
 
-__all__ = ["ROUNDING", "Closeness", "closeness", "noise"]
+__all__ = ["DIGITS", "ROUNDING", "Closeness", "closeness", "noise"]
 
 Floats = NDArray[np.float64]
 
 ROUNDING = 1e-12
 """Accuracy of coordinates, in units of the robot's size, where none is stated: that of the arithmetic alone."""
 
+DIGITS = 4 * float(np.finfo(np.float64).eps)
+"""Accuracy of coordinates as floats, in units of the largest of them."""
+
 _ROUNDING = 1e-13  # of σ, in floats
-_DIGITS = 4 * float(np.finfo(np.float64).eps)  # of coordinates
 _LESS = 1 - 1e-12  # rounding of the bounds themselves, to the safe side
 
 
@@ -76,8 +78,8 @@ def noise(j: Jacobian, accuracy: float) -> Floats:
     A leg turns by at most asin(2ε/l). The velocities of a twist with angular velocity ω change by |ω|ε each, that is
     by at most η = √6 ε / spread relative to the root of Σ |v_i|², which is at least |ω| spread.
     """
-    leg = np.minimum(2 * np.maximum(accuracy, _DIGITS * j.far) / j.lengths.min(axis=1), 1.0)
+    leg = np.minimum(2 * np.maximum(accuracy, DIGITS * j.far) / j.lengths.min(axis=1), 1.0)
     turned = 2 * np.sin(np.arcsin(leg) / 2)
-    eta = np.minimum(np.sqrt(6) * np.maximum(accuracy, _DIGITS * j.far_ends) / j.spread, 0.5)
+    eta = np.minimum(np.sqrt(6) * np.maximum(accuracy, DIGITS * j.far_ends) / j.spread, 0.5)
     found: Floats = np.where((leg >= 1) | (eta >= 0.5), 1.0, np.minimum((turned + 2 * eta) / (1 - eta), 1.0))
     return found

@@ -1,15 +1,591 @@
 // What the page and the server say to each other over one websocket: JSON, one object a message.
-//
-// The server keeps nothing between messages but caches: a request holds all that it needs (the source, the pose), so
-// that a restarted server goes on where the old one stopped. The same shapes are dataclasses in gcrules/apps/studio/views.py.
+// Written by `npm run protocol` from gcrules/apps/studio/protocol and gcrules/views/scene_data.py; change those.
+
+export const STAGE_IDS = ["limbs", "equivalent", "structure", "superbracket", "shortest", "tetrahedra", "planes", "lines", "left-over", "condition", "statement", "check"] as const;
 
 export type Vec3 = [number, number, number];
+
+export type LegEnds = [string, string];
+
+export type Verdict = "singular" | "close" | "regular";
+
+export type EntityKind = "tetrahedron" | "plane" | "line" | "point";
+
+/** A joint, or a list of "join" or "meet" and two constructions or more. */
+export type Construction = string | Construction[];
+
+export interface Entity {
+  id: string;
+  kind: EntityKind;
+  points: string[];
+  /** With stars: A*bd. */
+  label: string;
+  /** Number of its colour, counted from 0; six colours repeat. */
+  colour: number;
+}
+
+export interface NamedPoint {
+  kind: "point";
+  label: string;
+  at: Vec3;
+  entities: string[];
+}
+
+export interface NamedLine {
+  kind: "line";
+  label: string;
+  at: Vec3;
+  direction: Vec3;
+  entities: string[];
+  colour?: number;
+}
+
+/** Points and lines that the condition constructs: the common point of planes, the line p … */
+export type Constructed = NamedPoint | NamedLine;
+
+/** The plane normal · p = offset. */
+export interface Plane {
+  label: string;
+  normal: Vec3;
+  offset: number;
+  /** Places around which a part of it is drawn. */
+  through?: Vec3[];
+  colour?: number;
+}
+
+/** What the platform can do although its actuators are locked. */
+export interface Motion {
+  axis: Vec3;
+  through: Vec3;
+  /** Advance for each radian; null where it is a translation. */
+  pitch: number | null;
+  text: string;
+}
+
+export interface Joint {
+  kind: string;
+  actuated: boolean;
+  point: Vec3 | null;
+  axes: Vec3[];
+}
+
+export interface Line {
+  text: string;
+  wrench: "force" | "couple";
+  point: Vec3 | null;
+  direction: Vec3;
+}
+
+export interface Limb {
+  name: string;
+  colour: number;
+  wrenches: string[];
+  joints: Joint[];
+  lines: Line[];
+}
+
+/** What a page needs to decide as the engine does; said once, by the engine. */
+export interface Thresholds {
+  /** Below this singularity margin a pose is close to singular. */
+  close: number;
+  /** Accuracy of coordinates in units of the robot's size; what it may do to the margin counts as 0. */
+  rounding: number;
+  /** Accuracy of coordinates as floats, in units of the largest of them. */
+  digits: number;
+  /** Planes and lines that miss a point by less than this share of the size are shown with it, marked as near. */
+  near: number;
+  /** Below this share they meet in it. */
+  met: number;
+}
+
+export interface RecipeLine {
+  label: string;
+  colour: number;
+  of: Construction;
+}
+
+export interface RecipePoint {
+  label: string;
+  of: Construction[];
+  entities: string[];
+}
+
+/** How what changes with the pose follows from the joints, for pages that have no server. */
+export interface Recipe {
+  lines: RecipeLine[];
+  points: RecipePoint[];
+  /** −1 where the legs are turned round with respect to those that the user wrote. */
+  sign: 1 | -1;
+  thresholds: Thresholds;
+}
+
+/** A robot in a pose, with its condition. */
+export interface SceneData {
+  points: Record<string, Vec3>;
+  base: string[];
+  platform: string[];
+  legs: LegEnds[];
+  /** Centre of the platform's turns. */
+  about: Vec3;
+  /** A length that the camera, the balls and the handles are scaled by. */
+  size: number;
+  unit: string;
+  entities: Entity[];
+  constructed?: Constructed[];
+  motion?: Motion | null;
+  limbs?: Limb[];
+  /** Planes that are no entities. */
+  planes?: Plane[];
+  recipe?: Recipe;
+}
+
+export const FARTHEST = 1000000000000.0;
+
+export const MOST_COORDINATES = 24;
+
+export const MOST_POINTS = 40;
+
+export const MOST_LEGS = 24;
+
+export const MOST_COMMANDS = 200;
+
+export const LONGEST_FILE = 400000;
+
+/** Closer than this is close, where nothing else is asked for. */
+export const THRESHOLD = "0.5 deg";
+
+export interface ClassSource {
+  kind: "class";
+  id: string;
+}
+
+export interface LegsSource {
+  kind: "legs";
+  legs: string;
+}
+
+export interface ExampleSource {
+  kind: "example";
+  name: string;
+}
+
+export interface RobotSource {
+  kind: "robot";
+  id: string;
+}
+
+/** The text of a platform file or of a robot file, told apart by its keys. */
+export interface FileSource {
+  kind: "file";
+  text: string;
+  name: string;
+}
+
+export type Source = ClassSource | LegsSource | ExampleSource | RobotSource | FileSource;
+
 /** Unit quaternion, scalar first. */
 export type Quaternion = [number, number, number, number];
 
-// ------------------------------------------------------------------------------------------------------- messages
+/** The platform's displacement from where the file puts it: turned about `about` of the study, then shifted. */
+export interface Pose {
+  translation: [number, number, number];
+  quaternion: Quaternion;
+  /** For robots with limbs: amounts of the actuators from home, in the sequence and in the units of `axes`. */
+  coordinates?: number[];
+}
 
-/** A request. Of one `channel` only the latest unanswered request is worked on; older ones are answered `superseded`. */
+export interface Sketch {
+  title: string;
+  points: Record<string, [number, number, number]>;
+  base: string[];
+  platform: string[];
+  legs: [string, string][];
+}
+
+export type NoArgs = Record<string, never>;
+
+export interface OpenArgs {
+  source: Source;
+}
+
+export interface PoseArgs {
+  source: Source;
+  pose: Pose;
+  threshold?: string;
+}
+
+export interface AlongArgs {
+  source: Source;
+  poses: Pose[];
+  threshold?: string;
+}
+
+export interface ManualArgs {
+  source: Source;
+  commands: string[];
+}
+
+export interface BenchArgs {
+  text: string;
+  source?: Source;
+  pose?: Pose;
+}
+
+export interface ComposeArgs {
+  drawing: Sketch;
+}
+
+export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml";
+
+export interface SaveArgs extends PoseArgs {
+  what: Format;
+}
+
+export interface CancelArgs {
+  target: number;
+}
+
+/** Where in a text that was sent: offsets in characters of JavaScript from its start. */
+export interface Place {
+  start: number;
+  end: number;
+  line: number;
+  column: number;
+}
+
+/** A fault in words. */
+export interface Fault {
+  kind: "input" | "limit" | "superseded" | "cancelled" | "fault";
+  message: string;
+  hint?: string;
+  place?: Place;
+  /** Further faults of the same text (files tell all faults at once). */
+  more?: Fault[];
+}
+
+export interface Hello {
+  version: string;
+  /** Changes when the server is another process. */
+  instance: string;
+  /** What the command line named: opened by a page that holds nothing else. */
+  opened: Source | null;
+}
+
+export interface GalleryItem {
+  id: string;
+  title: string;
+  /** A few words: the legs, the mobility. */
+  detail: string;
+  group: string;
+  statement: string;
+  /** A drawing, trusted (made by the server). */
+  svg: string;
+  source: Source;
+}
+
+export interface Gallery {
+  classes: GalleryItem[];
+  robots: GalleryItem[];
+  examples: GalleryItem[];
+}
+
+/** A piece of a formula that stays on one line, with the points and entities in it. */
+export interface Piece {
+  tex: string;
+  points: string[];
+  brackets: string[][];
+}
+
+export interface Bracket {
+  points: string[];
+  tex: string;
+}
+
+export interface Monomial {
+  sign: 1 | -1;
+  coefficient: string;
+  brackets: Bracket[];
+}
+
+export interface OrdersCount {
+  terms: number;
+  orders: number;
+}
+
+export interface Step {
+  rule: string;
+  why: string;
+  before: Piece[];
+  after: Piece[];
+}
+
+export interface TextItem {
+  kind: "text";
+  text: string;
+}
+
+export interface FactItem {
+  kind: "fact";
+  key: string;
+  value: string;
+}
+
+export interface FormulaItem {
+  kind: "formula";
+  left: Piece[];
+  right: Piece[];
+}
+
+export interface MonomialsItem {
+  kind: "monomials";
+  monomials: Monomial[];
+}
+
+export interface OrdersItem {
+  kind: "orders";
+  tried: number;
+  counts: OrdersCount[];
+  best: string;
+}
+
+export interface EntitiesItem {
+  kind: "entities";
+  entities: string[];
+}
+
+export interface StepsItem {
+  kind: "steps";
+  steps: Step[];
+}
+
+export type Item = TextItem | FactItem | FormulaItem | MonomialsItem | OrdersItem | EntitiesItem | StepsItem;
+
+export type StageId = "limbs" | "equivalent" | "structure" | "superbracket" | "shortest" | "tetrahedra" | "planes" | "lines" | "left-over" | "condition" | "statement" | "check";
+
+export interface Stage {
+  id: StageId;
+  title: string;
+  /** What is done and why, for a non-expert. */
+  why: string;
+  /** The theory, in a few paragraphs of text. */
+  more: string[];
+  items: Item[];
+}
+
+export interface Axis {
+  name: string;
+  unit: string;
+  low: number;
+  high: number;
+  step: number;
+}
+
+export interface Certificate {
+  method: string;
+  detail: string;
+}
+
+export interface Condition {
+  kind: string;
+  /** The left and the right side of the identity, one piece for each monomial or factor. */
+  left: Piece[];
+  right: Piece[];
+  text: string;
+  cofactor: string;
+  statement: string;
+  certificate: Certificate;
+}
+
+export interface Part {
+  text: string;
+  tex: string;
+  kind: string;
+  statement: string;
+}
+
+/** A robot with limbs: what Fig. 1 of the paper shows side by side. */
+export interface Robot {
+  mobility: number;
+  /** SVG: the robot with its wrenches, and beside it the lines that stand for them, at home. */
+  figure?: string;
+  limbs: Limb[];
+  parts: Part[];
+}
+
+export interface Entry {
+  id: string;
+  name: string;
+}
+
+/** Everything about the structure that does not change with the pose. */
+export interface Study {
+  title: string;
+  note: string;
+  kind: "platform" | "robot";
+  legs: LegEnds[];
+  base: string[];
+  platform: string[];
+  /** Coordinates at the file's own pose. */
+  points: Record<string, Vec3>;
+  unit: string;
+  /** The coordinates are a sample shape, none were given. */
+  invented: boolean;
+  /** Centre of the platform's turns. */
+  about: Vec3;
+  /** A length to scale sliders and the camera by. */
+  size: number;
+  /** Independent coordinates: six for a platform; those of the robot's mobility otherwise. */
+  axes: Axis[];
+  /** The class of the catalog. */
+  entry: Entry | null;
+  /** SVG of the legs as a graph. Elements carry data-point="a" and data-leg="ab". */
+  schematic: string;
+  stages: Stage[];
+  entities: Entity[];
+  condition: Condition;
+  readings: Condition[];
+  robot: Robot | null;
+}
+
+export interface Reading {
+  part: string;
+  name: string;
+  meaning: string;
+  value: number | null;
+  unit: string;
+  why: string;
+}
+
+export interface Numbers {
+  /** The pose that this answers. */
+  pose: Pose;
+  points: Record<string, Vec3>;
+  /** Superbracket over its scale: dimensionless, with the sign of the superbracket. */
+  value: number;
+  /** The singularity margin σ: 0 at a singular pose, at most 1. */
+  margin: number;
+  /** Below this margin the pose counts as close; null where the threshold is a length. */
+  close: number | null;
+  verdict: Verdict;
+  reason: string;
+  causes: string[];
+  readings: Reading[];
+  constructed: Constructed[];
+  /** Given near a singular pose. */
+  motion: Motion | null;
+  /** Ratios of the forces in the legs that balance, near a singular pose. */
+  stress: number[];
+  limbs: Limb[];
+  notes: string[];
+}
+
+export interface SingularPose {
+  kind: string;
+  distance: number;
+  unit: string;
+  certified: boolean;
+  text: string;
+  pose: Pose;
+  causes: string[];
+}
+
+export interface Nearest {
+  found: SingularPose[];
+  /** Of a robot with limbs: what was searched, in words; the kinds are "along +z" …, the closest one stands first. */
+  note?: string;
+}
+
+export interface Along {
+  margin: number[];
+  value: number[];
+  verdicts: Verdict[];
+}
+
+export interface ManualStep {
+  command: string;
+  answer: "confirmed" | "refused" | "possible" | "done";
+  words: string;
+  monomial: number | null;
+}
+
+export interface Form {
+  name: string;
+  order: string;
+  monomials: Monomial[];
+}
+
+export interface Hint {
+  command: string;
+  words: string;
+}
+
+export interface Manual {
+  /** The commands that were understood; the first faulty one stops the replay and is `fault`. */
+  history: ManualStep[];
+  form: Form;
+  entities: Entity[];
+  left: string[];
+  hint: Hint | null;
+  /** Points of an exact counterexample, if the last proposal was refused by one. */
+  counterexample: Record<string, Vec3> | null;
+  condition: Condition | null;
+  fault: Fault | null;
+}
+
+export interface DrawnPlane extends Plane {
+  kind: "plane";
+}
+
+export interface BenchResult {
+  /** Offsets of the statement in the text. */
+  start: number;
+  end: number;
+  name: string | null;
+  verdict: "value" | "proved" | "refuted" | "undecided" | "done";
+  text: string;
+  pieces: Piece[];
+  step: number | null;
+  /** What can be drawn in 3D with the points of the study, at its pose. */
+  drawn: Constructed | DrawnPlane | null;
+}
+
+export interface Bench {
+  results: BenchResult[];
+  fault: Fault | null;
+}
+
+export interface Composed {
+  text: string;
+}
+
+export interface Saved {
+  name: string;
+  mime: string;
+  /** Text, or base64 where `binary`. */
+  data: string;
+  binary: boolean;
+}
+
+export interface Cancelled {
+  cancelled: boolean;
+}
+
+export interface Methods {
+  hello: { args: NoArgs; result: Hello };
+  gallery: { args: NoArgs; result: Gallery };
+  open: { args: OpenArgs; result: Study };
+  pose: { args: PoseArgs; result: Numbers };
+  along: { args: AlongArgs; result: Along };
+  nearest: { args: PoseArgs; result: Nearest };
+  manual: { args: ManualArgs; result: Manual };
+  bench: { args: BenchArgs; result: Bench };
+  compose: { args: ComposeArgs; result: Composed };
+  save: { args: SaveArgs; result: Saved };
+  cancel: { args: CancelArgs; result: Cancelled };
+}
+export type Method = keyof Methods;
+
+/** Of one `channel` only the latest unanswered request is worked on; older ones are answered `superseded`. */
 export interface Request<M extends Method = Method> {
   id: number;
   do: M;
@@ -21,278 +597,3 @@ export type Reply<M extends Method = Method> =
   | { id: number; ok: true; result: Methods[M]["result"]; ms: number }
   | { id: number; ok: false; error: Fault }
   | { id: number; progress: string };
-
-/** A fault in words. `place` is where in a text that was sent: offsets in characters from its start. */
-export interface Fault {
-  kind: "input" | "limit" | "superseded" | "cancelled" | "fault";
-  message: string;
-  hint?: string;
-  place?: { start: number; end: number; line: number; column: number };
-  /** Further faults of the same text (files tell all faults at once). */
-  more?: Fault[];
-}
-
-export interface Methods {
-  hello: { args: Record<string, never>; result: Hello };
-  gallery: { args: Record<string, never>; result: Gallery };
-  open: { args: { source: Source }; result: Study };
-  pose: { args: { source: Source; pose: Pose; threshold?: string }; result: Numbers };
-  nearest: { args: { source: Source; pose: Pose; threshold?: string }; result: Nearest };
-  along: { args: { source: Source; poses: Pose[]; threshold?: string }; result: Along };
-  manual: { args: { source: Source; commands: string[] }; result: Manual };
-  bench: { args: { text: string; source?: Source; pose?: Pose }; result: Bench };
-  compose: { args: { drawing: Sketch }; result: { text: string } };
-  save: { args: { source: Source; pose: Pose; what: Format; threshold?: string }; result: Saved };
-  cancel: { args: { target: number }; result: { cancelled: boolean } };
-}
-export type Method = keyof Methods;
-
-export interface Hello {
-  version: string;
-  /** Changes when the server is another process. */
-  instance: string;
-  /** What the command line named: opened by a page that holds nothing else. */
-  opened?: Source | null;
-}
-
-// ---------------------------------------------------------------------------------------------- what is studied
-
-export type Source =
-  | { kind: "class"; id: string }
-  | { kind: "legs"; legs: string }
-  | { kind: "example"; name: string }
-  | { kind: "robot"; id: string }
-  /** The text of a platform file or of a robot file, told apart by its keys. */
-  | { kind: "file"; text: string; name: string };
-
-/** The platform's displacement from where the file puts it: turned about `about` of the study, then shifted. */
-export interface Pose {
-  translation: Vec3;
-  quaternion: Quaternion;
-  /** For robots with limbs: amounts of the actuators from home, in the sequence and in the units of `axes`. */
-  coordinates?: number[];
-}
-
-export interface Gallery {
-  classes: GalleryItem[];
-  robots: GalleryItem[];
-  examples: GalleryItem[];
-}
-export interface GalleryItem {
-  id: string;
-  title: string;
-  /** A few words: the legs, the mobility. */
-  detail: string;
-  group: string;
-  statement: string;
-  /** An SVG drawing, trusted (made by the server). */
-  svg: string;
-  source: Source;
-}
-
-/** Everything about the structure that does not change with the pose. */
-export interface Study {
-  title: string;
-  note: string;
-  kind: "platform" | "robot";
-  legs: [string, string][];
-  base: string[];
-  platform: string[];
-  /** Coordinates at the file's own pose. */
-  points: Record<string, Vec3>;
-  unit: string;
-  /** The coordinates are a sample shape, none were given. */
-  invented: boolean;
-  /** Centre of the platform's turns, and a length to scale sliders and the camera by. */
-  about: Vec3;
-  size: number;
-  /** Independent coordinates: six for a platform; those of the robot's mobility otherwise. */
-  axes: Axis[];
-  class: { id: string; name: string } | null;
-  /** SVG of the legs as a graph. Elements carry data-point="a" and data-leg="ab". */
-  schematic: string;
-  stages: Stage[];
-  entities: Entity[];
-  condition: Condition;
-  readings: Condition[];
-  robot: RobotView | null;
-}
-
-export interface Axis {
-  name: string;
-  unit: string;
-  low: number;
-  high: number;
-  step: number;
-}
-
-export interface Entity {
-  id: string;
-  kind: "tetrahedron" | "plane" | "line" | "point";
-  points: string[];
-  /** With stars: A*bd. */
-  label: string;
-  /** Number of its colour in the palette. */
-  colour: number;
-}
-
-export interface Condition {
-  kind: string;
-  /** TeX of the left and the right side of the identity, one piece for each monomial or factor. */
-  left: Piece[];
-  right: Piece[];
-  text: string;
-  cofactor: string;
-  statement: string;
-  certificate: { method: string; detail: string };
-}
-
-/** A piece of a formula that stays on one line, with the points and entities in it. */
-export interface Piece {
-  tex: string;
-  points: string[];
-  brackets: string[][];
-}
-
-export interface Stage {
-  id: StageId;
-  title: string;
-  /** What is done and why, for a non-expert. */
-  why: string;
-  /** The theory, in a few paragraphs of text. */
-  more: string[];
-  items: Item[];
-}
-export type StageId =
-  | "structure"
-  | "superbracket"
-  | "shortest"
-  | "tetrahedra"
-  | "planes"
-  | "lines"
-  | "left-over"
-  | "condition"
-  | "statement"
-  | "check"
-  | "limbs"
-  | "equivalent";
-
-export type Item =
-  | { kind: "text"; text: string }
-  | { kind: "fact"; key: string; value: string }
-  | { kind: "formula"; left: Piece[]; right: Piece[] }
-  | { kind: "monomials"; monomials: Monomial[] }
-  | { kind: "orders"; tried: number; counts: { terms: number; orders: number }[]; best: string }
-  | { kind: "entities"; entities: string[] }
-  | { kind: "steps"; steps: { rule: string; why: string; before: Piece[]; after: Piece[] }[] };
-
-export interface Monomial {
-  sign: 1 | -1;
-  coefficient: string;
-  brackets: { points: string[]; tex: string }[];
-}
-
-/** A robot with limbs: what Fig. 1 of the paper shows side by side. */
-export interface RobotView {
-  mobility: number;
-  /** SVG: the robot with its wrenches, and beside it the lines that stand for them, at home. */
-  figure?: string;
-  limbs: LimbView[];
-  parts: { text: string; tex: string; kind: string; statement: string }[];
-}
-export interface LimbView {
-  name: string;
-  colour: number;
-  wrenches: string[];
-  joints: { kind: string; actuated: boolean; point: Vec3 | null; axes: Vec3[] }[];
-  lines: { text: string; wrench: "force" | "couple"; point: Vec3 | null; direction: Vec3 }[];
-}
-
-// -------------------------------------------------------------------------------------------- numbers at a pose
-
-export type Verdict = "regular" | "close" | "singular";
-
-export interface Numbers {
-  /** The pose that this answers. */
-  pose: Pose;
-  points: Record<string, Vec3>;
-  /** Superbracket over its scale: dimensionless, with the sign of the superbracket. */
-  value: number;
-  closeness: number;
-  verdict: Verdict;
-  reason: string;
-  causes: string[];
-  readings: { part: string; name: string; meaning: string; value: number | null; unit: string; why: string }[];
-  /** Constructed points and lines of the condition at this pose: the common point of planes, the line p … */
-  constructed: Constructed[];
-  /** What the platform can do although its actuators are locked; given near a singular pose. */
-  motion: { axis: Vec3; through: Vec3; pitch: number | null; text: string } | null;
-  /** Ratios of the forces in the legs that balance, near a singular pose. */
-  stress: number[];
-  limbs: LimbView[];
-  notes: string[];
-}
-export type Constructed =
-  | { kind: "point"; label: string; at: Vec3; entities: string[] }
-  | { kind: "line"; label: string; at: Vec3; direction: Vec3; entities: string[]; colour?: number };
-
-export interface Nearest {
-  found: { kind: string; distance: number; unit: string; certified: boolean; text: string; pose: Pose; causes: string[] }[];
-  /** For a robot with limbs: what was searched, in words; the kinds are "along +z" …, the closest one stands first. */
-  note?: string;
-}
-
-export interface Along {
-  closeness: number[];
-  value: number[];
-  verdicts: Verdict[];
-}
-
-// ---------------------------------------------------------------------------------- manual mode, bench, take away
-
-export interface Manual {
-  /** The commands that were understood; the first faulty one stops the replay and is `fault`. */
-  history: { command: string; answer: "confirmed" | "refused" | "possible" | "done"; words: string; monomial: number | null }[];
-  form: { name: string; order: string; monomials: Monomial[] };
-  entities: Entity[];
-  left: string[];
-  hint: { command: string; words: string } | null;
-  /** Points of an exact counterexample, if the last proposal was refused by one. */
-  counterexample: Record<string, Vec3> | null;
-  condition: Condition | null;
-  fault: Fault | null;
-}
-
-export interface Bench {
-  results: BenchResult[];
-  fault: Fault | null;
-}
-export interface BenchResult {
-  /** Offsets of the statement in the text. */
-  start: number;
-  end: number;
-  name: string | null;
-  verdict: "value" | "proved" | "refuted" | "undecided" | "done";
-  text: string;
-  pieces: Piece[];
-  step: number | null;
-  /** What can be drawn in 3D with the points of the study, at its pose. */
-  drawn: Constructed | { kind: "plane"; label: string; normal: Vec3; offset: number } | null;
-}
-
-export interface Sketch {
-  title: string;
-  points: Record<string, Vec3>;
-  base: string[];
-  platform: string[];
-  legs: [string, string][];
-}
-
-export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml";
-export interface Saved {
-  name: string;
-  mime: string;
-  /** Text, or base64 where `binary`. */
-  data: string;
-  binary: boolean;
-}

@@ -18,7 +18,19 @@ from collections.abc import Iterator
 from contextlib import ExitStack
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, get_type_hints
+from types import NoneType, UnionType
+from typing import (
+    Annotated,
+    Any,
+    ForwardRef,
+    Literal,
+    NotRequired,
+    Union,
+    get_args,
+    get_origin,
+    get_type_hints,
+    is_typeddict,
+)
 
 import pytest
 from click.testing import CliRunner
@@ -29,8 +41,12 @@ import gcrules as gc
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.apps.cli import cli
 from gcrules.core.errors import EngineFault, FileError, InputError, LimitReached
+from gcrules.core.shapes import Size, Words
 from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.screws.verdict import VERDICTS
+from gcrules.views import scene_data
 from gcrules.views.formulas.latex import latex
+from gcrules.views.report.stage_ids import STAGE_IDS
 from gcrules.views.robots.exact_values import value_at
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
@@ -42,14 +58,14 @@ from starlette.websockets import WebSocketDisconnect
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from gcrules.apps.studio import answer_views, serving, theory, token_file, views
+from gcrules.apps.studio import serving, theory, token_file
 from gcrules.apps.studio.app import MOST_PAGES, make_app
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.guard import COOKIE
-from gcrules.apps.studio.methods import LONGEST, METHODS
 from gcrules.apps.studio.numbers import exact_pose, numbers
-from gcrules.apps.studio.pages import Pages
+from gcrules.apps.studio.pages import STATIC, Pages
 from gcrules.apps.studio.pool import Pool
+from gcrules.apps.studio.protocol.methods import LONGEST, METHODS
 from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import examples, known_as, read_subject
@@ -95,6 +111,7 @@ class Page:
         found = self.answer(self.send(do, **args))
         assert found["ok"], found
         assert found["ms"] >= 0
+        assert_fits(found["result"], METHODS[do].answer, do)
         return found["result"]
 
     def fault(self, do: str, **args: Any) -> dict[str, Any]:
@@ -117,45 +134,57 @@ def page(client: TestClient) -> Iterator[Page]:
 
 # --- both sides say the same ---------------------------------------------------------------------------------------
 
-OTHER_NAMES = {
-    "ConditionView": "Condition",
-    "EntityView": "Entity",
-    "FaultView": "Fault",
-    "PoseJson": "Pose",
-    "StageView": "Stage",
-}
-SHAPES = [
-    *("Along", "Axis", "Bench", "BenchResult", "Gallery", "GalleryItem", "Hello", "LimbView", "Manual", "Monomial"),
-    *("Nearest", "Numbers", "Piece", "RobotView", "Saved", "Study", *OTHER_NAMES),
-]
+
+def test_the_page_has_the_protocol_of_the_server(root: Path) -> None:
+    run = subprocess.run([sys.executable, str(root / "tools" / "studio_protocol.py"), "--check"], capture_output=True)
+    assert run.returncode == 0, run.stdout.decode()
 
 
-def interface(text: str, name: str) -> set[str]:
-    """The fields of an interface of the first level, of TypeScript."""
-    start = text.index(f"export interface {name} {{")
-    depth, fields = 0, set()
-    for line in text[start:].splitlines():
-        code = line.split("//")[0]
-        if depth == 1:
-            found = re.match(r"\s*(\w+)\??:", code)
-            fields |= {found[1]} if found else set()
-        depth += code.count("{") - code.count("}")
-        if not depth:
-            return fields
-    raise AssertionError(name)
+def test_words_of_the_protocol_are_those_of_the_engine() -> None:
+    assert set(get_args(scene_data.Verdict)[1:]) == {Words(VERDICTS)}
+    assert set(theory.STAGES) == set(STAGE_IDS)
 
 
-@pytest.mark.parametrize("name", SHAPES)
-def test_both_sides_name_the_same_fields(root: Path, name: str) -> None:
-    text = (root / "studio-ui" / "src" / "protocol.ts").read_text(encoding="utf-8")
-    assert interface(text, OTHER_NAMES.get(name, name)) == set(
-        get_type_hints(getattr(views, name, None) or getattr(answer_views, name))
-    )
+def assert_fits(value: Any, shape: Any, where: str = "") -> None:
+    """Whether an answer has the shape that the protocol gives it."""
+    inner, *marks = get_args(shape) if get_origin(shape) is Annotated else (shape,)
+    parts = get_args(inner)
+    if is_typeddict(inner):
+        hints = get_type_hints(inner, include_extras=True)
+        optional = {name for name, hint in hints.items() if get_origin(hint) is NotRequired}
+        assert set(hints) - optional <= set(value) <= set(hints), where
+        for name, one in value.items():
+            hint = get_args(hints[name])[0] if name in optional else hints[name]
+            assert_fits(one, hint, f"{where}.{name}")
+    elif get_origin(inner) in (Union, UnionType):
+        fitting = [part for part in parts if not faulty(value, part)]
+        assert fitting, f"{where}: {value!r:.200}"
+    elif get_origin(inner) is Literal:
+        assert value in parts, where
+    elif get_origin(inner) is dict:
+        for name, one in value.items():
+            assert_fits(one, parts[1], f"{where}.{name}")
+    elif get_origin(inner) is list:
+        assert isinstance(value, list), where
+        for i, one in enumerate(value):
+            assert_fits(one, parts[0], f"{where}[{i}]")
+    elif inner is float:
+        assert type(value) in (int, float), where
+    elif inner is not Any and not isinstance(inner, ForwardRef):
+        assert type(value) is (NoneType if inner is None else inner), where
+    for mark in marks:
+        if isinstance(mark, Words):
+            assert value in mark.words, where
+        if isinstance(mark, Size):
+            assert mark.least <= len(value) <= mark.most, where
 
 
-def test_both_sides_know_the_same_methods(root: Path) -> None:
-    text = (root / "studio-ui" / "src" / "protocol.ts").read_text(encoding="utf-8")
-    assert interface(text, "Methods") == {*METHODS, "hello", "cancel"}
+def faulty(value: Any, shape: Any) -> bool:
+    try:
+        assert_fits(value, shape)
+    except (AssertionError, AttributeError, TypeError):
+        return True
+    return False
 
 
 # --- what is asked for ---------------------------------------------------------------------------------------------
@@ -211,7 +240,7 @@ PATHS = {
 def test_guided_path(page: Page, name: str) -> None:
     found = page.ask("open", source={"kind": "class", "id": name})
     assert [s["id"] for s in found["stages"]] == [*PATHS[name], "condition", "statement", "check"]
-    assert found["class"]["id"] == name
+    assert found["entry"]["id"] == name
     assert found["invented"]
     for s in found["stages"]:
         assert s["title"]
@@ -304,7 +333,7 @@ def test_numbers_are_those_of_the_library(name: str) -> None:
         theirs = gc.pose(robot, exact_pose(pose), about="centroid", nearest=False)  # type: ignore[arg-type]
         assert mine["verdict"] == theirs.verdict
         assert mine["reason"] == theirs.reason
-        assert mine["closeness"] == pytest.approx(theirs.closeness, abs=1e-12)
+        assert mine["margin"] == pytest.approx(theirs.closeness, abs=1e-12)
         assert (mine["value"] > 0) == (theirs.value > 0)
         assert mine["causes"] == list(theirs.causes)
         values = [r.value for r in theirs.readings[: len(mine["readings"])]]
@@ -329,14 +358,14 @@ def test_far_away_there_are_numbers_or_a_reason(entry: str, away: float) -> None
             numbers(subject, pose)  # type: ignore[arg-type]
     else:
         found = numbers(subject, pose)  # type: ignore[arg-type]
-        assert 0 <= found["closeness"] <= 1
+        assert 0 <= found["margin"] <= 1
         assert json.dumps(found, allow_nan=False)
 
 
 def test_singular_example(page: Page) -> None:
     found = page.ask("pose", source={"kind": "example", "name": "octahedral-singular"}, pose=HOME)
     assert found["verdict"] == "singular"
-    assert found["value"] == found["closeness"] == 0
+    assert found["value"] == found["margin"] == 0
     assert found["motion"]["text"].startswith("the platform can")
     assert len(found["stress"]) == 6
     assert "meet in a point" in found["causes"][0]
@@ -352,7 +381,7 @@ def test_nearest_and_the_way_there(page: Page) -> None:
     assert page.ask("pose", source=source, pose=there)["verdict"] == "singular"
     poses = [HOME | {"translation": [t * c for c in there["translation"]]} for t in (0, 0.5, 1)]
     way = page.ask("along", source=source, poses=poses)
-    assert min(way["closeness"]) == way["closeness"][2] < 1e-9
+    assert min(way["margin"]) == way["margin"][2] < 1e-9
     assert way["verdicts"][0] == "regular"
     assert abs(way["value"][2]) < 1e-9 < abs(way["value"][0])
 
@@ -369,7 +398,7 @@ def test_singular_poses_around_a_robot_with_limbs(page: Page, given: dict[str, A
     assert "no proof" in one["text"]
     there = page.ask("pose", source=source, pose=one["pose"])
     assert there["verdict"] != "regular"
-    assert there["closeness"] < 1e-4
+    assert there["margin"] < 1e-4
 
 
 def test_search_around_says_that_nothing_was_found(page: Page) -> None:
@@ -495,7 +524,7 @@ def test_drawing_becomes_a_file(page: Page) -> None:
         n: p for n, p in DRAWING["points"].items() if n != "idle"
     }
     opened = page.ask("open", source={"kind": "file", "text": text, "name": "sketch.yaml"})
-    assert opened["class"]["id"] == "3-3.3"
+    assert opened["entry"]["id"] == "3-3.3"
     assert not opened["invented"]
 
 
@@ -575,15 +604,15 @@ def test_robot_of_legs_moves_as_a_platform(page: Page) -> None:
     for source in ({"kind": "file", "text": LINES, "name": "lines.yaml"}, {"kind": "robot", "id": "octahedral"}):
         opened = page.ask("open", source=source)
         assert opened["kind"] == "platform"
-        assert opened["class"]["id"] == "3-3.3"
+        assert opened["entry"]["id"] == "3-3.3"
         assert [axis["name"] for axis in opened["axes"]] == ["x", "y", "z", "rx", "ry", "rz"]
         moved = page.ask("pose", source=source, pose=HOME | {"translation": [0.25, 0, 0]})
         for name in opened["platform"]:
             assert moved["points"][name][0] == pytest.approx(opened["points"][name][0] + 0.25)
 
 
-def test_bundle_is_small(root: Path) -> None:
-    files = [p for p in (root / "gcrules" / "apps" / "studio" / "static").rglob("*") if p.is_file()]
+def test_bundle_is_small() -> None:
+    files = [p for folder in STATIC for p in folder.rglob("*") if p.is_file()]
     if not files:
         pytest.skip("the page is not built")
     assert sum(len(gzip.compress(p.read_bytes())) for p in files) <= 1_500_000

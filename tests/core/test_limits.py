@@ -40,7 +40,7 @@ from gcrules.apps.cli.limits import AROUND, SECONDS
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.state import Settings
 from gcrules.apps.studio import worker
-from gcrules.apps.studio.methods import METHODS
+from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.core import alarm, budget, memory
 from gcrules.core.budget import Count, checkpoint, seconds_left, waiting, watched, within
 from gcrules.core.errors import InputError, LimitReached

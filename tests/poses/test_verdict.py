@@ -82,7 +82,7 @@ def test_every_road_says_the_same(road: str, height: str, sigma: float, verdict:
 def test_the_page_without_a_server_has_its_bound_from_here(height: str) -> None:
     """It draws the softest motion unless the pose is regular, and compares with the bound in the recipe."""
     scene = Scenery.of(gc.analyze(platform(height)))
-    assert scene.recipe["close"] == CLOSE
+    assert scene.recipe["thresholds"]["close"] == CLOSE
     assert (scene.at()["motion"] is None) == (height == "0.0271")
 
 

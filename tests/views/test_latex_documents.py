@@ -22,8 +22,8 @@ from gcrules.algebra.language.syntax import parse
 from gcrules.apps.cli import cli
 from gcrules.apps.studio.composing import platform_text
 from gcrules.apps.studio.export import saved
+from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import read_subject
-from gcrules.apps.studio.views import PoseJson
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.platform_file import UNITS
 from gcrules.mechanisms.robot import Robot

@@ -20,7 +20,7 @@ from places import ROOT
 
 import gcrules as gc
 from gcrules.apps.cli import cli
-from gcrules.conditions.pose_value import measure
+from gcrules.conditions.pose_value import judged, measure
 from gcrules.core.errors import InputError
 from gcrules.rules.catalog.file import load
 from gcrules.screws.pose import parse_pose
@@ -28,9 +28,9 @@ from gcrules.views.drawing.palette import ROLES
 from gcrules.views.report.report_page import in_script
 from gcrules.views.report.robot_report import robot_scene
 from gcrules.views.report.scene_json import Scenery, drawable, scene
+from gcrules.views.viewer import viewer_script
 
 EXAMPLES = ROOT / "examples"
-STATIC = ROOT / "gcrules" / "apps" / "studio" / "static"
 SOURCES = ROOT / "studio-ui" / "src" / "viewer"
 OCTAHEDRAL = gc.analyze(gc.load_platform(EXAMPLES / "octahedral.yaml"))
 STRUCTURES = {
@@ -95,7 +95,7 @@ def test_robots_on_six_legs_move_as_platforms() -> None:
     assert "recipe" not in robot_scene(gc.Robot.load("3-rps").analyze())
     shown = gc.view(gc.Robot.load("gough-stewart"))
     assert shown.verdict == "regular"
-    assert shown.numbers(nearest=False).closeness == pytest.approx(shown.closeness)
+    assert shown.numbers(nearest=False).closeness == pytest.approx(shown.margin)
 
 
 def test_a_pose_moves_the_platform_rigidly() -> None:
@@ -248,12 +248,12 @@ def test_a_widget_follows_the_pose_from_both_sides() -> None:
     assert shown.scene == scene(OCTAHEDRAL)
     assert shown.verdict == "regular"
     heard: list[float] = []
-    shown.observe(lambda change: heard.append(change["new"]), "closeness")
+    shown.observe(lambda change: heard.append(change["new"]), "margin")
     shown.pose = "1 2 10 mm; euler zyx 30 0 0 deg"
     assert shown.pose["translation"] == [1, 2, 10]
-    assert heard == [shown.closeness]
+    assert heard == [shown.margin]
     there = gc.pose(platform, "1 2 10; euler zyx 30 0 0 deg", about="centroid", nearest=False)
-    assert shown.closeness == pytest.approx(there.closeness)
+    assert shown.margin == pytest.approx(there.closeness)
     assert shown.numbers(nearest=False).closeness == pytest.approx(there.closeness)
     shown.set_state({"pose": {"translation": [0, 0, 5], "quaternion": [2, 0, 0, 0]}})  # what the page sends
     assert shown.pose == {"translation": [0, 0, 5], "quaternion": [1, 0, 0, 0]}
@@ -277,7 +277,7 @@ def test_no_pose(pose: Any) -> None:
 
 def test_a_widget_of_a_robot_stays_at_home() -> None:
     shown = gc.view(gc.Robot.load("3-rps"))
-    assert shown.closeness is None
+    assert shown.margin is None
     assert len(shown.scene["limbs"]) == 3
     with pytest.raises(InputError, match="legs and coordinates"):
         shown.numbers()
@@ -356,7 +356,7 @@ def open_page(chromium: Any, tmp_path: Path) -> Iterator[Open]:
 @pytest.fixture(scope="module")
 def bare(chromium: Any, tmp_path_factory: pytest.TempPathFactory) -> Shown:
     """A page with nothing but the viewer's script and a place for it; what a viewer reports is collected in `log`."""
-    code = (STATIC / "viewer.js").read_text(encoding="utf-8")
+    code = viewer_script()
     page = (
         "<!doctype html><meta charset=utf-8><style>body{margin:0}#v{width:900px;height:640px}</style><div id=v></div>"
         f"<script>{code}</script><script>let log = [], viewer; function start(renderer, scene) {{ log = [];"
@@ -738,9 +738,10 @@ def test_numbers_without_a_server_are_those_of_the_engine(view: Open) -> None:
         s = Scenery.of(a)
         for pose in POSES:
             data = s.at(pose)
-            found = shown.run(f"GcrulesViewer.numbersAt({in_script(data)})")
+            found = shown.run(f"GcrulesViewer.numbersAt({in_script({**data, 'recipe': s.recipe})})")
             sigma = measure(a.structure, s.points(pose))
-            assert found["closeness"] == pytest.approx(sigma, rel=1e-9, abs=1e-12)
+            assert found["margin"] == pytest.approx(sigma, rel=1e-9, abs=1e-12)
+            assert found["verdict"] == judged(a.structure, s.points(pose))[1]
             exact = gc.evaluate(a.structure.superbracket, {n: (*p, 1.0) for n, p in data["points"].items()})
             assert found["superbracket"] == pytest.approx(exact, rel=1e-6, abs=1e-9 * data["size"] ** 9)
             assert [c["label"] for c in found["constructed"]] == [c["label"] for c in data["constructed"]]
@@ -804,7 +805,7 @@ HALVING = """slider => {
     if (value(middle) * sign > 0) low = middle;
     else high = middle;
   }
-  return robot.numbers.closeness;
+  return robot.numbers.margin;
 }"""
 """Moves a slider to where the superbracket changes its sign."""
 

@@ -33,11 +33,11 @@ from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
 from gcrules.mechanisms.description.robot_file import describes_joints
 from gcrules.mechanisms.platform_analysis import analyze as analyzed
+from gcrules.mechanisms.robot import Robot
 from gcrules.rules.factorization import SECONDS
 
 if TYPE_CHECKING:
     from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-    from gcrules.mechanisms.robot import Robot
 
 __all__ = ["analyze", "report"]
 

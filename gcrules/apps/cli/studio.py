@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING
 
 import click
 
@@ -12,9 +13,11 @@ from gcrules.core.deferred import resolved
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.yaml_file import read_text
 
+if TYPE_CHECKING:
+    from gcrules.apps.studio.protocol.requests import SourceJson
+
 __all__ = ["studio"]
 
-_LARGEST = 400_000  # characters of a file, as many as a page may send
 _PORT = "The port, 8747 if not given; if it is taken, the next free one. 0 is any."
 
 
@@ -47,16 +50,19 @@ def studio(source: str | None, port: int | None, no_browser: bool) -> None:
     serve(opened, port=usual if port is None else port, browser=not no_browser, say=click.echo)
 
 
-def _source(word: str) -> dict[str, str]:
+def _source(word: str) -> SourceJson:
     """What the word means: a file, an id, or legs. Faults show here, before a page is opened."""
+    from gcrules.apps.studio.protocol.requests import LONGEST_FILE
+
+    found: SourceJson
     if word == "-":
         found = {"kind": "file", "text": read_stdin(), "name": "<stdin>"}
     elif os.path.isfile(word) or word.endswith((".yaml", ".yml")):
         found = {"kind": "file", "text": read_text(word), "name": os.path.basename(word)}
     else:
         found = known_as(word) or {"kind": "legs", "legs": word}
-    if len(found.get("text", "")) > _LARGEST:
-        raise FileError(f"the file has more than {_LARGEST:,} characters", filename=found["name"])
+    if found["kind"] == "file" and len(found["text"]) > LONGEST_FILE:
+        raise FileError(f"the file has more than {LONGEST_FILE:,} characters", filename=found["name"])
     if found["kind"] != "class":
         read_subject(found)
     return found

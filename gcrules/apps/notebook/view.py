@@ -26,7 +26,7 @@ def view(robot: Platform | Analysis | RobotText | RobotAnalysis | str, *, pose: 
     `robot` is a platform (`load_platform`), an analysis, legs as text, or a robot described by its joints, which stays
     at home unless it is a platform on six legs. `pose` is where the platform begins: text as for `gcrules pose`, a
     `Pose`, or a mapping with `translation` and `quaternion`; turns are about the centroid of the platform's joints. The
-    widget's traits `pose`, `closeness` and `verdict` follow the platform, and setting `pose` moves it; `numbers()` is
+    widget's traits `pose`, `margin` and `verdict` follow the platform, and setting `pose` moves it; `numbers()` is
     the full report there.
 
     Raises InputError where the optional dependency is missing, and for lines that are no legs between finite joints.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from importlib.resources import files
 from math import hypot, isfinite
 from typing import Any
 
@@ -20,6 +19,7 @@ from gcrules.poses.pose_report import pose as report_at
 from gcrules.screws.pose import Pose, parse_pose
 from gcrules.views.report.robot_report import on_six_legs, robot_scene
 from gcrules.views.report.scene_json import Scenery
+from gcrules.views.viewer import viewer_script
 
 __all__ = ["RobotWidget"]
 
@@ -28,22 +28,21 @@ HOME = {"translation": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0]}
 
 def _module() -> str:
     """The bundle of the viewer, a classic script, as the ES module that a notebook loads."""
-    code = files("gcrules.apps.studio").joinpath("static", "viewer.js").read_text(encoding="utf-8")
-    return f"{code}\nexport default GcrulesViewer.widget;\n"
+    return f"{viewer_script()}\nexport default GcrulesViewer.widget;\n"
 
 
 class RobotWidget(anywidget.AnyWidget):
     """A robot in 3D. `pose` (shift and unit quaternion, scalar first) goes both ways; it may be set as text too.
 
-    `closeness` (0 to 1) and `verdict` (regular | close | singular within rounding) are those of the pose, for
-    `observe`; None for a robot with other limbs than six legs, which is shown at home.
+    `margin` (the singularity margin, 0 singular to 1) and `verdict` (regular | close | singular within rounding) are
+    those of the pose, for `observe`; None for a robot with other limbs than six legs, which is shown at home.
     """
 
     _esm = _module()
 
     scene = traitlets.Dict().tag(sync=True)
     pose = traitlets.Any().tag(sync=True)
-    closeness = traitlets.Float(None, allow_none=True)
+    margin = traitlets.Float(None, allow_none=True)
     verdict = traitlets.Unicode(None, allow_none=True)
 
     def __init__(self, robot: Analysis | RobotAnalysis, pose: Any = None) -> None:
@@ -62,7 +61,7 @@ class RobotWidget(anywidget.AnyWidget):
     def _moved(self, change: Mapping[str, Any]) -> None:
         if self._scenery is None:
             return
-        self.closeness, self.verdict = judged(self._scenery.structure, self._scenery.points(change["new"]))
+        self.margin, self.verdict = judged(self._scenery.structure, self._scenery.points(change["new"]))
 
     def numbers(self, **options: Any) -> PoseReport:
         """The report of `gcrules.pose` for the pose that is shown, with its options.

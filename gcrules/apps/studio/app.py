@@ -12,9 +12,9 @@ from starlette.websockets import WebSocket
 
 from gcrules.apps.studio.guard import Guard
 from gcrules.apps.studio.pages import Pages
+from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.apps.studio.service import Service
 from gcrules.apps.studio.session import Session
-from gcrules.apps.studio.views import SourceJson
 
 __all__ = ["MOST_PAGES", "make_app"]
 

@@ -21,14 +21,16 @@ from gcrules.apps.repl.reading import Piece as Input
 from gcrules.apps.repl.reading import Source, first_word, pieces, split_command
 from gcrules.apps.repl.state import Settings, State
 from gcrules.apps.repl.tables import STATEMENTS
-from gcrules.apps.studio.answer_views import Bench, BenchResult, Constructed, PlaneView
 from gcrules.apps.studio.faults import fault_view, units
 from gcrules.apps.studio.formulas import pieces as in_pieces
-from gcrules.apps.studio.places import HOME, homogeneous_at
+from gcrules.apps.studio.places import homogeneous_at
+from gcrules.apps.studio.protocol.answer_views import Bench, BenchResult, DrawnPlane
+from gcrules.apps.studio.protocol.requests import HOME, PoseJson
+from gcrules.apps.studio.protocol.study_views import Piece
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.views import Piece, PoseJson
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.poses.numbers.extensors import coordinates, line_vectors, plane_equation
+from gcrules.views.scene_data import Constructed, NamedLineView, NamedPointView
 
 __all__ = ["bench"]
 
@@ -131,7 +133,7 @@ def _result(
     name: str | None = None,
     shown: list[Piece] | None = None,
     step: int | None = None,
-    drawn: Constructed | PlaneView | None = None,
+    drawn: Constructed | DrawnPlane | None = None,
 ) -> BenchResult:
     return {
         "start": place.start,
@@ -158,7 +160,7 @@ def _in_text(fault: GcrulesError, text: str, starts: list[int]) -> None:
 # --- in space ------------------------------------------------------------------------------------------------------
 
 
-def _drawn(e: Expr, label: str, at: Mapping[str, Any]) -> Constructed | PlaneView | None:
+def _drawn(e: Expr, label: str, at: Mapping[str, Any]) -> Constructed | DrawnPlane | None:
     """A point, line or plane through points of the subject; None for anything else, and at infinity."""
     if e.step not in _SHOWN or not points_of(e) or not set(points_of(e)) <= set(at):
         return None
@@ -167,14 +169,14 @@ def _drawn(e: Expr, label: str, at: Mapping[str, Any]) -> Constructed | PlaneVie
     return _SHOWN[e.step](found / size, label) if size else None
 
 
-def _point(found: Any, label: str) -> Constructed | None:
+def _point(found: Any, label: str) -> NamedPointView | None:
     *xyz, w = map(float, found[0])
     if abs(w) <= _FAR:
         return None
     return {"kind": "point", "label": label, "at": [c / w for c in xyz], "entities": []}
 
 
-def _line(found: Any, label: str) -> Constructed | None:
+def _line(found: Any, label: str) -> NamedLineView | None:
     import numpy as np
 
     (d,), (m,) = line_vectors(found)
@@ -185,7 +187,7 @@ def _line(found: Any, label: str) -> Constructed | None:
     return {"kind": "line", "label": label, "at": foot.tolist(), "direction": (d / size).tolist(), "entities": []}
 
 
-def _plane(found: Any, label: str) -> PlaneView | None:
+def _plane(found: Any, label: str) -> DrawnPlane | None:
     import numpy as np
 
     *normal, d = plane_equation(found)[0]
@@ -195,5 +197,5 @@ def _plane(found: Any, label: str) -> PlaneView | None:
     return {"kind": "plane", "label": label, "normal": [float(c) / size for c in normal], "offset": -float(d) / size}
 
 
-_SHOWN: Mapping[int, Callable[[Any, str], Constructed | PlaneView | None]] = {1: _point, 2: _line, 3: _plane}
+_SHOWN: Mapping[int, Callable[[Any, str], Constructed | DrawnPlane | None]] = {1: _point, 2: _line, 3: _plane}
 """What draws an extensor of each step."""

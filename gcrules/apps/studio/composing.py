@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from gcrules.algebra.language.legs_text import Structure
-from gcrules.apps.studio.answer_views import Composed
+from gcrules.apps.studio.protocol.answer_views import Composed
 from gcrules.mechanisms.description.platform_file import parse_platform
 
 __all__ = ["composed", "platform_text"]

@@ -9,13 +9,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from gcrules.apps.studio.answer_views import Format, Saved
 from gcrules.apps.studio.composing import platform_text
 from gcrules.apps.studio.limbs import robot_drawing
 from gcrules.apps.studio.moving import values_at
 from gcrules.apps.studio.numbers import exact_pose, numbers
+from gcrules.apps.studio.protocol.answer_views import Saved
+from gcrules.apps.studio.protocol.requests import Format, PoseJson
 from gcrules.apps.studio.subject import Subject, Vector, examples
-from gcrules.apps.studio.views import PoseJson
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import pose_value
 from gcrules.core.errors import InputError

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from gcrules.apps.studio.views import FaultView, Place
+from gcrules.apps.studio.protocol.study_views import FaultView, Place
 from gcrules.core.budget import MORE_SECONDS
 from gcrules.core.errors import GcrulesError, LimitReached, Span
 

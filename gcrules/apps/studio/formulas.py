@@ -13,7 +13,7 @@ from collections.abc import Iterator
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Point, Product, Sum, neg, points_of
-from gcrules.apps.studio.views import Monomial, Piece
+from gcrules.apps.studio.protocol.study_views import Monomial, Piece
 from gcrules.views.formulas.latex import latex, latex_name
 
 __all__ = ["bracket_tex", "monomials", "pieces"]

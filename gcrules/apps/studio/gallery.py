@@ -10,8 +10,8 @@ from functools import cache
 from gcrules.algebra.language.legs_text import legs_text
 from gcrules.algebra.structure import Structure
 from gcrules.apps.studio.drawings import sketch
+from gcrules.apps.studio.protocol.study_views import Gallery, GalleryItem
 from gcrules.apps.studio.subject import examples
-from gcrules.apps.studio.views import Gallery, GalleryItem
 from gcrules.core.errors import GcrulesError
 from gcrules.mechanisms.description.discovery import Found, robots
 from gcrules.mechanisms.description.platform_file import load_platform

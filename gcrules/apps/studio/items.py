@@ -5,7 +5,7 @@ from __future__ import annotations
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr
 from gcrules.apps.studio.formulas import monomials, pieces
-from gcrules.apps.studio.views import FactItem, FormulaItem, MonomialsItem, TextItem
+from gcrules.apps.studio.protocol.study_views import FactItem, FormulaItem, MonomialsItem, TextItem
 
 __all__ = ["fact", "formula", "said", "table"]
 

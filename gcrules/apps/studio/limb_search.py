@@ -8,10 +8,10 @@ from math import radians
 
 import numpy as np
 
-from gcrules.apps.studio.answer_views import FoundView, Nearest
 from gcrules.apps.studio.moving import configuration
+from gcrules.apps.studio.protocol.answer_views import Nearest, SingularPoseView
+from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.views import PoseJson
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.mechanism import Mechanism
@@ -52,7 +52,7 @@ def first_around(subject: Subject, pose: PoseJson, tell: Callable[[str], None]) 
             stops.append(str(way))
             continue
         met += [one] if one else []
-    views: list[FoundView] = []
+    views: list[SingularPoseView] = []
     lost: list[str] = []
     for one in sorted(met, key=lambda one: one.apart):
         tell(f"setting the actuators along {one.way}")
@@ -64,7 +64,7 @@ def first_around(subject: Subject, pose: PoseJson, tell: Callable[[str], None]) 
     return {"found": views, "note": _note(views, every, stops, lost)}
 
 
-def _view(subject: Subject, at: Mechanism, one: Met, now: list[float], pose: PoseJson) -> FoundView | None:
+def _view(subject: Subject, at: Mechanism, one: Met, now: list[float], pose: PoseJson) -> SingularPoseView | None:
     """What was met, with the actuators that take the robot there; None where they do not."""
     assert subject.robot is not None
     there = here(at, subject.robot, one.solution, DEFAULT)
@@ -97,7 +97,7 @@ def _view(subject: Subject, at: Mechanism, one: Met, now: list[float], pose: Pos
     }
 
 
-def _note(found: list[FoundView], every: tuple[Way, ...], stops: list[str], lost: list[str]) -> str:
+def _note(found: list[SingularPoseView], every: tuple[Way, ...], stops: list[str], lost: list[str]) -> str:
     said = "Found" if found else "No singular pose was found"
     all_ways = listed([str(w) for w in every])
     words = f"{said} by a search along {all_ways}, up to 60° or 0.75 times the robot's size: {_NO_PROOF}."

@@ -9,7 +9,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.legs_text import leg_text
 from gcrules.algebra.language.text import text
 from gcrules.apps.studio.items import fact, formula, said
-from gcrules.apps.studio.views import Item, RobotView
+from gcrules.apps.studio.protocol.study_views import Item, RobotView
 from gcrules.mechanisms.conditions.factor_causes import KINDS, Part
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.equivalent import FRAME

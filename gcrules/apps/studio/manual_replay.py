@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from gcrules.apps.studio.answer_views import FormView, HintView, Manual, RecordView
 from gcrules.apps.studio.faults import fault_view
 from gcrules.apps.studio.formulas import monomials
+from gcrules.apps.studio.protocol.answer_views import FormView, HintView, Manual, ManualStep
+from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.study import condition_view
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.views import EntityView, FaultView, Vec3
 from gcrules.conditions.manual import Outcome, Record, Session
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.views.report.scene_json import entity_data
+from gcrules.views.scene_data import EntityView, Vec3
 
 __all__ = ["replayed"]
 
@@ -46,7 +47,7 @@ def replayed(subject: Subject, commands: Sequence[str], tell: Callable[[str], No
     }
 
 
-def _record(r: Record) -> RecordView:
+def _record(r: Record) -> ManualStep:
     term = r.outcome.data.get("term")
     return {
         "command": r.command,
@@ -66,7 +67,7 @@ def _form(session: Session) -> FormView:
 
 
 def _entities(session: Session) -> list[EntityView]:
-    return [entity_data(e, i) for i, e in enumerate(session.board.starred)]  # type: ignore[misc]
+    return [entity_data(e, i) for i, e in enumerate(session.board.starred)]
 
 
 def _hint(session: Session) -> HintView | None:

@@ -6,9 +6,11 @@ from math import log10, radians
 
 import numpy as np
 
-from gcrules.apps.studio.answer_views import MotionView, Numbers
+from gcrules.apps.studio.protocol.answer_views import Numbers
+from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.protocol.study_views import Axis
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.views import Axis, PoseJson
+from gcrules.apps.studio.thresholds import close_margin
 from gcrules.core.errors import InputError
 from gcrules.poses.limbs.pose_report import posed
 from gcrules.poses.limbs.report import RobotPose
@@ -16,6 +18,7 @@ from gcrules.poses.numbers.extensors import coordinates
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.threshold import DEFAULT
 from gcrules.views.robots.limb_views import Values, all_places, directions, limb_views
+from gcrules.views.scene_data import MotionView
 
 __all__ = ["actuator_axes", "configuration", "motion_view", "robot_numbers", "values_at"]
 
@@ -84,7 +87,8 @@ def robot_numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> Nu
         "pose": pose,
         "points": {n: values[n] for n in names},
         "value": _value(subject, values, found.closeness),
-        "closeness": found.closeness,
+        "margin": found.closeness,
+        "close": close_margin(found.threshold),
         "verdict": found.verdict,
         "reason": found.reason,
         "causes": list(found.causes),
@@ -107,13 +111,13 @@ def robot_numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> Nu
     }
 
 
-def _value(subject: Subject, values: Values, closeness: float) -> float:
+def _value(subject: Subject, values: Values, margin: float) -> float:
     """The superbracket of the equivalent lines by the lengths of their coordinates, with its sign, the points at unit
-    scale about their centroid and directions of length 1; the closeness where there are no lines.
+    scale about their centroid and directions of length 1; the margin where there are no lines.
     """
     robot, a = subject.robot, subject.analysis
     if robot is None or a is None:
-        return closeness
+        return margin
     far, all_of = directions(robot), all_places(robot, values)
     finite = np.array([all_of[n] for n in a.structure.names if n not in far])
     centre = finite.mean(axis=0)

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from gcrules.apps.studio.answer_views import FoundView, Nearest
 from gcrules.apps.studio.limb_search import first_around
-from gcrules.apps.studio.numbers import exact_pose, threshold_of
+from gcrules.apps.studio.numbers import exact_pose
+from gcrules.apps.studio.protocol.answer_views import Nearest, SingularPoseView
+from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.views import PoseJson
+from gcrules.apps.studio.thresholds import threshold_of
 from gcrules.core.errors import InputError
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.poses.pose_report import report
@@ -43,7 +44,7 @@ def nearest(subject: Subject, pose: PoseJson, threshold: str | None, tell: Calla
     return {"found": [_view(n, n.pose, subject.unit) for n in found.nearest if n.pose is not None]}
 
 
-def _view(n: NearestPose, pose: Pose, unit: str) -> FoundView:
+def _view(n: NearestPose, pose: Pose, unit: str) -> SingularPoseView:
     angle = n.kind == "rotation"
     distance = math.degrees(n.distance) if angle else n.distance
     shown = degrees(n.distance) if angle else f"{n.distance:.4g} {unit}".strip()

@@ -14,10 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.algebra.evaluate import evaluate
-from gcrules.apps.studio.answer_views import Along, Numbers, ReadingView
 from gcrules.apps.studio.moving import motion_view, robot_numbers
+from gcrules.apps.studio.protocol.answer_views import Along, Numbers, ReadingView
+from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.views import PoseJson
+from gcrules.apps.studio.thresholds import close_margin, threshold_of
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import judged, line_measure
 from gcrules.core.errors import InputError
@@ -36,10 +37,11 @@ from gcrules.rules.condition import Condition
 from gcrules.screws.guarantees import ROUNDING, closeness, noise
 from gcrules.screws.margin import Jacobian, jacobian
 from gcrules.screws.pose import Pose
-from gcrules.screws.threshold import DEFAULT, Threshold, parse_threshold
+from gcrules.screws.threshold import DEFAULT, Threshold
+from gcrules.screws.verdict import CLOSE
 from gcrules.views.robots.limb_views import limb_views
 
-__all__ = ["along", "arrays", "exact_pose", "numbers", "threshold_of"]
+__all__ = ["along", "arrays", "exact_pose", "numbers"]
 
 Floats = NDArray[np.float64]
 
@@ -63,18 +65,14 @@ def arrays(poses: Sequence[PoseJson]) -> tuple[Floats, Floats]:
     return shifts, matrices(np.array([p["quaternion"] for p in poses], dtype=np.float64).reshape(-1, 4))
 
 
-def threshold_of(text: str | None, unit: str) -> Threshold:
-    """What counts as close. Raises InputError."""
-    return DEFAULT if text is None else parse_threshold(text, unit)
-
-
 def numbers(subject: Subject, pose: PoseJson, threshold: str | None = None) -> Numbers:
     """Everything that changes with the pose. Raises InputError for a leg of no length, and for poses too far away."""
     if subject.limbed:
         return robot_numbers(subject, pose, threshold)
+    limit = threshold_of(threshold, subject.unit)
     if subject.moving is None:
-        return _by_lines(subject, pose)
-    return _of_rig(subject, subject.moving, pose, threshold_of(threshold, subject.unit))
+        return _by_lines(subject, pose, limit)
+    return _of_rig(subject, subject.moving, pose, limit)
 
 
 def _of_rig(subject: Subject, moving: Rig, pose: PoseJson, limit: Threshold) -> Numbers:
@@ -101,12 +99,13 @@ def _of_rig(subject: Subject, moving: Rig, pose: PoseJson, limit: Threshold) -> 
         "pose": pose,
         "points": {n: list(p) for n, p in places.items()},
         "value": 0.0 if exact == 0 else float(value[0]),
-        "closeness": 0.0 if exact == 0 else sigma,
+        "margin": 0.0 if exact == 0 else sigma,
+        "close": close_margin(limit),
         "verdict": said,
         "reason": reason,
         "causes": list(_causes(conditions, moving, pose, points, exact == 0, said)) if near else [],
         "readings": _readings(conditions, points, moving.unit),
-        "constructed": subject.scenery.constructed(places),  # type: ignore[typeddict-item]
+        "constructed": subject.scenery.constructed(places),
         "motion": motion_view(softest_twist(j), tuple(j.centroid[0].tolist()), moving.unit) if near else None,
         "stress": list(scaled(j.stress[0].tolist())) if near else [],
         "limbs": limb_views(subject.robot, {**subject.home, **places}) if subject.robot else [],
@@ -143,7 +142,7 @@ def _readings(conditions: Sequence[Condition], points: Any, unit: str) -> list[R
     ]
 
 
-def _by_lines(subject: Subject, pose: PoseJson) -> Numbers:
+def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
     """Where the legs do not make a platform with a Jacobian: their six lines alone."""
     a, scenery = subject.analysis, subject.scenery
     if a is None or scenery is None:
@@ -151,7 +150,8 @@ def _by_lines(subject: Subject, pose: PoseJson) -> Numbers:
     if max(map(abs, pose["translation"])) > FAR * subject.size:
         raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
     places = scenery.points(_plain(pose))
-    size, said = judged(a.structure, places)
+    close = close_margin(limit)
+    size, said = judged(a.structure, places, CLOSE if close is None else close)
     always = a.condition.kind == "always-singular"
     value = 0.0 if always else _sign(a, places) * line_measure(a.structure.legs, places)
     points = {n: np.array([[*p, 1.0]]) for n, p in places.items()}
@@ -160,13 +160,14 @@ def _by_lines(subject: Subject, pose: PoseJson) -> Numbers:
         "pose": pose,
         "points": {n: list(p) for n, p in places.items()},
         "value": value,
-        "closeness": 0.0 if always else size,
+        "margin": 0.0 if always else size,
+        "close": close,
         "verdict": "singular" if always else said,
         "reason": f"Told by the six lines alone{why}.",
         "causes": [a.condition.sentence] if always else [],
         "readings": _readings((a.condition, *a.readings), points, subject.unit),
-        "constructed": scenery.constructed(places),  # type: ignore[typeddict-item]
-        "motion": scenery.motion(places),  # type: ignore[typeddict-item]
+        "constructed": scenery.constructed(places),
+        "motion": scenery.motion(places),
         "stress": [],
         "limbs": [],
         "notes": [],
@@ -183,12 +184,12 @@ def _sign(a: Analysis, places: Mapping[str, Sequence[float]]) -> float:
 
 
 def along(subject: Subject, poses: Sequence[PoseJson], threshold: str | None = None) -> Along:
-    """Closeness, value and verdict at many poses, for a plot."""
+    """Margin, value and verdict at many poses, for a plot."""
     moving = subject.moving
     if moving is None or subject.analysis is None:
         found = [numbers(subject, p, threshold) for p in poses]
         return {
-            "closeness": [n["closeness"] for n in found],
+            "margin": [n["margin"] for n in found],
             "value": [n["value"] for n in found],
             "verdicts": [n["verdict"] for n in found],
         }
@@ -199,7 +200,7 @@ def along(subject: Subject, poses: Sequence[PoseJson], threshold: str | None = N
     many = numbers_of(moving, (), at, limit, ROUNDING * moving.size)
     j = jacobian(moving.base, moving.ends(*at))
     return {
-        "closeness": many.closeness.tolist(),
+        "margin": many.closeness.tolist(),
         "value": _scaled_value(j, moving).tolist(),
         "verdicts": many.verdict.tolist(),
     }

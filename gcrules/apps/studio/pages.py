@@ -9,9 +9,12 @@ from pathlib import Path
 from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 
+from gcrules.views.viewer import FOLDER
+
 __all__ = ["STATIC", "Pages"]
 
-STATIC = Path(__file__).parent / "static"
+STATIC = (Path(__file__).parent / "static", FOLDER)
+"""The page, and the viewer that it shares with reports and notebooks."""
 
 _TYPES = {
     ".html": "text/html; charset=utf-8",
@@ -35,10 +38,10 @@ class _File:
 
 
 class Pages:
-    """Serves the files of a folder, read when they are first asked for or have changed."""
+    """Serves the files of some folders, read when they are first asked for or have changed; of one name, the first."""
 
-    def __init__(self, folder: Path = STATIC) -> None:
-        self.folder = folder
+    def __init__(self, *folders: Path) -> None:
+        self.folders = folders or STATIC
         self.known: dict[Path, _File] = {}
 
     async def answer(self, request: Request) -> Response:
@@ -56,10 +59,12 @@ class Pages:
 
     def _listed(self) -> dict[str, Path]:
         """What there is, by the name in the address: nothing outside the folder has one."""
-        if not self.folder.is_dir():
-            return {}
-        found = (p for p in self.folder.rglob("*") if p.suffix in _TYPES and p.is_file())
-        return {p.relative_to(self.folder).as_posix(): p for p in found}
+        return {
+            p.relative_to(folder).as_posix(): p
+            for folder in reversed(self.folders)
+            for p in folder.rglob("*")
+            if p.suffix in _TYPES and p.is_file()
+        }
 
     def _file(self, path: Path) -> _File:
         changed = path.stat().st_mtime_ns

@@ -7,13 +7,11 @@ from numpy.typing import NDArray
 
 from gcrules.apps.studio.moving import values_at
 from gcrules.apps.studio.numbers import numbers
+from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.views import PoseJson
 from gcrules.views.robots.limb_views import all_places, directions
 
-__all__ = ["HOME", "homogeneous_at"]
-
-HOME: PoseJson = {"translation": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0]}
+__all__ = ["homogeneous_at"]
 
 
 def homogeneous_at(subject: Subject, pose: PoseJson) -> dict[str, NDArray[np.float64]]:

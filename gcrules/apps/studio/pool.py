@@ -12,7 +12,7 @@ from asyncio.subprocess import DEVNULL, PIPE, Process
 from time import monotonic
 from typing import Any
 
-from gcrules.apps.studio.views import FaultView
+from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.wire import Job, Tell, framed, read_frame
 from gcrules.core.errors import EngineFault, GcrulesError, LimitReached
 

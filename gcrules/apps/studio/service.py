@@ -10,9 +10,10 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from gcrules.apps.studio.methods import METHODS
 from gcrules.apps.studio.pool import Pool
-from gcrules.apps.studio.views import Hello, SourceJson
+from gcrules.apps.studio.protocol.methods import METHODS
+from gcrules.apps.studio.protocol.requests import SourceJson
+from gcrules.apps.studio.protocol.study_views import Hello
 from gcrules.apps.studio.wire import Tell, key_of
 from gcrules.core.budget import Budget, within
 from gcrules.core.version import __version__

@@ -13,8 +13,8 @@ from collections.abc import Callable
 import uvicorn
 
 from gcrules.apps.studio.app import make_app
+from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.apps.studio.token_file import token
-from gcrules.apps.studio.views import SourceJson
 from gcrules.core import interrupts
 from gcrules.core.errors import InputError
 

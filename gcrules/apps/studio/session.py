@@ -12,12 +12,12 @@ from typing import Any
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from gcrules.apps.studio.checking import choice, decoded, number, record, text
 from gcrules.apps.studio.faults import CANCELLED, SUPERSEDED, fault_view, limit, own_fault
-from gcrules.apps.studio.methods import LONGEST, METHODS
 from gcrules.apps.studio.pool import Told
+from gcrules.apps.studio.protocol.checking import choice, decoded, number, record, text
+from gcrules.apps.studio.protocol.methods import LONGEST, METHODS
+from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.service import Service
-from gcrules.apps.studio.views import FaultView
 from gcrules.core.errors import GcrulesError
 
 __all__ = ["Session"]
@@ -32,11 +32,7 @@ def _any(value: Any, where: str) -> Any:
 
 
 _ID = number(0, 2**53, whole=True)
-_ARGS = {name: method.args for name, method in METHODS.items()} | {
-    "hello": record({}),
-    "cancel": record({"target": _ID}),
-}
-_REQUEST = record({"id": _ID, "do": choice(*_ARGS), "args": _any}, {"channel": text(40)})
+_REQUEST = record({"id": _ID, "do": choice(*METHODS), "args": _any}, {"channel": text(40)})
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +81,7 @@ class Session:
             found = decoded(message or b"", LONGEST)
             number = found["id"] if isinstance(found.get("id"), int) and not isinstance(found["id"], bool) else 0
             asked = _REQUEST(found, "the message")
-            args = _ARGS[asked["do"]](asked["args"], "args")
+            args = METHODS[asked["do"]].check(asked["args"], "args")
         except GcrulesError as fault:
             await self._send({"id": min(max(number, 0), 2**53), "ok": False, "error": fault_view(fault)})
             return

@@ -12,9 +12,9 @@ from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.gallery import GROUPS
 from gcrules.apps.studio.items import fact, formula, said, table
 from gcrules.apps.studio.limbs import limb_stages, part_items
+from gcrules.apps.studio.protocol.study_views import Item, OrdersItem, Piece, StageView, StepView
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.theory import STAGES
-from gcrules.apps.studio.views import Item, OrdersItem, Piece, StageView, StepView
 from gcrules.conditions.analysis import Analysis
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.condition import Entity

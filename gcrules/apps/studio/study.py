@@ -12,13 +12,14 @@ from gcrules.apps.studio.drawings import schematic
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.limbs import robot_view
 from gcrules.apps.studio.moving import actuator_axes
+from gcrules.apps.studio.protocol.study_views import Axis, ConditionView, EntryView, Study
 from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.views import Axis, ClassView, ConditionView, EntityView, Study
 from gcrules.conditions.analysis import Analysis
 from gcrules.rules.condition import Condition
 from gcrules.views.drawing.figures import distinct_entities
 from gcrules.views.report.scene_json import entity_data
+from gcrules.views.scene_data import EntityView
 
 __all__ = ["condition_view", "entity_views", "study"]
 
@@ -40,7 +41,7 @@ def study(subject: Subject, tell: Callable[[str], None]) -> Study:
         "about": subject.about,
         "size": subject.size,
         "axes": _axes(subject),
-        "class": _class(a) if a else None,
+        "entry": _entry(a) if a else None,
         "schematic": schematic(a.structure) if a and a.structure.joined and a.structure.rank == 4 else "",
         "stages": stage_views(subject),
         "entities": entity_views(a) if a else [],
@@ -63,7 +64,7 @@ def _axes(subject: Subject) -> list[Axis]:
     return shifts + turns
 
 
-def _class(a: Analysis) -> ClassView | None:
+def _entry(a: Analysis) -> EntryView | None:
     return {"id": a.match.entry.id, "name": a.match.entry.name or ""} if a.match else None
 
 
@@ -71,7 +72,7 @@ def entity_views(a: Analysis) -> list[EntityView]:
     """The entities that the figures show, in the same colours."""
     if a.structure.rank != 4:
         return []
-    return [entity_data(e, i) for i, e in enumerate(distinct_entities(a))]  # type: ignore[misc]
+    return [entity_data(e, i) for i, e in enumerate(distinct_entities(a))]
 
 
 def condition_view(s: Structure, c: Condition) -> ConditionView:

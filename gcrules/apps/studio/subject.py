@@ -7,9 +7,17 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from gcrules.algebra.language.legs_text import Structure, legs_text, read_legs
-from gcrules.apps.studio.views import SourceJson
+from gcrules.apps.studio.protocol.requests import (
+    ClassSource,
+    ExampleSource,
+    FileSource,
+    LegsSource,
+    RobotSource,
+    SourceJson,
+)
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.frozen import FrozenMap
@@ -121,7 +129,7 @@ def read_subject(source: SourceJson) -> Subject:
 # --- kinds of sources ----------------------------------------------------------------------------------------------
 
 
-def _of_class(source: SourceJson) -> Subject:
+def _of_class(source: ClassSource) -> Subject:
     catalog = load_catalog()
     entry = next((e for e in catalog.entries if e.id == source["id"]), None)
     if entry is None:
@@ -132,30 +140,30 @@ def _of_class(source: SourceJson) -> Subject:
     return _of_legs_alone(source, read_legs(legs_text(entry.legs)), title, entry.note or "")
 
 
-def _of_legs(source: SourceJson) -> Subject:
+def _of_legs(source: LegsSource) -> Subject:
     structure = read_legs(source["legs"])
     return _of_legs_alone(source, structure, f"Legs {structure.text()}")
 
 
-def _of_example(source: SourceJson) -> Subject:
+def _of_example(source: ExampleSource) -> Subject:
     path = examples().get(source["name"])
     if path is None:
         raise InputError(f"there is no example {source['name'][:40]!r}", hint=near(source["name"], examples()))
     return _of_text(source, path.read_text(encoding="utf-8"), path.name)
 
 
-def _of_robot(source: SourceJson) -> Subject:
+def _of_robot(source: RobotSource) -> Subject:
     known = {one.id: one for one in robots()}  # a path is no id: the page opens no files
     if source["id"] not in known:
         raise InputError(f"there is no robot {source['id'][:40]!r}", hint=near(source["id"], known))
     return _of_limbs(source, Robot.load(known[source["id"]].path))
 
 
-def _of_file(source: SourceJson) -> Subject:
+def _of_file(source: FileSource) -> Subject:
     return _of_text(source, source["text"], source["name"])
 
 
-_READERS: Mapping[str, Callable[[SourceJson], Subject]] = {
+_READERS: Mapping[str, Callable[[Any], Subject]] = {
     "class": _of_class,
     "legs": _of_legs,
     "example": _of_example,

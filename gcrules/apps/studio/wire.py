@@ -12,7 +12,7 @@ from asyncio import StreamReader
 from collections.abc import Callable, Mapping
 from typing import Any, BinaryIO
 
-from gcrules.apps.studio.views import SourceJson
+from gcrules.apps.studio.protocol.requests import SourceJson
 
 __all__ = ["Job", "Tell", "framed", "key_of", "read", "read_frame"]
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from gcrules.apps.studio.answers import answer
 from gcrules.apps.studio.faults import fault_view, limit, own_fault
-from gcrules.apps.studio.methods import METHODS
+from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.apps.studio.subject import Subject, read_subject
 from gcrules.apps.studio.wire import Job, Tell, framed, key_of, read
 from gcrules.core.alarm import limited

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from gcrules.algebra.expr import Expr, Join, Meet, Point
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import factors
 from gcrules.rules.condition import Entity
 from gcrules.views.drawing.figures import free_name, named_lines
+from gcrules.views.scene_data import Construction, EntityView
 
 __all__ = ["Incidence", "entity_data", "entity_label", "incidences", "nested"]
 
@@ -30,7 +30,7 @@ def entity_label(e: Entity) -> str:
     return gap.join(e.starred)
 
 
-def entity_data(e: Entity, colour: int) -> dict[str, Any]:
+def entity_data(e: Entity, colour: int) -> EntityView:
     """An entity for the viewer: its number is that of its colour."""
     return {
         "id": f"e{colour}",
@@ -55,11 +55,11 @@ def incidences(a: Analysis, shown: Sequence[Entity]) -> list[Incidence]:
     return found
 
 
-def nested(e: Expr) -> Any:
+def nested(e: Expr) -> Construction | None:
     """An expression of joins and meets as nested lists; None for one that holds anything else (a sum)."""
     if isinstance(e, Point):
         return str(e)
     if not isinstance(e, (Join, Meet)):
         return None
-    parts = [nested(c) for c in e.children]
-    return None if None in parts else ["join" if isinstance(e, Join) else "meet", *parts]
+    parts = [part for c in e.children if (part := nested(c)) is not None]
+    return ["join" if isinstance(e, Join) else "meet", *parts] if len(parts) == len(e.children) else None

@@ -15,6 +15,7 @@ from typing import Any
 
 from gcrules.core.errors import EngineFault
 from gcrules.core.version import __version__
+from gcrules.views.viewer import viewer_script
 
 __all__ = ["footer", "in_script", "page", "robot_figure_html"]
 
@@ -95,9 +96,9 @@ def _scripts(scene: Mapping[str, Any]) -> str:
 def _viewer() -> str:
     """The bundle of the viewer as the text of a script element."""
     try:
-        code = files("gcrules.apps.studio").joinpath("static", "viewer.js").read_text(encoding="utf-8")
-    except (FileNotFoundError, ModuleNotFoundError):
-        raise EngineFault("the bundle of the 3D viewer is missing from this installation (studio/static)") from None
+        code = viewer_script()
+    except FileNotFoundError:
+        raise EngineFault("the bundle of the 3D viewer is missing from this installation (views/static)") from None
     # strings and regular expressions of the code may hold these; escaped they mean the same
     return code.replace("</script", r"<\/script").replace("<!--", r"\x3c!--")
 

@@ -28,6 +28,7 @@ from gcrules.views.robots.joint_chain import unit_vector
 from gcrules.views.robots.limb_views import limb_views
 from gcrules.views.robots.robot_drawing import draw_robot
 from gcrules.views.robots.singular_poses import live_parts
+from gcrules.views.scene_data import PlaneView, SceneData
 
 __all__ = ["on_six_legs", "robot_report", "robot_scene"]
 
@@ -51,7 +52,7 @@ def robot_report(a: RobotAnalysis, *, interactive: bool = True) -> str:
     return page(a.robot.title, parts, robot_scene(a) if live else None)
 
 
-def robot_scene(a: RobotAnalysis) -> dict[str, Any]:
+def robot_scene(a: RobotAnalysis) -> SceneData:
     """The robot at home as the 3D viewer takes it: limbs with joints and wrenches, and the equivalent lines between
     finite points. Only a platform on six legs moves: with others that takes the joints' equations.
     """
@@ -111,7 +112,7 @@ def _colour(a: RobotAnalysis, e: Entity, number: int) -> int:
     return own[0] if own else len(place) + number
 
 
-def _far_plane(a: RobotAnalysis, e: Entity, colour: int, size: float) -> dict[str, Any] | None:
+def _far_plane(a: RobotAnalysis, e: Entity, colour: int, size: float) -> PlaneView | None:
     """A plane through finite points along directions, which are points at infinity; None for other entities."""
     places = lines_at(a.robot.family, a.structure, a.robot.values_at())
     finite = [[float(c) for c in places[n][:3]] for n in e.points if places[n][3]]

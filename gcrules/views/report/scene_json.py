@@ -18,7 +18,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import dist
-from typing import Any
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
@@ -26,15 +25,25 @@ from gcrules.algebra.structure import Structure
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import incidence_rows
 from gcrules.conditions.pose_value import XYZ, line_points
-from gcrules.core.deferred import deferred
+from gcrules.core.deferred import deferred, resolved
 from gcrules.core.errors import InputError
 from gcrules.screws.pose import Pose
 from gcrules.screws.verdict import CLOSE
 from gcrules.views.drawing.figures import distinct_entities, named_lines, sample_points
 from gcrules.views.drawing.scene_parts import Incidence, entity_data, incidences, nested
+from gcrules.views.scene_data import (
+    Constructed,
+    EntityView,
+    MotionView,
+    NamedLineView,
+    NamedPointView,
+    RecipeView,
+    SceneData,
+)
 
 __all__ = ["Scenery", "drawable", "entity_data", "scene"]
 
+ROUNDING, DIGITS = "gcrules.screws.guarantees:ROUNDING", "gcrules.screws.guarantees:DIGITS"  # it loads numpy
 softest_twist = deferred("gcrules.poses.numbers.motion:softest_twist")
 jacobian = deferred("gcrules.screws.margin:jacobian")
 on_one_line = deferred("gcrules.screws.margin:on_one_line")
@@ -49,7 +58,7 @@ MET = 1e-9
 """Below this share they meet in it."""
 
 
-def scene(analysis: Analysis, pose: AnyPose = None) -> dict[str, Any]:
+def scene(analysis: Analysis, pose: AnyPose = None) -> SceneData:
     """The scene of an analysis at a pose; a sample shape for legs without coordinates. Raises InputError for lines that
     are no legs between finite joints.
     """
@@ -75,7 +84,7 @@ class Scenery:
     size: float
     unit: str
     invented: bool
-    entities: tuple[dict[str, Any], ...]
+    entities: tuple[EntityView, ...]
     lines: tuple[tuple[str, Expr], ...]
     incidences: tuple[Incidence, ...]
 
@@ -106,22 +115,24 @@ class Scenery:
             incidences=tuple(incidences(a, shown)),
         )
 
-    def at(self, pose: AnyPose = None) -> dict[str, Any]:
+    def at(self, pose: AnyPose = None) -> SceneData:
         """The whole scene at a pose."""
         points = self.points(pose)
-        return {
-            "points": points,
+        found: SceneData = {
+            "points": {n: list(p) for n, p in points.items()},
             "base": list(self.structure.base),
             "platform": list(self.structure.platform),
             "legs": [list(leg) for leg in self.structure.oriented],
-            "about": _floats(self.about),
+            "about": list(_floats(self.about)),
             "size": self.size,
             "unit": self.unit,
             "entities": list(self.entities),
             "constructed": self.constructed(points),
             "motion": self.motion(points),
-            **({"recipe": self.recipe} if self.movable else {}),
         }
+        if self.movable:
+            found["recipe"] = self.recipe
+        return found
 
     @property
     def movable(self) -> bool:
@@ -140,24 +151,24 @@ class Scenery:
         moving, about = set(self.structure.platform), _floats(self.about)
         return {n: _moved(p, shift, turn, about) if n in moving else p for n, p in self._plain.items()}
 
-    def constructed(self, points: Points) -> list[dict[str, Any]]:
+    def constructed(self, points: Points) -> list[Constructed]:
         """The named lines of the condition, and the point in which its planes and lines meet or nearly do so."""
         at = {n: (*p, 1.0) for n, p in points.items()}
-        found = []
+        found: list[Constructed] = []
         for i, (name, e) in enumerate(self.lines):
             ends = line_points(evaluate(e, at), _middle(points), self.size)
             if ends:
                 along = [(q - p) / (2 * self.size) for p, q in zip(*ends, strict=True)]
                 start = [(q + p) / 2 for p, q in zip(*ends, strict=True)]
-                found.append(
-                    {"kind": "line", "label": name, "at": start, "direction": along, "entities": []}
-                    | {"colour": len(self.entities) + i}
-                )
+                line: NamedLineView = {"kind": "line", "label": name, "at": start, "direction": along, "entities": []}
+                found.append({**line, "colour": len(self.entities) + i})
         for one in self.incidences:
             place, miss = self._common(one, points)
             if place is not None and miss <= NEAR:
                 label = one.name if miss <= MET else f"≈ {one.name}"
-                found.append({"kind": "point", "label": label, "at": place, "entities": list(one.entities)})
+                ids = list(one.entities)
+                point: NamedPointView = {"kind": "point", "label": label, "at": list(place), "entities": ids}
+                found.append(point)
         return found
 
     def _common(self, one: Incidence, points: Points) -> tuple[XYZ | None, float]:
@@ -180,7 +191,7 @@ class Scenery:
         x, y, z = (c / w * self.size + o for c, o in zip(xyz, m, strict=True))
         return (x, y, z), float(sizes[3] / abs(w))
 
-    def motion(self, points: Points) -> dict[str, Any] | None:
+    def motion(self, points: Points) -> MotionView | None:
         """The motion that the legs hardly notice, where the pose is singular or close to it; else None."""
         if not self.movable:
             return None
@@ -197,22 +208,31 @@ class Scenery:
         twist = softest_twist(j)
         through = twist.point or tuple(map(float, j.centroid[0]))
         words = f"the platform can {twist.text(self.unit)}"
-        return {"axis": twist.axis, "through": through, "pitch": twist.pitch, "text": words}
+        return {"axis": list(twist.axis), "through": list(through), "pitch": twist.pitch, "text": words}
 
     @property
-    def recipe(self) -> dict[str, Any]:
+    def recipe(self) -> RecipeView:
         """How lines and common points are constructed from joints, as nested lists: a page without a server evaluates
         them by itself. ["join", "a", "b"] and ["meet", …] have further ones as operands; sums are left out.
         """
         turned = sum(x != y for x, y in zip(self.structure.legs, self.structure.oriented, strict=True))
         lines = [(i, name, nested(e)) for i, (name, e) in enumerate(self.lines, len(self.entities))]
-        points = [(one, [nested(p) for p in one.parts]) for one in self.incidences]
+        points = [(one, [of for p in one.parts if (of := nested(p))]) for one in self.incidences]
         return {
             "lines": [{"label": name, "colour": i, "of": of} for i, name, of in lines if of],
-            "points": [{"label": one.name, "of": of, "entities": list(one.entities)} for one, of in points if all(of)],
-            "near": NEAR,
-            "close": CLOSE,
+            "points": [
+                {"label": one.name, "of": of, "entities": list(one.entities)}
+                for one, of in points
+                if len(of) == len(one.parts)
+            ],
             "sign": -1 if turned % 2 else 1,
+            "thresholds": {
+                "close": CLOSE,
+                "rounding": resolved(ROUNDING),
+                "digits": resolved(DIGITS),
+                "near": NEAR,
+                "met": MET,
+            },
         }
 
 

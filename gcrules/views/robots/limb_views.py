@@ -15,7 +15,7 @@ from gcrules.mechanisms.description.relations import Term
 from gcrules.mechanisms.lines.equivalent import FRAME
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, Line
 from gcrules.screws import JOINTS
-from gcrules.views.robots.limb_data import JointView, LimbView, LineView, Vec3
+from gcrules.views.scene_data import JointView, LimbView, LineView, Vec3
 
 __all__ = ["Values", "all_places", "directions", "limb_views", "wrench_words"]
 

@@ -93,14 +93,9 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
   start(first);
   chosen("orbit");
 
-  /** Whether nothing moves: what is drawn is no platform on six legs. */
-  function still(): boolean {
-    return !scene.recipe;
-  }
-
   function start(next: Scene): void {
     scene = next;
-    root.classList.toggle("gcx-still", still());
+    root.classList.toggle("gcx-still", !next.recipe); // what is drawn is no platform on six legs
     pose = next.pose ?? IDENTITY;
     viewer.show(next);
     sliders.forEach((s, i) => {
@@ -120,8 +115,8 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
   }
 
   function settle(): void {
-    if (still()) return;
-    const found = numbersAt({ ...scene, points: viewer.points() });
+    if (!scene.recipe) return;
+    const found = numbersAt({ ...scene, recipe: scene.recipe, points: viewer.points() });
     numbers = found;
     viewer.update({ constructed: found.constructed, motion: found.motion });
     root.dataset.verdict = verdict.dataset.verdict = found.verdict;
@@ -131,7 +126,7 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
     sliders.forEach((s, i) => s.set(places[i]!));
     const rows: [string, HTMLElement | string][] = [
       ["Superbracket", figure(found.superbracket, scene.unit && `${scene.unit}⁹`)],
-      ["Closeness", figure(found.closeness)],
+      ["Margin", figure(found.margin)],
       ...(found.motion ? [["Gained motion", found.motion.text] as [string, string]] : []),
     ];
     table.replaceChildren(...rows.flatMap(([key, value]) => [make("dt", {}, key), make("dd", {}, value)]));

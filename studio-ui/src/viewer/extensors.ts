@@ -40,7 +40,7 @@ export function constructed(what: Construction, points: Record<string, Vec3>): E
     if (!at) throw new Error(`no point ${what}`);
     return point(at);
   }
-  const [kind, ...parts] = what;
+  const [kind, ...parts] = what; // "join" or "meet"
   return parts.map((part) => constructed(part, points)).reduce(kind === "join" ? join : meet);
 }
 
@@ -61,12 +61,13 @@ function equations(a: Extensor): number[][] {
   return Array.from({ length: 16 }, (_, mask) => columns.map((c) => c[mask]!)).filter((row) => row.some((c) => c));
 }
 
-/** The finite point nearest to all extensors and how far off they are; coordinates of about 1 are expected. */
-export function common(parts: readonly Extensor[]): { at: Vec3; miss: number } | null {
+/** The finite point nearest to all extensors and how far off they are; coordinates of about 1 are expected. Below `met`
+ * singular values count as 0. */
+export function common(parts: readonly Extensor[], met: number): { at: Vec3; miss: number } | null {
   const rows = parts.flatMap(equations).map((row) => row.map((c) => c / (Math.hypot(...row) || 1)));
   if (rows.length < 4) return null;
   const { values, vectors } = singular(rows);
   const [x, y, z, w] = vectors[3] as [number, number, number, number];
-  if (values[2]! < 1e-9 || Math.abs(w) * 3 < Math.max(Math.abs(x), Math.abs(y), Math.abs(z))) return null;
+  if (values[2]! < met || Math.abs(w) * 3 < Math.max(Math.abs(x), Math.abs(y), Math.abs(z))) return null;
   return { at: [x / w, y / w, z / w], miss: values[3]! / Math.abs(w) };
 }

@@ -1,10 +1,10 @@
 // Limbs: links, joints by their kind, and wrenches: forces as arrows, couples as curved arrows.
 import { SIZES, type Drawing } from "./drawing";
 import { curvedArrow } from "./motion";
-import type { LimbView, Vec3 } from "./types";
+import type { Joint, Limb, Line } from "../protocol";
+import type { Vec3 } from "./types";
 import { add, along, distance, mix, scale, unit } from "./vectors";
 
-type JointView = LimbView["joints"][number];
 
 export function drawnLimbs(d: Drawing): void {
   for (const limb of d.scene.limbs ?? []) {
@@ -16,14 +16,14 @@ export function drawnLimbs(d: Drawing): void {
 }
 
 /** Where a joint is drawn: a slide without a place of its own between its neighbours. */
-function placeOf(joints: readonly JointView[], i: number): Vec3 | null {
+function placeOf(joints: readonly Joint[], i: number): Vec3 | null {
   if (joints[i]!.point) return joints[i]!.point;
   const before = joints.slice(0, i).reverse().find((j) => j.point)?.point;
   const after = joints.slice(i + 1).find((j) => j.point)?.point;
   return before && after ? mix(before, after, 0.5) : null;
 }
 
-function links(d: Drawing, limb: LimbView): void {
+function links(d: Drawing, limb: Limb): void {
   const places = limb.joints.flatMap((j) => (j.point ? [j.point] : []));
   for (let i = 1; i < places.length; i++)
     if (distance(places[i - 1]!, places[i]!) > 1e-6 * d.scene.size)
@@ -31,7 +31,7 @@ function links(d: Drawing, limb: LimbView): void {
 }
 
 /** Short bars along the axes of turns, a thick one along a slide, a ball for a spherical joint. */
-function jointShape(d: Drawing, joint: JointView, at: Vec3 | null): void {
+function jointShape(d: Drawing, joint: Joint, at: Vec3 | null): void {
   const size = d.scene.size;
   if (!at) return;
   const fill = joint.actuated ? d.colour("drive") : d.pale(d.colour("leg"), 0.25);
@@ -51,7 +51,7 @@ function jointShape(d: Drawing, joint: JointView, at: Vec3 | null): void {
   }
 }
 
-function wrench(d: Drawing, limb: LimbView, line: LimbView["lines"][number], colour: string): void {
+function wrench(d: Drawing, limb: Limb, line: Line, colour: string): void {
   const size = d.scene.size;
   const direction = unit(line.direction);
   const first = limb.joints.find((j) => j.point)?.point ?? d.middle;

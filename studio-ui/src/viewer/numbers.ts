@@ -1,32 +1,30 @@
-// The numbers of a pose without a server, in floating-point numbers: value, closeness, softest motion, constructions.
+// The numbers of a pose without a server, in floating-point numbers: value, margin, softest motion, constructions.
 // What they mean is said in docs/pose.md; a test compares them with those of the engine.
 import { common, constructed, lineOf } from "./extensors";
 import { backwards, cholesky, determinant, forwards, singular } from "./linear";
-import type { Constructed, Scene, Vec3 } from "./types";
+import type { Constructed, Recipe, Scene, Thresholds, Vec3, Verdict } from "./types";
 import { centre, cross, length, scale, sub, unit } from "./vectors";
 
 export interface PoseNumbers {
   /** The superbracket of the legs, in the ninth power of the unit of length. */
   superbracket: number;
-  /** Dimensionless, 0 (singular) to 1. */
-  closeness: number;
-  verdict: "regular" | "close" | "singular";
+  /** The singularity margin σ: 0 (singular) to 1. */
+  margin: number;
+  verdict: Verdict;
   constructed: Constructed[];
   motion: NonNullable<Scene["motion"]> | null;
 }
 
-const ZERO = 1e-9; // below this closeness a pose is singular within rounding
-const MET = 1e-9;
-
-export function numbersAt(scene: Scene): PoseNumbers {
-  const { closeness, motion } = softest(scene);
-  const close = scene.recipe?.close ?? 0.0087;
-  const verdict = closeness < ZERO ? "singular" : closeness < close ? "close" : "regular";
+/** Those of a scene whose platform moves; thresholds come with its recipe. */
+export function numbersAt(scene: Scene & { recipe: Recipe }): PoseNumbers {
+  const { recipe } = scene;
+  const { margin, floor, motion } = softest(scene, recipe);
+  const verdict = margin <= floor ? "singular" : margin < recipe.thresholds.close ? "close" : "regular";
   return {
-    superbracket: superbracket(scene),
-    closeness,
+    superbracket: recipe.sign * superbracket(scene),
+    margin,
     verdict,
-    constructed: constructions(scene),
+    constructed: constructions(scene, recipe),
     motion: verdict === "regular" ? null : motion,
   };
 }
@@ -38,12 +36,19 @@ function superbracket(scene: Scene): number {
     const [p, q] = [sub(scene.points[a]!, middle), sub(scene.points[b]!, middle)];
     return [...sub(q, p), ...cross(p, q)];
   });
-  return -(scene.recipe?.sign ?? 1) * determinant(rows);
+  return -determinant(rows);
+}
+
+interface Softest {
+  margin: number;
+  /** What rounding may do to the margin. */
+  floor: number;
+  motion: PoseNumbers["motion"];
 }
 
 /** The twist that the legs notice least among those that move the platform's joints equally far. */
-function softest(scene: Scene): { closeness: number; motion: PoseNumbers["motion"] } {
-  const none = { closeness: 0, motion: null };
+function softest(scene: Scene, { thresholds }: Recipe): Softest {
+  const none = { margin: 0, floor: 0, motion: null };
   const ends = scene.legs.map(([, b]) => scene.points[b]!);
   const middle = centre(ends);
   const arms = ends.map((p) => sub(p, middle));
@@ -66,7 +71,22 @@ function softest(scene: Scene): { closeness: number; motion: PoseNumbers["motion
   const soft = vectors[5]!;
   const velocity = soft.slice(0, 3).map((c) => c / six) as Vec3;
   const turn = scale(backwards(lower, soft.slice(3)) as Vec3, 1 / radius);
-  return { closeness: Math.min(values[5]!, 1), motion: twist(velocity, turn, middle, radius, scene.unit) };
+  const floor = noise(scene, directions.map(length), radius * Math.hypot(...singular(lever).values.slice(1)), thresholds);
+  return { margin: Math.min(values[5]!, 1), floor, motion: twist(velocity, turn, middle, radius, scene.unit) };
+}
+
+/** How much rounding can change the margin, as `noise` of the engine has it; `spread` is that of the legs' ends about the
+ * line that is nearest to them. */
+function noise(scene: Scene, lengths: number[], spread: number, { rounding, digits }: Thresholds): number {
+  const all = Object.values(scene.points);
+  const middle = centre(all);
+  const size = Math.sqrt(all.reduce((sum, p) => sum + length(sub(p, middle)) ** 2, 0) / all.length);
+  const blur = (ends: string[]) =>
+    Math.max(rounding * size, digits * Math.max(...ends.flatMap((n) => scene.points[n]!.map(Math.abs))));
+  const leg = Math.min((2 * blur(scene.legs.flat())) / Math.min(...lengths), 1);
+  const eta = Math.min((Math.sqrt(6) * blur(scene.legs.map(([, end]) => end))) / spread, 0.5);
+  if (leg >= 1 || eta >= 0.5) return 1;
+  return Math.min((2 * Math.sin(Math.asin(leg) / 2) + 2 * eta) / (1 - eta), 1);
 }
 
 function twist(velocity: Vec3, turn: Vec3, middle: Vec3, radius: number, unitName: string): PoseNumbers["motion"] {
@@ -82,9 +102,8 @@ function twist(velocity: Vec3, turn: Vec3, middle: Vec3, radius: number, unitNam
 }
 
 /** The named lines, and the points in which planes and lines meet or nearly do so. */
-function constructions(scene: Scene): Constructed[] {
-  const recipe = scene.recipe;
-  if (!recipe) return [];
+function constructions(scene: Scene, recipe: Recipe): Constructed[] {
+  const { near, met } = recipe.thresholds;
   const middle = centre(Object.values(scene.points));
   const found: Constructed[] = [];
   for (const line of recipe.lines) {
@@ -95,10 +114,10 @@ function constructions(scene: Scene): Constructed[] {
     Object.entries(scene.points).map(([n, p]) => [n, scale(sub(p, middle), 1 / scene.size)]),
   );
   for (const one of recipe.points) {
-    const met = common(one.of.map((part) => constructed(part, small)));
-    if (!met || met.miss > recipe.near) continue;
-    const at = met.at.map((c, i) => c * scene.size + middle[i]!) as Vec3;
-    found.push({ kind: "point", label: met.miss <= MET ? one.label : `≈ ${one.label}`, at, entities: one.entities });
+    const place = common(one.of.map((part) => constructed(part, small)), met);
+    if (!place || place.miss > near) continue;
+    const at = place.at.map((c, i) => c * scene.size + middle[i]!) as Vec3;
+    found.push({ kind: "point", label: place.miss <= met ? one.label : `≈ ${one.label}`, at, entities: one.entities });
   }
   return found;
 }

@@ -1,56 +1,17 @@
 // What the viewer is told and what it offers. It knows nothing of the page, the report or the notebook that hold it.
-import type { Constructed, LimbView, Numbers, Pose, Vec3 } from "../protocol";
+import type { Entity, LegEnds, Pose, SceneData, Vec3 } from "../protocol";
 
-export type { Constructed, LimbView, Pose, Quaternion, Vec3 } from "../protocol";
+export type { Constructed, Construction, Limb, Pose, Quaternion, Recipe, Thresholds, Vec3, Verdict } from "../protocol";
 
-export interface Recipe {
-  lines: { label: string; colour: number; of: Construction }[];
-  points: { label: string; of: Construction[]; entities: string[] }[];
-  /** Below this share of the size a point is shown in which planes nearly meet. */
-  near: number;
-  /** Below this closeness a pose counts as close to singular. */
-  close: number;
-  /** 1, or −1 where the legs of the scene are turned round with respect to those that the user wrote. */
-  sign: number;
-}
-/** A joint, or the join or the meet of constructions. */
-export type Construction = string | ["join" | "meet", ...Construction[]];
+export type Leg = LegEnds;
+export type SceneEntity = Entity;
 
-export type Leg = [string, string];
-
-export interface SceneEntity {
-  id: string;
-  kind: "tetrahedron" | "plane" | "line" | "point";
-  points: string[];
-  /** With stars: A*bd. */
-  label: string;
-  /** Number of its colour, counted from 0; six colours repeat. */
-  colour: number;
-}
-
-/** A robot in a pose and what is to be seen of its condition: plain data. Lengths in one unit, z is up. */
-export interface Scene {
-  points: Record<string, Vec3>;
-  base: string[];
-  platform: string[];
-  legs: Leg[];
-  /** Centre of the platform's turns. */
-  about: Vec3;
-  /** A length that the camera, the balls and the handles are scaled by. */
-  size: number;
-  unit: string;
+/** What the engine tells of a robot in a pose, and what the host adds. */
+export interface Scene extends SceneData {
   /** The pose at which `points` are given; the identity if missing (in `update`: the viewer's own pose). */
   pose?: Pose;
-  entities: SceneEntity[];
-  constructed?: Constructed[];
-  motion?: Numbers["motion"];
-  limbs?: LimbView[];
-  /** Planes normal · p = offset that are no entities; a part around places of theirs, if some are given. */
-  planes?: { label: string; normal: Vec3; offset: number; through?: Vec3[]; colour?: number }[];
   /** Another pose of the platform, drawn pale. */
   ghost?: Record<string, Vec3>;
-  /** How what is constructed follows from the joints, for pages that have no server (`numbersAt`). */
-  recipe?: Recipe;
 }
 
 export type Mode = "orbit" | "translate" | "rotate" | "pick";

@@ -1,4 +1,4 @@
-// The verdict at the pose: value, closeness, and the reason. Its height stays, so that sliders do not move under the hand.
+// The verdict at the pose: value, margin, and the reason. Its height stays, so that sliders do not move under the hand.
 import { computed } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type { Verdict } from "../../protocol";
@@ -27,7 +27,7 @@ export function VerdictView() {
   const texts = useMemo(
     () => ({
       value: computed(() => (posing.numbers.value ? steady(posing.numbers.value.value) : "…")),
-      closeness: computed(() => (posing.numbers.value ? steady(posing.numbers.value.closeness).trim().replace("+", "") : "…")),
+      margin: computed(() => (posing.numbers.value ? steady(posing.numbers.value.margin).trim().replace("+", "") : "…")),
       verdict: computed(() => posing.numbers.value?.verdict ?? null),
     }),
     [posing],
@@ -43,8 +43,8 @@ export function VerdictView() {
         <dl>
           <dt title={SCALES[study.value?.kind ?? "platform"]}>value</dt>
           <dd data-testid="value">{texts.value}</dd>
-          <dt title="Closeness: 0 at a singular pose, at most 1; knows neither frame nor unit">σ</dt>
-          <dd data-testid="closeness">{texts.closeness}</dd>
+          <dt title="Singularity margin: 0 at a singular pose, at most 1; knows neither frame nor unit">σ</dt>
+          <dd data-testid="margin">{texts.margin}</dd>
         </dl>
       </div>
       <Gauge />

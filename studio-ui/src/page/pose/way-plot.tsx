@@ -1,5 +1,5 @@
-// Closeness along the way that the platform has gone, on the scale of the gauge, with the line of the threshold.
-import { along, sigmaOf } from "../lib/scale";
+// The margin along the way that the platform has gone, on the scale of the gauge, with the line of the threshold.
+import { along } from "../lib/scale";
 import { useStore } from "../parts/context";
 import { LONGEST, type Passed } from "../state/trail";
 
@@ -7,18 +7,18 @@ const [W, H] = [480, 120];
 const y = (sigma: number): number => H - along(sigma) * (H - 4) - 2;
 
 export function WayPlot() {
-  const { posing, threshold$, moving, settle } = useStore();
+  const { posing, moving, settle } = useStore();
   const way = posing.trail.value;
-  const epsilon = sigmaOf(threshold$.value);
+  const epsilon = posing.close.value;
   const spread = Math.max(way.length - 1, Math.min(LONGEST, 30));
   const x = (i: number): number => (W * i) / spread;
   const last = way.at(-1);
-  const path = way.map(({ closeness }, i) => `${i ? "L" : "M"}${x(i).toFixed(1)} ${y(closeness).toFixed(1)}`).join("");
-  const lowest = way.reduce<Passed | undefined>((a, b) => (a && a.closeness <= b.closeness ? a : b), undefined);
+  const path = way.map(({ margin }, i) => `${i ? "L" : "M"}${x(i).toFixed(1)} ${y(margin).toFixed(1)}`).join("");
+  const lowest = way.reduce<Passed | undefined>((a, b) => (a && a.margin <= b.margin ? a : b), undefined);
   return (
     <figure class="way" data-testid="way" data-length={way.length}>
       <div class="chart">
-      <svg viewBox={`0 0 ${W} ${H}`} preserveAspectRatio="none" role="img" aria-label={`closeness over the last ${way.length} moves`}>
+      <svg viewBox={`0 0 ${W} ${H}`} preserveAspectRatio="none" role="img" aria-label={`margin over the last ${way.length} moves`}>
         {[1e-3, 1e-2, 1e-1].map((tick) => (
           <line key={tick} class="grid" x1="0" x2={W} y1={y(tick)} y2={y(tick)} />
         ))}
@@ -26,7 +26,7 @@ export function WayPlot() {
         {epsilon !== null && <line class="epsilon" x1="0" x2={W} y1={y(epsilon)} y2={y(epsilon)} />}
         <path class="line" d={path} />
       </svg>
-      {last && <span class={`dot ${last.verdict}`} style={place(x(way.length - 1), y(last.closeness))} />}
+      {last && <span class={`dot ${last.verdict}`} style={place(x(way.length - 1), y(last.margin))} />}
       <span class="scale" style={place(0, y(1e-1))}>0.1</span>
       <span class="scale" style={place(0, y(1e-2))}>0.01</span>
       <span class="scale" style={place(0, y(1e-3))}>10⁻³</span>
@@ -40,7 +40,7 @@ export function WayPlot() {
             class="quiet"
             disabled={!lowest || way.length < 2}
             onClick={() => lowest && moving.to(lowest.pose)}
-            title="Back to the pose of least closeness on this way"
+            title="Back to the pose of least margin on this way"
           >
             To the lowest
           </button>

@@ -1,8 +1,8 @@
 // A robot of limbs: joints in sequence and the wrenches that each limb applies with its actuators locked.
-import type { RobotView } from "../../protocol";
+import type { Robot } from "../../protocol";
 import { tone } from "../lib/tint";
 
-export function Limbs({ robot }: { robot: RobotView }) {
+export function Limbs({ robot }: { robot: Robot }) {
   return (
     <div class="limbs" data-testid="limbs">
         {robot.limbs.map(({ name, colour, joints, wrenches }) => (

@@ -1,5 +1,5 @@
 // What the user has made: everything that undo brings back and that the link in the address bar restores.
-import type { Pose, Sketch, Source, StageId, Vec3 } from "../../protocol";
+import { THRESHOLD, type Pose, type Sketch, type Source, type StageId, type Vec3 } from "../../protocol";
 
 export type PanelId = "start" | "guided" | "manual" | "bench" | "draw" | "take-away";
 
@@ -26,7 +26,7 @@ export const EMPTY: Doc = {
   pose: HOME,
   panel: "start",
   stage: null,
-  threshold: "0.5 deg",
+  threshold: THRESHOLD,
   commands: [],
   bench: "",
   sketch: null,

@@ -1,5 +1,5 @@
-// Numbers at the pose: asked for at every move, latest first; with the way that closeness has gone.
-import { effect, signal, type ReadonlySignal } from "@preact/signals";
+// Numbers at the pose: asked for at every move, latest first; with the way that the margin has gone.
+import { computed, effect, signal, type ReadonlySignal } from "@preact/signals";
 import type { Along, Fault, Numbers, Pose, Source } from "../../protocol";
 import type { Client } from "../net/client";
 import { latest } from "../net/latest";
@@ -11,6 +11,8 @@ import { extended, LONGEST, passedOf, type Passed } from "./trail";
 export interface Posing {
   numbers: ReadonlySignal<Numbers | null>;
   fault: ReadonlySignal<Fault | null>;
+  /** The margin below which a pose is close; null where no margin says it (the threshold is a length). */
+  close: ReadonlySignal<number | null>;
   /** The last moves; refreshed at most ten times a second. */
   trail: ReadonlySignal<readonly Passed[]>;
   forget(): void;
@@ -29,6 +31,7 @@ const THROTTLE = 100; // milliseconds between two pictures of the way
 export function createPosing(client: Client, editing: Editing, studying: Studying): Posing {
   const numbers = signal<Numbers | null>(null);
   const fault = signal<Fault | null>(null);
+  const close = computed(() => numbers.value?.close ?? null);
   const trail = signal<readonly Passed[]>([]);
   let passed: readonly Passed[] = [];
   let timer = 0;
@@ -99,5 +102,5 @@ export function createPosing(client: Client, editing: Editing, studying: Studyin
     if (studying.study.value && source) request({ source, pose, threshold });
   });
 
-  return { numbers, fault, trail, forget, walk };
+  return { numbers, fault, close, trail, forget, walk };
 }

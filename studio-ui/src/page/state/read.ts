@@ -1,20 +1,12 @@
 // Reads a document that comes from outside (a link): every field is checked, what is not understood is left out.
-import type { Pose, Sketch, Source, StageId, Vec3 } from "../../protocol";
+import {
+  FARTHEST, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, STAGE_IDS, type Pose, type Sketch, type Source, type Vec3,
+} from "../../protocol";
 import { EMPTY, HOME, type Doc, type PanelId } from "./doc";
 
 type Loose = Record<string, unknown>;
 
-// The server takes no more either.
-const FARTHEST = 1e12;
-const MOST_POINTS = 40;
-const MOST_LEGS = 24;
-const MOST_COMMANDS = 200;
-
 const PANELS: readonly PanelId[] = ["start", "guided", "manual", "bench", "draw", "take-away"];
-const STAGES: readonly StageId[] = [
-  "structure", "superbracket", "shortest", "tetrahedra", "planes", "lines", "left-over",
-  "condition", "statement", "check", "limbs", "equivalent",
-];
 
 const isObject = (x: unknown): x is Loose => typeof x === "object" && x !== null && !Array.isArray(x);
 const isText = (x: unknown): x is string => typeof x === "string";
@@ -45,7 +37,7 @@ function readPose(x: unknown): Pose {
     translation: x.translation,
     quaternion: unit ? [w, a, b, c] : [w / size, a / size, b / size, c / size],
   };
-  return listOf(isPlace)(x.coordinates) && x.coordinates.length <= 24 ? { ...pose, coordinates: x.coordinates } : pose;
+  return listOf(isPlace)(x.coordinates) && x.coordinates.length <= MOST_COORDINATES ? { ...pose, coordinates: x.coordinates } : pose;
 }
 
 function readSketch(x: unknown): Sketch | null {
@@ -72,7 +64,7 @@ export function readDoc(x: unknown): Doc {
     source,
     pose: readPose(x.pose),
     panel: source || panel === "bench" || panel === "draw" ? panel : "start",
-    stage: among(STAGES)(x.stage) ? x.stage : EMPTY.stage,
+    stage: among(STAGE_IDS)(x.stage) ? x.stage : EMPTY.stage,
     threshold: isText(x.threshold) ? x.threshold : EMPTY.threshold,
     commands: listOf(isText)(x.commands) ? x.commands.slice(0, MOST_COMMANDS) : [],
     bench: isText(x.bench) ? x.bench : "",

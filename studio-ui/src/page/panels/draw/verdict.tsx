@@ -72,7 +72,7 @@ export function Verdict({ sketch }: { sketch: Sketch }) {
       )}
       {ready && !fault && known && (
         <div class={current ? "statement" : "statement old"} data-testid="draw-statement">
-          <p class="over">{known.study.class ? `Class ${known.study.class.id}` : "Condition"}</p>
+          <p class="over">{known.study.entry ? `Class ${known.study.entry.id}` : "Condition"}</p>
           <p>{known.study.condition.statement}</p>
         </div>
       )}

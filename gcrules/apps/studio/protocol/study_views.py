@@ -1,23 +1,24 @@
-"""What the server tells the page of a structure: the shapes of `studio-ui/src/protocol.ts`, name by name (a test
-compares them). What it tells of a pose, of manual mode, of the bench and of files stands in `answer_views`.
+"""What the server tells the page of a structure, and of faults.
 
-Coordinates are (x, y, z) in the unit of the study, z up; quaternions have the scalar first.
+Coordinates are (x, y, z) in the unit of the study, z up.
 """
 
 from __future__ import annotations
 
-from typing import Literal, NotRequired, TypedDict
+from typing import Annotated, Literal, NotRequired, TypedDict
 
-from gcrules.views.robots.limb_data import JointView, LimbView, LineView, Vec3
+from gcrules.apps.studio.protocol.requests import SourceJson
+from gcrules.core.shapes import Words
+from gcrules.views.report.stage_ids import STAGE_IDS
+from gcrules.views.scene_data import EntityView, LegEnds, LimbView, Vec3
 
 __all__ = [
     "Axis",
     "BracketView",
     "CertificateView",
-    "ClassView",
     "ConditionView",
     "EntitiesItem",
-    "EntityView",
+    "EntryView",
     "FactItem",
     "FaultView",
     "FormulaItem",
@@ -25,9 +26,6 @@ __all__ = [
     "GalleryItem",
     "Hello",
     "Item",
-    "JointView",
-    "LimbView",
-    "LineView",
     "Monomial",
     "MonomialsItem",
     "OrdersCount",
@@ -35,19 +33,19 @@ __all__ = [
     "PartView",
     "Piece",
     "Place",
-    "PoseJson",
     "RobotView",
-    "SourceJson",
+    "StageId",
     "StageView",
     "StepView",
     "StepsItem",
     "Study",
     "TextItem",
-    "Vec3",
 ]
 
 
 class Place(TypedDict):
+    """Where in a text that was sent: offsets in characters of JavaScript from its start."""
+
     start: int
     end: int
     line: int
@@ -55,35 +53,33 @@ class Place(TypedDict):
 
 
 class FaultView(TypedDict):
+    """A fault in words."""
+
     kind: Literal["input", "limit", "superseded", "cancelled", "fault"]
     message: str
     hint: NotRequired[str]
     place: NotRequired[Place]
     more: NotRequired[list[FaultView]]
+    """Further faults of the same text (files tell all faults at once)."""
 
 
 class Hello(TypedDict):
     version: str
     instance: str
+    """Changes when the server is another process."""
     opened: SourceJson | None
-
-
-SourceJson = dict[str, str]
-
-
-class PoseJson(TypedDict):
-    translation: list[float]
-    quaternion: list[float]
-    coordinates: NotRequired[list[float]]
+    """What the command line named: opened by a page that holds nothing else."""
 
 
 class GalleryItem(TypedDict):
     id: str
     title: str
     detail: str
+    """A few words: the legs, the mobility."""
     group: str
     statement: str
     svg: str
+    """A drawing, trusted (made by the server)."""
     source: SourceJson
 
 
@@ -94,6 +90,8 @@ class Gallery(TypedDict):
 
 
 class Piece(TypedDict):
+    """A piece of a formula that stays on one line, with the points and entities in it."""
+
     tex: str
     points: list[str]
     brackets: list[list[str]]
@@ -164,11 +162,16 @@ class StepsItem(TypedDict):
 Item = TextItem | FactItem | FormulaItem | MonomialsItem | OrdersItem | EntitiesItem | StepsItem
 
 
+StageId = Annotated[str, Words(STAGE_IDS)]
+
+
 class StageView(TypedDict):
-    id: str
+    id: StageId
     title: str
     why: str
+    """What is done and why, for a non-expert."""
     more: list[str]
+    """The theory, in a few paragraphs of text."""
     items: list[Item]
 
 
@@ -180,14 +183,6 @@ class Axis(TypedDict):
     step: float
 
 
-class EntityView(TypedDict):
-    id: str
-    kind: str
-    points: list[str]
-    label: str
-    colour: int
-
-
 class CertificateView(TypedDict):
     method: str
     detail: str
@@ -196,6 +191,7 @@ class CertificateView(TypedDict):
 class ConditionView(TypedDict):
     kind: str
     left: list[Piece]
+    """The left and the right side of the identity, one piece for each monomial or factor."""
     right: list[Piece]
     text: str
     cofactor: str
@@ -211,38 +207,46 @@ class PartView(TypedDict):
 
 
 class RobotView(TypedDict):
+    """A robot with limbs: what Fig. 1 of the paper shows side by side."""
+
     mobility: int
     figure: NotRequired[str]
+    """SVG: the robot with its wrenches, and beside it the lines that stand for them, at home."""
     limbs: list[LimbView]
     parts: list[PartView]
 
 
-class ClassView(TypedDict):
+class EntryView(TypedDict):
     id: str
     name: str
 
 
-Study = TypedDict(
-    "Study",
-    {
-        "title": str,
-        "note": str,
-        "kind": Literal["platform", "robot"],
-        "legs": list[list[str]],
-        "base": list[str],
-        "platform": list[str],
-        "points": dict[str, Vec3],
-        "unit": str,
-        "invented": bool,
-        "about": Vec3,
-        "size": float,
-        "axes": list[Axis],
-        "class": ClassView | None,
-        "schematic": str,
-        "stages": list[StageView],
-        "entities": list[EntityView],
-        "condition": ConditionView,
-        "readings": list[ConditionView],
-        "robot": RobotView | None,
-    },
-)
+class Study(TypedDict):
+    """Everything about the structure that does not change with the pose."""
+
+    title: str
+    note: str
+    kind: Literal["platform", "robot"]
+    legs: list[LegEnds]
+    base: list[str]
+    platform: list[str]
+    points: dict[str, Vec3]
+    """Coordinates at the file's own pose."""
+    unit: str
+    invented: bool
+    """The coordinates are a sample shape, none were given."""
+    about: Vec3
+    """Centre of the platform's turns."""
+    size: float
+    """A length to scale sliders and the camera by."""
+    axes: list[Axis]
+    """Independent coordinates: six for a platform; those of the robot's mobility otherwise."""
+    entry: EntryView | None
+    """The class of the catalog."""
+    schematic: str
+    """SVG of the legs as a graph. Elements carry data-point="a" and data-leg="ab"."""
+    stages: list[StageView]
+    entities: list[EntityView]
+    condition: ConditionView
+    readings: list[ConditionView]
+    robot: RobotView | None

@@ -1,0 +1,151 @@
+"""What the server tells the page of a pose, of manual mode, of the bench and of files."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, NotRequired, TypedDict
+
+from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.protocol.study_views import ConditionView, FaultView, Monomial, Piece
+from gcrules.core.shapes import Words
+from gcrules.views.scene_data import Constructed, EntityView, LimbView, MotionView, PlaneView, Vec3, Verdict
+
+__all__ = [
+    "Along",
+    "Bench",
+    "BenchResult",
+    "Cancelled",
+    "Composed",
+    "DrawnPlane",
+    "FormView",
+    "HintView",
+    "Manual",
+    "ManualStep",
+    "Nearest",
+    "Numbers",
+    "ReadingView",
+    "Saved",
+    "SingularPoseView",
+]
+
+
+class ReadingView(TypedDict):
+    part: str
+    name: str
+    meaning: str
+    value: float | None
+    unit: str
+    why: str
+
+
+class Numbers(TypedDict):
+    pose: PoseJson
+    """The pose that this answers."""
+    points: dict[str, Vec3]
+    value: float
+    """Superbracket over its scale: dimensionless, with the sign of the superbracket."""
+    margin: float
+    """The singularity margin σ: 0 at a singular pose, at most 1."""
+    close: float | None
+    """Below this margin the pose counts as close; null where the threshold is a length."""
+    verdict: Verdict
+    reason: str
+    causes: list[str]
+    readings: list[ReadingView]
+    constructed: list[Constructed]
+    motion: MotionView | None
+    """Given near a singular pose."""
+    stress: list[float]
+    """Ratios of the forces in the legs that balance, near a singular pose."""
+    limbs: list[LimbView]
+    notes: list[str]
+
+
+class SingularPoseView(TypedDict):
+    kind: str
+    distance: float
+    unit: str
+    certified: bool
+    text: str
+    pose: PoseJson
+    causes: list[str]
+
+
+class Nearest(TypedDict):
+    found: list[SingularPoseView]
+    note: NotRequired[str]
+    """Of a robot with limbs: what was searched, in words; the kinds are "along +z" …, the closest one stands first."""
+
+
+class Along(TypedDict):
+    margin: list[float]
+    value: list[float]
+    verdicts: list[Verdict]
+
+
+class ManualStep(TypedDict):
+    command: str
+    answer: Annotated[str, Words(("confirmed", "refused", "possible", "done"))]
+    words: str
+    monomial: int | None
+
+
+class FormView(TypedDict):
+    name: str
+    order: str
+    monomials: list[Monomial]
+
+
+class HintView(TypedDict):
+    command: str
+    words: str
+
+
+class Manual(TypedDict):
+    history: list[ManualStep]
+    """The commands that were understood; the first faulty one stops the replay and is `fault`."""
+    form: FormView
+    entities: list[EntityView]
+    left: list[str]
+    hint: HintView | None
+    counterexample: dict[str, Vec3] | None
+    """Points of an exact counterexample, if the last proposal was refused by one."""
+    condition: ConditionView | None
+    fault: FaultView | None
+
+
+class DrawnPlane(PlaneView):
+    kind: Literal["plane"]
+
+
+class BenchResult(TypedDict):
+    start: int
+    """Offsets of the statement in the text."""
+    end: int
+    name: str | None
+    verdict: Literal["value", "proved", "refuted", "undecided", "done"]
+    text: str
+    pieces: list[Piece]
+    step: int | None
+    drawn: Constructed | DrawnPlane | None
+    """What can be drawn in 3D with the points of the study, at its pose."""
+
+
+class Bench(TypedDict):
+    results: list[BenchResult]
+    fault: FaultView | None
+
+
+class Composed(TypedDict):
+    text: str
+
+
+class Saved(TypedDict):
+    name: str
+    mime: str
+    data: str
+    """Text, or base64 where `binary`."""
+    binary: bool
+
+
+class Cancelled(TypedDict):
+    cancelled: bool

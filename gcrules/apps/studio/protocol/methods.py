@@ -1,0 +1,54 @@
+"""Everything that a page can ask for: arguments, answer, where it is worked out, and for how long.
+
+What answers it stands in `gcrules.apps.studio.answers`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+from gcrules.apps.studio.protocol import answer_views as answers
+from gcrules.apps.studio.protocol import requests
+from gcrules.apps.studio.protocol.checking import Check
+from gcrules.apps.studio.protocol.shape_checks import check_of
+from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
+
+__all__ = ["LONGEST", "METHODS", "Method"]
+
+LONGEST = 1_000_000
+"""Characters of a message; files are sent in one."""
+
+
+@dataclass(frozen=True)
+class Method:
+    """`args` and `answer` are typed dictionaries. It works in the `session` with the page, in the server itself, in
+    turn (`numbers`), or in a `worker` process, which is ended after so many `seconds`, and when the page gives up.
+    """
+
+    args: Any
+    answer: Any
+    where: Literal["session", "numbers", "worker"] = "worker"
+    seconds: float = 60.0
+
+    @cached_property
+    def check(self) -> Check:
+        """What reads the arguments, and raises InputError for others."""
+        return check_of(self.args)
+
+
+METHODS: Mapping[str, Method] = {
+    "hello": Method(requests.NoArgs, Hello, where="session"),
+    "gallery": Method(requests.NoArgs, Gallery),
+    "open": Method(requests.OpenArgs, Study, seconds=120),
+    "pose": Method(requests.PoseArgs, answers.Numbers, where="numbers"),
+    "along": Method(requests.AlongArgs, answers.Along),
+    "nearest": Method(requests.PoseArgs, answers.Nearest, seconds=120),
+    "manual": Method(requests.ManualArgs, answers.Manual),
+    "bench": Method(requests.BenchArgs, answers.Bench, seconds=30),
+    "compose": Method(requests.ComposeArgs, answers.Composed),
+    "save": Method(requests.SaveArgs, answers.Saved),
+    "cancel": Method(requests.CancelArgs, answers.Cancelled, where="session"),
+}

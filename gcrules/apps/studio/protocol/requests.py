@@ -1,0 +1,175 @@
+"""The arguments of all methods. What a type is annotated with checks it; `docs/studio.md` says the limits."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, NotRequired, TypedDict
+
+from gcrules.apps.studio.protocol.checking import number, text, tuple_of
+from gcrules.core.errors import InputError
+from gcrules.core.shapes import Size
+from gcrules.screws.threshold import DEFAULT
+
+__all__ = [
+    "FARTHEST",
+    "HOME",
+    "LONGEST_FILE",
+    "MOST_COMMANDS",
+    "MOST_COORDINATES",
+    "MOST_LEGS",
+    "MOST_POINTS",
+    "THRESHOLD",
+    "AlongArgs",
+    "BenchArgs",
+    "CancelArgs",
+    "ClassSource",
+    "ComposeArgs",
+    "ExampleSource",
+    "FileSource",
+    "Format",
+    "LegsSource",
+    "ManualArgs",
+    "NoArgs",
+    "OpenArgs",
+    "PoseArgs",
+    "PoseJson",
+    "Quaternion",
+    "RobotSource",
+    "SaveArgs",
+    "Sketch",
+    "SourceJson",
+]
+
+FARTHEST = 1e12
+MOST_COORDINATES = 24
+MOST_POINTS = 40
+MOST_LEGS = 24
+MOST_COMMANDS = 200
+LONGEST_FILE = 400_000
+THRESHOLD = DEFAULT.text
+"""Closer than this is close, where nothing else is asked for."""
+
+_Name = Annotated[str, text(200)]
+_Point = Annotated[str, text(40)]
+_Coordinate = Annotated[float, number(-FARTHEST, FARTHEST)]
+_Vector = Annotated[list[_Coordinate], Size(3, 3)]
+_Threshold = Annotated[str, text(40)]
+
+
+# --- what is studied -----------------------------------------------------------------------------------------------
+
+
+class ClassSource(TypedDict):
+    kind: Literal["class"]
+    id: _Name
+
+
+class LegsSource(TypedDict):
+    kind: Literal["legs"]
+    legs: Annotated[str, text(4_000)]
+
+
+class ExampleSource(TypedDict):
+    kind: Literal["example"]
+    name: _Name
+
+
+class RobotSource(TypedDict):
+    kind: Literal["robot"]
+    id: _Name
+
+
+class FileSource(TypedDict):
+    """The text of a platform file or of a robot file, told apart by its keys."""
+
+    kind: Literal["file"]
+    text: Annotated[str, text(LONGEST_FILE)]
+    name: _Name
+
+
+SourceJson = ClassSource | LegsSource | ExampleSource | RobotSource | FileSource
+
+
+# --- where the platform is -----------------------------------------------------------------------------------------
+
+
+def _rotation(value: Any, where: str) -> Any:
+    found = tuple_of(*[number(-10, 10)] * 4)(value, where)
+    if not 1e-6 < sum(c * c for c in found) < 100:
+        raise InputError(f"{where} has no length", hint="a turn is a quaternion, scalar first")
+    return found
+
+
+Quaternion = Annotated[list[float], Size(4, 4)]
+"""Unit quaternion, scalar first."""
+
+
+class PoseJson(TypedDict):
+    """The platform's displacement from where the file puts it: turned about `about` of the study, then shifted."""
+
+    translation: _Vector
+    quaternion: Annotated[Quaternion, _rotation]
+    coordinates: NotRequired[Annotated[list[_Coordinate], Size(0, MOST_COORDINATES)]]
+    """For robots with limbs: amounts of the actuators from home, in the sequence and in the units of `axes`."""
+
+
+HOME: PoseJson = {"translation": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0]}
+
+
+# --- a drawing -----------------------------------------------------------------------------------------------------
+
+
+class Sketch(TypedDict):
+    title: Annotated[str, text(200, empty=True)]
+    points: Annotated[dict[_Point, _Vector], Size(0, MOST_POINTS)]
+    base: Annotated[list[_Point], Size(0, MOST_POINTS)]
+    platform: Annotated[list[_Point], Size(0, MOST_POINTS)]
+    legs: Annotated[list[Annotated[list[_Point], Size(2, 2)]], Size(0, MOST_LEGS)]
+
+
+# --- arguments -----------------------------------------------------------------------------------------------------
+
+
+class NoArgs(TypedDict):
+    pass
+
+
+class OpenArgs(TypedDict):
+    source: SourceJson
+
+
+class PoseArgs(TypedDict):
+    source: SourceJson
+    pose: PoseJson
+    threshold: NotRequired[_Threshold]
+
+
+class AlongArgs(TypedDict):
+    source: SourceJson
+    poses: Annotated[list[PoseJson], Size(1, 2_000)]
+    threshold: NotRequired[_Threshold]
+
+
+class ManualArgs(TypedDict):
+    source: SourceJson
+    commands: Annotated[list[Annotated[str, text(500)]], Size(0, MOST_COMMANDS)]
+
+
+class BenchArgs(TypedDict):
+    text: Annotated[str, text(20_000, empty=True)]
+    source: NotRequired[SourceJson]
+    pose: NotRequired[PoseJson]
+
+
+class ComposeArgs(TypedDict):
+    drawing: Sketch
+
+
+Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml"]
+
+
+class SaveArgs(PoseArgs):
+    what: Format
+
+
+class CancelArgs(TypedDict):
+    target: Annotated[int, number(0, 2**53, whole=True)]

@@ -1,0 +1,172 @@
+"""The shapes of the plain data that a 3D view draws: a robot in a pose, and what is to be seen of its condition.
+
+Coordinates are (x, y, z) in the unit of the robot, z up. `tools/studio_protocol.py` writes them for the viewer in
+TypeScript, without `View` at the end of a name. Nothing heavy is loaded here.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, NotRequired, TypedDict
+
+from gcrules.core.shapes import Size, Words
+from gcrules.screws.verdict import VERDICTS
+
+__all__ = [
+    "Constructed",
+    "Construction",
+    "EntityKind",
+    "EntityView",
+    "JointView",
+    "LegEnds",
+    "LimbView",
+    "LineView",
+    "MotionView",
+    "NamedLineView",
+    "NamedPointView",
+    "PlaneView",
+    "RecipeLine",
+    "RecipePoint",
+    "RecipeView",
+    "SceneData",
+    "Thresholds",
+    "Vec3",
+    "Verdict",
+]
+
+Vec3 = Annotated[list[float], Size(3, 3)]
+LegEnds = Annotated[list[str], Size(2, 2)]
+Verdict = Annotated[str, Words(VERDICTS)]
+EntityKind = Annotated[str, Words(("tetrahedron", "plane", "line", "point"))]
+Construction = str | list["Construction"]
+"""A joint, or a list of "join" or "meet" and two constructions or more."""
+
+
+class EntityView(TypedDict):
+    id: str
+    kind: EntityKind
+    points: list[str]
+    label: str
+    """With stars: A*bd."""
+    colour: int
+    """Number of its colour, counted from 0; six colours repeat."""
+
+
+class NamedPointView(TypedDict):
+    kind: Literal["point"]
+    label: str
+    at: Vec3
+    entities: list[str]
+
+
+class NamedLineView(TypedDict):
+    kind: Literal["line"]
+    label: str
+    at: Vec3
+    direction: Vec3
+    entities: list[str]
+    colour: NotRequired[int]
+
+
+Constructed = NamedPointView | NamedLineView
+"""Points and lines that the condition constructs: the common point of planes, the line p …"""
+
+
+class PlaneView(TypedDict):
+    """The plane normal · p = offset."""
+
+    label: str
+    normal: Vec3
+    offset: float
+    through: NotRequired[list[Vec3]]
+    """Places around which a part of it is drawn."""
+    colour: NotRequired[int]
+
+
+class MotionView(TypedDict):
+    """What the platform can do although its actuators are locked."""
+
+    axis: Vec3
+    through: Vec3
+    pitch: float | None
+    """Advance for each radian; null where it is a translation."""
+    text: str
+
+
+class JointView(TypedDict):
+    kind: str
+    actuated: bool
+    point: Vec3 | None
+    axes: list[Vec3]
+
+
+class LineView(TypedDict):
+    text: str
+    wrench: Literal["force", "couple"]
+    point: Vec3 | None
+    direction: Vec3
+
+
+class LimbView(TypedDict):
+    name: str
+    colour: int
+    wrenches: list[str]
+    joints: list[JointView]
+    lines: list[LineView]
+
+
+class Thresholds(TypedDict):
+    """What a page needs to decide as the engine does; said once, by the engine."""
+
+    close: float
+    """Below this singularity margin a pose is close to singular."""
+    rounding: float
+    """Accuracy of coordinates in units of the robot's size; what it may do to the margin counts as 0."""
+    digits: float
+    """Accuracy of coordinates as floats, in units of the largest of them."""
+    near: float
+    """Planes and lines that miss a point by less than this share of the size are shown with it, marked as near."""
+    met: float
+    """Below this share they meet in it."""
+
+
+class RecipeLine(TypedDict):
+    label: str
+    colour: int
+    of: Construction
+
+
+class RecipePoint(TypedDict):
+    label: str
+    of: list[Construction]
+    entities: list[str]
+
+
+class RecipeView(TypedDict):
+    """How what changes with the pose follows from the joints, for pages that have no server."""
+
+    lines: list[RecipeLine]
+    points: list[RecipePoint]
+    sign: Literal[1, -1]
+    """−1 where the legs are turned round with respect to those that the user wrote."""
+    thresholds: Thresholds
+
+
+class SceneData(TypedDict):
+    """A robot in a pose, with its condition."""
+
+    points: dict[str, Vec3]
+    base: list[str]
+    platform: list[str]
+    legs: list[LegEnds]
+    about: Vec3
+    """Centre of the platform's turns."""
+    size: float
+    """A length that the camera, the balls and the handles are scaled by."""
+    unit: str
+    entities: list[EntityView]
+    constructed: NotRequired[list[Constructed]]
+    motion: NotRequired[MotionView | None]
+    limbs: NotRequired[list[LimbView]]
+    planes: NotRequired[list[PlaneView]]
+    """Planes that are no entities."""
+    recipe: NotRequired[RecipeView]
