@@ -18,7 +18,7 @@ from gcrules.algebra.straightening import diagonal
 from gcrules.algebra.straightening import syzygies as two_rows
 from gcrules.algebra.straightening.straighten import straighten, straighten_steps
 from gcrules.algebra.superbrackets.shortest import _table, shortest_forms, superbracket_form
-from gcrules.conditions.analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze
 
 DATA = Path(__file__).resolve().parent.parent / "tests" / "data" / "gsp_classes.yaml"
 CLASSES = yaml.safe_load(DATA.read_text(encoding="utf-8"))["classes"]

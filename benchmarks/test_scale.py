@@ -128,7 +128,7 @@ def by_sympy(frame: str) -> dict[str, float]:
 
 ANALYZE = """
 import sys, time
-from gcrules.conditions.analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze
 start = time.perf_counter()
 analyze(sys.argv[1])
 print(time.perf_counter() - start)

@@ -110,7 +110,8 @@ shortened = deferred("gcrules.algebra.shortening.shorten:shorten")
 posed = deferred("gcrules.poses.pose_report:pose")
 along = deferred("gcrules.poses.path_report:path")
 computed = deferred("gcrules.poses.loci.locus:locus")
-made = deferred("gcrules.poses.maps.maps:singular_map")
+made = deferred("gcrules.poses.compiling.compiled:compiled")
+mapped = deferred("gcrules.poses.maps.maps:singular_map")
 
 analyze = public(_analyze)
 load_platform = public(_load_platform)
@@ -416,7 +417,7 @@ def singular_map(
     `restart` throws them away; `.store.close()` removes it. Raises InputError for what makes no sense and for
     degenerate robots, LimitReached for maps that are too large.
     """
-    answer: SingularMap = made(
+    answer: SingularMap = mapped(
         robot,
         over,
         at,

@@ -17,8 +17,9 @@ import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
 from gcrules.algebra.expr import ZERO, Join, Point, join, meet, mul, points_of
 from gcrules.algebra.prove import prove
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError, LimitReached
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.condition_rule import INCIDENCES
 from gcrules.rules.plugins import load_rules
 

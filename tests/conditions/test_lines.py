@@ -20,8 +20,9 @@ import gcrules as gc
 from gcrules.algebra.expr import points_of
 from gcrules.algebra.language.legs_text import read_legs
 from gcrules.apps.cli import cli
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.plugins import load_rules
 
 Points = dict[str, tuple[Fraction, ...]]

@@ -25,10 +25,11 @@ from hypothesis import strategies as st
 
 import gcrules as gc
 from gcrules.apps.cli import cli
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.poses.compiling.compiled import compiled
 from gcrules.poses.maps import maps, report, store, surface, tracing, values
 from gcrules.poses.maps.axes import parse_axis, read_axes

@@ -21,10 +21,11 @@ from hypothesis import strategies as st
 import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.apps.cli import path as path_command
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
 from gcrules.poses.paths import table as path_file
 from gcrules.poses.paths.report import PathReport

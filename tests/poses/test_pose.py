@@ -20,9 +20,10 @@ import gcrules as gc
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.language.legs_text import read_legs
 from gcrules.apps.cli import cli
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.description.platform_file import Platform, parse_platform
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.poses.nearest.cover import free_angle, free_distance
 from gcrules.poses.nearest.multistart import Determinant, best_zero
 from gcrules.poses.nearest.poses import _checked

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Point, join
 from gcrules.algebra.language.legs_text import read_legs
-from gcrules.conditions.analysis import analyze
 from gcrules.conditions.pose_value import XYZ, line_measure, line_points, measure, pose_value
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.screws.verdict import CLOSE
 
 Pose = dict[str, tuple[int, int, int]]

@@ -12,9 +12,9 @@ from platform_classes import CLASSES
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.syntax import parse
-from gcrules.conditions.analysis import analyze
 from gcrules.conditions.catalog_check import check_catalog, check_entry, enumerate_classes, source_keys
 from gcrules.core.errors import FileError
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load, load_file

@@ -26,8 +26,9 @@ from gcrules.algebra.space import Space
 from gcrules.algebra.straightening.straighten import next_syzygy, straighten, straighten_steps
 from gcrules.algebra.superbrackets.shortest import superbracket_form
 from gcrules.apps.cli.legs import analyze as analyze_command
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import LimitReached
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.deriving import derived_zero, from_catalog
 from gcrules.rules.elementary import ELEMENTARY

@@ -29,7 +29,6 @@ from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.prove import Proof, prove
 from gcrules.apps.cli import cli
-from gcrules.conditions.analysis import analyze
 from gcrules.conditions.catalog_check import check_digests, check_entry
 from gcrules.conditions.manual.file import load_session
 from gcrules.conditions.manual.session import Session
@@ -37,6 +36,7 @@ from gcrules.core import proof_memory, seeds
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.mechanisms.conditions.robot_analysis import analyze_robot
 from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules import rule_file
 from gcrules.rules.catalog import proofs as catalog_proofs
 from gcrules.rules.catalog.file import load, load_file

@@ -24,8 +24,9 @@ from gcrules.algebra.expr import Point, join
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.language.text import text as formula
 from gcrules.apps.cli import cli
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import free_motions
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load

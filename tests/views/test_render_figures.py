@@ -19,10 +19,11 @@ import pytest
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.language.legs_text import legs_text
 from gcrules.algebra.language.syntax import parse
-from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import common_point, factors, free_motions
 from gcrules.core.errors import FileError, InputError
 from gcrules.mechanisms.description.platform_file import Platform, load_platform
+from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.catalog.file import load
 from gcrules.rules.condition import Condition
 from gcrules.views.drawing.drawing import Circle, Drawing, Line, Polygon, Run, Text, name_runs, text_width

@@ -5,13 +5,13 @@ from __future__ import annotations
 from textwrap import fill
 
 from gcrules.core.errors import LimitReached
-from gcrules.poses.loci.form import joined
+from gcrules.poses.loci.form import Form, joined
 from gcrules.poses.loci.report import Factor, Locus
 from gcrules.poses.loci.variables import TRANSLATION
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.text_tables import WIDTH, table
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["as_latex", "as_text", "form_latex"]
 
 SHOWN = 40
 """Polynomials of more terms are not printed with the summary."""
@@ -104,7 +104,11 @@ def _checked(found: Locus) -> tuple[str, str]:
 
 def as_latex(found: Locus) -> str:
     """The polynomial without dollar signs; a long one is `aligned`."""
-    form = found.form
+    return form_latex(found.form)
+
+
+def form_latex(form: Form) -> str:
+    """The same for any polynomial."""
 
     def factor(name: str, n: int) -> str:
         return latex_name(name) if n == 1 else f"{latex_name(name)}^{{{n}}}"
