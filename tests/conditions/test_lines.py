@@ -19,6 +19,7 @@ from hypothesis import strategies as st
 import gcrules as gc
 from gcrules.algebra.expr import points_of
 from gcrules.algebra.language.legs_text import read_legs
+from gcrules.algebra.language.syntax import parse
 from gcrules.apps.cli import cli
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
@@ -204,7 +205,7 @@ def test_json(case: Case) -> None:
     texts = [found["superbracket"]["polynomial"], found["shortest"]["polynomial"]]
     texts += [r[key] for r in (found["condition"], *found["readings"]) for key in ("expression", "cofactor")]
     for text in (*texts, *found["assumed"]):
-        e = gc.parse(text) if case.rank == 4 else gc.algebra.syntax.parse(text, rank=case.rank)
+        e = gc.parse(text) if case.rank == 4 else parse(text, rank=case.rank)
         assert set(points_of(e)) <= {*found["points"], *case.points}
     assert found["shortest"]["form"] in ((24, 16) if case.rank == 4 else (None,))
 

@@ -19,6 +19,7 @@ import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.limb_file import LimbText, read_joints
+from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.mechanisms.kinematics.chains import SHAPES, chain_of
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.margin import Closeness, _locked, closeness, limb_closeness
@@ -266,7 +267,7 @@ def test_closeness_is_that_of_platforms(name: str) -> None:
     names = [(limb.joints[0].points[0], limb.joints[-1].points[0]) for limb in m.robot.limbs]
     points = {n: [float(c) for c in m.home.values[n]] for pair in names for n in pair}
     legs = [list(pair) for pair in names]
-    platform = gc.robots.geometry.parse_platform(json.dumps({"legs": legs, "points": points}))
+    platform = parse_platform(json.dumps({"legs": legs, "points": points}))
     for text in ("0 0 0", "0.5 0.2 -0.7; euler zyx 20 10 -15 deg"):
         about = tuple(float(c) for c in m.centre)
         expected = gc.pose(platform, text, about=about, nearest=False)
