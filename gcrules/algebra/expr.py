@@ -20,6 +20,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain, repeat
 from math import isqrt
+from typing import Any
 
 from gcrules.algebra.names import step_name
 from gcrules.core.budget import watched
@@ -68,6 +69,10 @@ class Expr(Shown):
     step: int = field(init=False, repr=False, compare=False)
     depth: int = field(init=False, repr=False, compare=False)
     children: tuple[Expr, ...] = field(init=False, repr=False, compare=False)
+
+    def to_json(self) -> dict[str, Any]:
+        """`{expression, step}`; the expression is text of the language, which parses back."""
+        return {"expression": str(self), "step": self.step}
 
     def __or__(self, other: Expr) -> Expr:
         """The join, in the rank that the operands are written in (4 if they do not say)."""
