@@ -1,10 +1,9 @@
-"""The commands of the algebra: prove, expand, straighten, run."""
+"""The commands of the algebra: prove, expand, straighten."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from textwrap import indent
 from typing import Any
 
 import click
@@ -13,8 +12,7 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expand import expand as expanded
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.statements import Script, parse_script
-from gcrules.algebra.language.syntax import parse, parse_equation
+from gcrules.algebra.language.syntax import parse_equation
 from gcrules.algebra.prove import prove as decide
 from gcrules.algebra.straightening.straighten import Straightening, straighten_steps
 from gcrules.algebra.straightening.straighten import straighten as straightened
@@ -28,22 +26,14 @@ from gcrules.apps.cli.base import (
     space_options,
 )
 from gcrules.apps.cli.expressions import context_of, given_text, read_expression
-from gcrules.apps.cli.files import read_stdin, working
-from gcrules.apps.cli.limits import SECONDS, time_limit
-from gcrules.apps.cli.rules import Choice, rules_options
-from gcrules.core.alarm import paced
+from gcrules.apps.cli.files import working
+from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.verdicts import EXIT_CODES, coloured
 from gcrules.core.errors import InputError
-from gcrules.core.yaml_file import read_text
-from gcrules.rules.rewriting import rewrite as rewritten
-from gcrules.rules.script import Result, ScriptResult, results
 from gcrules.views.formulas.latex import latex
 from gcrules.views.results.proof import conditions
-from gcrules.views.results.script import totals
 
-__all__ = ["expand", "prove", "rewrite", "run", "straighten"]
-
-EXIT_CODES = {"proved": 0, "refuted": 1, "undecided": 3}
-COLOURS = {"proved": "green", "refuted": "red", "undecided": "yellow"}
+__all__ = ["expand", "prove", "straighten"]
 
 _limit = limit_option(MAX_TERMS, "Give up beyond this many terms.")
 _seconds = time_limit()
@@ -80,34 +70,8 @@ def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: S
             "\n".join([proof.latex(), f"% {proof.verdict}: {proof.reason}", *(f"%{c}" for c in conditions(proof))])
         )
     else:
-        out.show(proof, _coloured(proof.verdict, proof.text(unicode=out.unicode)))
+        out.show(proof, coloured(proof.verdict, proof.text(unicode=out.unicode)))
     ctx.exit(EXIT_CODES[proof.verdict])
-
-
-@click.command(cls=ExpressionCommand)
-@click.argument("expression", metavar="EXPR")
-@rules_options
-@given_option
-@space_options()
-@_seconds
-@output_options()
-def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space: Space, out: Output) -> None:
-    """Rewrite an expression by rules, the first that fires each time, until all stay silent; every step is shown.
-
-    \b
-    gcrules rewrite "[abce][abdf] - [abcd][abef]" --rules mine.gca
-    gcrules rewrite "ab /\\ cde" --rules expansion
-
-    --rules takes files of identities and names of rewriting rules (see `gcrules rules list`). Rules that ask for
-    collinear points and the like fire where --given says so.
-    """
-    at = context_of(space, assumptions)
-    e = parse(given_text(expression), context=at)
-    rules = choice.rewriting()
-    if not rules:
-        raise InputError("no rules to rewrite by", hint="name some:  --rules mine.gca  or  --rules expansion")
-    with working("rewriting"):
-        out.show(rewritten(e, rules, at))
 
 
 @click.command(cls=ExpressionCommand)
@@ -159,62 +123,6 @@ def straighten(expression: str, steps: bool, space: Space, limit: int, out: Outp
     out.show(_Polynomial(normal, syzygies, short=out.terminal))
 
 
-@click.command(cls=ExpressionCommand)
-@click.argument("files", metavar="FILE.gca…", nargs=-1, required=True)
-@_limit
-@time_limit(SECONDS, "Give a statement up after this time.", itself=True)
-@output_options(latex=False)
-@click.pass_context
-def run(ctx: click.Context, files: tuple[str, ...], limit: int, seconds: float, out: Output) -> None:
-    """Run scripts and report every claim with its line; "-" reads standard input.
-
-    \b
-    gcrules run octahedron.gca
-    gcrules run examples/theorems/*.gca
-    A file may hold
-        let s = [[ab, af, cb, cd, ed, ef]]
-        claim "alternate faces": s == ace /\\ abf /\\ cbd /\\ edf
-
-    Statements: rank, points, ideal, given, let, claim, show, rule, rewrite. Exit code 1 if any claim or rule is
-    refuted, 3 if any is undecided.
-    """
-    scripts = [parse_script(*((read_stdin(), "<stdin>") if f == "-" else (read_text(f), f))) for f in files]
-    answers = [_answered(script, limit, seconds) for script in scripts]
-    shown = [
-        "\n".join([*(_coloured(r.verdict, r.text(unicode=out.unicode)) for r in a.results), *totals(a)])
-        for a in answers
-    ]
-    whole = ScriptResult(tuple(r for a in answers for r in a.results))
-    if len(files) == 1:
-        out.show(answers[0], shown[0])
-    else:
-        parts = (f"{s.filename}\n{indent(text, '  ')}" for s, text in zip(scripts, shown, strict=True))
-        out.show(_Scripts(scripts, answers, whole), "\n\n".join([*parts, "\n".join(totals(whole))]))
-    ctx.exit(EXIT_CODES[whole.verdict])
-
-
-def _answered(script: Script, limit: int, seconds: float) -> ScriptResult:
-    found: list[Result] = []
-    with working(f"running {script.filename}") as status:
-        for result in paced(results(script, limit=limit), seconds, each=True):
-            found.append(result)
-            status.tell(f"{len(found)} of {len(script.statements)}, past line {result.line}")
-    return ScriptResult(tuple(found))
-
-
-@dataclass(frozen=True)
-class _Scripts:
-    """The results of several scripts."""
-
-    scripts: list[Script]
-    answers: list[ScriptResult]
-    whole: ScriptResult
-
-    def to_json(self) -> dict[str, Any]:
-        files = [{"file": s.filename, **a.to_json()} for s, a in zip(self.scripts, self.answers, strict=True)]
-        return {"verdict": self.whole.verdict, "files": files}
-
-
 @dataclass(frozen=True)
 class _Polynomial:
     """A polynomial with its steps, in the forms in which it is shown."""
@@ -247,8 +155,3 @@ class _Polynomial:
 
 def _latex(e: Expr) -> str:
     return latex(e)
-
-
-def _coloured(verdict: str, shown: str) -> str:
-    colour = COLOURS.get(verdict)
-    return shown.replace(verdict, click.style(verdict, fg=colour, bold=True), 1) if colour else shown

@@ -12,7 +12,7 @@ from gcrules.algebra.language.legs_text import Leg, Structure, legs_text
 from gcrules.apps.cli.base import LazyGroup, Output, catalog_option, output_options
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.rules import plugins_option
+from gcrules.apps.cli.rule_options import plugins_option
 from gcrules.conditions.analysis import analyze
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError

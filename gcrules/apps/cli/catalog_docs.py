@@ -10,7 +10,7 @@ from gcrules.apps.cli.base import Output, catalog_option
 from gcrules.apps.cli.files import Status, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.page_files import renew
-from gcrules.apps.cli.rules import plugins_option
+from gcrules.apps.cli.rule_options import plugins_option
 from gcrules.conditions.catalog_check import false_identities
 from gcrules.core.errors import FileError, GcrulesError, join_faults
 from gcrules.rules.catalog.catalog import Catalog

@@ -22,7 +22,7 @@ from gcrules.apps.cli.base import (
 from gcrules.apps.cli.files import OutputFile, read_stdin, working
 from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual import Manual, manual_options, run_manual
-from gcrules.apps.cli.rules import Choice, rules_options
+from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
