@@ -9,14 +9,14 @@ from typing import Any, Protocol
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.language.legs_text import Leg, Structure
-from gcrules.core.deferred import deferred
+from gcrules.core.deferred import deferred, resolved
 from gcrules.core.errors import InputError
 from gcrules.rules.condition import Condition
-from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.verdict import CLOSE, FLOOR, decide
 
 __all__ = ["Coordinates", "PoseValue", "judged", "line_measure", "line_points", "measure", "pose_value"]
 
+ROUNDING = "gcrules.screws.guarantees:ROUNDING"
 noise = deferred("gcrules.screws.guarantees:noise")
 jacobian = deferred("gcrules.screws.margin:jacobian")
 on_one_line = deferred("gcrules.screws.margin:on_one_line")
@@ -138,7 +138,7 @@ def _measured(structure: Structure, points: Mapping[str, XYZ]) -> tuple[float, f
     j = jacobian(base, ends[None])
     places = np.array([points[n] for n in structure.names])
     size = float(np.sqrt(((places - places.mean(axis=0)) ** 2).sum(axis=1).mean()))
-    return float(j.sigma[0]), float(noise(j, ROUNDING * size)[0])
+    return float(j.sigma[0]), float(noise(j, resolved(ROUNDING) * size)[0])
 
 
 def line_measure(legs: Sequence[Leg], points: Mapping[str, XYZ]) -> float:

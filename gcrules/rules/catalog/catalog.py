@@ -9,8 +9,6 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from itertools import islice
-from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
@@ -22,6 +20,7 @@ from gcrules.core.errors import EngineFault, FileError
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import permutation_sign
 from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
+from gcrules.rules.catalog.isomorphism import isomorphism
 from gcrules.rules.catalog.proofs import Standing, is_shipped, standing
 from gcrules.rules.claims import certify
 from gcrules.rules.condition import Condition
@@ -69,7 +68,7 @@ class Catalog:
         degrees = _degrees(structure)
         for entry in self.entries:
             if _degrees(entry.structure) == degrees:
-                mapping = _isomorphism(entry.structure, structure)
+                mapping = isomorphism(entry.structure, structure)
                 if mapping:
                     yield Match(entry, FrozenMap(mapping))
 
@@ -151,7 +150,6 @@ def _false(condition: Condition, known: Standing, reading: CatalogIdentity, entr
 
 
 FROM_CATALOG = ("transversals", "one-incidence")  # kinds of which the catalog has identities of its own
-_MOST_ISOMORPHISMS = 100
 _FURTHER = 3  # points for what has no proof
 _UNPROVED = Certificate("none", "claimed by a catalog")
 
@@ -174,30 +172,3 @@ def _relabelled(statement: str, mapping: Mapping[str, str]) -> str:
 
 def _degrees(structure: Structure) -> list[int]:
     return sorted(Counter(n for leg in structure.legs for n in leg).values())
-
-
-def _isomorphism(a: Structure, b: Structure) -> dict[str, str] | None:
-    """An isomorphism of the leg graphs, base to base or else base to platform, the first in the order of labels."""
-    from networkx.algorithms.isomorphism import GraphMatcher
-
-    exchanged = {"base": "platform", "platform": "base", "": ""}
-    for exchange in (False, True):
-        graphs = _graph(a, exchanged if exchange else None), _graph(b, None)
-        matcher = GraphMatcher(*graphs, node_match=lambda x, y: x["side"] == y["side"])
-        found = list(islice(matcher.isomorphisms_iter(), _MOST_ISOMORPHISMS))
-        if found:
-            # By the images of the legs, so that the choice does not depend on how legs are written.
-            first = min(found, key=lambda m: [sorted(b.names.index(m[n]) for n in leg) for leg in a.legs])
-            return {n: first[n] for n in a.names}
-    return None
-
-
-def _graph(structure: Structure, exchanged: Mapping[str, str] | None) -> Any:
-    from networkx import Graph
-
-    graph: Any = Graph()
-    for n in structure.names:
-        side = structure.sides.get(n, "")
-        graph.add_node(n, side=exchanged[side] if exchanged else side)
-    graph.add_edges_from(structure.legs)
-    return graph
