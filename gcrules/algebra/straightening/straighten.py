@@ -155,7 +155,7 @@ def _largest_first(pending: Terms, ideal: int, work: Work, enough: float) -> Ter
     heapify(heap)
     normal: Terms = {}
     seen: set[_Pair] = set()
-    while heap and work.count.done < enough:
+    while heap and work.replacements.done < enough:
         monomial = heappop(heap).monomial
         coefficient = pending.pop(monomial)
         if not coefficient:
@@ -180,8 +180,8 @@ def _largest_first(pending: Terms, ideal: int, work: Work, enough: float) -> Ter
             else:
                 pending[new] = c * coefficient
                 heappush(heap, _Last(new))
-        work.replacements(len(replacements))
-        work.held(len(pending) + len(normal))
+        work.replacements.spend(len(replacements))
+        work.terms.check(len(pending) + len(normal))
     return normal
 
 
