@@ -50,6 +50,7 @@ def is_extensor(e: Expr, rank: int) -> bool:
 
 
 def _scalar(e: Expr, name: str, rank: int) -> Expr | None:
+    """The S of `hyperplane` where each term holds the point once as it is written; else None."""
     match e:
         case Bracket(args=args):
             return _out(ex.join(*args, rank=rank), name, None, rank)
@@ -113,6 +114,7 @@ def _total(found: Sequence[Expr | None], rank: int) -> Expr | None:
 
 
 def _expanded(e: Expr, name: str, rank: int) -> Expr | None:
+    """The S of `hyperplane` by expansion, where each monomial holds the point once; else None."""
     try:
         polynomial = expand(e, rank=rank, limit=_MAX_TERMS)
     except LimitReached:

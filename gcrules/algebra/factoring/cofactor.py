@@ -220,6 +220,7 @@ def _in_pairs(every: list[_Lines], lines: Sequence[Row]) -> Iterator[_Choice]:
 
 
 def _with(poly: BracketPolynomial, choice: _Choice, effort: Effort) -> Rational | None:
+    """What multiplies the polynomial to one expression, if the chosen lines do."""
     cofactor = choice.cofactor(poly.points)
     t, s = choice.one.trees(poly.points)
     expanded = expand(cofactor, points=poly.points)

@@ -242,6 +242,7 @@ class Extensors:
         return self._normalised(self.field.reduced(vectors)), [columns] if places else []
 
     def _level(self, letters: int) -> Level:
+        """All extensors of so many letters: the joins and meets of two smaller ones, each once, that do not vanish."""
         first_vectors, found = self._given(letters)
         vectors = [first_vectors]
         for second in range(1, letters // 2 + 1):

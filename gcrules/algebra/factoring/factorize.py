@@ -97,6 +97,7 @@ def _in_groups(pieces: Pieces, effort: Effort, terms: int, every: bool) -> Facto
 
 
 def _exhausted(whole: Whole) -> Certificate:
+    """The certificate that no expression of the family equals the polynomial."""
     number = sum(whole.times)
     alone = number == 1 and whole.irreducible
     detail = "every expression was refuted by its values at exact positions"

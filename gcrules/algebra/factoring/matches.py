@@ -99,6 +99,7 @@ class _Oracle:
 
 
 def _confirmed(candidate: Candidate, extensors: Extensors, oracle: _Oracle) -> Written | None:
+    """The simplest expression of a candidate that equals the polynomial at exact positions too."""
     letters = extensors.letters
     for number, (a, b) in enumerate(candidate.trees(extensors)):
         checkpoint()

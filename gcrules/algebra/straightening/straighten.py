@@ -93,6 +93,7 @@ def is_zero(
 
 
 def _extensor(poly: ExtensorPolynomial, limit: int) -> ExtensorPolynomial:
+    """The normal form of an extensor: closed by new points, straightened, and opened again."""
     closed, new = _closed(poly)
     parts: dict[Row, Terms] = {}
     for m, c in straighten_terms(closed, poly.ideal, limit).items():
