@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import gcd, lcm
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
@@ -22,6 +21,7 @@ from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point,
 from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
+from gcrules.core.linear_algebra import content
 
 __all__ = ["hyperplane", "is_extensor", "simplified", "weighted", "weights"]
 
@@ -159,6 +159,6 @@ def weighted(row: Mapping[Expr, Fraction], rank: int) -> Expr:
 def simplified(e: Expr, rank: int) -> Expr:
     """A sum, or a multiple of it, with like terms collected and no common divisor of its numbers."""
     row = weights(e)
-    divisor = Fraction(gcd(*(c.numerator for c in row.values())), lcm(*(c.denominator for c in row.values())))
+    divisor = content(row.values())
     unchanged = divisor == 1 and len(row) == len(e.children)
     return e if unchanged else weighted({t: c / divisor for t, c in row.items()}, rank)

@@ -15,10 +15,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from math import gcd, lcm
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.linear_algebra import content
 
 __all__ = ["WIDTH", "Root", "integers", "roots", "sign_after", "sign_before", "value"]
 
@@ -50,13 +50,11 @@ class Root:
 
 def integers(coefficients: Sequence[Fraction | int]) -> Poly:
     """The polynomial times a positive number, with coprime integer coefficients and without leading zeros."""
-    exact = [Fraction(c) for c in coefficients]
-    common = lcm(*(c.denominator for c in exact))
-    p = [int(c * common) for c in exact]
+    p = [Fraction(c) for c in coefficients]
     while p and not p[-1]:
         p.pop()
-    divisor = gcd(*p)
-    return [c // divisor for c in p]
+    divisor = content(p) if p else 1
+    return [int(c / divisor) for c in p]
 
 
 def value(p: Sequence[int], x: Fraction) -> int:
