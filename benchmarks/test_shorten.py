@@ -13,15 +13,16 @@ import yaml
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
+from gcrules.algebra.factoring.modular import MODULUS
 from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.language.syntax import parse
-from gcrules.algebra.shortening.exhaustive import Work, combinations_of
+from gcrules.algebra.shortening.exhaustive import combinations_of
 from gcrules.algebra.shortening.monomials import Monomials
-from gcrules.algebra.shortening.residues import MODULUS
 from gcrules.algebra.shortening.shorten import shorten
 from gcrules.algebra.shortening.symmetry import Action
 from gcrules.algebra.straightening.straighten import straighten, straighten_terms
 from gcrules.algebra.superbrackets.shortest import superbracket_form
+from gcrules.core.budget import Count
 
 DATA = Path(__file__).resolve().parent.parent / "tests" / "data" / "gsp_classes.yaml"
 REGULAR = [c for c in yaml.safe_load(DATA.read_text(encoding="utf-8"))["classes"] if c["regular"]]
@@ -64,7 +65,7 @@ def hashed(poly: BracketPolynomial) -> bool:
     at = random_positions(14, len(poly.points), 4, MODULUS, seed=0)
     identity = np.arange(len(poly.points))[None, :]
     value, target = monomials.values(at), values(poly, at, MODULUS)
-    work = Work(10**12)
+    work = Count(10**12, "the search handles", "residues")
     return any(True for _ in combinations_of(2, value, target, Action(monomials), identity, work))
 
 

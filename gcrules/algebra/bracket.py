@@ -12,7 +12,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain, groupby
-from math import gcd, lcm
 from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra import expr as ex
@@ -23,6 +22,7 @@ from gcrules.core.budget import watched
 from gcrules.core.errors import InputError, StepError
 from gcrules.core.floats import exact_number
 from gcrules.core.frozen import FrozenMap
+from gcrules.core.linear_algebra import content
 from gcrules.core.shown import Shown
 
 if TYPE_CHECKING:
@@ -242,10 +242,10 @@ class BracketPolynomial(_Polynomial):
 def primitive(poly: BracketPolynomial) -> tuple[Coefficient, BracketPolynomial]:
     """The content (with the sign of the first term) and the polynomial divided by it: whole, coprime numbers."""
     coefficients = [Fraction(c) for c in poly.terms.values()]
-    content = Fraction(gcd(*(c.numerator for c in coefficients)), lcm(*(c.denominator for c in coefficients)))
+    common = content(coefficients)
     if coefficients[0] < 0:
-        content = -content
-    return ex.Number(content).value, poly * (1 / content)
+        common = -common
+    return ex.Number(common).value, poly * (1 / common)
 
 
 @dataclass(frozen=True, repr=False)

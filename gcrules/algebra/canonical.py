@@ -114,6 +114,7 @@ class _Arrangement:
         return (*self.best[1], *self.others)
 
     def _refined(self, colour: Mapping[str, int]) -> Mapping[str, int]:
+        """Colours made finer until points of one colour are alike in all statements."""
         while True:
             checkpoint()
             marked = {n: {**colour, n: -1} for n in self.names}
@@ -171,6 +172,7 @@ class _Arrangement:
         return not seen.isdisjoint(tried)
 
     def _leaf(self, order: tuple[str, ...], path: tuple[str, ...]) -> int:
+        """Compare a complete order with the best; what is returned is the level at which to go on."""
         self.leaves += 1
         place = {n: i for i, n in enumerate((*order, *self.others))}
         groups: dict[bool, list[Key]] = {False: [], True: []}
@@ -297,6 +299,7 @@ def _order(
     given: tuple[Assumption, ...],
     claim: tuple[Expr, ...],
 ) -> tuple[tuple[str, ...], tuple[Mapping[str, str], ...]]:
+    """The canonical order of the names, and generators of the symmetries of what is given."""
     place = {n: i for i, n in enumerate(names)}
     assumed = list({_stated(a, place, rank)[0]: _assumed(a, place, rank) for a in given}.values())
     if claim and sum(1 for e in claim for _ in ex.subexpressions(e)) <= MAX_CLAIM:

@@ -221,6 +221,7 @@ class Expander:
         return self._by_determinant(lines)
 
     def _by_24_terms(self, lines: list[Multivector]) -> Multivector:
+        """The superbracket in rank 4, for each choice of one join of two points from every line."""
         out: Multivector = {}
         for choice in product(*(line.items() for line in lines)):
             self._worked(_SUPERBRACKET_WORK)
@@ -267,6 +268,7 @@ class Expander:
         return {} if self._at_infinity(row) else self._times(terms, {(row,): 1})
 
     def _times(self, a: Terms, b: Terms) -> Terms:
+        """The product of two polynomials in brackets."""
         brackets = len(next(iter(a), ())) + len(next(iter(b), ()))
         self._worked(len(a) * len(b) * (1 + brackets // _MANY_BRACKETS))
         if len(b) == 1 and () in b:
@@ -282,6 +284,7 @@ class Expander:
         return out
 
     def _add(self, total: dict[_Key, Terms], row: _Key, terms: Terms, sign: int) -> None:
+        """Add sign · terms to the coefficient of a row."""
         into = total.setdefault(row, {})
         for m, c in terms.items():
             value = into.get(m, 0) + sign * c

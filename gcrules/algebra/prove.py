@@ -156,6 +156,7 @@ def prove(
 
 
 def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, limit: int) -> Proof:
+    """The proof at each kind of position that the assumptions allow, taken together."""
     try:
         found = kinds(space, points_of(left, right), (difference,))
     except LimitReached as limited:
@@ -186,6 +187,7 @@ def _assuming(proof: Proof, nonzero: Iterable[Expr], names: Sequence[str]) -> Pr
 def _at_one_kind(
     left: Expr, right: Expr, difference: Expr, construction: Construction, names: Sequence[str], limit: int
 ) -> Proof:
+    """Random points of the construction first, then its normal form."""
     known = ""
     try:
         if not construction.vanishes(difference, samples=_SAMPLES):

@@ -15,7 +15,6 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
-from math import gcd, lcm
 from typing import Any
 
 from gcrules.algebra import expr as ex
@@ -35,6 +34,7 @@ from gcrules.algebra.expr import (
 )
 from gcrules.algebra.scalars import bracket, power, superbracket
 from gcrules.core.budget import checkpoint
+from gcrules.core.linear_algebra import content
 
 __all__ = ["Key", "Normal", "normal", "split"]
 
@@ -142,10 +142,9 @@ def normal(e: Expr, place: Mapping[str, int], rank: int) -> Normal:
         if len(terms) == 1:
             ((key, t, c),) = terms
             return Normal(c, t, key)
-        content = Fraction(gcd(*(c.numerator for *_, c in terms)), lcm(*(c.denominator for *_, c in terms)))
-        content *= -1 if terms[0][2] < 0 else 1
-        e = ex.add(*(ex.mul(Number(c / content), t) for _, t, c in terms), rank=rank)
-        return Normal(content, e, (4, len(terms), *((key, c / content) for key, _, c in terms)))
+        common = content(c for *_, c in terms) * (-1 if terms[0][2] < 0 else 1)
+        e = ex.add(*(ex.mul(Number(c / common), t) for _, t, c in terms), rank=rank)
+        return Normal(common, e, (4, len(terms), *((key, c / common) for key, _, c in terms)))
 
     return of(e)
 

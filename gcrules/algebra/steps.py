@@ -201,6 +201,7 @@ def multiplied_out(e: Expr, space: Space) -> Expr | None:
 
 
 def _one_layer(e: Expr, rank: int) -> Expr:
+    """The innermost meets replaced by their shuffles, the cheapest pair of arguments first."""
     checkpoint()
     if isinstance(e, Meet) and (pair := _cheapest_pair(e, rank)):
         i, j = pair
@@ -278,6 +279,7 @@ def _choices(parts: Sequence[Expr], rank: int) -> Iterator[tuple[Expr, ...]]:
 
 
 def _sorted(e: Expr, space: Space) -> Expr:
+    """Monomials and sums of them in tableau order, like terms collected, other factors as they are."""
     if all(map(_is_monomial, _summands(e))):
         return _collected(e, space)
     match e:
@@ -298,6 +300,7 @@ def _sorted(e: Expr, space: Space) -> Expr:
 
 
 def _collected(e: Expr, space: Space) -> Expr:
+    """An expression of step 0 or more as its expansion."""
     found = expand(e, points=space.points, ideal=space.ideal, rank=space.rank)
     if isinstance(found, BracketPolynomial):
         return found.to_expr()

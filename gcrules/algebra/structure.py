@@ -195,6 +195,7 @@ class Structure:
 
     @staticmethod
     def _colouring(part: Sequence[Leg]) -> dict[str, int] | None:
+        """Two sides, so that each leg joins one to the other; None where there is an odd cycle."""
         colour = {part[0][0]: 0}
         for _ in part:
             for a, b in part:
@@ -264,6 +265,7 @@ class NoLine(InputError):
 
 
 def _wrong_number(number: int, expected: int, rank: int) -> InputError:
+    """The error for a number of legs that does not fit the rank, with the rank that would."""
     fitting = next((n for n in range(3, 9) if n * (n - 1) // 2 == number), None)
     word = {3: "three", 6: "six"}.get(expected, str(expected))
     hint = "each leg is two points written together: ab, S1A1"

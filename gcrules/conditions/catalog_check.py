@@ -29,7 +29,6 @@ from gcrules.rules.recognition_state import extensor
 
 __all__ = [
     "CheckResult",
-    "check_catalog",
     "check_digests",
     "check_entry",
     "enumerate_classes",
@@ -63,11 +62,6 @@ class CheckResult:
 
     def to_json(self) -> dict[str, Any]:
         return {"id": self.id, "place": self.place, "proved": self.proved, "faults": list(self.faults)}
-
-
-def check_catalog(catalog: Catalog) -> Iterator[CheckResult]:
-    """Check every entry, one after the other."""
-    return map(check_entry, catalog.entries)
 
 
 def check_entry(entry: Entry) -> CheckResult:

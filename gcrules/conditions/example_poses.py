@@ -14,7 +14,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.core.frozen import FrozenMap
 
-__all__ = ["WorkedPose", "regular_pose", "regular_poses", "singular_pose", "singular_poses"]
+__all__ = ["WorkedPose", "regular_poses", "singular_pose", "singular_poses"]
 
 Coordinate = int | Fraction
 Position = tuple[Coordinate, Coordinate, Coordinate]
@@ -38,14 +38,6 @@ class WorkedPose:
     def height(self) -> int:
         """The largest numerator or denominator that occurs."""
         return max(max(abs(c.numerator), c.denominator) for point in self.points.values() for c in point)
-
-
-def regular_pose(structure: Structure, avoid: tuple[Expr, ...] = (), shape: Shape | None = None) -> WorkedPose:
-    """The first of the `regular_poses`. Raises ValueError where there is none among those that are tried."""
-    found = next(regular_poses(structure, avoid, shape), None)
-    if found is None:
-        raise ValueError("the structure is singular in every pose that was tried")
-    return found
 
 
 def singular_pose(structure: Structure, avoid: tuple[Expr, ...] = (), shape: Shape | None = None) -> WorkedPose:

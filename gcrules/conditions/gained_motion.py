@@ -10,7 +10,7 @@ from itertools import combinations
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr, Meet, Number, Power, Product
 from gcrules.algebra.language.legs_text import Leg
-from gcrules.core.linear_algebra import kernel
+from gcrules.core.linear_algebra import cross, kernel
 
 __all__ = ["Screw", "common_point", "factors", "free_motions", "incidence_rows", "vanishing"]
 
@@ -78,7 +78,7 @@ def free_motions(legs: Iterable[Leg], points: Points) -> list[Screw]:
     rows = []
     for a, b in legs:
         start, end = _finite(points[a]), _finite(points[b])
-        rows.append((*(q - p for p, q in zip(start, end, strict=True)), *_cross(start, end)))
+        rows.append((*(q - p for p, q in zip(start, end, strict=True)), *cross(start, end)))
     return [_screw(v[:3], v[3:]) for v in kernel(rows, 6)]
 
 
@@ -87,13 +87,9 @@ def _screw(velocity: Vector, turn: Vector) -> Screw:
     square = sum((c * c for c in turn), Fraction(0))
     if not square:
         return Screw(velocity, None, None)
-    foot = tuple(c / square for c in _cross(turn, velocity))
+    foot = tuple(c / square for c in cross(turn, velocity))
     return Screw(turn, foot, sum((w * v for w, v in zip(turn, velocity, strict=True)), Fraction(0)) / square)
 
 
 def _finite(point: Sequence[int | Fraction]) -> Vector:
     return tuple(Fraction(c) / Fraction(point[3]) for c in point[:3])
-
-
-def _cross(a: Vector, b: Vector) -> Vector:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

@@ -11,6 +11,7 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.core.deferred import deferred, resolved
 from gcrules.core.errors import InputError
+from gcrules.core.linear_algebra import cross
 from gcrules.rules.condition import Condition
 from gcrules.screws.verdict import CLOSE, FLOOR, decide
 
@@ -177,11 +178,7 @@ def line_points(plucker: Sequence[float], centre: XYZ, reach: float) -> tuple[XY
         return None
     unit = tuple(c / length for c in d)
     moment = (p23 / length, -p13 / length, p12 / length)  # about the origin: a × unit direction
-    foot = _cross(unit, moment)
+    foot = cross(unit, moment)
     along = sum((c - f) * u for c, f, u in zip(centre, foot, unit, strict=True))
     first, last = (tuple(f + (along + s * reach) * u for f, u in zip(foot, unit, strict=True)) for s in (-1, 1))
     return (first[0], first[1], first[2]), (last[0], last[1], last[2])
-
-
-def _cross(a: Sequence[float], b: Sequence[float]) -> XYZ:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

@@ -34,6 +34,7 @@ __all__ = [
     "Count",
     "as_float",
     "checkpoint",
+    "report",
     "seconds_left",
     "waiting",
     "watched",
@@ -193,24 +194,40 @@ def seconds_left() -> float:
     return inf if budget is None else budget.left
 
 
+def report(words: str) -> None:
+    """Tell the progress to the budget around the caller that listens, if one does."""
+    budget = _current.get()
+    if budget is not None:
+        budget.report(words)
+
+
 @dataclass
 class Count:
-    """Counts what one stage does, beside the clock: beyond `most`, LimitReached says `what` takes more than so many.
+    """Counts what one stage does or holds, beside the clock: beyond `most`, LimitReached says that it `takes` more
+    than so many `things`.
 
-    >>> Count(2, "matching a rule", "trials").spend(3)
+    >>> Count(2, "matching a rule takes", "trials").spend(3)
     Traceback (most recent call last):
     gcrules.core.errors.LimitReached: matching a rule takes more than 2 trials
     """
 
     most: int
-    what: str
+    takes: str
     things: str
     hint: str | None = None
     done: int = 0
 
+    @property
+    def left(self) -> int:
+        return self.most - self.done
+
     def spend(self, number: int = 1) -> None:
         """So many more. Raises LimitReached beyond `most`, or where a budget around the caller is used up."""
         self.done += number
-        if self.done > self.most:
-            raise LimitReached(f"{self.what} takes more than {self.most:,} {self.things}", hint=self.hint)
+        self.check(self.done)
+
+    def check(self, number: int) -> None:
+        """The same for a number that is not counted up."""
+        if number > self.most:
+            raise LimitReached(f"{self.takes} more than {self.most:,} {self.things}", hint=self.hint)
         checkpoint()

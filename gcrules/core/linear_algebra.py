@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from math import gcd, lcm
 from typing import Any
 
 from gcrules.core.budget import checkpoint
 
-__all__ = ["echelon", "kernel", "permutation_sign", "rank"]
+__all__ = ["content", "cross", "echelon", "kernel", "permutation_sign", "rank"]
 
 Row = tuple[Any, ...]
 
@@ -71,3 +72,14 @@ def permutation_sign(order: Sequence[int]) -> int:
     """+1 for an even arrangement of distinct numbers, −1 for an odd one."""
     inversions = sum(order[i] > order[j] for i in range(len(order)) for j in range(i + 1, len(order)))
     return -1 if inversions % 2 else 1
+
+
+def content(numbers: Iterable[int | Fraction]) -> Fraction:
+    """The largest rational number of which all of these, not all 0, are whole multiples; positive."""
+    exact = list(numbers)
+    return Fraction(gcd(*(c.numerator for c in exact)), lcm(*(c.denominator for c in exact)))
+
+
+def cross(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, Any, Any]:
+    """a × b in any ring."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

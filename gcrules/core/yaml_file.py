@@ -35,7 +35,6 @@ Kind = Literal["mapping", "sequence", "scalar"]
 
 _KINDS = {"mapping": "a mapping (key: value)", "sequence": "a list", "scalar": "a single value"}
 _NOTHING = frozenset({"", "~", "null", "Null", "NULL"})
-_BOOLEANS = {"true": True, "True": True, "yes": True, "false": False, "False": False, "no": False}
 _UNPRINTABLE = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _INTEGER = re.compile(r"[+-]?[0-9]+")
 _RATIONAL = re.compile(r"[+-]?[0-9]+/[0-9]+|[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE]([+-]?[0-9]{1,9}))?")
@@ -194,14 +193,6 @@ class Node:
             self.fault(f"{_short(text)} is not one of {', '.join(sorted(words))}", near(text, words))
             return None
         return text
-
-    def boolean(self) -> bool | None:
-        """`true` or `false`."""
-        text = self.string()
-        if text is not None and (self.quoted or text not in _BOOLEANS):
-            self.fault(f"expected true or false, found {_short(text)}")
-            return None
-        return None if text is None else _BOOLEANS[text]
 
     def integer(self) -> int | None:
         """A whole number."""

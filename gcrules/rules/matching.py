@@ -24,7 +24,7 @@ Values = Mapping[str, Expr]
 
 def trials(most: int = MAX_TRIALS) -> Count:
     """Counts trials, so that matching ends."""
-    return Count(most, "matching a rule", "trials")
+    return Count(most, "matching a rule takes", "trials")
 
 
 # --- bracket monomials ---------------------------------------------------------------------------------------------

@@ -20,10 +20,8 @@ from gcrules.algebra.assumptions.assumed import resolve
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.algebra.space import Space
-from gcrules.core.errors import EngineFault
 from gcrules.core.shown import Shown
 from gcrules.rules.derivation import Derivation, Step
-from gcrules.rules.foreign import PluginFault
 from gcrules.rules.identity import Identity, rewrite_all
 from gcrules.rules.rule import RewriteRule
 
@@ -69,8 +67,7 @@ def rewrite(e: Expr, rules: Iterable[RewriteRule], space: Space | None = None) -
     for rule, after in rewrite_all(e, tuple(rules), space):
         step = Step(rule.id, before, after, rule.sentence, _assumed(rule, space))
         if not step.check(space):
-            wrong = f"the rule {rule.id} makes {after} of {before}, which is not equal"
-            raise PluginFault(f"{rule.blame}{wrong}", filename=rule.owner) if rule.foreign else EngineFault(wrong)
+            raise rule.fault(f"the rule {rule.id} makes {after} of {before}, which is not equal")
         steps.append(step)
         before = after
     return Rewriting(e, tuple(steps), space)

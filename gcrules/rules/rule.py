@@ -16,10 +16,10 @@ from typing import Any, ClassVar
 from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.space import Space
-from gcrules.core.errors import InputError
+from gcrules.core.errors import EngineFault, InputError
 from gcrules.rules.condition import Condition
 from gcrules.rules.fields import FIELDS, RESULTS, expression_or_none, is_text
-from gcrules.rules.foreign import Guarded, foreign, is_foreign, place_of
+from gcrules.rules.foreign import Guarded, PluginFault, foreign, is_foreign, place_of
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.recognition_state import State
 
@@ -79,6 +79,10 @@ class Rule:
     def blame(self) -> str:
         """Who brought the rule, for messages about it."""
         return "" if self.owner == SHIPPED else f"{self.owner}: "
+
+    def fault(self, wrong: str) -> PluginFault | EngineFault:
+        """What to raise where the rule did something `wrong`: the fault is its owner's, or the engine's own."""
+        return PluginFault(f"{self.blame}{wrong}", filename=self.owner) if self.foreign else EngineFault(wrong)
 
     @property
     def foreign(self) -> bool:

@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import gcd, isqrt, lcm
+from math import isqrt
 from typing import Any
 
 from gcrules.algebra.evaluate import PRIME
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.core.linear_algebra import echelon, kernel
+from gcrules.core.linear_algebra import content, echelon, kernel
 from gcrules.screws.field import Field, Matrix, Row
 
 __all__ = ["RATIONALS", "RESIDUES", "Exact", "Rationals", "Residues"]
@@ -143,10 +143,8 @@ class Rationals(Exact):
 
     def simplest(self, vector: Row, unit: int | None = None) -> Row:
         """Whole numbers without a common divisor, the first of which is positive."""
-        below = lcm(*(Fraction(x).denominator for x in vector))
-        whole = [int(x * below) for x in vector]
-        divisor = gcd(*whole) * next(-1 if x < 0 else 1 for x in whole if x)
-        return tuple(Fraction(x // divisor) for x in whole)
+        divisor = content(map(Fraction, vector)) * next(-1 if x < 0 else 1 for x in vector if x)
+        return tuple(Fraction(x) / divisor for x in vector)
 
 
 @dataclass(frozen=True)

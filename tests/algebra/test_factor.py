@@ -36,7 +36,7 @@ from gcrules.algebra.factoring.coincidences import Coincidences, coinciding
 from gcrules.algebra.factoring.extensors import Extensors, Letters, extensor
 from gcrules.algebra.factoring.factorize import factor
 from gcrules.algebra.factoring.irreducible import irreducible
-from gcrules.algebra.factoring.limits import Budget
+from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.factoring.multilinear import factor_multilinear
 from gcrules.algebra.factoring.residues import residues, values
@@ -123,7 +123,7 @@ def test_planted_multilinear_expressions(case: tuple[int, Expr]) -> None:
     assert found.complete
     f = factor(p)
     if not f.factors:
-        written, _ = search(p, Budget())
+        written, _ = search(p, Effort())
         assert [str(w) for w in written] == [str(f.expression)]
 
 
@@ -145,7 +145,7 @@ def test_two_algorithms_agree_on_multilinear_sums(seed: int, shape: tuple[int, i
     f = factor(p)
     assert len(rows) == len(f.factors)
     if left.degrees():
-        written, _ = search(left, Budget())
+        written, _ = search(left, Effort())
         assert bool(written) == f.found
 
 
@@ -227,12 +227,12 @@ def test_every_tree_is_met(rank: int, number: int, trees: int) -> None:
 def test_twelve_letters() -> None:
     """The three shapes of twelve different letters in rank 4, and how many expressions of each there are."""
     p = normal("[[ab,cd,ef,gh,ij,kl]]")
-    budget = Budget()
-    extensors = Extensors(Letters(p.points, (1,) * 12, 4), budget=budget)
+    effort = Effort()
+    extensors = Extensors(Letters(p.points, (1,) * 12, 4), effort=effort)
     at = values(p, extensors.positions, extensors.field.p).tolist()
     assert not list(search_module.candidates(extensors, at))
     assert sum(map(len, extensors.levels.values())) == 12 + 66 + 220 + 792 * 10 + 924 * 70
-    assert budget.products == 924 // 2 * 70 * 70
+    assert effort.products == 924 // 2 * 70 * 70
     assert [middles(n, 4) for n in (8, 12)] == [((3, 3, 2),), ((6, 6),)]
 
 
@@ -441,7 +441,7 @@ def test_cofactors_of_reducible_polynomials(polynomial: str, cofactor: str) -> N
 )
 def test_one_incidence_with_constructed_lines(legs: str, cofactor: str) -> None:
     p = normal(f"[[{', '.join(legs.split())}]]")
-    found = next(line_cofactors(p, Budget(), Symmetries(p, limit=10**6)))
+    found = next(line_cofactors(p, Effort(), Symmetries(p, limit=10**6)))
     assert str(found.cofactor) == cofactor
     multiple = normal(ex.mul(found.cofactor, p.to_expr()))
     for e in found.expressions[:3]:
@@ -509,12 +509,12 @@ def test_coincidences_exclude_what_the_search_excludes() -> None:
     over all expressions, and a bracket that is a cofactor never is.
     """
     p = normal("[[Aa,Ab,Bc,Bd,Ca,Dc]]")
-    coincidences = Coincidences(p, Budget())
+    coincidences = Coincidences(p, Effort())
     excluded = 0
     for orbit in Symmetries(p, limit=10**6).orbits([tuple(r) for r in combinations(range(8), 4)], moved_row):
         if coincidences.exclude(orbit):
             excluded += 1
-            assert not search(p * p.with_terms({(orbit[0],): 1}), Budget())[0]
+            assert not search(p * p.with_terms({(orbit[0],): 1}), Effort())[0]
         if excluded > 3:
             break
     assert excluded > 2

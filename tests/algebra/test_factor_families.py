@@ -22,7 +22,7 @@ from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expand import expand
 from gcrules.algebra.factoring import certify
 from gcrules.algebra.factoring.extensors import Extensors, Letters
-from gcrules.algebra.factoring.limits import Budget
+from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.factoring.residues import values
 from gcrules.algebra.factoring.search import candidates
@@ -136,7 +136,7 @@ def test_points_apart_exclude_no_expression(text: str, rank: int) -> None:
     """The search finds what it finds where joins of any two points are formed."""
     p = straighten(parse(text, rank=rank))
     assert isinstance(p, BracketPolynomial)
-    found, built = search(p, Budget())
+    found, built = search(p, Effort())
     degrees = p.degrees() or {}
     extensors = Extensors(Letters(p.points, tuple(degrees[n] for n in p.points), rank))
     at = values(p, extensors.positions, extensors.field.p).tolist()

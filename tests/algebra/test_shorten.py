@@ -22,28 +22,29 @@ import gcrules as gc
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, sorted_row
 from gcrules.algebra.evaluate import Evaluator, random_points, random_rational_points, vanishes
 from gcrules.algebra.expr import sub
+from gcrules.algebra.factoring.modular import MODULUS, PRIMES, determinants, inverse, minor, reduced
 from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.shortening.exact import combination
-from gcrules.algebra.shortening.exhaustive import Work, certain, combinations_of, spans
+from gcrules.algebra.shortening.exhaustive import certain, combinations_of, spans
 from gcrules.algebra.shortening.linear_program import maximized
 from gcrules.algebra.shortening.merging import MergingBound, merging_bound
 from gcrules.algebra.shortening.monomials import Monomials, canonical
-from gcrules.algebra.shortening.residues import MODULUS, PRIMES, determinants, inverse, minor, reduced
 from gcrules.algebra.shortening.shorten import shorten
 from gcrules.algebra.shortening.symmetry import Action, orbits, symmetry
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import superbracket_form
 from gcrules.apps.cli import cli
 from gcrules.conditions.catalog_check import check_entry
+from gcrules.core.budget import Count
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.rules.catalog.file import load
 
 LETTERS = "abcdefghijklmnop"
 
 
-def work() -> Work:
-    return Work(10**12)
+def work() -> Count:
+    return Count(10**12, "the search handles", "residues")
 
 
 def normal(poly: BracketPolynomial) -> BracketPolynomial:

@@ -205,7 +205,7 @@ def test_arrays_take_over(monkeypatch: pytest.MonkeyPatch, extra: Monomial) -> N
 
 def test_the_work_counts_in_arrays_too() -> None:
     nearly_done = Work(2_000)
-    nearly_done.replacements(45_000)
+    nearly_done.replacements.spend(45_000)
     with pytest.raises(LimitReached, match="2,000 terms"):
         levels.straighten_levels(products(16, 4, 50, seed=7), 0, Work(2_000))
     with pytest.raises(LimitReached, match="replacements"):

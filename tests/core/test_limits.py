@@ -166,7 +166,7 @@ def test_memory_has_a_limit_of_itself(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_count_says_what_there_is_too_much_of() -> None:
-    count = Count(10, "this", "trials", "try less")
+    count = Count(10, "this takes", "trials", "try less")
     count.spend(10)
     with pytest.raises(LimitReached, match="this takes more than 10 trials") as limited:
         count.spend()

@@ -12,7 +12,7 @@ from platform_classes import CLASSES
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.syntax import parse
-from gcrules.conditions.catalog_check import check_catalog, check_entry, enumerate_classes, source_keys
+from gcrules.conditions.catalog_check import check_entry, enumerate_classes, source_keys
 from gcrules.core.errors import FileError
 from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.catalog.catalog import Catalog
@@ -28,7 +28,7 @@ def catalog() -> Catalog:
 
 
 def test_everything_holds(catalog: Catalog) -> None:
-    results = list(check_catalog(catalog))
+    results = [check_entry(e) for e in catalog.entries]
     assert [r.id for r in results] == [e.id for e in catalog.entries]
     assert len(results) == 39
     assert [r for r in results if not r.ok] == []
@@ -170,7 +170,7 @@ def own(tmp_path: Path) -> Any:
 
 def test_own_catalog(own: Any) -> None:
     path = own(OWN)
-    assert [r.faults for r in check_catalog(load_file(path))] == [()]
+    assert [r.faults for r in map(check_entry, load_file(path).entries)] == [()]
     a = analyze("qp rp sp rq sq sr", catalogs=[path])
     assert a.match is not None
     assert (a.match.entry.id, a.match.entry.owner) == ("mine", str(path))
@@ -206,7 +206,7 @@ def test_a_reading_that_is_no_identity(own: Any) -> None:
         path = own(OWN.replace(bad, "coefficient: 5"))
         with pytest.raises(FileError, match="is not an identity"):
             analyze("qp rp sp rq sq sr", catalogs=[path])
-        assert any(not r.ok for r in check_catalog(load_file(path)))
+        assert any(not r.ok for r in map(check_entry, load_file(path).entries))
     vanishing = r"{kind: one-incidence, expression: '0', cofactor: 'abc /\ abc /\ ad', statement: 'Never.'}"
     path = own(OWN + f"      - {vanishing}\n")
     with pytest.raises(FileError, match="says nothing: its cofactor is zero"):

@@ -155,6 +155,7 @@ class _Builder:
         return Failure(0, stuck.cause, why, hint, tried=False)
 
     def _attempt(self, turns: list[Turn]) -> Construction:
+        """The construction that one order gives. Raises Failure where it leads nowhere."""
         constructed = {n for n, _ in turns}
         free = tuple(n for n in (*self.space.points, *self.helpers) if n not in constructed)
         values = random_points(free, rank=self.space.rank, ideal=self.space.ideal, seed="construction")

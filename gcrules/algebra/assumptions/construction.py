@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations, product
-from math import gcd, lcm
 from typing import Any
 
 from gcrules.algebra import claims
@@ -27,6 +26,7 @@ from gcrules.algebra.parts import substitute
 from gcrules.algebra.straightening.straighten import terms_are_zero
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
+from gcrules.core.linear_algebra import content
 from gcrules.core.seeds import DRAWN, drawn
 
 __all__ = ["Construction", "Step", "Within", "coordinates", "step_on"]
@@ -278,11 +278,9 @@ def coordinates(
 
 def _primitive(value: Iterable[int | Fraction]) -> tuple[int, ...]:
     """The same point in whole coordinates without a common factor, the last one not negative."""
-    exact = [Fraction(c) for c in value]
-    scale = lcm(*(c.denominator for c in exact))
-    whole = [int(c * scale) for c in exact]
-    divisor = gcd(*whole) * (-1 if whole[-1] < 0 else 1)
-    return tuple(c // divisor for c in whole)
+    exact = list(value)
+    divisor = content(exact) * (-1 if exact[-1] < 0 else 1)
+    return tuple(int(c / divisor) for c in exact)
 
 
 def _holds(e: Expr, points: Mapping[str, Any], rank: int) -> bool:

@@ -207,6 +207,7 @@ def _contained(cause: Assumption, X: Expr, Y: Expr, rank: int) -> Facts:
 
 
 def _incidences(cause: Assumption, X: Expr, Y: Expr, rank: int) -> Iterable[Expr]:
+    """What vanishes where one of two extensors lies in the other, point by point of the smaller one."""
     X, Y = small_first(X, Y)
     for part in X.args if isinstance(X, Join) else (X,):
         if part.step == 1:
@@ -272,6 +273,7 @@ def _zero(assumption: Assumption, rank: int) -> Facts:
 
 
 def _vanishes(cause: Assumption, e: Expr, rank: int) -> Facts:
+    """The conditions under which an expression is zero, by its outermost operation."""
     match e:
         case Number(value=value):
             if value:

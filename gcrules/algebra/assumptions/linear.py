@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import gcd, lcm
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
@@ -22,6 +21,7 @@ from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point,
 from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
+from gcrules.core.linear_algebra import content
 
 __all__ = ["hyperplane", "is_extensor", "simplified", "weighted", "weights"]
 
@@ -50,6 +50,7 @@ def is_extensor(e: Expr, rank: int) -> bool:
 
 
 def _scalar(e: Expr, name: str, rank: int) -> Expr | None:
+    """The S of `hyperplane` where each term holds the point once as it is written; else None."""
     match e:
         case Bracket(args=args):
             return _out(ex.join(*args, rank=rank), name, None, rank)
@@ -113,6 +114,7 @@ def _total(found: Sequence[Expr | None], rank: int) -> Expr | None:
 
 
 def _expanded(e: Expr, name: str, rank: int) -> Expr | None:
+    """The S of `hyperplane` by expansion, where each monomial holds the point once; else None."""
     try:
         polynomial = expand(e, rank=rank, limit=_MAX_TERMS)
     except LimitReached:
@@ -157,6 +159,6 @@ def weighted(row: Mapping[Expr, Fraction], rank: int) -> Expr:
 def simplified(e: Expr, rank: int) -> Expr:
     """A sum, or a multiple of it, with like terms collected and no common divisor of its numbers."""
     row = weights(e)
-    divisor = Fraction(gcd(*(c.numerator for c in row.values())), lcm(*(c.denominator for c in row.values())))
+    divisor = content(row.values())
     unchanged = divisor == 1 and len(row) == len(e.children)
     return e if unchanged else weighted({t: c / divisor for t, c in row.items()}, rank)

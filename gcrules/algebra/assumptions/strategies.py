@@ -134,6 +134,7 @@ def on_pascal_line(a: Assumption, rank: int) -> Assumption:
 
 
 def _named_meets(assumption: Assumption, rank: int, helpers: dict[Expr, Helper]) -> Facts:
+    """The facts of an assumption in which each point that is a meet has got a name."""
     new: list[Helper] = []
 
     def walk(e: Expr) -> Expr:

@@ -15,14 +15,14 @@ from itertools import combinations
 import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms, primitive
-from gcrules.algebra.factoring.residues import Ints, random_positions, values
+from gcrules.algebra.factoring.modular import MODULUS, Ints
+from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
 
-__all__ = ["MODULUS", "bracket_factors", "divided", "solution", "standard_tableaux", "vanishing_pairs"]
+__all__ = ["bracket_factors", "divided", "solution", "standard_tableaux", "vanishing_pairs"]
 
-MODULUS = 2**31 - 1
 _MOST_UNKNOWNS = 600
 
 

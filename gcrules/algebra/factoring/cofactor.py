@@ -30,7 +30,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.brackets import vanishing_pairs
 from gcrules.algebra.factoring.coincidences import Coincidences
 from gcrules.algebra.factoring.extensors import Tree, extensor
-from gcrules.algebra.factoring.limits import Budget
+from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.factoring.products import Cover, Groups, sub_multisets
 from gcrules.algebra.factoring.symmetry import Swap, Symmetries, moved_row
@@ -56,7 +56,7 @@ class Rational:
 
 
 def bracket_cofactors(
-    rows: tuple[Row, ...], parts: Sequence[BracketPolynomial], budget: Budget, symmetries: Symmetries
+    rows: tuple[Row, ...], parts: Sequence[BracketPolynomial], effort: Effort, symmetries: Symmetries
 ) -> Iterator[tuple[list[Row], Rational | LimitReached | None]]:
     """For every orbit of brackets the expressions found with its first as the cofactor, None if there are none, or the
     limit that was reached.
@@ -71,9 +71,9 @@ def bracket_cofactors(
     if prod(n + 1 for n in counted.values()) > _MOST_INSIDE:
         raise LimitReached(f"there are more than {_MOST_INSIDE:,} ways to leave brackets inside an expression")
     insides = list(sub_multisets(counted))
-    exclusions = [Coincidences(rest * rest.with_terms({i: 1}), budget) for i in insides] if len(parts) == 1 else []
+    exclusions = [Coincidences(rest * rest.with_terms({i: 1}), effort) for i in insides] if len(parts) == 1 else []
     different = Counter(parts)
-    plain = Groups(counted, tuple(different), tuple(different.values()), budget.renewed())
+    plain = Groups(counted, tuple(different), tuple(different.values()), effort.renewed())
     if len(parts) == 1:
         plain.known.update({((0,), inside): [] for inside in insides})
     else:
@@ -89,7 +89,7 @@ def bracket_cofactors(
             continue
         try:
             more = counted + Counter([orbit[0]])
-            found = Groups(more, plain.parts, plain.times, budget.renewed(), known=plain.known).cover()
+            found = Groups(more, plain.parts, plain.times, effort.renewed(), known=plain.known).cover()
         except LimitReached as reached:
             yield orbit, reached
             continue
@@ -169,7 +169,7 @@ class _Choice:
         return ex.mul(*factors)
 
 
-def line_cofactors(poly: BracketPolynomial, budget: Budget, symmetries: Symmetries) -> Iterator[Rational]:
+def line_cofactors(poly: BracketPolynomial, effort: Effort, symmetries: Symmetries) -> Iterator[Rational]:
     """Expressions that hold s and t and equal a cofactor times the polynomial, for the cofactors t ∧ ab; if there are
     none, [A a k] (t ∧ ab) for the lines k; if there are none either, (t ∧ ab)(t' ∧ ab) for two lines t through A.
 
@@ -185,7 +185,7 @@ def line_cofactors(poly: BracketPolynomial, budget: Budget, symmetries: Symmetri
         found = False
         choices = dict.fromkeys(c for c in kind(every, lines) if c.fits(degrees))
         for choice, *_ in symmetries.orbits(list(choices), _Choice.moved):
-            rational = _with(poly, choice, budget)
+            rational = _with(poly, choice, effort)
             if rational is not None:
                 found = True
                 yield rational
@@ -219,7 +219,8 @@ def _in_pairs(every: list[_Lines], lines: Sequence[Row]) -> Iterator[_Choice]:
             yield _Choice(one, other=other)
 
 
-def _with(poly: BracketPolynomial, choice: _Choice, budget: Budget) -> Rational | None:
+def _with(poly: BracketPolynomial, choice: _Choice, effort: Effort) -> Rational | None:
+    """What multiplies the polynomial to one expression, if the chosen lines do."""
     cofactor = choice.cofactor(poly.points)
     t, s = choice.one.trees(poly.points)
     expanded = expand(cofactor, points=poly.points)
@@ -227,7 +228,7 @@ def _with(poly: BracketPolynomial, choice: _Choice, budget: Budget) -> Rational 
     multiple = poly * expanded.over(poly.points)
     if not multiple:
         return None
-    written, _ = search(multiple, budget.renewed(), [(s, 2), (t, 2)])
+    written, _ = search(multiple, effort.renewed(), [(s, 2), (t, 2)])
     return Rational(cofactor, multiple, tuple(w.expression for w in written)) if written else None
 
 

@@ -17,7 +17,7 @@ from itertools import combinations
 
 from gcrules.algebra.bracket import BracketPolynomial, Row, Terms, sorted_row
 from gcrules.algebra.factoring.brackets import vanishing_pairs
-from gcrules.algebra.factoring.limits import Budget
+from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.budget import checkpoint
@@ -69,20 +69,20 @@ class _Image:
         moved = tuple(sorted({self.home[i] for i in row}))
         return moved if len(moved) == len(row) else None
 
-    def excludes(self, row: Row, budget: Budget) -> bool:
+    def excludes(self, row: Row, effort: Effort) -> bool:
         """Whether no expression equals this bracket times the polynomial, by a search over all of them."""
         if row not in self.excluded:
             multiple = self.poly * self.poly.with_terms({(row,): 1})
-            self.excluded[row] = not search(multiple, budget.renewed(), first=True)[0]
+            self.excluded[row] = not search(multiple, effort.renewed(), first=True)[0]
         return self.excluded[row]
 
 
 class Coincidences:
     """What coincidences exclude for one polynomial in normal form, which is itself no expression."""
 
-    def __init__(self, poly: BracketPolynomial, budget: Budget) -> None:
+    def __init__(self, poly: BracketPolynomial, effort: Effort) -> None:
         self.poly = poly
-        self.budget = budget
+        self.effort = effort
         self.images: list[_Image] = []
 
     def exclude(self, orbit: list[Row]) -> bool:
@@ -90,7 +90,7 @@ class Coincidences:
         if self.poly.ideal or not self.poly.rank + _FEW < len(self._used) <= _MOST:
             return False
         try:
-            return self._known(orbit) or any(m.excludes(row, self.budget) for m, row in self._new(orbit))
+            return self._known(orbit) or any(m.excludes(row, self.effort) for m, row in self._new(orbit))
         except LimitReached:
             return False
 
@@ -131,7 +131,7 @@ class Coincidences:
                 if (kept, gone) in vanishing or {home[i] for i in apart} >= {kept, gone}:
                     continue
                 candidate = coinciding(poly, kept, gone)
-                if not search(candidate, self.budget.renewed(), first=True)[0]:
+                if not search(candidate, self.effort.renewed(), first=True)[0]:
                     poly = candidate
                     home = {i: kept if h == gone else h for i, h in home.items()}
                     points.remove(gone)

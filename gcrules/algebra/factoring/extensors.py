@@ -24,8 +24,9 @@ import numpy as np
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import Evaluator, Table, join_table, meet_table
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.factoring.limits import Budget
-from gcrules.algebra.factoring.residues import Floats, Ints, Residues, random_positions, residues
+from gcrules.algebra.factoring.limits import Effort
+from gcrules.algebra.factoring.modular import Ints
+from gcrules.algebra.factoring.residues import Floats, Residues, random_positions, residues
 from gcrules.core.errors import LimitReached
 
 __all__ = [
@@ -170,13 +171,13 @@ class Extensors:
         *,
         ideal: int = 0,
         seed: int = 0,
-        budget: Budget | None = None,
+        effort: Effort | None = None,
         apart: Collection[tuple[int, int]] = (),
     ) -> None:
         self.letters = letters
         self.rank = letters.rank
         self.field: Residues = residues(letters.rank)
-        self.budget = budget or Budget()
+        self.effort = effort or Effort()
         self.positions = random_positions(
             POSITIONS, len(letters.names), letters.rank, self.field.p, ideal=ideal, seed=seed
         )
@@ -241,6 +242,7 @@ class Extensors:
         return self._normalised(self.field.reduced(vectors)), [columns] if places else []
 
     def _level(self, letters: int) -> Level:
+        """All extensors of so many letters: the joins and meets of two smaller ones, each once, that do not vanish."""
         first_vectors, found = self._given(letters)
         vectors = [first_vectors]
         for second in range(1, letters // 2 + 1):
@@ -256,11 +258,11 @@ class Extensors:
                 if top == _JOIN:
                     new &= ((a.joined[i] & b.barred[j]) | (a.barred[i] & b.joined[j])) == 0
                 i, j = i[new], j[new]
-                self.budget.hold(len(i))
+                self.effort.hold(len(i))
                 v = self.product(table, a.at(i), b.at(j))
                 nonzero = v.any(axis=0).all(axis=0)
                 kept = int(np.count_nonzero(nonzero))
-                self.budget.held -= len(i) - kept
+                self.effort.release(len(i) - kept)
                 i, j = i[nonzero], j[nonzero]
                 cost = a.cost[i] + b.cost[j] + ((a.top[i] != top) & (b.top[j] != top))
                 joined, barred = _nothing(kept)
@@ -281,7 +283,7 @@ class Extensors:
         whole = np.concatenate(vectors, axis=2)
         vectors.clear()
         level = self._distinct(step, whole, *columns)
-        self.budget.held -= whole.shape[2] - len(level)
+        self.effort.release(whole.shape[2] - len(level))
         return level
 
     def _distinct(self, step: int, v: Any, code: Ints, *rest: Ints) -> Level:

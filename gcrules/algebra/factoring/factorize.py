@@ -19,7 +19,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS, Budget, terms_held
+from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS, Effort, terms_held
 from gcrules.algebra.factoring.normal import zero
 from gcrules.algebra.factoring.once import each_once
 from gcrules.algebra.factoring.pieces import Pieces, taken_apart
@@ -63,20 +63,20 @@ def factor(
     Source: White1991 for the steps of the multilinear case, else derived here (docs/factor.md).
     """
     terms = terms_held(limit)
-    with within(seconds):
+    with within(seconds, progress=progress):
         checkpoint()
-        budget = Budget(limit, progress)
+        effort = Effort(limit)
         pieces = taken_apart(e, what="factored", points=points, ideal=ideal, rank=rank, limit=terms)
         if not pieces.number:
             raise zero()
         if not pieces.ideal and pieces.once:
             found = each_once(pieces, terms)
         else:
-            found = _in_groups(pieces, budget, terms, every)
-        return with_cofactor(found, budget, terms=terms, every=every) if cofactor and not found.found else found
+            found = _in_groups(pieces, effort, terms, every)
+        return with_cofactor(found, effort, terms=terms, every=every) if cofactor and not found.found else found
 
 
-def _in_groups(pieces: Pieces, budget: Budget, terms: int, every: bool) -> Factorization:
+def _in_groups(pieces: Pieces, effort: Effort, terms: int, every: bool) -> Factorization:
     """Search for what the brackets leave, in groups of its irreducible factors, brackets left inside where need be."""
     start = monotonic()
     whole = Whole.of(pieces, terms)
@@ -85,10 +85,10 @@ def _in_groups(pieces: Pieces, budget: Budget, terms: int, every: bool) -> Facto
         return Factorization(
             pieces.rank, pieces.points, whole.number, rows, ex.Number(1), Family(BRACKETS), _EQUAL_FORMS
         )
-    groups = Groups(whole.rows, whole.parts, whole.times, budget)
+    groups = Groups(whole.rows, whole.parts, whole.times, effort)
     cover = groups.cover()
     name = ONE_EXPRESSION if sum(whole.times) == 1 else SEVERAL
-    family = Family(name, budget.products, groups.built, monotonic() - start)
+    family = Family(name, effort.products, groups.built, monotonic() - start)
     if cover is None:
         alone = [next((w.expression for w in groups.alone(i)), None) for i in range(len(whole.parts))]
         return whole.none(family, _exhausted(whole), alone, terms)
@@ -97,6 +97,7 @@ def _in_groups(pieces: Pieces, budget: Budget, terms: int, every: bool) -> Facto
 
 
 def _exhausted(whole: Whole) -> Certificate:
+    """The certificate that no expression of the family equals the polynomial."""
     number = sum(whole.times)
     alone = number == 1 and whole.irreducible
     detail = "every expression was refuted by its values at exact positions"

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from gcrules.core.budget import MORE_TERMS, Count, checkpoint, report
 
-from gcrules.core.budget import checkpoint
-from gcrules.core.errors import LimitReached
-
-__all__ = ["MAX_EXTENSORS", "SECONDS", "Budget", "terms_held"]
+__all__ = ["MAX_EXTENSORS", "SECONDS", "Effort", "terms_held"]
 
 MAX_EXTENSORS = 4_000_000
 SECONDS = 120.0
@@ -21,37 +17,31 @@ def terms_held(extensors: int) -> int:
     return max(extensors // _EXTENSORS_PER_TERM, _LEAST_TERMS)
 
 
-@dataclass
-class Budget:
-    """The extensors that a search may hold at a time, those that it holds, and the products that it formed; who is told
-    of these.
+class Effort:
+    """The extensors that a search holds, which are limited, and the products that it formed; the progress is told.
 
     `hold` and `multiply` raise LimitReached where there are too many, or where the time or the memory is used up.
     """
 
-    extensors: int = MAX_EXTENSORS
-    progress: Callable[[str], None] | None = None
-    held: int = 0
-    products: int = 0
+    def __init__(self, extensors: int = MAX_EXTENSORS) -> None:
+        self.extensors = Count(extensors, "the search would hold", "extensors", MORE_TERMS)
+        self.products = 0
 
-    def renewed(self) -> Budget:
+    def renewed(self) -> Effort:
         """The same limit for another search."""
-        return Budget(self.extensors, self.progress)
+        return Effort(self.extensors.most)
 
     def hold(self, number: int) -> None:
-        self.held += number
-        if self.held > self.extensors:
-            raise LimitReached(
-                f"the search would hold {self.held:,} extensors, more than {self.extensors:,}",
-                hint="raise the limit with --limit (in Python limit=...)",
-            )
-        self._look()
+        self.extensors.spend(number)
+        self._tell()
 
     def multiply(self, number: int) -> None:
         self.products += number
-        self._look()
-
-    def _look(self) -> None:
         checkpoint()
-        if self.progress is not None:
-            self.progress(f"{self.held:,} extensors, {self.products:,} expressions")
+        self._tell()
+
+    def release(self, number: int) -> None:
+        self.extensors.done -= number
+
+    def _tell(self) -> None:
+        report(f"{self.extensors.done:,} extensors, {self.products:,} expressions")

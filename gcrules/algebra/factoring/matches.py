@@ -13,7 +13,7 @@ from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.brackets import vanishing_pairs
 from gcrules.algebra.factoring.extensors import Extensors, Letters, Tree, leaves
-from gcrules.algebra.factoring.limits import Budget
+from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.residues import values
 from gcrules.algebra.factoring.search import Candidate, candidates
 from gcrules.algebra.factoring.trees import Written, simplest
@@ -27,7 +27,7 @@ _FORMS = 10_000
 
 
 def search(
-    poly: BracketPolynomial, budget: Budget, given: Sequence[tuple[Tree, int]] = (), *, first: bool = False
+    poly: BracketPolynomial, effort: Effort, given: Sequence[tuple[Tree, int]] = (), *, first: bool = False
 ) -> tuple[list[Written], int]:
     """All expressions without a scalar part that are multiples of a polynomial, simplest first, and how many extensors
     they were made of. With `given` (trees and their steps) only those that hold these extensors; with
@@ -44,7 +44,7 @@ def search(
     restricted = poly.over(names, ideal)
     apart = set(combinations(range(len(names)), 2)) - vanishing_pairs(restricted)
     for seed in range(_SEEDS):
-        extensors = Extensors(letters, ideal=ideal, seed=seed, budget=budget, apart=apart)
+        extensors = Extensors(letters, ideal=ideal, seed=seed, effort=effort, apart=apart)
         at = [int(v) for v in values(restricted, extensors.positions, extensors.field.p)]
         if all(at):
             break
@@ -64,7 +64,7 @@ def search(
             f"{extensors.field.p} of the test, as points occur so often"
         )
     built = sum(map(len, extensors.levels.values()))
-    budget.held -= built
+    effort.release(built)
     return sorted(found.values(), key=lambda w: w.key), built
 
 
@@ -99,6 +99,7 @@ class _Oracle:
 
 
 def _confirmed(candidate: Candidate, extensors: Extensors, oracle: _Oracle) -> Written | None:
+    """The simplest expression of a candidate that equals the polynomial at exact positions too."""
     letters = extensors.letters
     for number, (a, b) in enumerate(candidate.trees(extensors)):
         checkpoint()

@@ -28,10 +28,10 @@ from itertools import combinations
 import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.algebra.factoring.brackets import MODULUS
 from gcrules.algebra.factoring.coincidences import united
 from gcrules.algebra.factoring.extensors import Tree
-from gcrules.algebra.factoring.residues import Ints, random_positions, values
+from gcrules.algebra.factoring.modular import MODULUS, Ints
+from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.straightening.order import same_function
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached

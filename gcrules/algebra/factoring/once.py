@@ -76,6 +76,7 @@ def _of_points(e: Expr) -> bool:
 
 
 def _no_factor(incomplete: Sequence[Multilinear], pieces: Pieces) -> Certificate:
+    """The certificate that a multilinear polynomial has no further factor."""
     first = incomplete[0]
     atoms = ", ".join(text(extensor(a, pieces.rank), names=pieces.points) for a in first.atoms)
     detail = f"the atomic extensors that are left are {atoms}; no meet of two of them is a primitive factor"

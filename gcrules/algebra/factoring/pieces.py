@@ -83,6 +83,7 @@ def taken_apart(
 def _together(
     rank: int, points: tuple[str, ...], ideal: int, number: int | Fraction, factors: list[tuple[BracketPolynomial, int]]
 ) -> Pieces:
+    """A product of powers, brackets common to all terms of a factor apart."""
     rows: Counter[Row] = Counter()
     polynomials: Counter[BracketPolynomial] = Counter()
     for poly, n in factors:

@@ -11,7 +11,7 @@ from operator import mul
 from typing import TypeVar
 
 from gcrules.algebra.bracket import BracketPolynomial, Row
-from gcrules.algebra.factoring.limits import Budget
+from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.factoring.trees import Written
 from gcrules.core.budget import checkpoint
@@ -54,7 +54,7 @@ class Groups:
     rows: Counter[Row]
     parts: Sequence[BracketPolynomial]
     times: Sequence[int]
-    budget: Budget
+    effort: Effort
     built: int = 0
     known: dict[tuple[_Numbers, tuple[Row, ...]], list[Written]] = field(default_factory=dict)
     reached: LimitReached | None = None
@@ -108,7 +108,7 @@ class Groups:
         checkpoint()
         key = group, inside
         if key not in self.known:
-            budget = self.budget.renewed()
+            effort = self.effort.renewed()
             try:
                 if prod(len(self.parts[i]) for i in group) > _MOST_TERMS:
                     raise LimitReached(
@@ -117,11 +117,11 @@ class Groups:
                         hint="factor the irreducible factors one by one",
                     )
                 target = reduce(mul, (self.parts[i] for i in group))
-                self.known[key], built = search(target * target.with_terms({inside: 1}), budget)
+                self.known[key], built = search(target * target.with_terms({inside: 1}), effort)
                 self.built = max(self.built, built)
             except LimitReached as reached:
                 self.known[key], self.reached = [], self.reached or reached
-            self.budget.products += budget.products
+            self.effort.products += effort.products
         return self.known[key]
 
 

@@ -14,7 +14,7 @@ from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.certify import certified
 from gcrules.algebra.factoring.cofactor import Rational, bracket_cofactors, line_cofactors
 from gcrules.algebra.factoring.irreducible import irreducible
-from gcrules.algebra.factoring.limits import Budget
+from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.normal import normal
 from gcrules.algebra.factoring.result import Factorization, Form, brackets_of
 from gcrules.algebra.factoring.splitting import split
@@ -24,13 +24,13 @@ from gcrules.core.errors import LimitReached
 __all__ = ["with_cofactor"]
 
 
-def with_cofactor(found: Factorization, budget: Budget, *, terms: int, every: bool) -> Factorization:
+def with_cofactor(found: Factorization, effort: Effort, *, terms: int, every: bool) -> Factorization:
     """Seek a cofactor: brackets first, one of each orbit, then meets of constructed lines, which multiply what the
     brackets leave, or else the whole polynomial; without `every` up to the first that works.
 
     Where a limit is reached, what was found before stands, and `undecided` says so.
     """
-    search = _Search(found, budget, terms, every)
+    search = _Search(found, effort, terms, every)
     try:
         search.run()
     except LimitReached as reached:
@@ -41,7 +41,7 @@ def with_cofactor(found: Factorization, budget: Budget, *, terms: int, every: bo
 @dataclass
 class _Search:
     found: Factorization
-    budget: Budget
+    effort: Effort
     terms: int
     every: bool
     rational: list[Form] = field(default_factory=list)
@@ -51,7 +51,7 @@ class _Search:
     what: str = "expression"
 
     def run(self) -> None:
-        poly, budget = self.found.remainder, self.budget
+        poly, effort = self.found.remainder, self.effort
         assert poly is not None
         rows = tuple(tuple(poly.points.index(n) for n in ex.points_of(f)) for f in self.found.factors)
         alone = bool(irreducible(poly))
@@ -60,14 +60,14 @@ class _Search:
             self.what = "single expression"
         whole = normal(reduce(mul, (poly.with_terms({(row,): 1}) for row in rows), poly), self.terms) if rows else poly
         symmetries = Symmetries(whole, limit=self.terms)
-        self._brackets(bracket_cofactors(rows, parts, budget, symmetries), poly.points)
+        self._brackets(bracket_cofactors(rows, parts, effort, symmetries), poly.points)
         most = None if self.every else 1
         if not self.rational:
             own = Symmetries(poly, limit=self.terms) if rows else symmetries
-            for constructed in islice(line_cofactors(poly, budget, own), most):
+            for constructed in islice(line_cofactors(poly, effort, own), most):
                 self._note(constructed, self.found.factors)
         if rows and not self.rational:
-            for constructed in islice(line_cofactors(whole, budget, symmetries), most):
+            for constructed in islice(line_cofactors(whole, effort, symmetries), most):
                 self._note(constructed, ())
 
     def _brackets(

@@ -6,24 +6,21 @@ below 2⁵³: sums and matrix products of doubles are then exact, and the fast r
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import comb, isqrt
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.algebra.evaluate import join_table
+from gcrules.algebra.factoring.modular import Ints, determinants
 from gcrules.core import seeds
 from gcrules.core.budget import checkpoint
 
 __all__ = ["Floats", "Ints", "Residues", "random_positions", "residues", "values"]
 
 Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _EXACT = 2**53
 
@@ -91,7 +88,7 @@ def values(poly: BracketPolynomial, at: Ints, p: int) -> Ints:
     rows = sorted({row for m in poly.terms for row in m})
     if not rows:
         return np.full(len(at), sum(map(int, poly.terms.values())) % p, dtype=np.int64)
-    brackets = dict(zip(rows, _brackets(at, rows, poly.rank, p), strict=True))
+    brackets = dict(zip(rows, determinants(at, np.array(rows), p), strict=True))
     total = np.zeros(len(at), dtype=np.int64)
     for m, c in poly.terms.items():
         checkpoint()
@@ -100,16 +97,3 @@ def values(poly: BracketPolynomial, at: Ints, p: int) -> Ints:
             value = value * brackets[row] % p
         total = (total + value) % p
     return total
-
-
-def _brackets(at: Ints, rows: Sequence[tuple[int, ...]], rank: int, p: int) -> Ints:
-    """Determinants, shape (rows, samples), by joining one point after the other."""
-    columns = np.moveaxis(at[:, np.array(rows), :], (2, 3, 1), (0, 1, 2))  # (place, coordinate, row, sample)
-    value: list[Any] = list(columns[0])
-    for k in range(1, rank):
-        value = [_row(value, columns[k], row, p) for row in join_table(rank, k, 1)]
-    return np.asarray(value[0])
-
-
-def _row(a: Sequence[Any], b: Any, row: Sequence[tuple[int, int, int]], p: int) -> Any:
-    return sum(s * (a[i] * b[j] % p) for i, j, s in row) % p

@@ -16,7 +16,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from gcrules.algebra.factoring.extensors import CHUNK, Extensors, Level, Tree, scalar, spread, wedge
-from gcrules.algebra.factoring.residues import Floats, Ints
+from gcrules.algebra.factoring.modular import Ints
+from gcrules.algebra.factoring.residues import Floats
 
 __all__ = ["Candidate", "candidates", "middles"]
 
@@ -92,7 +93,7 @@ class _Test:
 
     def __init__(self, extensors: Extensors, level: Level, value: Sequence[int]) -> None:
         self.field = extensors.field
-        self.budget = extensors.budget
+        self.effort = extensors.effort
         self.level = level
         self.table = scalar(extensors.rank, level.step)
         self.value = self.field.reduced(np.array(value, dtype=np.float64))
@@ -112,7 +113,7 @@ class _Test:
     def passed(self, low: int, high: int, weighted: Floats, dual: Floats) -> tuple[Ints, Ints]:
         """Places in low … high and in the second factor where the test holds and E is not 0."""
         a = self.level.at(slice(low, high))
-        self.budget.multiply((high - low) * dual.shape[2])
+        self.effort.multiply((high - low) * dual.shape[2])
         product = a[:, :2].reshape(-1, high - low).T @ weighted.reshape(-1, dual.shape[2])
         i, j = self.field.multiples(product)
         if len(i):

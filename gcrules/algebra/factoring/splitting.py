@@ -22,8 +22,9 @@ from typing import Any
 import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms
-from gcrules.algebra.factoring.brackets import MODULUS, solution, standard_tableaux
+from gcrules.algebra.factoring.brackets import solution, standard_tableaux
 from gcrules.algebra.factoring.irreducible import MOST_LETTERS
+from gcrules.algebra.factoring.modular import MODULUS
 from gcrules.algebra.factoring.residues import values
 from gcrules.algebra.factoring.restriction import restricted
 from gcrules.algebra.straightening.straighten import straighten

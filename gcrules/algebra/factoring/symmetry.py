@@ -6,24 +6,24 @@ symmetries, so orbits may be finer than they could be, which costs time and noth
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from itertools import combinations
 from typing import TypeVar
 
 import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial, Row
-from gcrules.algebra.factoring.brackets import MODULUS
+from gcrules.algebra.factoring.brackets import vanishing_pairs
+from gcrules.algebra.factoring.modular import MODULUS, Ints
 from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.straightening.straighten import straighten
-from gcrules.core.budget import checkpoint
 
-__all__ = ["Swap", "Symmetries", "moved_row"]
+__all__ = ["Swap", "Symmetries", "exchanges", "moved_row", "sign_under"]
 
 _PAIRS = 3
 _MOST = 20_000
 
-_Exchange = tuple[tuple[int, int], ...]
 Swap = Mapping[int, int]
 T = TypeVar("T", bound=Hashable)
 
@@ -39,7 +39,7 @@ class Symmetries:
     def __init__(self, poly: BracketPolynomial, *, limit: int) -> None:
         self.poly = poly
         self.limit = limit
-        self._seeming = [{**dict(x), **{b: a for a, b in x}} for x in _symmetries(poly)]
+        self._seeming = exchanges(poly)
         self._known: dict[int, bool] = {}
 
     def orbits(self, items: Sequence[T], moved: Callable[[T, Swap], T]) -> list[list[T]]:
@@ -52,7 +52,8 @@ class Symmetries:
                 item = home[item]
             return item
 
-        for number, swap in enumerate(self._seeming):
+        for number, permutation in enumerate(self._seeming.tolist()):
+            swap = {i: j for i, j in enumerate(permutation) if i != j}
             images = [(item, moved(item, swap)) for item in items]
             if any(root(a) != root(b) for a, b in images if b in home) and self._holds(number):
                 for a, b in images:
@@ -66,41 +67,51 @@ class Symmetries:
 
     def _holds(self, number: int) -> bool:
         if number not in self._known:
-            self._known[number] = _proved(self.poly, self._seeming[number], self.limit)
+            self._known[number] = bool(sign_under(self.poly, self._seeming[number], self.limit))
         return self._known[number]
 
 
-def _symmetries(poly: BracketPolynomial) -> Iterator[_Exchange]:
-    """Exchanges of pairs of points that seem to be symmetries at a random position."""
-    degrees = poly.degrees() or {}
+def exchanges(poly: BracketPolynomial) -> Ints:
+    """Exchanges of pairs of points that seem to be symmetries at two random positions, one permutation in each row."""
+    n = len(poly.points)
+    often = Counter(i for row in next(iter(poly.terms), ()) for i in row)
     pairs = [
         (i, j)
-        for i, j in combinations(range(len(poly.points)), 2)
-        if degrees.get(poly.points[i]) == degrees.get(poly.points[j]) and (i < poly.ideal) == (j < poly.ideal)
+        for i, j in combinations(range(n), 2)
+        if 0 < often[i] == often[j] and (i < poly.ideal) == (j < poly.ideal)
     ]
-    exchanges: list[_Exchange] = []
+    orders = []
     for size in range(1, _PAIRS + 1):
         for chosen in combinations(pairs, size):
             if len({i for pair in chosen for i in pair}) == 2 * size:
-                exchanges.append(chosen)
-                if len(exchanges) >= _MOST:
-                    break
-    if not exchanges:
-        return
-    (position,) = random_positions(1, len(poly.points), poly.rank, MODULUS, ideal=poly.ideal, seed=5)
-    order = np.tile(np.arange(len(poly.points)), (len(exchanges), 1))
-    for n, exchange in enumerate(exchanges):
-        for i, j in exchange:
-            order[n, i], order[n, j] = j, i
-    (value,) = values(poly, position[None], MODULUS).tolist()
-    for low in range(0, len(exchanges), 1000):
-        checkpoint()
-        moved = values(poly, position[order[low : low + 1000]], MODULUS).tolist()
-        yield from (x for x, v in zip(exchanges[low : low + 1000], moved, strict=True) if v in (value, MODULUS - value))
+                order = np.arange(n)
+                for i, j in chosen:
+                    order[i], order[j] = j, i
+                orders.append(order)
+            if len(orders) >= _MOST:
+                break
+    live = np.array(orders, dtype=np.int64).reshape(-1, n)
+    vanishing = np.zeros((n, n), dtype=bool)  # the pairs whose coincidence makes the polynomial vanish are permuted
+    for i, j in vanishing_pairs(poly):
+        vanishing[i, j] = vanishing[j, i] = True
+    kept = [
+        some[(vanishing[some[:, :, None], some[:, None, :]] == vanishing).all(axis=(1, 2))] for some in _blocks(live)
+    ]
+    live = np.concatenate(kept)
+    at = random_positions(2, n, poly.rank, MODULUS, ideal=poly.ideal, seed=5)
+    for position, value in zip(at, values(poly, at, MODULUS), strict=True):
+        moved = np.concatenate([values(poly, position[some], MODULUS) for some in _blocks(live)])
+        live = live[(moved == value) | (moved == (MODULUS - value) % MODULUS)]
+    return live
 
 
-def _proved(poly: BracketPolynomial, swap: Swap, limit: int) -> bool:
-    names = tuple(poly.points[swap.get(i, i)] for i in range(len(poly.points)))
+def _blocks(live: Ints) -> list[Ints]:
+    return np.array_split(live, 1 + len(live) // 500)
+
+
+def sign_under(poly: BracketPolynomial, permutation: Ints, limit: int) -> int:
+    """1 or −1 where the permuted polynomial is plus or minus the polynomial, else 0; decided by normal forms."""
+    names = tuple(poly.points[i] for i in permutation)
     moved = BracketPolynomial(poly.rank, names, poly.terms, poly.ideal).over(poly.points, poly.ideal)
     normal = straighten(moved, limit=limit)
-    return normal in (poly, -poly)
+    return 1 if normal == poly else -1 if normal == -poly else 0

@@ -67,6 +67,7 @@ def simplest(a: Tree, b: Tree, *, rank: int, order: tuple[str, ...] = ()) -> Wri
 
 
 def _grow(tree: Tree, nodes: list[_Node]) -> _Node | str:
+    """Make nodes of a tree, and tie them; what is returned stands for the whole tree."""
     if isinstance(tree, str):
         return tree
     kind, *parts = tree

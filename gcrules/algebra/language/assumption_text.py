@@ -28,6 +28,8 @@ def read_assumption(tree: Node, builder: Builder, text: str, place: Place | None
 
 
 def _points_only(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], None]:
+    """A check that all arguments are points, at least so many."""
+
     def check(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
         for arg, tree in zip(args, trees, strict=True):
             if arg.step != 1:

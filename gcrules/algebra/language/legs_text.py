@@ -92,6 +92,7 @@ def _read_text(text: str, points: Sequence[str], rank: int = 4, built: bool = Tr
 
 
 def _read_item(item: str | Sequence[str] | Expr, points: Sequence[str], rank: int, built: bool) -> Leg | Expr:
+    """A leg from a pair, a text or an expression."""
     if isinstance(item, Expr):
         return read_line(as_text(item, names=points), points, rank, built)
     if isinstance(item, str):

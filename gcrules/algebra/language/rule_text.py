@@ -109,6 +109,7 @@ def _instance(
     guards: list[Node],
     source: Callable[[Node], str],
 ) -> Instance:
+    """A rule in one space, its runs of points written out."""
     builder = Builder(space, runs)
     before, after = builder.value(left), builder.value(right)
     if before.step != after.step and ex.ZERO not in (before, after):

@@ -131,6 +131,7 @@ class _Reader:
         self.context = replace(self.context, ideal=self._declared(self.context.ideal, item.children[0].children))
 
     def _declared(self, known: tuple[str, ...], tokens: Iterable[Node]) -> tuple[str, ...]:
+        """The names declared so far and those of a new declaration."""
         names = []
         for token in tokens:
             name = str(token)

@@ -323,6 +323,7 @@ class Builder:
         return None if any(n in self.context.bound for n in names) else len(names)
 
     def _named(self, name: str) -> Expr:
+        """What a name stands for, counted among the parts of the expression."""
         bound = self.context.bound.get(name)
         if bound is None:
             return ex.Point(name)

@@ -15,19 +15,16 @@ taken as have a larger product. (k ≤ 2 needs no bound: different monomials hav
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from math import prod
 
 import numpy as np
 
-from gcrules.algebra.factoring.residues import Ints
+from gcrules.algebra.factoring.modular import MODULUS, Ints, inverse, minor, reduced
 from gcrules.algebra.shortening.monomials import Monomials
-from gcrules.algebra.shortening.residues import MODULUS, inverse, minor, reduced
 from gcrules.algebra.shortening.symmetry import Action
-from gcrules.core.budget import checkpoint
-from gcrules.core.errors import LimitReached
+from gcrules.core.budget import Count
 
-__all__ = ["Unlucky", "Work", "certain", "combinations_of", "spans"]
+__all__ = ["Unlucky", "certain", "combinations_of", "spans"]
 
 _BLOCK = 1 << 16
 _PAIRS_OF_A_GROUP = 8
@@ -37,27 +34,13 @@ class Unlucky(Exception):
     """Residues that vanish by accident: other positions are needed. Hardly ever seen."""
 
 
-@dataclass
-class Work:
-    """What a search may do: residues handled. `spend` raises LimitReached beyond it, or where the time is over."""
-
-    most: int
-    done: int = field(default=0)
-
-    def spend(self, amount: int) -> None:
-        self.done += amount
-        if self.done > self.most:
-            raise LimitReached(f"the search handles more than {self.most:,} residues")
-        checkpoint()
-
-
 def certain(monomials: Monomials, terms: int, primes: Sequence[int] = (MODULUS,)) -> bool:
     """Whether searches for so many terms that find nothing modulo each of these primes prove that there is nothing."""
     return terms <= 2 or terms**terms * monomials.coefficient_bound() ** (2 * terms) < prod(primes) ** 2
 
 
 def combinations_of(
-    terms: int, value: Ints, target: Ints, action: Action, elements: Ints, work: Work, p: int = MODULUS
+    terms: int, value: Ints, target: Ints, action: Action, elements: Ints, work: Count, p: int = MODULUS
 ) -> Iterator[tuple[int, ...]]:
     """The places of all sets of so many monomials, up to symmetry, in whose span the polynomial may lie.
 
@@ -89,7 +72,7 @@ def spans(vectors: Ints, target: Ints, p: int = MODULUS) -> bool:
 
 
 class _Search:
-    def __init__(self, value: Ints, target: Ints, action: Action, work: Work, p: int) -> None:
+    def __init__(self, value: Ints, target: Ints, action: Action, work: Count, p: int) -> None:
         self.value = value
         self.target = target
         self.action = action

@@ -24,12 +24,12 @@ from math import ceil
 import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.algebra.factoring.residues import Ints, random_positions, values
-from gcrules.algebra.shortening.exhaustive import Work
+from gcrules.algebra.factoring.modular import MODULUS, Ints, inverse, minor, reduced
+from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.shortening.linear_program import maximized
 from gcrules.algebra.shortening.monomials import Monomials, bracket_products
-from gcrules.algebra.shortening.residues import MODULUS, inverse, minor, reduced
 from gcrules.algebra.shortening.symmetry import Orbits
+from gcrules.core.budget import Count
 
 __all__ = ["Condition", "MergingBound", "merging_bound"]
 
@@ -82,7 +82,7 @@ class _Row:
 
 
 def merging_bound(
-    poly: BracketPolynomial, monomials: Monomials, orbits: Orbits, work: Work, enough: int
+    poly: BracketPolynomial, monomials: Monomials, orbits: Orbits, work: Count, enough: int
 ) -> MergingBound | None:
     """The bound, or None where there are too many orbits; the search ends where the bound is `enough`.
 
@@ -121,7 +121,7 @@ def _best(poly: BracketPolynomial, rows: list[_Row], sizes: Ints) -> MergingBoun
 class _Mergings:
     """Mergings of points, one after the other, that do not make the polynomial vanish."""
 
-    def __init__(self, poly: BracketPolynomial, monomials: Monomials, which: Ints, sizes: Ints, work: Work) -> None:
+    def __init__(self, poly: BracketPolynomial, monomials: Monomials, which: Ints, sizes: Ints, work: Count) -> None:
         self.poly = poly
         self.monomials = monomials
         self.work = work

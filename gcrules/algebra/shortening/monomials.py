@@ -16,8 +16,7 @@ from math import factorial, prod
 import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row
-from gcrules.algebra.factoring.residues import Ints
-from gcrules.algebra.shortening.residues import MODULUS, determinants, reduced
+from gcrules.algebra.factoring.modular import MODULUS, Ints, determinants, reduced
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
 

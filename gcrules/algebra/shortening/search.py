@@ -6,7 +6,7 @@ it is proved that fewer do not suffice. The quick searches come first; the work 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
@@ -17,17 +17,17 @@ import numpy as np
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.factoring.brackets import bracket_factors
-from gcrules.algebra.factoring.residues import Ints, random_positions, values
+from gcrules.algebra.factoring.modular import MODULUS, PRIMES, Ints
+from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.shortening.exact import combination, simplicity
-from gcrules.algebra.shortening.exhaustive import Unlucky, Work, certain, combinations_of
+from gcrules.algebra.shortening.exhaustive import Unlucky, certain, combinations_of
 from gcrules.algebra.shortening.merging import merging_bound
 from gcrules.algebra.shortening.monomials import Monomials
 from gcrules.algebra.shortening.orders import shorter_order
-from gcrules.algebra.shortening.residues import MODULUS, PRIMES
 from gcrules.algebra.shortening.symmetry import Action, Orbits, Symmetry, orbits, symmetry
 from gcrules.algebra.shortening.walk import shorter_supports
 from gcrules.algebra.straightening.straighten import is_standard, straighten
-from gcrules.core.budget import seconds_left
+from gcrules.core.budget import Count, report, seconds_left
 from gcrules.core.errors import EngineFault, LimitReached
 
 __all__ = ["Divided", "Limits", "Search", "shortest_of"]
@@ -49,14 +49,9 @@ class Limits:
 
     monomials: int
     terms: int
-    progress: Callable[[str], None] | None = None
 
-    def work(self, per_monomial: int) -> Work:
-        return Work(per_monomial * self.monomials)
-
-    def tell(self, what: str) -> None:
-        if self.progress is not None:
-            self.progress(what)
+    def work(self, per_monomial: int) -> Count:
+        return Count(per_monomial * self.monomials, "the search handles", "residues")
 
 
 @dataclass(frozen=True)
@@ -190,7 +185,7 @@ class _Stages:
 
     def symmetries(self) -> None:
         """symmetries"""
-        self.limits.tell("symmetries")
+        report("symmetries")
         self.symmetry = symmetry(self.normal, self.limits.terms)
         self.found = replace(self.found, symmetries=self.symmetry.order)
 
@@ -203,7 +198,7 @@ class _Stages:
         """lower bound by merging points"""
         if self.symmetry is None:
             return
-        self.limits.tell("merging points")
+        report("merging points")
         self.classes = orbits(self.monomials, self.symmetry)
         work = self.limits.work(_QUICK)
         bound = merging_bound(self.normal, self.monomials, self.classes, work, len(self.found.best))
@@ -221,7 +216,7 @@ class _Stages:
 
     def orders(self) -> None:
         """normal forms in other orders"""
-        self.limits.tell("normal forms in other orders of the points")
+        report("normal forms in other orders of the points")
         form = shorter_order(self.normal, len(self.found.best))
         self.found = self.found.with_form(form)
 
@@ -244,12 +239,12 @@ class _Stages:
         value, target = self._values(dimension + 1, _SEEDS)
         work = self.limits.work(_WALK)
         for seed in range(_WALKS):
-            self.limits.tell(f"walk {seed + 1} of {_WALKS} among {len(columns):,} monomials")
+            report(f"walk {seed + 1} of {_WALKS} among {len(columns):,} monomials")
             start = first if seed < 2 else []
             for support in shorter_supports(value[columns], target, start, _WALK_STEPS, seed, work):
                 if len(support) < len(self.found.best):
                     self.found = self.found.with_form(self.exact(columns[list(support)].tolist()))
-                if self.found.done or work.done > work.most:
+                if self.found.done or work.left < 0:
                     return
 
     def more_terms(self) -> None:
@@ -261,13 +256,13 @@ class _Stages:
             if not self.exhaust(self.found.lower, work):
                 break
 
-    def feasible(self, terms: int, work: Work) -> bool:
+    def feasible(self, terms: int, work: Count) -> bool:
         """Whether the work suffices, to judge by the number of choices of all monomials but one up to symmetry."""
-        return comb(len(self.monomials), terms - 1) <= (work.most - work.done) * self.found.symmetries
+        return comb(len(self.monomials), terms - 1) <= work.left * self.found.symmetries
 
-    def exhaust(self, terms: int, work: Work) -> bool:
+    def exhaust(self, terms: int, work: Count) -> bool:
         """Look for exactly so many terms, given that fewer do not suffice; whether something was decided."""
-        self.limits.tell(f"{terms} of {len(self.monomials):,} monomials")
+        report(f"{terms} of {len(self.monomials):,} monomials")
         for candidates in self.candidates(terms, work, MODULUS):
             exact = [form for form in map(self.exact, candidates) if form is not None]
             if exact:
@@ -283,7 +278,7 @@ class _Stages:
         self.found = self.found.with_bound(terms + 1, "exhaustive-search", detail)
         return True
 
-    def candidates(self, terms: int, work: Work, p: int) -> Iterator[list[tuple[int, ...]]]:
+    def candidates(self, terms: int, work: Count, p: int) -> Iterator[list[tuple[int, ...]]]:
         """The sets of so many monomials that may have the polynomial in their span, by values at several positions."""
         elements = Symmetry.none(self.normal) if self.symmetry is None else self.symmetry.elements
         for seed in range(_SEEDS):
@@ -292,14 +287,14 @@ class _Stages:
             with suppress(Unlucky):
                 yield list(islice(sets, _CANDIDATES))
 
-    def certain(self, terms: int, work: Work) -> bool:
+    def certain(self, terms: int, work: Count) -> bool:
         """Whether it is certain that no set of so many monomials exists, none being found modulo the first prime: by
         searches modulo as many others as it takes.
         """
         for number in range(1, len(PRIMES)):
             if certain(self.monomials, terms, PRIMES[:number]):
                 return True
-            self.limits.tell(f"{terms} of {len(self.monomials):,} monomials, modulo another prime")
+            report(f"{terms} of {len(self.monomials):,} monomials, modulo another prime")
             for fewer in range(1, terms + 1):
                 if all(self.candidates(fewer, work, PRIMES[number])):
                     return False

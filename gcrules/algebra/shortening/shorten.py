@@ -59,7 +59,7 @@ def shorten(
     """
     terms = max(_TERMS_PER_MONOMIAL * limit, MAX_TERMS)
     start, seconds = monotonic(), as_float(seconds)
-    limits = Limits(limit, terms, progress)
+    limits = Limits(limit, terms)
     with within(seconds, grace=max(0.0, _PREPARATION - seconds)):
         pieces = taken_apart(e, what="shortened", points=points, ideal=ideal, rank=rank, limit=terms)
         rows, poly = tuple(sorted(pieces.rows.elements())), _multiplied(pieces, terms)
@@ -73,7 +73,7 @@ def shorten(
         forms = [kept, *(_canonical(f.over(poly.points, poly.ideal)) for f in _superbracket_forms(e, poly))]
         divided = [Divided.of(rows, part, terms) for part in _by_multidegree(normal).values()]
         alike = [_alike(forms, part) for part in divided]
-    with within(max(0.0, seconds - (monotonic() - start))):
+    with within(max(0.0, seconds - (monotonic() - start)), progress=progress):
         found = [shortest_of(part, some, limits) for part, some in zip(divided, alike, strict=True)]
     with within(_PREPARATION):
         return _together(poly, kept, found, terms)

@@ -6,23 +6,18 @@ normal forms. There may be more symmetries: orbits may then be finer than they c
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial
-from gcrules.algebra.factoring.brackets import vanishing_pairs
-from gcrules.algebra.factoring.residues import Ints, random_positions, values
-from gcrules.algebra.shortening.monomials import Monomials, canonical, degree_vector
-from gcrules.algebra.shortening.residues import MODULUS
-from gcrules.algebra.straightening.straighten import straighten
+from gcrules.algebra.factoring.modular import Ints
+from gcrules.algebra.factoring.symmetry import exchanges, sign_under
+from gcrules.algebra.shortening.monomials import Monomials, canonical
 
 __all__ = ["Orbits", "Symmetry", "orbits", "symmetry"]
 
-_PAIRS = 3
-_EXCHANGES = 20_000
 _ELEMENTS = 50_000
 _GENERATORS = 8  # elements that stand for a stabilizer when its orbits are formed
 
@@ -51,8 +46,8 @@ def symmetry(poly: BracketPolynomial, limit: int) -> Symmetry:
     n = len(poly.points)
     group = _Group(n)
     signs: list[int] = []
-    for permutation in _candidates(poly):
-        if permutation.tobytes() not in group.listed and (sign := _sign(poly, permutation, limit)):
+    for permutation in exchanges(poly):
+        if permutation.tobytes() not in group.listed and (sign := sign_under(poly, permutation, limit)):
             signs.append(sign)
             group.add(permutation)
     generators = np.array(group.generators, dtype=np.int64).reshape(-1, n)
@@ -87,52 +82,6 @@ class _Group:
                 self.elements, self.listed = before[:1], {before[0].tobytes()}
                 return
         self.elements = np.concatenate(found)
-
-
-def _candidates(poly: BracketPolynomial) -> Iterator[Ints]:
-    """Exchanges that seem to be symmetries at two random positions."""
-    n = len(poly.points)
-    degrees = degree_vector(next(iter(poly.terms)), n)
-    pairs = [
-        (i, j)
-        for i, j in combinations(range(n), 2)
-        if degrees[i] == degrees[j] and degrees[i] and (i < poly.ideal) == (j < poly.ideal)
-    ]
-    orders = []
-    for size in range(1, _PAIRS + 1):
-        for chosen in combinations(pairs, size):
-            if len({i for pair in chosen for i in pair}) == 2 * size:
-                order = np.arange(n)
-                for i, j in chosen:
-                    order[i], order[j] = j, i
-                orders.append(order)
-            if len(orders) >= _EXCHANGES:
-                break
-    live = np.array(orders, dtype=np.int64).reshape(-1, n)
-    vanishing = np.zeros((n, n), dtype=bool)  # the pairs whose coincidence makes the polynomial vanish are permuted
-    for i, j in vanishing_pairs(poly):
-        vanishing[i, j] = vanishing[j, i] = True
-    kept = [
-        some[(vanishing[some[:, :, None], some[:, None, :]] == vanishing).all(axis=(1, 2))] for some in _blocks(live)
-    ]
-    live = np.concatenate(kept)
-    at = random_positions(2, n, poly.rank, MODULUS, ideal=poly.ideal, seed=5)
-    for position, value in zip(at, values(poly, at, MODULUS), strict=True):
-        moved = np.concatenate([values(poly, position[some], MODULUS) for some in _blocks(live)])
-        live = live[(moved == value) | (moved == (MODULUS - value) % MODULUS)]
-    yield from live
-
-
-def _blocks(live: Ints) -> list[Ints]:
-    return np.array_split(live, 1 + len(live) // 500)
-
-
-def _sign(poly: BracketPolynomial, permutation: Ints, limit: int) -> int:
-    """1 or −1 where the permuted polynomial is plus or minus the polynomial, else 0; decided by normal forms."""
-    names = tuple(poly.points[i] for i in permutation)
-    moved = BracketPolynomial(poly.rank, names, poly.terms, poly.ideal).over(poly.points, poly.ideal)
-    normal = straighten(moved, limit=limit)
-    return 1 if normal == poly else -1 if normal == -poly else 0
 
 
 @dataclass(frozen=True)

@@ -13,10 +13,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from gcrules.algebra.factoring.residues import Ints
-from gcrules.algebra.shortening.exhaustive import Work
-from gcrules.algebra.shortening.residues import MODULUS, inverse, reduced
-from gcrules.core.budget import checkpoint
+from gcrules.algebra.factoring.modular import MODULUS, Ints, inverse, reduced
+from gcrules.core.budget import Count, checkpoint
 
 __all__ = ["shorter_supports"]
 
@@ -25,7 +23,7 @@ _OUT = (3, 10)  # for how many steps a monomial that was taken out stays out
 
 
 def shorter_supports(
-    value: Ints, target: Ints, first: Sequence[int], steps: int, seed: int, work: Work
+    value: Ints, target: Ints, first: Sequence[int], steps: int, seed: int, work: Count
 ) -> Iterator[tuple[int, ...]]:
     """Places of monomials that have the target in their span modulo p, each time fewer than before.
 
@@ -38,7 +36,7 @@ def shorter_supports(
     for step in range(steps if walk.spans else 0):
         checkpoint()
         work.done += walk.table.size
-        if work.done > work.most:
+        if work.left < 0:
             return
         support = np.flatnonzero(walk.table[:, -1])
         if len(support) < least:

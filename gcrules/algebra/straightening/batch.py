@@ -81,11 +81,11 @@ class _Levels:
             if len(done) > _CHUNKS:
                 done = [_merged(done)]
             self._replace(ids[~standard], at[~standard], coefficients[~standard])
-            if self.count + finished > self.work.limit:
+            if self.count + finished > self.work.terms.most:
                 self._compact()
                 done = [_merged(done)]
                 finished = len(done[0][1])
-                self.work.held(self.count + finished)
+                self.work.terms.check(self.count + finished)
         return self._terms(*_merged(done))
 
     def _compact(self) -> None:
@@ -99,7 +99,7 @@ class _Levels:
             return
         n = np.arange(len(ids))
         starts, counts, first, second, signs = self.pairs.standard(ids[n, at], ids[n, at + 1])
-        self.work.replacements(int(counts.sum()))
+        self.work.replacements.spend(int(counts.sum()))
         which = np.repeat(n, counts)
         term = np.arange(len(which)) + np.repeat(starts - np.cumsum(counts) + counts, counts)
         new = ids[which]

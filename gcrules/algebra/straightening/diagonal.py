@@ -100,6 +100,7 @@ def normal_form(poly: BracketPolynomial) -> BracketPolynomial:
 
 
 def _solve(content: _Content, rank: int, terms: Terms) -> Terms:
+    """The normal form of terms with one content, from their values on standard tableaux, in triangular order."""
     if not content:
         return dict(terms)
     import numpy as np
@@ -150,6 +151,7 @@ class _Basis:
 
 @lru_cache(maxsize=4)  # at most 50 MB each
 def _basis(content: _Content, rank: int) -> _Basis:
+    """The standard tableaux of a content in order, with what is needed to evaluate monomials on them."""
     import numpy as np
 
     found: list[tuple[_Word, Monomial]] = []

@@ -93,6 +93,7 @@ def is_zero(
 
 
 def _extensor(poly: ExtensorPolynomial, limit: int) -> ExtensorPolynomial:
+    """The normal form of an extensor: closed by new points, straightened, and opened again."""
     closed, new = _closed(poly)
     parts: dict[Row, Terms] = {}
     for m, c in straighten_terms(closed, poly.ideal, limit).items():
@@ -155,7 +156,7 @@ def _largest_first(pending: Terms, ideal: int, work: Work, enough: float) -> Ter
     heapify(heap)
     normal: Terms = {}
     seen: set[_Pair] = set()
-    while heap and work.count.done < enough:
+    while heap and work.replacements.done < enough:
         monomial = heappop(heap).monomial
         coefficient = pending.pop(monomial)
         if not coefficient:
@@ -180,8 +181,8 @@ def _largest_first(pending: Terms, ideal: int, work: Work, enough: float) -> Ter
             else:
                 pending[new] = c * coefficient
                 heappush(heap, _Last(new))
-        work.replacements(len(replacements))
-        work.held(len(pending) + len(normal))
+        work.replacements.spend(len(replacements))
+        work.terms.check(len(pending) + len(normal))
     return normal
 
 

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeVar
+
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.apps.cli.base import Space
-from gcrules.apps.cli.files import read_stdin
+from gcrules.apps.cli.files import read_stdin, working
 
-__all__ = ["context_of", "given_text", "read_expression"]
+__all__ = ["context_of", "given_text", "read_expression", "searched"]
+
+_Answer = TypeVar("_Answer")
 
 
 def given_text(argument: str) -> str:
@@ -27,3 +32,21 @@ def context_of(space: Space, assumptions: tuple[str, ...] = ()) -> Context:
 def read_expression(argument: str, space: Space) -> Expr:
     """The expression of an argument, or of standard input for "-"."""
     return parse(given_text(argument), context=context_of(space))
+
+
+def searched(
+    task: str, search: Callable[..., _Answer], argument: str, space: Space, limit: int, seconds: float, **options: bool
+) -> _Answer:
+    """The answer of a search about an expression; how it goes is shown."""
+    e = read_expression(argument, space)
+    with working(task) as status:
+        return search(
+            e,
+            points=space.points,
+            ideal=space.ideal,
+            rank=space.rank,
+            limit=limit,
+            seconds=seconds,
+            progress=status.tell,
+            **options,
+        )

@@ -7,8 +7,7 @@ import click
 from gcrules.algebra.factoring.factorize import factor as factored
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS
 from gcrules.apps.cli.base import ExpressionCommand, Output, Space, limit_option, output_options, space_options
-from gcrules.apps.cli.expressions import read_expression
-from gcrules.apps.cli.files import working
+from gcrules.apps.cli.expressions import searched
 from gcrules.apps.cli.limits import AROUND, limited, time_limit
 
 __all__ = ["factor"]
@@ -47,18 +46,6 @@ def factor(
     decided within the limits; or found, and shown, but tested at random points only, as the proof took too long.
     """
     with limited(seconds, AROUND):
-        e = read_expression(expression, space)
-        with working("factoring") as status:
-            found = factored(
-                e,
-                points=space.points,
-                ideal=space.ideal,
-                rank=space.rank,
-                limit=limit,
-                seconds=seconds,
-                every=every,
-                cofactor=cofactor,
-                progress=status.tell,
-            )
+        found = searched("factoring", factored, expression, space, limit, seconds, every=every, cofactor=cofactor)
         out.show(found)
     ctx.exit(1 if not found.found else 0 if found.proved else 3)

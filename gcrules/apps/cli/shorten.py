@@ -7,8 +7,7 @@ import click
 from gcrules.algebra.shortening.limits import MAX_MONOMIALS, SECONDS
 from gcrules.algebra.shortening.shorten import shorten as shortened
 from gcrules.apps.cli.base import ExpressionCommand, Output, Space, limit_option, output_options, space_options
-from gcrules.apps.cli.expressions import read_expression
-from gcrules.apps.cli.files import working
+from gcrules.apps.cli.expressions import searched
 from gcrules.apps.cli.limits import AROUND, limited, time_limit
 
 __all__ = ["shorten"]
@@ -33,15 +32,5 @@ def shorten(expression: str, limit: int, seconds: float, space: Space, out: Outp
     Exit code 0: an answer was given. 3: there are more bracket monomials than the limit allows.
     """
     with limited(seconds, AROUND):
-        e = read_expression(expression, space)
-        with working("shortening") as status:
-            found = shortened(
-                e,
-                points=space.points,
-                ideal=space.ideal,
-                rank=space.rank,
-                limit=limit,
-                seconds=seconds,
-                progress=status.tell,
-            )
+        found = searched("shortening", shortened, expression, space, limit, seconds)
         out.show(found, found.text(unicode=out.unicode, short=True) if out.terminal else None)

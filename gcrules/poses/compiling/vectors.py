@@ -17,7 +17,7 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket
 from gcrules.algebra.language.line_text import Leg
-from gcrules.core.linear_algebra import permutation_sign
+from gcrules.core.linear_algebra import cross, permutation_sign
 from gcrules.poses.compiling.scalars import Ring, Scalar
 
 __all__ = ["Places", "Vector", "add", "cross", "dot", "of_expression", "of_legs", "of_polynomial", "sub"]
@@ -31,10 +31,6 @@ def add(u: Vector, v: Vector) -> Vector:
 
 def sub(u: Vector, v: Vector) -> Vector:
     return u[0] - v[0], u[1] - v[1], u[2] - v[2]
-
-
-def cross(u: Vector, v: Vector) -> Vector:
-    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
 
 
 def dot(u: Vector, v: Vector) -> Ring:

@@ -24,7 +24,7 @@ from typing import Any
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.frozen import FrozenMap
-from gcrules.core.linear_algebra import permutation_sign
+from gcrules.core.linear_algebra import cross, permutation_sign
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.numbers.cubic import EXPONENTS, interpolated
 from gcrules.screws.rotations import unscaled
@@ -76,10 +76,6 @@ def _sub(u: Whole, v: Whole) -> Whole:
     return u[0] - v[0], u[1] - v[1], u[2] - v[2]
 
 
-def _cross(u: Whole, v: Whole) -> Whole:
-    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
-
-
 def _dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 
@@ -92,20 +88,20 @@ def _turns(arms: Sequence[Whole]) -> tuple[Any, dict[tuple[int, ...], Any]]:
     _, w, x, y, z = ring("e0,e1,e2,e3", ZZ)
     rows = unscaled((w, x, y, z))
     vectors: dict[tuple[int, ...], Whole] = {(i,): b for i, b in enumerate(arms)}
-    vectors |= {(i, j): _cross(arms[i], arms[j]) for i in range(6) for j in range(6) if i != j}
+    vectors |= {(i, j): cross(arms[i], arms[j]) for i in range(6) for j in range(6) if i != j}
     return w**2 + x**2 + y**2 + z**2, {key: tuple(_dot(row, v) for row in rows) for key, v in vectors.items()}
 
 
 def _form(d: Sequence[Whole], arms: Sequence[Whole], norm: Any, turned: Mapping[tuple[int, ...], Any]) -> Any:
     """n³ times the determinant of the rows (d + Rβ, Rβ × d), a form of degree 6 in e."""
-    pairs = {(i, j): _cross(d[i], d[j]) for i in range(6) for j in range(6) if i != j}
+    pairs = {(i, j): cross(d[i], d[j]) for i in range(6) for j in range(6) if i != j}
     mixed = {(i, j, k): _dot(turned[i,], pairs[j, k]) for i in range(6) for j, k in combinations(range(6), 2)}
     arm = {(i, j): _dot(d[i], turned[j, i]) for i in range(6) for j in range(6) if i != j}  # d_i · R(β_j × β_i)
     total = 0 * norm
     for i, j, k in combinations(range(6), 3):
         checkpoint()
         rest = tuple(r for r in range(6) if r not in (i, j, k))
-        first = norm * (_dot(d[i], pairs[j, k]) + _dot(arms[i], _cross(arms[j], arms[k])))
+        first = norm * (_dot(d[i], pairs[j, k]) + _dot(arms[i], cross(arms[j], arms[k])))
         first += mixed[i, j, k] - mixed[j, i, k] + mixed[k, i, j]
         first += _dot(d[i], turned[j, k]) + _dot(d[j], turned[k, i]) + _dot(d[k], turned[i, j])
         p, q, r = rest

@@ -1,8 +1,9 @@
 r"""All real zeros of an exact polynomial in [0, 1], with their multiplicities: no sampling, no floats.
 
-Polynomials are lists of integers, lowest power first. Descartes' rule of signs tells at once where no zero is inside,
-and where a single one is, which halving encloses; in all other cases sympy isolates them (Yun's factors without
-multiple zeros, then continued fractions). Everything is exact: nothing can be missed, a touching zero neither.
+Polynomials are lists of integers, lowest power first. Halving and Descartes' rule of signs isolate the zeros (Vincent,
+Collins, Akritas). Where that would not end, as some are multiple, or take long, as some are very near each other, sympy
+does (Yun's factors without multiple zeros, then continued fractions); it takes half a second to load. Everything is
+exact: nothing is missed, a touching zero neither.
 
 >>> [(str(r.lower), r.multiplicity) for r in roots([-1, 7, -16, 12])]            # (3x − 1) (2x − 1)²
 [('1/3', 1), ('1/2', 2)]
@@ -14,10 +15,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from math import gcd, lcm
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.linear_algebra import content
 
 __all__ = ["WIDTH", "Root", "integers", "roots", "sign_after", "sign_before", "value"]
 
@@ -26,6 +27,7 @@ Poly = list[int]
 WIDTH = Fraction(1, 2**60)
 """An interval that holds a zero is not wider than this."""
 
+_NEAR = Fraction(1, 2**24)  # zeros that are not told apart on intervals of this width are left to sympy
 _SIMPLE = 10**6  # quotients with denominators up to this are tried as the zero itself
 
 
@@ -48,13 +50,11 @@ class Root:
 
 def integers(coefficients: Sequence[Fraction | int]) -> Poly:
     """The polynomial times a positive number, with coprime integer coefficients and without leading zeros."""
-    exact = [Fraction(c) for c in coefficients]
-    common = lcm(*(c.denominator for c in exact))
-    p = [int(c * common) for c in exact]
+    p = [Fraction(c) for c in coefficients]
     while p and not p[-1]:
         p.pop()
-    divisor = gcd(*p)
-    return [c // divisor for c in p]
+    divisor = content(p) if p else 1
+    return [int(c / divisor) for c in p]
 
 
 def value(p: Sequence[int], x: Fraction) -> int:
@@ -81,22 +81,46 @@ def roots(coefficients: Sequence[Fraction | int]) -> tuple[Root, ...]:
     p = integers(coefficients)
     if not p:
         raise ValueError("every number is a zero of the zero polynomial")
-    from_one = _seen_from_one(p)
-    signs = [c > 0 for c in from_one if c]
-    changes = sum(a != b for a, b in pairwise(signs))  # zeros in (0, 1): never more, and exactly so many if 0 or 1
-    if changes > 1:
-        return tuple(_isolated(p))
-    at_zero, at_one = (next(n for n, c in enumerate(q) if c) for q in (p, from_one))
+    at_zero, at_one = (next(n for n, c in enumerate(q) if c) for q in (p, _seen_from_one(p)))
     ends = [Root(Fraction(x), Fraction(x), n) for x, n in ((0, at_zero), (1, at_one)) if n]
-    return tuple(sorted([*ends, *[_single(p)] * changes], key=lambda r: r.lower))
+    inside = _halved(p)
+    return tuple(_isolated(p)) if inside is None else tuple(sorted([*ends, *inside], key=lambda r: r.lower))
+
+
+def _shifted(p: Sequence[int]) -> Poly:
+    """p(x + 1)."""
+    found = list(p)
+    for i in range(len(found) - 1):
+        for j in range(len(found) - 2, i - 1, -1):
+            found[j] += found[j + 1]
+    return found
 
 
 def _seen_from_one(p: Sequence[int]) -> Poly:
     """(1 + x)ⁿ p(1 / (1 + x)), n the degree: x from 0 to ∞ runs through p from 1 to 0."""
-    found = list(p[::-1])
-    for i in range(len(found) - 1):
-        for j in range(len(found) - 2, i - 1, -1):
-            found[j] += found[j + 1]
+    return _shifted(p[::-1])
+
+
+def _halved(p: Poly) -> list[Root] | None:
+    """The zeros in (0, 1), as long as halving tells them apart; else None."""
+    found: list[Root] = []
+    waiting = [(p, Fraction(0), Fraction(1))]  # what is seen of p on [start, start + width], as a function on [0, 1]
+    while waiting:
+        checkpoint()
+        q, start, width = waiting.pop()
+        signs = [c > 0 for c in _seen_from_one(q) if c]
+        changes = sum(a != b for a, b in pairwise(signs))  # zeros in (0, 1): never more, and exactly so many if 0 or 1
+        if changes == 1:
+            r = _single(q)
+            found.append(_exactly(Root(start + width * r.lower, start + width * r.upper, 1), p))
+        elif changes and width < _NEAR:
+            return None
+        elif changes:
+            low = [c << (len(q) - 1 - n) for n, c in enumerate(q)]  # q(x / 2) and q((1 + x) / 2), times a power of 2
+            high = _shifted(low)
+            if not high[0]:
+                found.append(Root(start + width / 2, start + width / 2, next(n for n, c in enumerate(high) if c)))
+            waiting += [(low, start, width / 2), (high, start + width / 2, width / 2)]
     return found
 
 
@@ -115,7 +139,7 @@ def _single(p: Poly) -> Root:
 
 def _isolated(p: Poly) -> list[Root]:
     """All zeros in [0, 1], by sympy's exact arithmetic."""
-    from sympy import QQ, ZZ, Poly, Symbol  # it takes half a second to load
+    from sympy import QQ, ZZ, Poly, Symbol
 
     checkpoint()
     intervals = Poly(p[::-1], Symbol("x"), domain=ZZ).intervals(eps=QQ(1, WIDTH.denominator), inf=0, sup=1)

@@ -3,7 +3,6 @@ r"""The picture of the robot itself: base, platform, limbs with the signs of the
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import dist
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
@@ -13,27 +12,19 @@ from gcrules.views.drawing.bsp import XYZ, Piece, cross, dot, minus, painted
 from gcrules.views.drawing.drawing import XY, Circle, Line, Polygon, Shape, name_runs
 from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.labels import Label, place_labels
+from gcrules.views.drawing.scene_pieces import Look
 from gcrules.views.drawing.solids import center, outline
 from gcrules.views.robots.forces import REACH, force
 from gcrules.views.robots.joint_chain import plus, unit_vector
 from gcrules.views.robots.scene import HEIGHT, TOP, WIDTH, Scene, joint_names
 from gcrules.views.robots.symbols import SIGN, arrow, couple, sign
 
-__all__ = ["CONSTRAINT_DASH", "Look", "body_pieces", "dot_at", "piece_shapes", "robot_shapes"]
+__all__ = ["CONSTRAINT_DASH", "body_pieces", "dot_at", "piece_shapes", "robot_shapes"]
 
 CONSTRAINT_DASH = (4.0, 2.6)
 
 _AXIS = 27.0  # points
 _LINK = {"link": 4.4, "bar": 2.6, "rail": 2.2}
-
-
-@dataclass(frozen=True, slots=True)
-class Look:
-    role: str
-    fill: float = 0.0
-    edge: float = 0.0
-    width: float = 1.0
-    dash: tuple[float, float] | None = None
 
 
 def body_pieces(s: Scene, fill: float = 0.2) -> list[Piece[Look]]:

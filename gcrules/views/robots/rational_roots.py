@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from itertools import pairwise
+
+from gcrules.poses.paths.roots import roots
 
 __all__ = ["polynomial", "rational_roots"]
 
 _MOST_DEGREE = 8
 _MOST_DENOMINATOR = 60
-_GRID = 96  # places between which a change of sign is looked for
 
 
 def polynomial(value: Callable[[Fraction], Fraction]) -> list[Fraction] | None:
@@ -35,11 +35,7 @@ def polynomial(value: Callable[[Fraction], Fraction]) -> list[Fraction] | None:
         return None
     found: list[Fraction] = []
     for c, t in zip(reversed(table), reversed(points), strict=True):
-        shifted = [Fraction(0), *found]
-        for i, old in enumerate(found):
-            shifted[i] -= old * t
-        shifted[0] += c
-        found = shifted
+        found = _times_linear(found, -t, Fraction(1), c)
     while found and not found[-1]:
         found.pop()
     return found or None
@@ -47,31 +43,14 @@ def polynomial(value: Callable[[Fraction], Fraction]) -> list[Fraction] | None:
 
 def rational_roots(f: Sequence[Fraction], reach: Fraction) -> list[Fraction]:
     """The roots between −reach and reach with a small denominator, exact, at which the polynomial changes its sign."""
-    grid = [reach * Fraction(2 * k - _GRID, _GRID) for k in range(_GRID + 1)]
-    values = [_at(f, t) for t in grid]
-    found = [t for t, v in zip(grid, values, strict=True) if v == 0 and t.denominator <= _MOST_DENOMINATOR]
-    for (a, p), (b, q) in pairwise(zip(grid, values, strict=True)):
-        if p * q < 0:
-            root = _between(f, a, b).limit_denominator(_MOST_DENOMINATOR)
-            if a <= root <= b and _at(f, root) == 0:
-                found.append(root)
-    return sorted({t for t in found if t}, key=lambda t: (abs(t), t))
-
-
-def _between(f: Sequence[Fraction], a: Fraction, b: Fraction) -> Fraction:
-    """A place within 2^-40 of the root between two places of different signs."""
-    negative = _at(f, a) < 0
-    for _ in range(46):
-        middle = ((a + b) / 2).limit_denominator(1 << 60)
-        if (_at(f, middle) < 0) == negative:
-            a = middle
-        else:
-            b = middle
-    return (a + b) / 2
-
-
-def _at(f: Sequence[Fraction], t: Fraction) -> Fraction:
-    value = Fraction(0)
+    moved: list[Fraction] = []  # in x with t = reach (2x − 1)
     for c in reversed(f):
-        value = value * t + c
-    return value
+        moved = _times_linear(moved, -reach, 2 * reach, c)
+    found = {reach * (2 * r.middle - 1) for r in roots(moved) if r.exact and r.multiplicity % 2}
+    return sorted({t for t in found if t and t.denominator <= _MOST_DENOMINATOR}, key=lambda t: (abs(t), t))
+
+
+def _times_linear(p: Sequence[Fraction], a: Fraction, b: Fraction, c: Fraction) -> list[Fraction]:
+    """p · (a + b t) + c."""
+    product = [a * low + b * high for low, high in zip([*p, Fraction(0)], [Fraction(0), *p], strict=True)]
+    return [product[0] + c, *product[1:]]

@@ -8,13 +8,15 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcrules.algebra.evaluate import join_table
-from gcrules.algebra.factoring.brackets import MODULUS
-from gcrules.algebra.factoring.residues import Ints
 
-__all__ = ["MODULUS", "PRIMES", "determinants", "inverse", "minor", "reduced"]
+__all__ = ["MODULUS", "PRIMES", "Ints", "determinants", "inverse", "minor", "reduced"]
 
+Ints = NDArray[np.int64]
+
+MODULUS = 2**31 - 1
 PRIMES = (MODULUS, 2147483629, 2147483587, 2147483579, 2147483563, 2147483549)
 
 
