@@ -34,6 +34,7 @@ __all__ = [
     "Count",
     "as_float",
     "checkpoint",
+    "report",
     "seconds_left",
     "waiting",
     "watched",
@@ -191,6 +192,13 @@ def seconds_left() -> float:
     """What the budgets around the caller leave, infinity where there are none."""
     budget = _current.get()
     return inf if budget is None else budget.left
+
+
+def report(words: str) -> None:
+    """Tell the progress to the budget around the caller that listens, if one does."""
+    budget = _current.get()
+    if budget is not None:
+        budget.report(words)
 
 
 @dataclass

@@ -1238,7 +1238,7 @@ def test_studio_refuses_what_a_page_could_not_send() -> None:
 def test_without_the_extra_it_is_said_how_to_get_it() -> None:
     code = (
         "import sys; sys.modules['starlette'] = None; sys.modules['uvicorn'] = None\n"
-        "from gcrules.apps.cli import main; sys.argv = ['gcrules', 'studio', '--no-browser']; main()"
+        "from gcrules.apps.main import main; sys.argv = ['gcrules', 'studio', '--no-browser']; main()"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 2
