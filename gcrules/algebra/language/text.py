@@ -8,9 +8,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.notation import Digits, Mark, Raised, Row, Sign, Term, signs
+from gcrules.algebra.language.notation import Digits, Mark, Raised, Row, Sign, Term, signs, terms
 
-__all__ = ["SHORT_NAME", "Names", "split_names", "text"]
+__all__ = ["SHORT_NAME", "Names", "split_names", "text", "text_terms"]
 
 SHORT_NAME = re.compile(r"[A-Za-z](?:_?[0-9]+)?'*")
 """Names that need no declaration: a letter, digits (after an underscore if you like), primes."""
@@ -52,8 +52,22 @@ def text(e: Expr, *, unicode: bool = False, names: Iterable[str] = ()) -> str:
     >>> print(text(parse(r"ab /\ cde"), unicode=True))
     ab ∧ cde
     """
-    spaced = not all(SHORT_NAME.fullmatch(n) for n in names)
-    return _spelled(signs(e), _Style(_UNICODE if unicode else _ASCII, unicode, spaced))
+    return _spelled(signs(e), _style(unicode, names))
+
+
+def text_terms(e: Expr, *, unicode: bool = False, names: Iterable[str] = ()) -> list[str]:
+    """The terms of a sum, each later one with its sign in front and a space behind that; else the whole.
+
+    >>> from gcrules.algebra.language.syntax import parse
+    >>> text_terms(parse("-[abcd] - 2[abce] + [abcf]"))
+    ['-[abcd]', '- 2[abce]', '+ [abcf]']
+    """
+    style = _style(unicode, names)
+    return [_spelled(term, style).strip() for term in terms(e)]
+
+
+def _style(unicode: bool, names: Iterable[str]) -> _Style:
+    return _Style(_UNICODE if unicode else _ASCII, unicode, not all(map(SHORT_NAME.fullmatch, names)))
 
 
 def _spelled(term: Term, style: _Style) -> str:

@@ -14,9 +14,9 @@ from itertools import combinations
 from os import PathLike
 from textwrap import wrap
 
-from gcrules.algebra.expr import Expr, Sum
+from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.legs_text import Structure, leg_text, legs_text
-from gcrules.algebra.language.text import text
+from gcrules.algebra.language.text import text, text_terms
 from gcrules.algebra.shortening.shorten import shorten
 from gcrules.conditions.analysis import Analysis, analyze
 from gcrules.conditions.example_poses import WorkedPose
@@ -262,9 +262,7 @@ _WIDTH = 92
 
 def _formula(a: Analysis, e: Expr, indent: str = "") -> list[str]:
     """The lines of an expression: broken between terms, a term that is too long for a line at its operations."""
-    first, *others = (_math(a, t) for t in (e.terms if isinstance(e, Sum) else (e,)))
-    terms = [first, *(f"− {t[1:]}" if t[0] == "−" else f"+ {t}" for t in others)]
-    return _wrapped(terms, indent)
+    return _wrapped(text_terms(e, unicode=True, names=a.structure.names), indent)
 
 
 def _wrapped(pieces: Iterable[str], indent: str) -> list[str]:
