@@ -13,7 +13,7 @@ r"""A robot along a path: every singular place on it, proved complete; numbers a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from os import PathLike, fspath
@@ -23,6 +23,7 @@ import numpy as np
 
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import checkpoint
+from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.numbers.arrays import from_poses, matrices
@@ -45,8 +46,6 @@ __all__ = ["MAX_SAMPLES", "SAMPLES", "path"]
 SAMPLES = 200
 MAX_SAMPLES = 200_000
 
-Told = Callable[[str], None]
-
 
 def path(
     robot: Given,
@@ -55,9 +54,8 @@ def path(
     samples: int = SAMPLES,
     about: str | Sequence[Any] = "origin",
     threshold: str | Threshold = DEFAULT,
-    tell: Told = lambda _: None,
 ) -> PathReport:
-    """The function of `gcrules.api.functions`, which says what the arguments are. `tell` hears what is being done."""
+    """The function of `gcrules.api.functions`, which says what the arguments are."""
     analysis, moving = moving_robot(robot, about)
     limit = angle_threshold(threshold, moving.unit, "along a path")
     found, notes = _poses(poses, moving.unit)
@@ -67,11 +65,11 @@ def path(
     polynomials = []
     for k, s in enumerate(way):
         checkpoint()
-        tell(f"segment {k + 1} of {len(way)}")
+        report_progress(f"segment {k + 1} of {len(way)}")
         polynomials.append(s.polynomial)
     zeros = tuple(_zero(analysis, moving, way, p, limit) for p in places(polynomials))
     still = tuple(_explained(analysis, moving, way, s, limit) for s in stretches(polynomials))
-    tell("sampling")
+    report_progress("sampling")
     lowest = _least(way, per_segment, zeros, still)
     verdict, reason = _verdict(zeros, still, lowest, limit)
     return PathReport(

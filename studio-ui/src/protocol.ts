@@ -1,6 +1,7 @@
 // What the page and the server say to each other over one websocket: JSON, one object a message.
 // Written by `npm run protocol` from gcrules/apps/studio/protocol and gcrules/views/scene_data.py; change those.
 
+/** Those that the studio leads through, in sequence; a robot of joints begins with the first two. */
 export const STAGE_IDS = ["limbs", "equivalent", "structure", "superbracket", "shortest", "tetrahedra", "planes", "lines", "left-over", "condition", "statement", "check"] as const;
 
 export type Vec3 = [number, number, number];

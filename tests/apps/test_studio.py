@@ -142,7 +142,7 @@ def test_the_page_has_the_protocol_of_the_server(root: Path) -> None:
 
 def test_words_of_the_protocol_are_those_of_the_engine() -> None:
     assert set(get_args(scene_data.Verdict)[1:]) == {Words(VERDICTS)}
-    assert set(theory.STAGES) == set(STAGE_IDS)
+    assert set(theory.THEORY) == set(STAGE_IDS)
 
 
 def assert_fits(value: Any, shape: Any, where: str = "") -> None:
@@ -295,10 +295,10 @@ def test_value_of_a_robot_has_the_exact_sign(name: str) -> None:
     assert (found > 0) == (exact > 0)
 
 
-@pytest.mark.parametrize("kind", theory.STAGES)
+@pytest.mark.parametrize("kind", theory.THEORY)
 def test_theory_cites_what_is_in_the_bibliography(root: Path, kind: str) -> None:
     keys = set(re.findall(r"^@\w+\{(\w+),", (root / "gcrules" / "references.bib").read_text(encoding="utf-8"), re.M))
-    told = theory.STAGES[kind]
+    told = theory.THEORY[kind]
     cited = set(re.findall(r"\[([A-Z]\w+\d{4}\w*)\]", " ".join(told.more)))
     assert cited <= keys
     assert 1 <= len(told.more) <= 3
@@ -343,7 +343,7 @@ def test_numbers_are_those_of_the_library(name: str) -> None:
 def test_every_class_opens_and_has_numbers() -> None:
     for entry in ("6-2", "5-2", "4-4.s", "6-5", "4-4.7"):
         subject = read_subject({"kind": "class", "id": entry})
-        json.dumps(study(subject, lambda _: None), allow_nan=False)
+        json.dumps(study(subject), allow_nan=False)
         found = numbers(subject, HOME)  # type: ignore[arg-type]
         assert (found["verdict"] == "singular") == (entry in ("6-2", "5-2", "4-4.s"))
 
@@ -1238,7 +1238,7 @@ def test_studio_refuses_what_a_page_could_not_send() -> None:
 def test_without_the_extra_it_is_said_how_to_get_it() -> None:
     code = (
         "import sys; sys.modules['starlette'] = None; sys.modules['uvicorn'] = None\n"
-        "from gcrules.apps.cli import main; sys.argv = ['gcrules', 'studio', '--no-browser']; main()"
+        "from gcrules.apps.main import main; sys.argv = ['gcrules', 'studio', '--no-browser']; main()"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 2
@@ -1247,7 +1247,7 @@ def test_without_the_extra_it_is_said_how_to_get_it() -> None:
 
 def test_stages_are_told_in_words_of_the_table() -> None:
     for source in (OCTAHEDRAL, FOUR_DOF):
-        assert {s["id"] for s in stage_views(read_subject(source))} <= set(theory.STAGES)
+        assert {s["id"] for s in stage_views(read_subject(source))} <= set(theory.THEORY)
 
 
 @pytest.mark.parametrize(

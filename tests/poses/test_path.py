@@ -22,6 +22,7 @@ import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.apps.cli import path as path_command
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.budget import report
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.mechanisms.moving_platform import Rig, rig
@@ -553,8 +554,8 @@ def test_the_command_writes_values_and_a_picture(robot: str, tmp_path: Path) -> 
 
 
 def test_an_interrupt_leaves_nothing_behind(robot: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def interrupted(*_: Any, tell: Any, **__: Any) -> None:
-        tell("segment 3 of 7")
+    def interrupted(*_: Any, **__: Any) -> None:
+        report("segment 3 of 7")
         raise KeyboardInterrupt
 
     monkeypatch.setattr(path_command, "along", interrupted)

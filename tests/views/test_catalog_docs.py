@@ -26,6 +26,7 @@ from gcrules.algebra.language.text import text as formula
 from gcrules.apps.cli import cli
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import free_motions
+from gcrules.core.budget import within
 from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
@@ -66,7 +67,6 @@ def known(pages: Pages, monkeypatch: pytest.MonkeyPatch) -> None:
         sources: dict[str, str],
         catalogs: Sequence[str] = (),
         strategy: Strategy | None = None,
-        tell: Callable[[str], None] | None = None,
     ) -> Pages:
         own = Catalog(tuple(e for e in catalog.entries if e.id not in shipped), catalog.statements)
         return pages | (catalog_pages(own, sources, catalogs, strategy) if own.entries else {})
@@ -317,7 +317,8 @@ def test_progress(tmp_path: Path) -> None:
     catalog = load([path])
     own = Catalog(tuple(e for e in catalog.entries if e.id in ("mine", "4-4.s")), catalog.statements)
     told: list[str] = []
-    catalog_pages(own, bibliography(), [path], tell=told.append)
+    with within(progress=told.append):
+        catalog_pages(own, bibliography(), [path])
     assert told == ["4-4.s, 1 of 2", "mine, 2 of 2"]
 
 

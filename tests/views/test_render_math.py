@@ -12,7 +12,7 @@ from strategies import RANKS, expressions
 
 from gcrules.algebra.expr import Expr, Sum
 from gcrules.algebra.language.syntax import parse
-from gcrules.views.formulas.latex import latex, latex_aligned, latex_lines, latex_name
+from gcrules.views.formulas.latex import latex, latex_aligned, latex_lines, latex_name, latex_parts
 from gcrules.views.formulas.mathml import mathml, mathml_terms
 
 CASES = {
@@ -45,6 +45,21 @@ def test_latex(text: str, expected: str) -> None:
     e = parse(text)
     assert latex(e) == expected
     assert e._repr_latex_() == f"$\\displaystyle {expected}$"
+
+
+def without_spaces(tex: str) -> str:
+    return re.sub(r"\\,|\{\}|\s", "", tex)
+
+
+@given(st.data())
+def test_the_pieces_are_the_whole(data: st.DataObject) -> None:
+    e = data.draw(RANKS.flatmap(expressions))
+    assert without_spaces("".join(tex for tex, _ in latex_parts(e))) == without_spaces(latex(e))
+
+
+def test_a_sum_that_is_taken_away_stays_in_parentheses_piece_by_piece() -> None:
+    e = parse("[abcd]**2 - ([abce] - [abcf])")
+    assert [tex for tex, _ in latex_parts(e)] == ["{[abcd]}^{2}", "{}-([abce] - [abcf])"]
 
 
 @pytest.mark.parametrize(

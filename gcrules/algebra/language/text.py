@@ -4,27 +4,13 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import groupby
 
-from gcrules.algebra.expr import (
-    Bracket,
-    Dotted,
-    Expr,
-    Join,
-    Meet,
-    Number,
-    Point,
-    Power,
-    Product,
-    Sum,
-    Superbracket,
-    neg,
-)
-from gcrules.core.budget import watched
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.notation import Digits, Mark, Raised, Row, Sign, Term, signs, terms
 
-__all__ = ["SHORT_NAME", "Names", "split_names", "text"]
+__all__ = ["SHORT_NAME", "Names", "split_names", "text", "text_terms"]
 
 SHORT_NAME = re.compile(r"[A-Za-z](?:_?[0-9]+)?'*")
 """Names that need no declaration: a letter, digits (after an underscore if you like), primes."""
@@ -32,12 +18,15 @@ SHORT_NAME = re.compile(r"[A-Za-z](?:_?[0-9]+)?'*")
 
 @dataclass(frozen=True, slots=True)
 class _Style:
-    join: str
-    meet: str
-    minus: str
-    times: str
+    """How `marks` are written, whether dots stand above letters, whether points are set apart by spaces."""
+
+    marks: Mapping[str, str]
+    accents: bool
     spaced: bool
 
+
+_UNICODE = {"∨": " ∨ ", "∧": " ∧ ", "+": " + ", "−": " − ", "negative": "−", ",": ", ", "times": " · ", "space": " · "}
+_ASCII = _UNICODE | {"∨": " \\/ ", "∧": " /\\ ", "−": " - ", "negative": "-", "times": " * ", "space": " * "}
 
 Names = str | Iterable[str]
 
@@ -63,104 +52,53 @@ def text(e: Expr, *, unicode: bool = False, names: Iterable[str] = ()) -> str:
     >>> print(text(parse(r"ab /\ cde"), unicode=True))
     ab ∧ cde
     """
-    spaced = not all(SHORT_NAME.fullmatch(n) for n in names)
-    style = _Style(" ∨ ", " ∧ ", "−", " · ", spaced) if unicode else _Style(" \\/ ", " /\\ ", "-", " * ", spaced)
-    return _text(e, style)
+    return _spelled(signs(e), _style(unicode, names))
 
 
-def _text(e: Expr, style: _Style) -> str:
-    match e:
-        case Number(value=value):
-            return str(value).replace("-", style.minus)
-        case Point(name=name):
-            return name
-        case Join(args=args):
-            if all(isinstance(a, Point) for a in args):
-                return _points([_text(a, style) for a in args], style)
-            return style.join.join(_runs(args, style))
-        case Meet(args=args):
-            return style.meet.join(_wrapped(a, style, Point, *([Join] if _plain(a) else [])) for a in args)
-        case Bracket(args=args):
-            if all(isinstance(a, Point) for a in args):
-                return f"[{_points([_text(a, style) for a in args], style)}]"
-            inner = ", ".join(_text(a, style) for a in args)
-            return f"[ {inner}]" if inner.startswith("[") else f"[{inner}]"  # [[ begins a superbracket
-        case Dotted(brackets=brackets):
-            return "".join(f"[{_dotted(entries, style)}]" for entries in brackets)
-        case Superbracket(lines=lines):
-            return f"[[{', '.join(_text(a, style) for a in lines)}]]"
-        case Power(base=base, exponent=exponent):
-            return f"{_wrapped(base, style, Bracket, Superbracket)}**{exponent}"
-        case Product(factors=factors):
-            return _product(factors, style)
-        case Sum(terms=terms):
-            rest = (
-                f" {style.minus} {_wrapped_sum(neg(t), style)}" if _negative(t) else f" + {_text(t, style)}"
-                for t in watched(terms[1:])
-            )
-            return "".join((_text(terms[0], style), *rest))
-    raise TypeError(f"not an expression: {e!r}")
+def text_terms(e: Expr, *, unicode: bool = False, names: Iterable[str] = ()) -> list[str]:
+    """The terms of a sum, each later one with its sign in front and a space behind that; else the whole.
+
+    >>> from gcrules.algebra.language.syntax import parse
+    >>> text_terms(parse("-[abcd] - 2[abce] + [abcf]"))
+    ['-[abcd]', '- 2[abce]', '+ [abcf]']
+    """
+    style = _style(unicode, names)
+    return [_spelled(term, style).strip() for term in terms(e)]
 
 
-def _points(names: list[str], style: _Style) -> str:
-    spaced = style.spaced or not all(SHORT_NAME.fullmatch(n) for n in names)
-    return (" " if spaced else "").join(names)
+def _style(unicode: bool, names: Iterable[str]) -> _Style:
+    return _Style(_UNICODE if unicode else _ASCII, unicode, not all(map(SHORT_NAME.fullmatch, names)))
 
 
-def _runs(args: tuple[Expr, ...], style: _Style) -> list[str]:
-    """Arguments of a join as text, neighbouring points side by side."""
-    found = []
-    for is_point, run in groupby(args, lambda a: isinstance(a, Point)):
-        words = [_text(a, style) if is_point else f"({_text(a, style)})" for a in run]
-        found += [_points(words, style)] if is_point else words
-    return found
+def _spelled(term: Term, style: _Style) -> str:
+    out: list[str] = []
+    opened = False  # just now: [[ begins a superbracket, so a bracket in a bracket stands apart
+    for sign in term:
+        piece = _sign(sign, style)
+        out.append(f" {piece}" if opened and piece[0] == "[" else piece)
+        opened = piece == "["
+    return "".join(out)
 
 
-def _plain(e: Expr) -> bool:
-    return isinstance(e, Join) and all(isinstance(a, Point) for a in e.args)
+def _sign(sign: Sign, style: _Style) -> str:
+    match sign:
+        case Row(names=names, dots=dots):
+            return _dotted(sign, style) if dots else _side_by_side(names, style.spaced)
+        case Digits(value=value):
+            return str(value)
+        case Raised(base=base, exponent=exponent):
+            return f"{_spelled(base, style)}**{exponent}"
+        case Mark(sign=mark):
+            return style.marks.get(mark, mark)
 
 
-def _dotted(entries: tuple[tuple[str, bool], ...], style: _Style) -> str:
+def _side_by_side(names: Sequence[str], spaced: bool) -> str:
+    return (" " if spaced or not all(map(SHORT_NAME.fullmatch, names)) else "").join(names)
+
+
+def _dotted(row: Row, style: _Style) -> str:
     """A dot before the letter, or above it in Unicode."""
-    if style.minus == "-" or not all(SHORT_NAME.fullmatch(n) for n, _ in entries):
-        return " ".join("." * d + n for n, d in entries)
-    words = [unicodedata.normalize("NFC", f"{n[0]}\u0307{n[1:]}") if d else n for n, d in entries]
+    if not style.accents or not all(map(SHORT_NAME.fullmatch, row.names)):
+        return " ".join("." * d + n for n, d in row.dotted)
+    words = [unicodedata.normalize("NFC", f"{n[0]}\u0307{n[1:]}") if d else n for n, d in row.dotted]
     return (" " if style.spaced else "").join(words)
-
-
-def _wrapped(e: Expr, style: _Style, *bare: type[Expr]) -> str:
-    return _text(e, style) if isinstance(e, bare) else f"({_text(e, style)})"
-
-
-def _wrapped_sum(e: Expr, style: _Style) -> str:
-    return f"({_text(e, style)})" if isinstance(e, Sum) else _text(e, style)
-
-
-def _negative(e: Expr) -> bool:
-    first = e.factors[0] if isinstance(e, Product) else e
-    return isinstance(first, Number) and first.value < 0
-
-
-def _product(factors: tuple[Expr, ...], style: _Style) -> str:
-    """Brackets stand side by side, a number in front of them; anything else is set apart by a product sign."""
-    out = ""
-    previous: Expr | None = None
-    for f in watched(factors):
-        match f:
-            case Number(value=value):
-                piece = style.minus if value == -1 else _text(f, style)
-            case Bracket() | Superbracket() | Dotted() | Power() | Point():
-                piece = _text(f, style)
-            case Join() if _plain(f):
-                piece = _text(f, style)
-            case _:
-                piece = f"({_text(f, style)})"
-        tight = previous is None or previous == Number(-1)
-        tight = tight or (isinstance(f, (Bracket, Superbracket, Meet, Sum)) and _closed(previous) and f.step == 0)
-        out += piece if tight else style.times + piece
-        previous = f
-    return out
-
-
-def _closed(e: Expr | None) -> bool:
-    return isinstance(e, (Number, Bracket, Superbracket, Meet, Sum)) and e.step == 0

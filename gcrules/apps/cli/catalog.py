@@ -14,6 +14,7 @@ from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.rule_options import plugins_option
 from gcrules.conditions.analysis import analyze
+from gcrules.core.budget import report
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
@@ -106,9 +107,9 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...
     """
     loaded = _loaded(catalogs, folders)
     checked = []
-    with working("checking") as status:
+    with working("checking"):
         for i, entry in enumerate(loaded.entries, 1):
-            status.tell(f"{entry.id}, {i} of {len(loaded.entries)}")
+            report(f"{entry.id}, {i} of {len(loaded.entries)}")
             checked.append(check_entry(entry))
     if write and all(c.ok for c in checked):
         write_digests(load())

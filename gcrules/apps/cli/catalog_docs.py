@@ -7,11 +7,12 @@ import shlex
 import click
 
 from gcrules.apps.cli.base import Output, catalog_option
-from gcrules.apps.cli.files import Status, working
+from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.page_files import renew
 from gcrules.apps.cli.rule_options import plugins_option
 from gcrules.conditions.catalog_check import false_identities
+from gcrules.core.budget import report
 from gcrules.core.errors import FileError, GcrulesError, join_faults
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import SHIPPED
@@ -46,17 +47,17 @@ def docs(
     loaded = load(catalogs, (r.id for r in strategy.incidences))
     own = [*(("catalog", path) for path in catalogs), *(("plugins", folder) for folder in folders)]
     options = "".join(f" --{word} {shlex.quote(path)}" for word, path in own)
-    with working("proving the entries") as status:
-        _prove(loaded, options, status)
-    with working("computing the pages") as status:
-        pages = catalog_pages(loaded, bibliography(), catalogs, strategy, tell=status.tell)
+    with working("proving the entries"):
+        _prove(loaded, options)
+    with working("computing the pages"):
+        pages = catalog_pages(loaded, bibliography(), catalogs, strategy)
     command = f"gcrules catalog docs{options}" + (f" --out {shlex.quote(out)}" if out != OUT else "")
     done = renew(pages, out, head=HEAD, figures=FIGURES, command=command, check=check)
     Output(json=as_json).show(done)
     ctx.exit(1 if check and done.stale else 0)
 
 
-def _prove(loaded: Catalog, options: str, status: Status) -> None:
+def _prove(loaded: Catalog, options: str) -> None:
     """Prove what the user's own classes say, before the pages of all classes are computed.
 
     Raises FileError with all that is false; what is shipped is proved by its tests.
@@ -64,7 +65,7 @@ def _prove(loaded: Catalog, options: str, status: Status) -> None:
     faults: list[GcrulesError] = []
     for entry in loaded.entries:
         if entry.owner != SHIPPED:
-            status.tell(entry.id)
+            report(entry.id)
             hint = f"`gcrules catalog check{options}` checks all that it says"
             faults += (FileError(words, filename=entry.place, hint=hint) for words in false_identities(entry))
     if faults:

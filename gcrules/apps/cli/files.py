@@ -6,13 +6,13 @@ import os
 import sys
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager, nullcontext, suppress
 from typing import Any
 
 import click
 
 from gcrules.core import streams
-from gcrules.core.budget import waiting
+from gcrules.core.budget import waiting, within
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.files import check_name, check_target, held
 
@@ -49,11 +49,17 @@ class Status:
 
 @contextmanager
 def working(task: str) -> Iterator[Status]:
-    """Show on a terminal's standard error what goes on, from the first second on; leaves no trace when done."""
+    """Show on a terminal's standard error what is reported, from the first second on; leaves no trace when
+    done.
+    """
     status = Status(task)
-    if not sys.stderr.isatty():
+    with within(progress=status.tell), _shown(status) if sys.stderr.isatty() else nullcontext():
         yield status
-        return
+
+
+@contextmanager
+def _shown(status: Status) -> Iterator[None]:
+    """On the line where the cursor stands, and gone in the end."""
     done = threading.Event()
 
     def show() -> None:
@@ -67,7 +73,7 @@ def working(task: str) -> Iterator[Status]:
     thread = threading.Thread(target=show, daemon=True)
     thread.start()
     try:
-        yield status
+        yield
     finally:
         done.set()
         thread.join()

@@ -9,9 +9,10 @@ from typing import Any
 import click
 
 from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
-from gcrules.apps.cli.files import OutputFile, Status, working
+from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.platforms import read_platform
+from gcrules.core.budget import report
 from gcrules.core.errors import InputError
 from gcrules.core.files import after_writing
 from gcrules.poses.maps.axes import read_axes
@@ -20,8 +21,6 @@ from gcrules.poses.maps.store import check_room
 from gcrules.views.plots.map_files import SUFFIXES, check_outputs
 
 __all__ = ["map_"]
-
-_BAR = 24
 
 
 @click.command("map", cls=ExpressionCommand)
@@ -99,7 +98,7 @@ def map_(
         if task.number == 1 and not os.path.isdir(work):
             work = None
         check_room(outputs[0], bytes_of(task) * ((work is not None) + any(o.lower().endswith(".nc") for o in outputs)))
-    with working("computing") as status:
+    with working("computing"):
         try:
             found = done(
                 analysis,
@@ -107,9 +106,8 @@ def map_(
                 limit,
                 work=work,
                 restart=restart,
-                tell=lambda poses, number: status.tell(_bar(poses, number)),
             )
-            _save(found, outputs, status)
+            _save(found, outputs)
         except KeyboardInterrupt:
             if work is not None:
                 click.echo(f"\ninterrupted; finished chunks are kept in {work}: run the same command again", err=True)
@@ -127,12 +125,7 @@ def _folder(outputs: tuple[str, ...]) -> str | None:
     return f"{data[0]}.part" if data else None
 
 
-def _save(found: Any, outputs: tuple[str, ...], status: Status) -> None:
+def _save(found: Any, outputs: tuple[str, ...]) -> None:
     for path in outputs:
-        status.tell(f"writing {path}")
+        report(f"writing {path}")
         found.save(path)
-
-
-def _bar(done: int, number: int) -> str:
-    full = done * _BAR // number
-    return f"[{'#' * full}{'.' * (_BAR - full)}] {100 * done // number:3d} % of {number:,} poses"

@@ -75,7 +75,6 @@ def path(
                 samples=samples,
                 about=centre,
                 threshold=threshold,
-                tell=status.tell,
             )
     except KeyboardInterrupt:
         click.echo(f"interrupted while {status.text}; nothing was written", err=True)

@@ -26,6 +26,7 @@ from gcrules.apps.cli.limits import SECONDS, time_limit
 from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.verdicts import EXIT_CODES, coloured
 from gcrules.core.alarm import paced
+from gcrules.core.budget import report
 from gcrules.core.errors import InputError
 from gcrules.core.yaml_file import read_text
 from gcrules.rules.rewriting import rewrite as rewritten
@@ -99,10 +100,10 @@ def run(ctx: click.Context, files: tuple[str, ...], limit: int, seconds: float, 
 
 def _answered(script: Script, limit: int, seconds: float) -> ScriptResult:
     found: list[Result] = []
-    with working(f"running {script.filename}") as status:
+    with working(f"running {script.filename}"):
         for result in paced(results(script, limit=limit), seconds, each=True):
             found.append(result)
-            status.tell(f"{len(found)} of {len(script.statements)}, past line {result.line}")
+            report(f"{len(found)} of {len(script.statements)}, past line {result.line}")
     return ScriptResult(tuple(found))
 
 

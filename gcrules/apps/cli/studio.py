@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
 
 import click
 
 from gcrules.apps.cli.files import read_stdin
+from gcrules.apps.studio.protocol.requests import LONGEST_FILE, SourceJson
 from gcrules.apps.studio.subject import known_as, read_subject
 from gcrules.core.deferred import resolved
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.yaml_file import read_text
-
-if TYPE_CHECKING:
-    from gcrules.apps.studio.protocol.requests import SourceJson
 
 __all__ = ["studio"]
 
@@ -52,8 +49,6 @@ def studio(source: str | None, port: int | None, no_browser: bool) -> None:
 
 def _source(word: str) -> SourceJson:
     """What the word means: a file, an id, or legs. Faults show here, before a page is opened."""
-    from gcrules.apps.studio.protocol.requests import LONGEST_FILE
-
     found: SourceJson
     if word == "-":
         found = {"kind": "file", "text": read_stdin(), "name": "<stdin>"}

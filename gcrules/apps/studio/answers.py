@@ -1,4 +1,4 @@
-"""What answers each method: a function of the subject, the arguments, and of what hears how far it is."""
+"""What answers each method: a function of the subject and the arguments. How far it is it reports to its budget."""
 
 from __future__ import annotations
 
@@ -14,25 +14,24 @@ from gcrules.apps.studio.nearest_view import nearest
 from gcrules.apps.studio.numbers import along, numbers
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.wire import Tell
 
 __all__ = ["ANSWERS", "answer"]
 
 Args = Mapping[str, Any]
 
-ANSWERS: Mapping[str, Callable[[Any, Args, Tell], Any]] = {
-    "gallery": lambda subject, args, tell: gallery(),
-    "open": lambda subject, args, tell: study(subject, tell),
-    "pose": lambda subject, args, tell: numbers(subject, args["pose"], args.get("threshold")),
-    "along": lambda subject, args, tell: along(subject, args["poses"], args.get("threshold")),
-    "nearest": lambda subject, args, tell: nearest(subject, args["pose"], args.get("threshold"), tell),
-    "manual": lambda subject, args, tell: replayed(subject, args["commands"], tell),
-    "bench": lambda subject, args, tell: bench(args["text"], subject, args.get("pose")),
-    "compose": lambda subject, args, tell: composed(args["drawing"]),
-    "save": lambda subject, args, tell: saved(subject, args["pose"], args["what"], args.get("threshold")),
+ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
+    "gallery": lambda subject, args: gallery(),
+    "open": lambda subject, args: study(subject),
+    "pose": lambda subject, args: numbers(subject, args["pose"], args.get("threshold")),
+    "along": lambda subject, args: along(subject, args["poses"], args.get("threshold")),
+    "nearest": lambda subject, args: nearest(subject, args["pose"], args.get("threshold")),
+    "manual": lambda subject, args: replayed(subject, args["commands"]),
+    "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),
+    "compose": lambda subject, args: composed(args["drawing"]),
+    "save": lambda subject, args: saved(subject, args["pose"], args["what"], args.get("threshold")),
 }
 
 
-def answer(name: str, subject: Subject | None, args: Args, tell: Tell) -> Any:
+def answer(name: str, subject: Subject | None, args: Args) -> Any:
     """The result of a method whose arguments were checked; `subject` is that of their source, if they have one."""
-    return ANSWERS[name](subject, args, tell)
+    return ANSWERS[name](subject, args)

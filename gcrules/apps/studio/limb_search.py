@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import degrees as to_degrees
 from math import radians
 
@@ -12,6 +11,7 @@ from gcrules.apps.studio.moving import configuration
 from gcrules.apps.studio.protocol.answer_views import Nearest, SingularPoseView
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
+from gcrules.core.budget import report
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.mechanism import Mechanism
@@ -30,7 +30,7 @@ stop, and the closer they are, the worse they tell the pose."""
 _NO_PROOF = "one coordinate of the platform at a time was searched; this is no proof that nothing singular lies nearer"
 
 
-def first_around(subject: Subject, pose: PoseJson, tell: Callable[[str], None]) -> Nearest:
+def first_around(subject: Subject, pose: PoseJson) -> Nearest:
     """The first singular poses along the coordinates of the platform, the closest one first, with what was searched in
     words. Raises InputError where the robot does not assemble at the pose.
     """
@@ -45,7 +45,7 @@ def first_around(subject: Subject, pose: PoseJson, tell: Callable[[str], None]) 
     stops: list[str] = []
     every = tuple(ways(at))
     for way in every:
-        tell(f"searching along {way}")
+        report(f"searching along {way}")
         try:
             one = along(at, subject.robot, way)
         except InputError:
@@ -55,7 +55,7 @@ def first_around(subject: Subject, pose: PoseJson, tell: Callable[[str], None]) 
     views: list[SingularPoseView] = []
     lost: list[str] = []
     for one in sorted(met, key=lambda one: one.apart):
-        tell(f"setting the actuators along {one.way}")
+        report(f"setting the actuators along {one.way}")
         view = _view(subject, at, one, now, pose)
         if view:
             views.append(view)

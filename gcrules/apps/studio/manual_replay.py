@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gcrules.apps.studio.faults import fault_view
@@ -12,6 +12,7 @@ from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.study import condition_view
 from gcrules.apps.studio.subject import Subject
 from gcrules.conditions.manual import Outcome, Record, Session
+from gcrules.core.budget import report
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.views.report.scene_json import entity_data
 from gcrules.views.scene_data import EntityView, Vec3
@@ -19,7 +20,7 @@ from gcrules.views.scene_data import EntityView, Vec3
 __all__ = ["replayed"]
 
 
-def replayed(subject: Subject, commands: Sequence[str], tell: Callable[[str], None]) -> Manual:
+def replayed(subject: Subject, commands: Sequence[str]) -> Manual:
     """What the commands lead to; the first one at fault stops them. Raises InputError where there are no six legs."""
     s = subject.structure
     if s is None or s.rank != 4 or s.stand_ins:
@@ -27,7 +28,7 @@ def replayed(subject: Subject, commands: Sequence[str], tell: Callable[[str], No
     session = Session.start(s)
     fault: FaultView | None = None
     for n, command in enumerate(commands, 1):
-        tell(f"step {n} of {len(commands)}")
+        report(f"step {n} of {len(commands)}")
         try:
             session = session.do(command)
         except GcrulesError as wrong:

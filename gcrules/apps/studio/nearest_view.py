@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 from gcrules.apps.studio.limb_search import first_around
 from gcrules.apps.studio.numbers import exact_pose
@@ -11,6 +10,7 @@ from gcrules.apps.studio.protocol.answer_views import Nearest, SingularPoseView
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
+from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import InputError
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.poses.pose_report import report
@@ -27,18 +27,18 @@ _WORDS = {
 }
 
 
-def nearest(subject: Subject, pose: PoseJson, threshold: str | None, tell: Callable[[str], None]) -> Nearest:
+def nearest(subject: Subject, pose: PoseJson, threshold: str | None) -> Nearest:
     """Those in translation, in rotation, in both; for a robot with limbs, those that a search finds around the pose.
 
     Raises InputError where the platform does not move.
     """
     if subject.limbed:
-        return first_around(subject, pose, tell)
+        return first_around(subject, pose)
     moving, a = subject.moving, subject.analysis
     if moving is None or a is None:
         why = subject.why_not or "the nearest singular pose is sought for platforms on six legs"
         raise InputError(why)
-    tell("seeking the nearest singular poses")
+    report_progress("seeking the nearest singular poses")
     limit = threshold_of(threshold, subject.unit)
     found = report(a, moving, exact_pose(pose), threshold=limit, accuracy=ROUNDING * moving.size)
     return {"found": [_view(n, n.pose, subject.unit) for n in found.nearest if n.pose is not None]}

@@ -16,7 +16,7 @@ from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.wire import Job, Tell, framed, read_frame
 from gcrules.core.errors import EngineFault, GcrulesError, LimitReached
 
-__all__ = ["Pool", "Told"]
+__all__ = ["Pool", "WorkerFault"]
 
 _GONE = (asyncio.IncompleteReadError, ConnectionError)  # what is seen of a worker that has ended
 _STILL = 1.0  # seconds after which it is said that work goes on
@@ -24,7 +24,7 @@ _LATE = 5.0
 _MOST = 16_000_000  # bytes of an answer that are taken in at once
 
 
-class Told(GcrulesError):
+class WorkerFault(GcrulesError):
     """A fault that a worker has put into words already."""
 
     def __init__(self, view: FaultView) -> None:
@@ -43,7 +43,7 @@ class Pool:
         self.starting: set[asyncio.Task[None]] = set()
 
     async def run(self, job: Job, seconds: float, tell: Tell) -> tuple[Any, Any]:
-        """The result of a job, and its subject. Raises Told for faults, LimitReached after so many seconds (a
+        """The result of a job, and its subject. Raises WorkerFault for faults, LimitReached after so many seconds (a
         little later where the worker does not notice it).
 
         Where the task is cancelled the worker is ended. A worker that something else has ended, waiting or at work, is
@@ -63,7 +63,7 @@ class Pool:
             except _GONE:
                 raise EngineFault("the worker has ended by itself, twice") from None
         if kind == "fault":
-            raise Told(value)
+            raise WorkerFault(value)
         return value, subject
 
     async def _done(self, job: Job, tell: Tell, *, fresh: bool = False) -> Any:

@@ -30,7 +30,7 @@ _ENGINE = "gcrules.apps.studio.answers"  # loaded beside the first page, not bef
 def _numbers(name: str, subject: Subject, args: Mapping[str, Any], running: list[Budget]) -> Any:
     with within(METHODS[name].seconds) as budget:
         running.append(budget)
-        return import_module(_ENGINE).answer(name, subject, args, lambda _: None)
+        return import_module(_ENGINE).answer(name, subject, args)
 
 
 def _load() -> None:

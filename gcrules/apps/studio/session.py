@@ -13,7 +13,7 @@ from typing import Any
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from gcrules.apps.studio.faults import CANCELLED, SUPERSEDED, fault_view, limit, own_fault
-from gcrules.apps.studio.pool import Told
+from gcrules.apps.studio.pool import WorkerFault
 from gcrules.apps.studio.protocol.checking import choice, decoded, number, record, text
 from gcrules.apps.studio.protocol.methods import LONGEST, METHODS
 from gcrules.apps.studio.protocol.study_views import FaultView
@@ -157,7 +157,7 @@ class Session:
             if request.id not in self.why:
                 raise
             await self._fault(request.id, self.why[request.id])
-        except Told as fault:
+        except WorkerFault as fault:
             await self._fault(request.id, fault.view)
         except GcrulesError as fault:
             await self._fault(request.id, fault_view(fault))

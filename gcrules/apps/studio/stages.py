@@ -14,13 +14,14 @@ from gcrules.apps.studio.items import fact, formula, said, table
 from gcrules.apps.studio.limbs import limb_stages, part_items
 from gcrules.apps.studio.protocol.study_views import Item, OrdersItem, Piece, StageView, StepView
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.theory import STAGES
+from gcrules.apps.studio.theory import THEORY
 from gcrules.conditions.analysis import Analysis
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.condition import Entity
 from gcrules.views.drawing.figures import distinct_entities
 from gcrules.views.drawing.scene_parts import entity_label
-from gcrules.views.report.stages import Fact, Formula, stages
+from gcrules.views.report.stage_ids import TITLES
+from gcrules.views.report.stages import Fact, Formula, Recognised, recognised, structure_items
 
 __all__ = ["stage_views"]
 
@@ -40,19 +41,19 @@ def stage_views(subject: Subject) -> list[StageView]:
 
 def stage(key: str, items: Iterable[Item]) -> StageView:
     """A stage with the words that belong to it."""
-    told = STAGES[key]
-    return {"id": key, "title": told.title, "why": told.why, "more": list(told.more), "items": list(items)}
+    theory = THEORY[key]
+    return {"id": key, "title": TITLES[key], "why": theory.why, "more": list(theory.more), "items": list(items)}
 
 
 def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, list[Item]]]:
-    told = {s.title: s.items for s in stages(a)}
-    yield "structure", [_plain(i) for i in told["Structure"]]
+    yield "structure", [_plain(i) for i in structure_items(a)]
     n = len(a.typed.polynomial)
     yield "superbracket", [said(f"{_terms(n)} left for the legs in the order typed."), table(a.typed.polynomial)]
     if a.shortest.form:
         yield "shortest", list(_shortest(a))
-    if a.claim is not None:
-        yield from _entities(a)
+    found = recognised(a)
+    if found is not None:
+        yield from _entities(a, found)
     c = a.condition
     left = ex.mul(c.cofactor, a.structure.superbracket)
     parts = part_items(robot) if robot is not None else ()
@@ -111,31 +112,21 @@ def _orders(a: Analysis) -> OrdersItem:
 # --- entities ------------------------------------------------------------------------------------------------------
 
 
-def _entities(a: Analysis) -> Iterator[tuple[str, list[Item]]]:
+def _entities(a: Analysis, found: Recognised) -> Iterator[tuple[str, list[Item]]]:
     """What was recognised in the terms, kind by kind, with the terms beside it."""
-    assert a.claim is not None
-    state = a.claim.state
+    superbracket = a.structure.superbracket
     rows = table(a.shortest.polynomial, a.shortest.sign)
-    sets = {kind: [e for e in a.entities if e.kind == kind] for kind in ("tetrahedron", "plane", "line")}
-    planes, more_planes = _cut(sets["plane"], len(state.planes))
-    lines, more_lines = _cut(sets["line"], len(state.lines))
-    yield "tetrahedra", [*_shown(a, sets["tetrahedron"], "No bracket stands in every term."), rows]
-    yield "planes", [*_shown(a, planes, "No three points stay together in every term."), rows]
-    items = _shown(a, lines, "No two further points stay together in every term.")
-    if state.planes or state.lines:
-        items += [said("With the entities in front:")]
-        items += [formula(a.structure.superbracket, ex.signed(state.sign, state.collected()))]
+    yield "tetrahedra", [*_shown(a, found.tetrahedra, "No bracket stands in every term."), rows]
+    yield "planes", [*_shown(a, found.planes, "No three points stay together in every term."), rows]
+    items = _shown(a, found.lines, "No two further points stay together in every term.")
+    if found.front is not None:
+        items += [said("With the entities in front:"), formula(superbracket, found.front)]
     yield "lines", [*items, rows]
-    if state.left:
-        names = ", ".join(state.named(state.left))
-        what = "the last plane" if more_planes else "lines"
-        dotted = [step.after for step in a.derivation if step.rule.startswith("left-over")]
-        items = [said(f"Left over: {names}. They are taken as {what}."), *_shown(a, [*more_planes, *more_lines], "")]
-        yield "left-over", [*items, *(formula(a.structure.superbracket, e) for e in dotted)]
-
-
-def _cut(found: Sequence[Entity], n: int) -> tuple[list[Entity], list[Entity]]:
-    return list(found[:n]), list(found[n:])
+    if found.left:
+        what = "the last plane" if found.left_planes else "lines"
+        items = [said(f"Left over: {', '.join(found.left)}. They are taken as {what}.")]
+        items += _shown(a, [*found.left_planes, *found.left_lines], "")
+        yield "left-over", [*items, *(formula(superbracket, e) for e in found.dotted)]
 
 
 def _shown(a: Analysis, entities: Sequence[Entity], none: str) -> list[Item]:

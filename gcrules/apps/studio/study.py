@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import log10
 
 from gcrules.algebra import expr as ex
@@ -16,6 +15,7 @@ from gcrules.apps.studio.protocol.study_views import Axis, ConditionView, EntryV
 from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.subject import Subject
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.budget import report
 from gcrules.rules.condition import Condition
 from gcrules.views.drawing.figures import distinct_entities
 from gcrules.views.report.scene_json import entity_data
@@ -24,10 +24,10 @@ from gcrules.views.scene_data import EntityView
 __all__ = ["condition_view", "entity_views", "study"]
 
 
-def study(subject: Subject, tell: Callable[[str], None]) -> Study:
+def study(subject: Subject) -> Study:
     """Everything about the structure, for the page."""
     a = subject.analysis
-    tell("stages")
+    report("stages")
     return {
         "title": subject.title,
         "note": subject.note,

@@ -9,21 +9,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-__all__ = ["STAGES", "Told"]
+__all__ = ["THEORY", "Theory"]
 
 
 @dataclass(frozen=True)
-class Told:
-    """The heading of a step, `why` for a reader who sees it for the first time, `more` for one who wants the theory."""
+class Theory:
+    """`why` is for a reader who sees the step for the first time, `more` for one who wants the theory."""
 
-    title: str
     why: str
     more: tuple[str, ...]
 
 
-STAGES: Mapping[str, Told] = {
-    "limbs": Told(
-        "Limbs",
+THEORY: Mapping[str, Theory] = {
+    "limbs": Theory(
         "Each limb joins the base to the platform by a chain of joints. With its motors locked, a limb can still give "
         "way in some directions and resists in others; the forces and couples with which it resists are its wrenches. "
         "All limbs together must resist every motion of the platform, or the robot is singular.",
@@ -39,8 +37,7 @@ STAGES: Mapping[str, Told] = {
             "freedom that it should not have. [JoshiTsai2002]",
         ),
     ),
-    "equivalent": Told(
-        "Equivalent structure",
+    "equivalent": Theory(
         "A force acts along a line, and a couple acts along a line at infinity. So the six wrenches of the limbs can "
         "be drawn as six lines between points of the robot: an equivalent platform with six legs. What is true of its "
         "lines is true of the robot, and the same procedure serves both.",
@@ -54,8 +51,7 @@ STAGES: Mapping[str, Told] = {
             "[SinguLab2008] [Gallardo2006]",
         ),
     ),
-    "structure": Told(
-        "Structure",
+    "structure": Theory(
         "A platform on six legs is held by six forces, one along each leg. Whether they hold it depends only on the "
         "six lines on which the legs lie, so the robot is written down as six pairs of points: a leg from a joint of "
         "the base to a joint of the platform. Legs that meet in one joint share its letter.",
@@ -67,8 +63,7 @@ STAGES: Mapping[str, Told] = {
             "[SinguLab2008]",
         ),
     ),
-    "superbracket": Told(
-        "Superbracket",
+    "superbracket": Theory(
         "The six lines, each written as six numbers (its Plücker coordinates), are the rows of a square matrix. The "
         "legs lose control of the platform exactly when the determinant of this matrix is zero. It is called the "
         "superbracket. Written out in brackets, where [abcd] is six times the volume of a tetrahedron with a sign, "
@@ -84,8 +79,7 @@ STAGES: Mapping[str, Told] = {
             "[White1983] [SinguLab2008]",
         ),
     ),
-    "shortest": Told(
-        "Shortest form",
+    "shortest": Theory(
         "The same determinant can be written in many ways: the order of its six rows changes nothing but the sign, "
         "yet it changes which terms survive. All 720 orders are tried, in two ways of writing the sum. The fewer "
         "terms are left, the more geometry shows.",
@@ -98,8 +92,7 @@ STAGES: Mapping[str, Told] = {
             "again here. Two forms with equally few terms may show different entities. [SinguLab2008] [Downing2002]",
         ),
     ),
-    "tetrahedra": Told(
-        "Tetrahedra",
+    "tetrahedra": Theory(
         "A bracket that stands in every term can be taken out as a factor. If it is zero, the whole sum is: then four "
         "joints lie in one plane, and the tetrahedron that they span is flat. So each common bracket is already a "
         "singularity, seen without any further work.",
@@ -110,8 +103,7 @@ STAGES: Mapping[str, Told] = {
             "other ends of the three legs is flat. [SinguLab2008]",
         ),
     ),
-    "planes": Told(
-        "Planes",
+    "planes": Theory(
         "Three points that stay together in one bracket of every term always act together: as the plane through them. "
         "A point that is needed in two such planes is told apart by a star (a and a*).",
         (
@@ -121,8 +113,7 @@ STAGES: Mapping[str, Told] = {
             "plane. [SinguLab2008]",
         ),
     ),
-    "lines": Told(
-        "Lines",
+    "lines": Theory(
         "Two points that stay together in one bracket of every term act as the line through them.",
         (
             "A pair of points that exchange their places with a change of sign, P(a, b) + P(b, a) = 0, enters the sum "
@@ -130,8 +121,7 @@ STAGES: Mapping[str, Told] = {
             "the terms themselves. [SinguLab2008]",
         ),
     ),
-    "left-over": Told(
-        "Left-over points",
+    "left-over": Theory(
         "Every point stands in the sum as often as legs meet in it. Some of these places are taken by the planes and "
         "lines found so far; the points of the others are left over. They make up the last plane, or lines, and it is "
         "tested which.",
@@ -142,8 +132,7 @@ STAGES: Mapping[str, Told] = {
             "left over, and are tried as two pairs with P(x, y) + P(y, x) = 0. [SinguLab2008] [White1991]",
         ),
     ),
-    "condition": Told(
-        "Condition",
+    "condition": Theory(
         "The entities are put together to one expression: planes that meet, lines that meet planes. It is a guess only "
         "until it is multiplied out again: it counts when its expansion is the superbracket, term by term, with the "
         "right sign.",
@@ -158,8 +147,7 @@ STAGES: Mapping[str, Told] = {
             "there; value and verdict therefore always come from the superbracket itself.",
         ),
     ),
-    "statement": Told(
-        "Statement",
+    "statement": Theory(
         "The condition in words. Nothing in it depends on coordinates: it can be checked with a pencil on a drawing, "
         "and it tells a designer what to avoid.",
         (
@@ -171,8 +159,7 @@ STAGES: Mapping[str, Told] = {
             "the pencil that p and q span.",
         ),
     ),
-    "check": Told(
-        "Check",
+    "check": Theory(
         "An answer that cannot be checked is worth little. Every step from the six legs to the condition is listed, "
         "with the rule that made it; each was replayed with exact numbers by a part of the program that knows nothing "
         "of the rules.",

@@ -6,7 +6,7 @@ import os
 import sys
 import threading
 import traceback
-from time import sleep
+from time import monotonic, sleep
 from typing import Any
 
 from gcrules.apps.studio.answers import answer
@@ -15,23 +15,27 @@ from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.apps.studio.subject import Subject, read_subject
 from gcrules.apps.studio.wire import Job, Tell, framed, key_of, read
 from gcrules.core.alarm import limited
+from gcrules.core.budget import report, within
 from gcrules.core.errors import GcrulesError
 
 __all__ = ["done", "serve"]
 
 _KEPT = 8
+_PACE = 0.05  # seconds between two words of progress, of which a search has thousands
 _LOOK = 1.0  # seconds between two looks whether the server is there
 
 
 def done(job: Job, known: dict[str, Subject], tell: Tell) -> tuple[str, Any, Subject | None]:
-    """What came of a job: ("done", result, subject) or ("fault", fault, None). `known` are subjects of earlier ones."""
+    """What came of a job: ("done", result, subject) or ("fault", fault, None). `known` are subjects of earlier ones,
+    `tell` hears how far it is.
+    """
     name, args, subject = job
     try:
-        with limited(METHODS["open" if name == "subject" else name].seconds):
+        with within(progress=tell), limited(METHODS["open" if name == "subject" else name].seconds):
             source = args.get("source")
             if source is not None:
-                subject = _subject(source, subject, known, tell)
-            result = None if name == "subject" else answer(name, subject, args, tell)
+                subject = _subject(source, subject, known)
+            result = None if name == "subject" else answer(name, subject, args)
             return "done", result, subject
     except GcrulesError as fault:
         return "fault", fault_view(fault), None
@@ -44,12 +48,12 @@ def done(job: Job, known: dict[str, Subject], tell: Tell) -> tuple[str, Any, Sub
         return "fault", own_fault(f"{type(fault).__name__}: {fault}"), None
 
 
-def _subject(source: Any, given: Subject | None, known: dict[str, Subject], tell: Tell) -> Subject:
+def _subject(source: Any, given: Subject | None, known: dict[str, Subject]) -> Subject:
     """A subject that was used before has more of itself worked out than one that was just sent."""
     key = key_of(source)
     found = known.pop(key, None) or given
     if found is None:
-        tell("analysing")
+        report("analysing")
         found = read_subject(source)
     known[key] = found
     while len(known) > _KEPT:
@@ -76,12 +80,20 @@ def serve() -> None:
         outward.write(framed(frame))
         outward.flush()
 
+    told = 0.0
+
+    def tell(words: str) -> None:
+        nonlocal told
+        if monotonic() - told >= _PACE:
+            told = monotonic()
+            put(("progress", words, None))
+
     while True:
         try:
             job = read(inward)
         except EOFError:
             return
-        put(done(job, known, lambda words: put(("progress", words, None))))
+        put(done(job, known, tell))
 
 
 if __name__ == "__main__":

@@ -16,14 +16,14 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from os import PathLike
 from typing import Any
 
 import numpy as np
 
 from gcrules.conditions.analysis import Analysis
-from gcrules.core.budget import checkpoint
+from gcrules.core.budget import checkpoint, report
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.seeds import drawn
 from gcrules.core.version import __version__
@@ -45,10 +45,9 @@ from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, closen
 __all__ = ["MEASURES", "bytes_of", "done", "planned", "singular_map"]
 
 MEASURES = ("closeness", "value")
+_BAR = 24
 MAX_HELD = 8_000_000
 """Poses whose numbers are kept in memory; more need a folder for the work."""
-
-Told = Callable[[int, int], None]
 
 
 def singular_map(
@@ -62,11 +61,10 @@ def singular_map(
     measure: str = "closeness",
     work: str | PathLike[str] | None = None,
     restart: bool = False,
-    tell: Told = lambda done, number: None,
 ) -> SingularMap:
-    """`gcrules.singular_map`, which says what the arguments are. `tell` hears how many poses of how many are done."""
+    """`gcrules.singular_map`, which says what the arguments are."""
     analysis, task, limit = planned(robot, over, at, about, limits, threshold, measure)
-    return done(analysis, task, limit, work=work, restart=restart, tell=tell)
+    return done(analysis, task, limit, work=work, restart=restart)
 
 
 def done(
@@ -76,7 +74,6 @@ def done(
     *,
     work: str | PathLike[str] | None = None,
     restart: bool = False,
-    tell: Told = lambda done, number: None,
 ) -> SingularMap:
     """What was planned, computed; raises as `singular_map`."""
     store: Store = Memory()
@@ -87,7 +84,7 @@ def done(
             f"{task.grid.size:,} poses: more than {MAX_HELD:,} are not kept in memory",
             hint='name a folder for them, work="map.part" (the command does so for -o map.nc), or take a coarser grid',
         )
-    summary = _computed(task, store, limit, tell)
+    summary = _computed(task, store, limit)
     found = SingularMap(task, analysis.condition, limit, store, summary, notes=task.grid.notes)
     curves = _curves(found) if len(task.grid.axes) == 2 and not task.everywhere else ()
     return SingularMap(task, analysis.condition, limit, store, summary, curves, task.grid.notes)
@@ -139,7 +136,7 @@ def _manifest(task: Task) -> dict[str, Any]:
     return {**found, "fingerprint": digest}
 
 
-def _computed(task: Task, store: Store, limit: Threshold, tell: Told) -> Summary:
+def _computed(task: Task, store: Store, limit: Threshold) -> Summary:
     assert limit.angle is not None
     sigma = closeness_of(limit.angle)
     parts: list[Summary] = []
@@ -155,10 +152,15 @@ def _computed(task: Task, store: Store, limit: Threshold, tell: Told) -> Summary
             kept.append(n)
         parts.append(summed(chunk, task, n, sigma))
         poses += parts[-1].poses
-        tell(poses, task.grid.size)
+        report(_bar(poses, task.grid.size))
     if kept and isinstance(store, Folder):
         _check_kept(task, store, drawn("map", str(store.path), len(kept)).choice(kept))
     return together(parts)
+
+
+def _bar(done: int, number: int) -> str:
+    full = done * _BAR // number
+    return f"[{'#' * full}{'.' * (_BAR - full)}] {100 * done // number:3d} % of {number:,} poses"
 
 
 def _check_kept(task: Task, store: Folder, n: int) -> None:

@@ -13,8 +13,8 @@ from math import floor
 from typing import Literal
 from unicodedata import east_asian_width
 
+from gcrules.algebra.language.notation import split_name
 from gcrules.views.drawing.palette import ROLES
-from gcrules.views.formulas.notation import split_name
 
 __all__ = [
     "XY",

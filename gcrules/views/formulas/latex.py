@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from gcrules.algebra.expr import Expr
-from gcrules.views.formulas.notation import Digits, Mark, Name, Raised, Sign, Term, signs, split_name, terms
+from gcrules.algebra.language.notation import Digits, Mark, Raised, Row, Sign, Term, parts, signs, split_name, terms
 
-__all__ = ["latex", "latex_aligned", "latex_lines", "latex_name"]
+__all__ = ["latex", "latex_aligned", "latex_lines", "latex_name", "latex_parts"]
 
 _MARKS = {
     "∨": r" \vee ",
@@ -24,6 +24,7 @@ _MARKS = {
     "negative": "-",
     ",": r",\, ",
     "space": r"\,",
+    "times": "",
     "[[": r"[\![",
     "]]": r"]\!]",
 }
@@ -32,6 +33,18 @@ _MARKS = {
 def latex(e: Expr) -> str:
     """The LaTeX of an expression, without dollar signs; it needs no package beyond the mathematics of LaTeX itself."""
     return _spelled(signs(e))
+
+
+def latex_parts(e: Expr) -> Iterator[tuple[str, Expr]]:
+    """The LaTeX in pieces after which a line may end, each with the expression that it shows; signs between operands
+    stand at the beginning of a piece.
+    """
+    for term, part in parts(e):
+        first = term[0].sign if isinstance(term[0], Mark) else ""
+        yield (_LEADS[first] + _spelled(term[1:]) if first in _LEADS else _spelled(term)), part
+
+
+_LEADS = {"+": "{}+", "−": "{}-", "∧": r"{}\wedge "}
 
 
 def latex_lines(e: Expr, width: int = 60) -> list[str]:
@@ -97,8 +110,8 @@ def _spelled(term: Term) -> str:
 
 def _sign(sign: Sign) -> str:
     match sign:
-        case Name(name=name, dotted=dotted):
-            return latex_name(name, dotted)
+        case Row():
+            return (r"\," if sign.words else "").join(latex_name(n, d) for n, d in sign.dotted)
         case Digits(value=Fraction(numerator=above, denominator=below)) if below != 1:
             return rf"\frac{{{above}}}{{{below}}}"
         case Digits(value=value):
@@ -116,11 +129,11 @@ def _width(term: Term) -> int:
 
 def _sign_width(sign: Sign) -> int:
     match sign:
-        case Name(name=name):
-            return len(name)
+        case Row(names=names):
+            return sum(map(len, names)) + sign.words * (len(names) - 1)
         case Digits(value=value):
             return max(len(str(value.numerator)), len(str(value.denominator)))
         case Raised(base=base):
             return _width(base) + 1
         case Mark(sign=mark):
-            return 3 if mark in "∨∧+−" else 1
+            return 3 if mark in "∨∧+−" else int(mark != "times")

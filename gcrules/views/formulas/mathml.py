@@ -11,7 +11,7 @@ from fractions import Fraction
 from html import escape
 
 from gcrules.algebra.expr import Expr
-from gcrules.views.formulas.notation import Digits, Mark, Name, Raised, Sign, Term, signs, split_name, terms
+from gcrules.algebra.language.notation import Digits, Mark, Raised, Row, Sign, Term, signs, split_name, terms
 
 __all__ = ["mathml", "mathml_terms"]
 
@@ -23,6 +23,7 @@ _MARKS = {
     "negative": '<mo form="prefix">−</mo>',
     ",": '<mo separator="true">,</mo>',
     "space": '<mspace width="0.17em"></mspace>',
+    "times": "",
     "[[": '<mo fence="true" stretchy="false" form="prefix">⟦</mo>',
     "]]": '<mo fence="true" stretchy="false" form="postfix">⟧</mo>',
     "[": '<mo fence="true" stretchy="false" form="prefix">[</mo>',
@@ -52,8 +53,8 @@ def _row(term: Term) -> str:
 
 def _sign(sign: Sign) -> str:
     match sign:
-        case Name(name=name, dotted=dotted):
-            return _name(name, dotted)
+        case Row():
+            return (_MARKS["space"] if sign.words else "").join(_name(n, d) for n, d in sign.dotted)
         case Digits(value=Fraction(numerator=above, denominator=below)) if below != 1:
             return f"<mfrac><mn>{above}</mn><mn>{below}</mn></mfrac>"
         case Digits(value=value):

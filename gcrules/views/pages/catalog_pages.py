@@ -7,19 +7,20 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from importlib.resources import files
 from itertools import combinations
 from os import PathLike
 from textwrap import wrap
 
-from gcrules.algebra.expr import Expr, Sum
+from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.legs_text import Structure, leg_text, legs_text
-from gcrules.algebra.language.text import text
+from gcrules.algebra.language.text import text, text_terms
 from gcrules.algebra.shortening.shorten import shorten
 from gcrules.conditions.analysis import Analysis, analyze
 from gcrules.conditions.example_poses import WorkedPose
+from gcrules.core.budget import report
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import SHIPPED, Entry
 from gcrules.rules.condition import Condition
@@ -51,20 +52,17 @@ def catalog_pages(
     bibliography: Mapping[str, str],
     catalogs: Sequence[str | PathLike[str]] = (),
     strategy: Strategy | None = None,
-    *,
-    tell: Callable[[str], None] | None = None,
 ) -> dict[str, str]:
     """File names (relative to the folder of the pages) and contents.
 
     `bibliography` gives a line for each source; `catalogs` names the files that the catalog was loaded from besides the
-    shipped one, `strategy` the rules that run, for the analysis; `tell` is told how far it is.
+    shipped one, `strategy` the rules that run, for the analysis.
     """
     names = page_names(e.id for e in catalog.entries)
     links = neighbours(catalog)
     pages: dict[str, str] = {}
     for number, entry in enumerate(catalog.entries, 1):
-        if tell is not None:
-            tell(f"{entry.id}, {number} of {len(catalog.entries)}")
+        report(f"{entry.id}, {number} of {len(catalog.entries)}")
         a = analyze(entry.structure, catalogs=catalogs, recheck=True, strategy=strategy)
         poses = _worked(a)
         at = {word: _cartesian(pose) for word, pose in poses.items()}
@@ -264,9 +262,7 @@ _WIDTH = 92
 
 def _formula(a: Analysis, e: Expr, indent: str = "") -> list[str]:
     """The lines of an expression: broken between terms, a term that is too long for a line at its operations."""
-    first, *others = (_math(a, t) for t in (e.terms if isinstance(e, Sum) else (e,)))
-    terms = [first, *(f"− {t[1:]}" if t[0] == "−" else f"+ {t}" for t in others)]
-    return _wrapped(terms, indent)
+    return _wrapped(text_terms(e, unicode=True, names=a.structure.names), indent)
 
 
 def _wrapped(pieces: Iterable[str], indent: str) -> list[str]:

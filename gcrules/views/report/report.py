@@ -47,7 +47,7 @@ def report(analysis: Analysis | RobotAnalysis, *, interactive: bool = True) -> s
         *([_numbers(analysis.pose)] if analysis.pose else []),
         "<h2>Step by step</h2>",
         '<ol class="stages">',
-        *(_stage(s) for s in stages(analysis) if s.title != "In this pose"),
+        *(_stage(s) for s in stages(analysis) if s.id != "pose"),
         "</ol>",
         _derivation(analysis),
         footer(),

@@ -2,7 +2,7 @@ r"""The stages of an analysis as a list of values that text, LaTeX and HTML are 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
@@ -16,8 +16,9 @@ from gcrules.core.english import listed
 from gcrules.core.floats import decimal
 from gcrules.rules.condition import Condition, Entity
 from gcrules.screws.verdict import CLOSE
+from gcrules.views.report.stage_ids import TITLES
 
-__all__ = ["Fact", "Formula", "Item", "Stage", "stages", "verdict_of"]
+__all__ = ["Fact", "Formula", "Item", "Recognised", "Stage", "recognised", "stages", "structure_items", "verdict_of"]
 
 
 @dataclass(frozen=True)
@@ -41,16 +42,38 @@ Item = str | Fact | Formula
 
 @dataclass(frozen=True)
 class Stage:
-    """A heading, what is done there and why, and the results."""
+    """What is done there and why, and the results; `id` is a key of `TITLES`."""
 
-    title: str
+    id: str
     why: str
     items: tuple[Item, ...]
+
+    @property
+    def title(self) -> str:
+        """The heading."""
+        return TITLES[self.id]
+
+
+@dataclass(frozen=True)
+class Recognised:
+    """What was recognised in the terms of the shortest form: entities of each kind, then the points that are left, and
+    the plane or the lines that they are taken as. `front` is the sum with the entities in front, None where there are
+    none; `dotted` are the sums over the places of the points that are left.
+    """
+
+    tetrahedra: tuple[Entity, ...]
+    planes: tuple[Entity, ...]
+    lines: tuple[Entity, ...]
+    front: Expr | None
+    left: tuple[str, ...]
+    left_planes: tuple[Entity, ...]
+    left_lines: tuple[Entity, ...]
+    dotted: tuple[Expr, ...]
 
 
 def stages(a: Analysis) -> list[Stage]:
     """All stages in the sequence of the published procedure."""
-    return [Stage(title, why, tuple(items)) for title, why, items in _stages(a)]
+    return [Stage(key, why, tuple(items)) for key, why, items in _stages(a)]
 
 
 def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
@@ -61,7 +84,7 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
         why = f"{number} legs, each a line between two joints."
     if s.stand_ins:
         why = f"{number} lines, each through two joints or built from points."
-    yield "Structure", why, _structure(a)
+    yield "structure", why, structure_items(a)
     why = f"The determinant of the {number.lower()} lines' Plücker coordinates; "
     why += "the robot is singular exactly when it is zero."
     if a.match is None:
@@ -70,7 +93,7 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
     if s.dead:
         why += f" Under the assumptions {_brackets(s)} vanish{'es' * (len(s.dead) == 1)}."
     yield (
-        "Superbracket",
+        "superbracket",
         why,
         [Formula(s.superbracket, a.typed.polynomial.to_expr()), _count(len(a.typed.polynomial))],
     )
@@ -78,27 +101,28 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
         order = ", ".join(s.words[i] for i in a.shortest.order)
         shown = f"{a.shortest.form}-term form, legs in the order {order}: {_count(len(a.shortest.polynomial))}."
         yield (
-            "Shortest form",
+            "shortest",
             "Repeated points make brackets vanish; the number of terms left depends on the order of the legs and the "
             "form.",
             [shown, Formula(s.superbracket, (a.shortest.polynomial * a.shortest.sign).to_expr())],
         )
-    if a.claim is not None:
-        yield from _entity_stages(a)
+    found = recognised(a)
+    if found is not None:
+        yield from _entity_stages(a, found)
     elif a.condition.kind != "always-singular" and s.rank == 4:
         why = "Tetrahedra, planes and lines in the terms that make an incidence equal to the superbracket."
-        yield "Entities", why, ["none"]
+        yield "entities", why, ["none"]
     incidence = _INCIDENCE if a.condition.cofactor == ONE else _WITH_COFACTOR
-    yield "Condition", _WHY.get(a.condition.kind, incidence), _condition(a.condition, a)
-    yield "Statement", "", [a.condition.sentence]
-    yield "Certificate", "", [a.condition.certificate.detail + ".", *_replay(a), *a.notes]
+    yield "condition", _WHY.get(a.condition.kind, incidence), _condition(a.condition, a)
+    yield "statement", "", [a.condition.sentence]
+    yield "certificate", "", [a.condition.certificate.detail + ".", *_replay(a), *a.notes]
     if a.pose:
-        yield "In this pose", "Numbers at the coordinates of the file.", _pose(a.pose)
+        yield "pose", "Numbers at the coordinates of the file.", _pose(a.pose)
     if a.readings:
         items: list[Item] = []
         for reading in a.readings:
             items += [f"{reading.kind}:", *_condition(reading, a), reading.sentence, f"({reading.certificate.detail})"]
-        yield "Other readings", "Further identities for the same superbracket.", items
+        yield "readings", "Further identities for the same superbracket.", items
 
 
 _INCIDENCE = "An incidence whose expansion equals the superbracket."
@@ -118,7 +142,8 @@ def _brackets(s: Structure) -> str:
 _MANY = 6
 
 
-def _structure(a: Analysis) -> list[Item]:
+def structure_items(a: Analysis) -> list[Item]:
+    """The legs, the two bodies, the class, and what is in special position."""
     s = a.structure
     items: list[Item] = [Fact("legs", s.text())]
     if s.base:
@@ -154,31 +179,42 @@ def _position(a: Analysis) -> list[Item]:
     return items
 
 
-def _entity_stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
-    assert a.claim is not None
+def recognised(a: Analysis) -> Recognised | None:
+    """What the conditions of an analysis were made of; None where no entities were looked for."""
+    if a.claim is None:
+        return None
     state = a.claim.state
-    entities = list(a.entities)
-    found = {kind: [_starred(e) for e in entities if e.kind == kind] for kind in ("tetrahedron", "plane", "line")}
-    planes, more_planes = found["plane"][: len(state.planes)], found["plane"][len(state.planes) :]
-    lines, more_lines = found["line"][: len(state.lines)], found["line"][len(state.lines) :]
-    yield "Tetrahedra", "Brackets common to all terms.", [", ".join(found["tetrahedron"]) or "none"]
+    of = {kind: tuple(e for e in a.entities if e.kind == kind) for kind in ("tetrahedron", "plane", "line")}
+    planes, lines = len(state.planes), len(state.lines)
+    return Recognised(
+        tetrahedra=of["tetrahedron"],
+        planes=of["plane"][:planes],
+        lines=of["line"][:lines],
+        front=ex.signed(state.sign, state.collected()) if planes or lines else None,
+        left=tuple(state.named(state.left)) if state.left else (),
+        left_planes=of["plane"][planes:],
+        left_lines=of["line"][lines:],
+        dotted=tuple(step.after for step in a.derivation if step.rule.startswith("left-over")),
+    )
+
+
+def _entity_stages(a: Analysis, found: Recognised) -> Iterator[tuple[str, str, list[Item]]]:
+    yield "tetrahedra", "Brackets common to all terms.", [_listed(found.tetrahedra)]
     why = "Triples of points that stay together in one bracket of every term; stars tell repeated points apart."
-    yield "Planes", why, [", ".join(planes) or "none"]
-    items: list[Item] = [", ".join(lines) or "none"]
-    if state.planes or state.lines:
-        items += [
-            "with the entities in front:",
-            Formula(a.structure.superbracket, ex.signed(state.sign, state.collected())),
-        ]
-    yield "Lines", "Pairs of points that stay together in one bracket of every term.", items
-    if state.left:
-        left = ", ".join(state.named(state.left))
-        what = f"as the plane {more_planes[0]}" if more_planes else f"as the line {' and the line '.join(more_lines)}"
+    yield "planes", why, [_listed(found.planes)]
+    items: list[Item] = [_listed(found.lines)]
+    if found.front is not None:
+        items += ["with the entities in front:", Formula(a.structure.superbracket, found.front)]
+    yield "lines", "Pairs of points that stay together in one bracket of every term.", items
+    if found.left:
+        what = " and ".join(f"the {e.kind} {_starred(e)}" for e in found.left_planes or found.left_lines)
         why = "The points that no plane and no line has taken make the last plane, or lines with P(x,y) + P(y,x) = 0."
-        items = [f"{left}: taken {what}"]
-        dotted = [step.after for step in a.derivation if step.rule.startswith("left-over")]
-        items += [Formula(a.structure.superbracket, e) for e in dotted]
-        yield "Left-over points", why, items
+        items = [f"{', '.join(found.left)}: taken as {what}"]
+        yield "left-over", why, [*items, *(Formula(a.structure.superbracket, e) for e in found.dotted)]
+
+
+def _listed(entities: Sequence[Entity]) -> str:
+    return ", ".join(map(_starred, entities)) or "none"
 
 
 def _condition(condition: Condition, a: Analysis) -> list[Item]:

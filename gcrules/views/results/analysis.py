@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from textwrap import indent
 
-from gcrules.algebra.expr import Expr, Sum
-from gcrules.algebra.language.text import text
+from gcrules.algebra.language.text import text, text_terms
 from gcrules.conditions.analysis import Analysis
 from gcrules.views.report.stages import Fact, Item, stages
 from gcrules.views.results.derivation import as_text as derivation_text
@@ -45,14 +44,8 @@ def _text_item(item: Item, a: Analysis, unicode: bool) -> list[str]:
     if isinstance(item, str):
         return _wrapped(item.split(), "   ")
     names = a.structure.names
-    terms = [text(t, unicode=unicode, names=names) for t in _terms(item.right)]
-    pieces = terms[:1] + [f"− {t[1:]}" if t[0] == "−" else f"- {t[1:]}" if t[0] == "-" else f"+ {t}" for t in terms[1:]]
     left = [text(item.left, unicode=unicode, names=names), "="] if item.left is not None else []
-    return _wrapped([*left, *pieces], "     ")
-
-
-def _terms(e: Expr) -> tuple[Expr, ...]:
-    return e.terms if isinstance(e, Sum) else (e,)
+    return _wrapped([*left, *text_terms(item.right, unicode=unicode, names=names)], "     ")
 
 
 def _wrapped(words: list[str], indent: str) -> list[str]:

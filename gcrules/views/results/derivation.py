@@ -20,8 +20,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from textwrap import wrap
 
-from gcrules.algebra.expr import Expr, Sum
-from gcrules.algebra.language.text import text
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.text import text, text_terms
 from gcrules.rules.derivation import Derivation
 from gcrules.views.formulas.latex import latex, latex_lines
 from gcrules.views.formulas.latex_text import latex_words
@@ -109,9 +109,8 @@ def _words(words: str, indent: str) -> Iterator[str]:
 
 def _formula(e: Expr, start: str, unicode: bool, names: tuple[str, ...]) -> list[str]:
     """An expression behind `start`, broken between its terms, inside them only where one is too long for a line."""
-    terms = [text(t, unicode=unicode, names=names) for t in (e.terms if isinstance(e, Sum) else (e,))]
-    pieces = terms[:1] + [f"{t[0]} {t[1:]}" if t[0] in "-−" else f"+ {t}" for t in terms[1:]]
     room = _WIDTH - 8
+    pieces = text_terms(e, unicode=unicode, names=names)
     words = [w for p in pieces for w in ([p] if len(p) <= room else p.split())]
     return _filled(words, start, " " * len(start) + "  ")
 

@@ -191,13 +191,13 @@ class _Pool:
     async def run(self, job: Any, seconds: float, tell: Callable[[str], None]) -> tuple[Any, Any]:
         import pickle
 
-        from gcrules.apps.studio.pool import Told
+        from gcrules.apps.studio.pool import WorkerFault
         from gcrules.apps.studio.worker import done
 
         await asyncio.sleep(0)
         kind, value, subject = pickle.loads(pickle.dumps(done(job, self.known, tell)))
         if kind == "fault":
-            raise Told(value)
+            raise WorkerFault(value)
         return value, subject
 
 
