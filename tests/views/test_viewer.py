@@ -286,6 +286,7 @@ def test_a_widget_of_a_robot_stays_at_home() -> None:
 def test_without_the_extra_a_widget_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "anywidget", None)
     monkeypatch.delitem(sys.modules, "gcrules.apps.notebook.widget", raising=False)
+    monkeypatch.setattr("gcrules.core.deferred._resolved", {})
     with pytest.raises(InputError, match="needs the package anywidget") as fault:
         gc.view("ab af cb cd ed ef")
     assert fault.value.hint == 'pip install "gcrules[widget]"'

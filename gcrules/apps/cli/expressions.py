@@ -39,7 +39,7 @@ def searched(
 ) -> _Answer:
     """The answer of a search about an expression; how it goes is shown."""
     e = read_expression(argument, space)
-    with working(task) as status:
+    with working(task):
         return search(
             e,
             points=space.points,
@@ -47,6 +47,5 @@ def searched(
             rank=space.rank,
             limit=limit,
             seconds=seconds,
-            progress=status.tell,
             **options,
         )
