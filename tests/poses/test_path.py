@@ -52,7 +52,7 @@ def robots(root: Any) -> dict[str, Analysis]:
     return {n: analyze(load_platform(root / "examples" / f"{n}.yaml")) for n in (*EXAMPLES, "octahedral-singular")}
 
 
-def rig_of(a: Analysis, about: Any = "origin") -> Rig:
+def rig_of(a: Analysis, about: Any = "centroid") -> Rig:
     assert a.platform is not None
     return rig(a.structure, a.platform, about)
 
