@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-import gcrules as gc
+from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.poses.maps.maps import planned
 from gcrules.screws.threshold import DEFAULT
 
@@ -28,7 +28,7 @@ OVER = ["x -300:300:160", "z -500:100:250"]
 
 
 def task(robot: str, over: list[str], measure: str) -> Any:
-    platform = gc.load_platform(EXAMPLES / f"{robot}.yaml")
+    platform = load_platform(EXAMPLES / f"{robot}.yaml")
     return planned(platform, over, None, "origin", None, DEFAULT, measure)[1]
 
 

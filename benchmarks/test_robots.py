@@ -10,15 +10,17 @@ from typing import Any
 import pytest
 
 import gcrules as gc
+from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.discovery import robots
-from gcrules.mechanisms.kinematics.mechanism import mechanism
+from gcrules.mechanisms.kinematics.linkage import linkage
 from gcrules.mechanisms.kinematics.solve import free_coordinates
+from gcrules.mechanisms.load import read_robot
 
 IDS = [one.id for one in robots()]
 
 
 def analysed(name: str) -> Callable[[], str]:
-    return lambda: gc.Robot.load(name).analyze().statement
+    return lambda: analyze_robot(read_robot(name)).statement
 
 
 def cold(name: str) -> Callable[[], str]:
@@ -41,10 +43,10 @@ def test_cold(ratio: Callable[..., Any], name: str) -> None:
 
 def posed(name: str) -> Callable[[], float]:
     """The joints solved for a pose anew, and all numbers there."""
-    robot = gc.Robot.load(name)
-    robot.pose()  # the analysis, once
-    at = dict.fromkeys(free_coordinates(mechanism(robot)), 0.05)
-    return lambda: robot.pose(at).closeness
+    robot = read_robot(name)
+    analysis = analyze_robot(robot)
+    at = dict.fromkeys(free_coordinates(linkage(robot)), 0.05)
+    return lambda: gc.pose(analysis, at).closeness
 
 
 @pytest.mark.parametrize("name", IDS)

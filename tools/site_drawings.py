@@ -14,6 +14,7 @@ from pathlib import Path
 from drawing_kit import BLUE, DOT, GREEN, ORANGE, Look, Space, between, caption, side_by_side, times
 
 import gcrules as gc
+from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.views.drawing.bsp import XYZ, Piece
 from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs, text_width
 from gcrules.views.drawing.figures import graph_figure, robot_figure
@@ -309,7 +310,7 @@ def desargues() -> Drawing:
 
 
 def _analysis(name: str) -> gc.Analysis:
-    return gc.analyze(gc.load_platform(ROOT / "examples" / f"{name}.yaml"))
+    return gc.analyze(load_platform(ROOT / "examples" / f"{name}.yaml"))
 
 
 def octahedral_graph() -> Drawing:
@@ -330,7 +331,7 @@ def four_dof() -> Drawing:
 
 def four_dof_limbs() -> Drawing:
     """The lines along which each limb of the robot can push."""
-    platform = gc.load_platform(ROOT / "examples" / "four-dof.yaml")
+    platform = load_platform(ROOT / "examples" / "four-dof.yaml")
     at = {n: tuple(map(float, c)) for n, c in platform.points.items()}
     s = Space()
     s.point("ink", **{n: p for n, p in at.items() if n[0] != "S"})  # type: ignore[arg-type]

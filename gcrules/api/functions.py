@@ -35,10 +35,11 @@ from gcrules.core import budget
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError, InputError, LimitReached, StepError, SyntaxFault
 from gcrules.core.seeds import repeated
+from gcrules.mechanisms.analyze import analyze as _analyze
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.mechanisms.description.platform_file import load_platform as _load_platform
-from gcrules.mechanisms.platform_analysis import analyze as _analyze
+from gcrules.mechanisms.load import Folders, Loaded, Source
+from gcrules.mechanisms.load import load as _load
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.library import Library
@@ -52,11 +53,12 @@ from gcrules.views.report.report import report as _report
 
 if TYPE_CHECKING:  # they load numpy
     from gcrules.poses.compiling.compiled import CompiledCondition
+    from gcrules.poses.limbs.report import RobotPose
     from gcrules.poses.loci.report import Locus
     from gcrules.poses.maps.report import SingularMap
-    from gcrules.poses.numbers.many import PoseNumbers
     from gcrules.poses.numbers.report import PoseReport
     from gcrules.poses.paths.report import PathReport
+    from gcrules.poses.pose import Answer
 
 __all__ = [
     "Analysis",
@@ -86,7 +88,7 @@ __all__ = [
     "evaluate",
     "expand",
     "factor",
-    "load_platform",
+    "load",
     "load_rules",
     "locus",
     "parse",
@@ -98,6 +100,7 @@ __all__ = [
     "seeded",
     "shorten",
     "shortest",
+    "singular",
     "singular_map",
     "straighten",
     "superbracket",
@@ -107,17 +110,16 @@ __all__ = [
 
 decided = deferred("gcrules.algebra.factoring.factorize:factor")
 shortened = deferred("gcrules.algebra.shortening.shorten:shorten")
-posed = deferred("gcrules.poses.pose_report:pose")
+posed = deferred("gcrules.poses.pose:pose")
+first_singular = deferred("gcrules.poses.pose:singular")
 along = deferred("gcrules.poses.path_report:path")
 computed = deferred("gcrules.poses.loci.locus:locus")
-made = deferred("gcrules.poses.compiling.compiled:compiled")
-mapped = deferred("gcrules.poses.maps.maps:singular_map")
+of_condition = deferred("gcrules.poses.compiling.compiled:compiled")
+made = deferred("gcrules.poses.maps.maps:singular_map")
 
 analyze = public(_analyze)
-load_platform = public(_load_platform)
 load_rules = public(_load_rules)
 parse = public(_parse)
-report = public(_report)
 transversals = public(_transversals)
 
 
@@ -290,32 +292,65 @@ def evaluate(e: str | Expr, points: dict[str, Any], *, rank: int | None = None, 
 
 
 @public
+def load(source: Source, *, plugins: Folders = (), points: Names = (), ideal: Names = ()) -> Loaded:
+    """What a source says: a `Structure` of legs, a `Platform` with coordinates, or a `Robot` of joints.
+
+    A source is legs ("ab af cb cd ed ef", or a sequence of pairs of names, read with `points` and `ideal`), the name or
+    the text of a geometry file or robot file, the id of a robot (shipped, or of `plugins`, folders of your own), of a
+    class of the catalog or of an example, a mapping with the data of a file, or what was loaded or analysed before,
+    which is given back. `analyze`, `report`, `view`, `pose`, `singular`, `path`, `locus`, `compiled` and `singular_map`
+    take the same. Raises InputError for what is none of these, FileError with all faults of a file.
+    """
+    return _load(source, plugins=plugins, points=points, ideal=ideal)
+
+
+@public
+def report(source: Source, *, interactive: bool = True, plugins: Folders = ()) -> str:
+    """The HTML page of a source's analysis; of a platform with coordinates also the robot in its pose and the numbers
+    there, of a robot with limbs these too.
+
+    `source` is what `load` takes. `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
+    """
+    return _report(_analyze(source, plugins=plugins), interactive=interactive)
+
+
+@public
 def pose(
-    robot: Platform | Analysis | str | PathLike[str],
+    source: Source,
     at: Any = None,
     *,
+    actuators: Any = None,
     quaternion: Any = None,
     rotation_vector: Any = None,
     euler: tuple[str, Any] | None = None,
     degrees: bool = False,
-    about: str | Sequence[Any] = "origin",
-    threshold: str = "0.5 deg",
+    about: str | Sequence[Any] = "centroid",
+    threshold: Any = "0.5 deg",
     accuracy: str | float | None = None,
-    nearest: bool = True,
-) -> PoseReport | PoseNumbers:
-    """How close a robot is to a singularity at one pose (a `PoseReport`), or at N poses (`PoseNumbers`, arrays).
+    nearest: bool | None = None,
+    plugins: Folders = (),
+) -> Answer:
+    """How close a mechanism is to a singularity at one pose, or at N poses.
 
-    `robot` is a platform with coordinates, its analysis, or the name of its geometry file. `at` is text as for
-    `gcrules pose --at`, a translation of three numbers, or N of these: a list of texts or an array (N, 3). The turn
-    beside it is one of `quaternion` (w, x, y, z), `rotation_vector`, `euler` = ("zyx", angles), each one row or N rows;
-    angles are in radians unless `degrees`. The file's coordinates are the identity; the platform turns `about` the
-    file's origin, the "centroid" of the platform's joints, or a point. `threshold` is an angle or a length ("2 deg",
-    "5 mm"), `accuracy` a length up to which the joints' places are known. `nearest=False` leaves out the search for
-    singular poses, which takes a second or two. Raises InputError for what is no pose and for degenerate robots.
+    `source` is what `load` takes, with coordinates; the answer for a platform is a `PoseReport` or, at N poses,
+    `PoseNumbers` (arrays), for a robot of joints a `RobotPose` or a tuple of them. `at` is text as for `gcrules pose
+    --at` ("z=5, roll=10deg", "0 0 5; euler zyx 20 0 10 deg"), a mapping from coordinates to numbers, a translation of
+    three numbers, or N of these: a list or an array (N, 3). The turn beside it is one of `quaternion` (w, x, y, z),
+    `rotation_vector`, `euler` = ("zyx", angles), each one row or N rows. Angles that are numbers are in radians unless
+    `degrees`. All are from the pose of the file; the platform turns `about` the "centroid" of its joints, the file's
+    "origin", or a point. A platform with fewer than six freedoms takes as many coordinates as it has; or its
+    `actuators`: text as "q1=0.1, q2=5deg", a mapping, or all of them in the order of the file.
+
+    `threshold` is an angle or, for platforms, a length ("2 deg", "5 mm"), `accuracy` a length up to which the joints'
+    places are known. The search for the `nearest` singular poses, which takes a second or two, is for platforms and
+    left out with False; with True, or an accuracy, a robot whose limbs are six legs is taken as a platform.
+
+    Raises InputError for what is no pose, for degenerate robots, and where the robot does not assemble.
     """
-    answer: PoseReport | PoseNumbers = posed(
-        robot,
+    answer: Answer = posed(
+        source,
         at,
+        actuators=actuators,
         quaternion=quaternion,
         rotation_vector=rotation_vector,
         euler=euler,
@@ -324,83 +359,106 @@ def pose(
         threshold=threshold,
         accuracy=accuracy,
         nearest=nearest,
+        plugins=plugins,
+    )
+    return answer
+
+
+@public
+def singular(
+    source: Source,
+    towards: Any = None,
+    *,
+    actuators: Any = None,
+    degrees: bool = False,
+    about: str | Sequence[Any] = "centroid",
+    threshold: Any = "0.5 deg",
+    plugins: Folders = (),
+) -> PoseReport | RobotPose | None:
+    """The first singular pose on the straight way from the pose of the file `towards` another, or None.
+
+    Arguments and errors as for `pose`. For a platform none is missed: the superbracket along the way is an exact
+    polynomial. For a robot of joints it is a search at samples, and what it does not find may be there all the same.
+    """
+    answer: PoseReport | RobotPose | None = first_singular(
+        source, towards, actuators=actuators, degrees=degrees, about=about, threshold=threshold, plugins=plugins
     )
     return answer
 
 
 @public
 def path(
-    robot: Platform | Analysis | str | PathLike[str],
+    source: Source,
     poses: str | PathLike[str] | Sequence[Any],
     *,
     samples: int = 200,
-    about: str | Sequence[Any] = "origin",
+    about: str | Sequence[Any] = "centroid",
     threshold: str = "0.5 deg",
 ) -> PathReport:
     """Every singular pose on a path through given poses, proved complete, and numbers along it (a `PathReport`).
 
-    `robot` and `about` are those of `pose`. `poses` is the name of a table as for `gcrules path --poses`, or two poses
-    or more, each text as for `--at`, a translation of three numbers or a `Pose`. Between two of them the centre moves
-    on a straight line and the platform turns about one axis, the shorter way. `samples` is the number of places at
-    which values are given; singular poses are found between them, too. `threshold` is an angle. Raises InputError for
-    what is no path and for degenerate robots.
+    `source` and `about` are those of `pose`, for platforms on six legs. `poses` is the name of a table as for `gcrules
+    path --poses`, or two poses or more, each as for `pose`. Between two of them the centre moves on a straight line and
+    the platform turns about one axis, the shorter way. `samples` is the number of places at which values are given;
+    singular poses are found between them, too. `threshold` is an angle. Raises InputError for what is no path and for
+    degenerate robots.
     """
-    answer: PathReport = along(robot, poses, samples=samples, about=about, threshold=threshold)
+    answer: PathReport = along(source, poses, samples=samples, about=about, threshold=threshold)
     return answer
 
 
 @public
 def locus(
-    robot: Platform | Analysis | str | PathLike[str],
+    source: Source,
     over: str | Sequence[str] | None = None,
     *,
     fix: str | Mapping[str, Any] | None = None,
     at: Any = None,
     rotation: str = "quaternion",
-    about: str | Sequence[Any] = "origin",
+    about: str | Sequence[Any] = "centroid",
     limit: int = 300,
 ) -> Locus:
     """The polynomial whose zeros are the robot's singular poses, exact, with degrees and factors (a `Locus`).
 
-    `robot` and `about` are those of `pose`. The variables are x, y, z, the translation, and those of the `rotation`:
-    "quaternion" (e0, e1, e2, e3, of any length), "rodrigues" (c1, c2, c3 = e1/e0, e2/e0, e3/e0), or a sequence of Euler
-    angles such as "zyx" (t1, t2, t3, tangents of the half angles). `over` names those that stay free ("x, y", or
-    "translation", "rotation", "all"), `fix` gives values to others ("x=0, e1=1/2", or a mapping), and the rest is taken
-    from the pose `at`, text or a `Pose`; without `over` all that is not fixed is free. Polynomials of up to `limit`
-    terms are searched for factors where no proof decides. Raises InputError for unknown variables, where nothing is
-    free, and for degenerate robots.
+    `source` and `about` are those of `pose`, for platforms on six legs. The variables are x, y, z, the translation, and
+    those of the `rotation`: "quaternion" (e0, e1, e2, e3, of any length), "rodrigues" (c1, c2, c3 = e1/e0, e2/e0,
+    e3/e0), or a sequence of Euler angles such as "zyx" (t1, t2, t3, tangents of the half angles). `over` names those
+    that stay free ("x, y", or "translation", "rotation", "all"), `fix` gives values to others ("x=0, e1=1/2", or a
+    mapping), and the rest is taken from the pose `at`, text or a `Pose`; without `over` all that is not fixed is free.
+    Polynomials of up to `limit` terms are searched for factors where no proof decides. Raises InputError for unknown
+    variables, where nothing is free, and for degenerate robots.
     """
-    answer: Locus = computed(robot, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
+    answer: Locus = computed(source, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
     return answer
 
 
 @public
 def compiled(
-    robot: Platform | Analysis | str | PathLike[str],
+    source: Source,
     expression: str | Expr | None = None,
     *,
-    about: str | Sequence[Any] = "origin",
+    about: str | Sequence[Any] = "centroid",
     engine: str | None = None,
 ) -> CompiledCondition:
     """A condition compiled for many poses (a `CompiledCondition`): call it with arrays, it gives an array of values.
 
-    `robot` is a platform with coordinates, its analysis, or the name of its geometry file; for the analysis of legs
-    without coordinates the joints themselves are the arguments. The value is the superbracket of the legs as typed, or
+    `source` is what `load` takes, for platforms on six legs; for legs without coordinates the joints themselves are the
+    arguments. The value is the superbracket of the legs as typed, or
     `expression`, any scalar of the robot's joints (a condition, a cofactor). Poses turn `about` the same centre as in
     `pose`. `engine` is "numba" or "numpy", with equal values; numba where it is installed if it is not given. Raises
     InputError for other expressions, for joints at infinity and for degenerate robots.
     """
-    answer: CompiledCondition = made(robot, expression, about=about, engine=engine)
+    answer: CompiledCondition = of_condition(source, expression, about=about, engine=engine)
     return answer
 
 
 @public
 def singular_map(
-    robot: Platform | Analysis | str | PathLike[str],
+    source: Source,
     over: Sequence[Any],
     at: Any = None,
     *,
-    about: str | Sequence[Any] = "origin",
+    about: str | Sequence[Any] = "centroid",
     limits: str | None = None,
     threshold: str = "0.5 deg",
     measure: str = "closeness",
@@ -410,15 +468,15 @@ def singular_map(
     """The singular poses over two or three coordinates (a `SingularMap`): arrays, curves or a surface, and what is
     proved free of them.
 
-    `robot`, `at` (one pose, for the other coordinates) and `about` are those of `pose`. `over` lists coordinates with
-    start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"]. `limits` is text such as
-    "leg lengths 1..3"; `threshold` is an angle. `measure` is "closeness", or "value" for the superbracket alone, which
-    is quick. `work` names a folder for the chunks of a large map: a run that was interrupted goes on from there, unless
-    `restart` throws them away; `.store.close()` removes it. Raises InputError for what makes no sense and for
-    degenerate robots, LimitReached for maps that are too large.
+    `source`, `at` (one pose, for the other coordinates) and `about` are those of `pose`, for platforms on six legs.
+    `over` lists coordinates with start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"].
+    `limits` is text such as "leg lengths 1..3"; `threshold` is an angle. `measure` is "closeness", or "value" for the
+    superbracket alone, which is quick. `work` names a folder for the chunks of a large map: a run that was interrupted
+    goes on from there, unless `restart` throws them away; `.store.close()` removes it. Raises InputError for what makes
+    no sense and for degenerate robots, LimitReached for maps that are too large.
     """
-    answer: SingularMap = mapped(
-        robot,
+    answer: SingularMap = made(
+        source,
         over,
         at,
         about=about,

@@ -9,7 +9,6 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.syntax import Context
-from gcrules.conditions.analysis import Analysis
 from gcrules.core.arguments import (
     ANYTHING,
     COUNT,
@@ -32,9 +31,7 @@ from gcrules.core.arguments import (
     mapping,
     optional,
 )
-from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.load import LOADED
 from gcrules.rules.rule import RewriteRule
 from gcrules.rules.strategy import Strategy
 from gcrules.screws.pose import Pose
@@ -61,25 +58,38 @@ _LEG = either("", TEXT, instance("", Expr), listed("", TEXT))
 _LEGS = either('legs as text ("ab af cb cd ed ef") or as a sequence of pairs of names', TEXT, listed("", _LEG)).hinting(
     Platform="gc.analyze takes platforms; of their legs take platform.legs",
     Structure="take structure.legs",
-    Robot="a robot described by joints has robot.analyze()",
-    Path="gc.load_platform reads a geometry file",
+    Robot="gc.analyze takes robots",
+    Path="gc.load reads a file",
 )
 _LINES = either(
     "legs as text or as a sequence of pairs of names, or a structure", _LEGS, instance("", Structure)
 ).hinting()
-_ANALYZED = either(
-    "legs as text or as a sequence of pairs of names, a platform or a structure",
-    _LEGS,
-    instance("", Structure, Platform),
-)
+_SOURCE = either(
+    "a source: legs, a file, an id, data, or what gc.load and gc.analyze give",
+    TEXT,
+    instance("", *LOADED),
+    FILE,
+    mapping("", ANYTHING),
+    listed("", _LEG),
+).hinting()
+_FOLDERS = listed("names of folders", FILE, alone=True)
 _ORDER = either("an order of the legs as text or as a sequence", TEXT, listed("", either("", WHOLE, _LEG)))
 _FILES = listed("names of files", FILE, alone=True)
-_ROBOT = either("a platform, its analysis or the name of its geometry file", instance("", Platform, Analysis), FILE)
-_AS_PLATFORM = "gcrules.mechanisms.description.as_platform.as_platform"
-_OF_JOINTS = f"a robot described by joints has {{}}; {_AS_PLATFORM} makes a platform of six legs"
 _ABOUT = either('"origin", "centroid" or a point of three numbers', TEXT, ROW)
-_POSE = either("a pose: text, a Pose or three numbers", TEXT, instance("", Pose), NUMBERS)
-_POSES = either("a pose, or several: text, a Pose, three numbers, or a sequence of these", _POSE, listed("", _POSE))
+_NAMED = mapping("", ANYTHING)
+_POSE = either(
+    "a pose: text, a mapping from coordinates to numbers, a Pose or three numbers",
+    TEXT,
+    instance("", Pose),
+    _NAMED,
+    NUMBERS,
+)
+_POSES = either(
+    "a pose, or several: text, a mapping from coordinates to numbers, a Pose, three numbers, or a sequence of these",
+    _POSE,
+    listed("", optional(_POSE)),
+)
+_ACTUATORS = either("amounts of the actuators: text, a mapping or numbers", TEXT, _NAMED, ROW)
 _PATH = either("the name of a table, or a sequence of poses", FILE, listed("", _POSE))
 _AXES = listed(
     "a sequence of two or three coordinates with their ranges, as text", either("", TEXT, Kind("", _axis)), alone=True
@@ -92,25 +102,13 @@ _RULES = listed(
     "names of rules, rules, or names of .gca files", either("", TEXT, instance("", RewriteRule), FILE), alone=True
 )
 _THRESHOLD = ANYTHING  # whoever reads it says what is missing: the unit
-_ANALYSIS = instance("an analysis", Analysis, RobotAnalysis).hinting(
-    Platform="gc.report(gc.analyze(platform))", Robot="gc.report(robot.analyze())", str="gc.report(gc.analyze(…))"
-)
-_VIEWED = either(
-    "a platform, an analysis, a robot, or legs as text", _ANALYZED, instance("", Analysis, RobotText, RobotAnalysis)
-)
-
-
-def _robot(method: str) -> Kind:
-    words = _OF_JOINTS.format(method) if method else _OF_JOINTS.partition("; ")[2]
-    return _ROBOT.hinting(Robot=words, RobotAnalysis=words.replace("robot.", "analysis.robot."))
-
 
 _SPACE = {"rank": optional(WHOLE), "points": NAMES, "ideal": NAMES}
 _LIMITED = {**_SPACE, "limit": COUNT}
 
 SIGNATURES: dict[str, dict[str, Kind]] = {
     "analyze": {
-        "legs": _ANALYZED,
+        "source": _SOURCE,
         "order": optional(_ORDER),
         "points": NAMES,
         "ideal": NAMES,
@@ -120,18 +118,19 @@ SIGNATURES: dict[str, dict[str, Kind]] = {
         "recheck": FLAG,
         "strategy": optional(instance("a strategy (gc.load_rules().strategy())", Strategy)),
         "search": DURATION,
+        "plugins": _FOLDERS,
     },
-    "compiled": {"robot": _robot(""), "expression": optional(_EXPR), "about": _ABOUT, "engine": optional(TEXT)},
+    "compiled": {"source": _SOURCE, "expression": optional(_EXPR), "about": _ABOUT, "engine": optional(TEXT)},
     "evaluate": {"e": _EXPR, "points": _POINTS, "rank": optional(WHOLE), "modulus": optional(COUNT)},
     "expand": {"e": _EXPR, **_LIMITED},
     "factor": {"e": _SCALAR, **_LIMITED, "all": FLAG, "cofactor": FLAG, "seconds": DURATION},
-    "load_platform": {"path": FILE},
+    "load": {"source": _SOURCE, "plugins": _FOLDERS, "points": NAMES, "ideal": NAMES},
     "load_rules": {"files": _FILES, "folders": _FILES, "identities": FLAG},
     "locus": {
-        "robot": _robot(""),
+        "source": _SOURCE,
         "over": optional(_VARIABLES),
         "fix": optional(either("text or a mapping from variables to values", TEXT, _VALUES)),
-        "at": optional(either("a pose as text, or a Pose", TEXT, instance("", Pose))),
+        "at": optional(_POSE),
         "rotation": TEXT,
         "about": _ABOUT,
         "limit": COUNT,
@@ -142,10 +141,11 @@ SIGNATURES: dict[str, dict[str, Kind]] = {
         "points": NAMES,
         "context": optional(instance("a context (gcrules.algebra.language.syntax.Context)", Context)),
     },
-    "path": {"robot": _robot(""), "poses": _PATH, "samples": COUNT, "about": _ABOUT, "threshold": _THRESHOLD},
+    "path": {"source": _SOURCE, "poses": _PATH, "samples": COUNT, "about": _ABOUT, "threshold": _THRESHOLD},
     "pose": {
-        "robot": _robot("robot.pose(…)"),
+        "source": _SOURCE,
         "at": optional(_POSES),
+        "actuators": optional(_ACTUATORS),
         "quaternion": optional(NUMBERS),
         "rotation_vector": optional(NUMBERS),
         "euler": optional(ANYTHING),
@@ -153,16 +153,26 @@ SIGNATURES: dict[str, dict[str, Kind]] = {
         "about": _ABOUT,
         "threshold": _THRESHOLD,
         "accuracy": ANYTHING,
-        "nearest": FLAG,
+        "nearest": optional(FLAG),
+        "plugins": _FOLDERS,
     },
     "prove": {"claim": _EXPR, "right": optional(_EXPR), **_LIMITED, "given": TEXTS},
-    "report": {"analysis": _ANALYSIS, "interactive": FLAG},
+    "report": {"source": _SOURCE, "interactive": FLAG, "plugins": _FOLDERS},
     "rewrite": {"e": _EXPR, "rules": _RULES, **_SPACE},
     "seeded": {"seed": WHOLE},
     "shorten": {"e": _SCALAR, **_LIMITED, "seconds": DURATION},
     "shortest": {"legs": _LEGS, "points": NAMES, "ideal": NAMES},
+    "singular": {
+        "source": _SOURCE,
+        "towards": optional(_POSE),
+        "actuators": optional(_ACTUATORS),
+        "degrees": FLAG,
+        "about": _ABOUT,
+        "threshold": _THRESHOLD,
+        "plugins": _FOLDERS,
+    },
     "singular_map": {
-        "robot": _robot(""),
+        "source": _SOURCE,
         "over": _AXES,
         "at": optional(_POSE),
         "about": _ABOUT,
@@ -175,7 +185,7 @@ SIGNATURES: dict[str, dict[str, Kind]] = {
     "straighten": {"e": _SCALAR, **_LIMITED},
     "superbracket": {"legs": _LEGS, "order": optional(_ORDER), "form": WHOLE, "points": NAMES, "ideal": NAMES},
     "transversals": {"legs": _LINES, "every": FLAG, "points": NAMES, "ideal": NAMES, "given": TEXTS},
-    "view": {"robot": _VIEWED, "pose": ANYTHING},
+    "view": {"source": _SOURCE, "pose": ANYTHING, "plugins": _FOLDERS},
     "within": {
         "seconds": optional(_LIMIT),
         "memory": optional(_LIMIT),

@@ -17,7 +17,7 @@ from typing import Any
 from gcrules.core.arguments import described, is_truth
 from gcrules.core.errors import InputError
 
-__all__ = ["as_float", "decimal", "exact", "exact_float", "exact_number"]
+__all__ = ["as_float", "decimal", "exact", "exact_float", "exact_number", "without_noise"]
 
 _WIDE = Context(prec=30, Emax=999_999, Emin=-999_999)
 
@@ -28,6 +28,19 @@ def as_float(number: Fraction | int) -> float:
         return float(number)
     except OverflowError:
         return math.inf if number > 0 else -math.inf
+
+
+NOISE = 1e-12
+"""What an iteration in floats leaves of a number that is 0, in parts of what it is measured by."""
+
+
+def without_noise(number: float, scale: float = 1.0) -> float:
+    """The number, 0 where it is less than its accuracy.
+
+    >>> without_noise(-3e-17), without_noise(3e-17, 1e-9)
+    (0.0, 3e-17)
+    """
+    return 0.0 if abs(number) < NOISE * scale else float(number)
 
 
 def decimal(number: Fraction | int, digits: int = 6) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +17,8 @@ from gcrules.core.errors import InputError
 from gcrules.core.floats import decimal
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import kernel
-from gcrules.screws.pose import Pose, check_unit, read_number
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import read_centre
 from gcrules.screws.rotations import Vector
 
 __all__ = ["Rig", "rig"]
@@ -114,9 +116,9 @@ def _no_length(leg: tuple[str, str], where: str = " in this pose") -> InputError
     return InputError(f"the leg {leg_text(leg)} has no length{where}: {leg[0]} and {leg[1]} are in the same place")
 
 
-def rig(structure: Structure, platform: Coordinates, about: str | Sequence[Fraction] = "origin") -> Rig:
-    """The robot of a geometry file, turned about the origin of the file, the centroid of the platform's joints
-    ("centroid") or a point ("x, y, z" in the file's unit and frame).
+def rig(structure: Structure, platform: Coordinates, about: str | Sequence[Any] = "centroid") -> Rig:
+    """The robot of a geometry file, turned about the centroid of the platform's joints, or another centre (see
+    `read_centre`), in the file's unit and frame.
 
     Raises InputError where the legs do not tell base from platform, and for bodies whose joints lie on one line.
     """
@@ -129,7 +131,9 @@ def rig(structure: Structure, platform: Coordinates, about: str | Sequence[Fract
     points = {n: platform.points[n] for n in structure.names}
     for side, names in (("base", structure.base), ("platform", structure.platform)):
         _check_body(side, names, points)
-    centre = _centre(about, [points[n] for n in structure.platform], platform.units)
+    body = [points[n] for n in structure.platform]
+    centroid = _vector([sum(c, Fraction(0)) / len(body) for c in zip(*body, strict=True)])
+    centre = read_centre(about, centroid, platform.units)
     _check_floats(points, structure.platform, platform.filename)
     return Rig(structure, points, centre, platform.units, platform.title)
 
@@ -181,19 +185,3 @@ _THIN = 1e-9
 """A platform is refused whose second extent is less of its first one."""
 _FINE = 1e-8
 """A platform is refused that is smaller, in parts of its largest coordinate, which a float knows to 1e-16 of itself."""
-
-
-def _centre(about: str | Sequence[Fraction], ends: Sequence[Vector], unit: str) -> Vector:
-    if not isinstance(about, str):
-        return _vector(about)
-    word = about.strip().lower()
-    if word == "origin":
-        return ORIGIN
-    if word == "centroid":
-        return _vector([sum(c, Fraction(0)) / len(ends) for c in zip(*ends, strict=True)])
-    words = about.replace(",", " ").split()
-    if len(words) == 4:
-        check_unit(words.pop(), unit)
-    if len(words) != 3:
-        raise InputError(f"{about[:40]!r} is no centre", hint="write origin, centroid, or a point x,y,z")
-    return _vector([read_number(w) for w in words])

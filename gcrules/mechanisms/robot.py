@@ -1,153 +1,107 @@
-r"""Robots for users: `gc.Robot.load(id or path)`, `.analyze()`, and numbers in a configuration by `.pose()`."""
+"""Robots as their files describe them: limbs of joints over a family of points and directions, as frozen values."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields
-from functools import cached_property
-from os import PathLike
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
 
-from gcrules.core.arguments import (
-    ANYTHING,
-    DURATION,
-    FILE,
-    FLAG,
-    NUMBER,
-    ROW,
-    TEXT,
-    checked,
-    each,
-    either,
-    instance,
-    listed,
-    mapping,
-    optional,
-)
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis, analyze_robot
-from gcrules.mechanisms.description.discovery import find_robot
-from gcrules.mechanisms.description.robot_file import load_robot, parse_robot
-from gcrules.mechanisms.description.robot_spec import RobotText
-from gcrules.rules.factorization import SECONDS
-from gcrules.screws.pose import Pose, exact_float
+from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.description.family import Definition, Family
+from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.relations import AXES
+from gcrules.screws import RATIONALS, Limb
 
-if TYPE_CHECKING:
-    from gcrules.mechanisms.kinematics.mechanism import Mechanism
-    from gcrules.poses.limbs.report import RobotPose
+__all__ = ["Fact", "Robot"]
 
-__all__ = ["Robot"]
+_TOLERANCE = Fraction(1, 10**6)
 
-_NAMED = mapping("", ANYTHING)
-_AT = either(
-    "a pose: text, a mapping from coordinates to numbers, a Pose or three numbers",
-    TEXT,
-    instance("", Pose),
-    _NAMED,
-    ROW,
-)
-_ACTUATORS = either("amounts of the actuators: text, a mapping or numbers", TEXT, _NAMED, ROW)
+Vector = tuple[Fraction, Fraction, Fraction]
+
+
+@dataclass(frozen=True)
+class Fact:
+    """What the file says follows from the relations, as a relation of a name, and as written."""
+
+    said: Definition
+    text: str
 
 
 @dataclass(frozen=True, repr=False)
-class Robot(RobotText):
-    """A robot that can be analysed; made by `Robot.load` or `Robot.parse`."""
+class Robot:
+    """A robot as its file describes it.
 
-    @classmethod
-    @checked("gc.Robot.load", name=FILE, plugins=listed("names of folders", FILE, alone=True))
-    def load(cls, name: str | PathLike[str], *, plugins: Iterable[str | PathLike[str]] = ()) -> Robot:
-        """The robot of this id, or of a robot file; `plugins` are further folders of plugins.
+    `family` holds the points and directions with the relations that make them, `limbs` the joints; `lines` are given in
+    place of limbs where wrenches are known already. `mobility` is that expected of the platform (checked), `home` one
+    configuration (empty for names that the relations determine), `condition` a published one in the language.
+    """
 
-        Raises InputError for an unknown id or one that two plugins bring, FileError with all faults of the file.
+    id: str
+    title: str
+    family: Family
+    limbs: tuple[LimbText, ...]
+    mobility: int
+    lines: tuple[tuple[str, str], ...] = ()
+    platform: tuple[str, ...] = ()
+    home: Mapping[str, Vector] | None = None
+    condition: str = ""
+    source: str = ""
+    note: str = ""
+    facts: tuple[Fact, ...] = ()
+    filename: str = "<input>"
+    owner: str = ""
+
+    def __post_init__(self) -> None:
+        if self.home is not None:
+            object.__setattr__(self, "home", FrozenMap(self.home))
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.id}: {self.chain or 'given by its lines'}, mobility {self.mobility}>"
+
+    @property
+    def chain(self) -> str:
+        """The limbs' joints in short: 3-UP*S, 2-UP*R + SP*R."""
+        counts: dict[str, int] = {}
+        for limb in self.limbs:
+            counts[limb.chain] = counts.get(limb.chain, 0) + 1
+        return " + ".join(f"{n}-{chain}" if n > 1 else chain for chain, n in counts.items())
+
+    def values_at(self, coordinates: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """Coordinates of all points and directions, as fractions: those given (at home if None), and from them those
+        that the relations determine. Whether the relations hold is not looked at.
+
+        Raises InputError, naming what has no coordinates.
         """
-        found = find_robot(name, plugins)
-        return cls._of(load_robot(found.path, found.owner))
+        given = (self.home or {}) if coordinates is None else coordinates
+        where = "home" if coordinates is None else "the configuration"
+        values: dict[str, Any] = {n: RATIONALS.vector(axis) for n, axis in AXES.items()}
+        for d in self.family.definitions:
+            own = given.get(d.name)
+            if own is None and d.parameters:
+                raise InputError(f"{where} gives no coordinates for {d.name}, which the relations leave free")
+            made = d.relation.value(d.sort, RATIONALS, values, ()) if own is None else own
+            values[d.name] = RATIONALS.vector([Fraction(c) if isinstance(c, float) else c for c in made])
+        return values
 
-    @classmethod
-    @checked("gc.Robot.parse", text=TEXT, filename=TEXT)
-    def parse(cls, text: str, filename: str = "<input>") -> Robot:
-        """The robot that the text of a robot file describes. Raises FileError with all its faults."""
-        return cls._of(parse_robot(text, filename))
+    def limbs_at(self, coordinates: Mapping[str, Any] | None = None) -> tuple[Limb, ...]:
+        """The limbs in any configuration, as values of `gcrules.screws`: their Jacobian is `screws.jacobian(limbs)`.
 
-    @classmethod
-    def _of(cls, text: RobotText) -> Robot:
-        return cls(**{f.name: getattr(text, f.name) for f in fields(text)})
-
-    @checked("robot.analyze", search=DURATION)
-    def analyze(self, *, search: float = SECONDS) -> RobotAnalysis:
-        """When and why the robot is singular; `search` as for `gcrules.analyze`."""
-        return analyze_robot(self, search=search)
-
-    @checked("robot.pose", at=optional(_AT), actuators=optional(_ACTUATORS))
-    def pose(
-        self,
-        at: Any = None,
-        *,
-        actuators: str | Mapping[str, float] | Sequence[float] | None = None,
-        threshold: Any = "0.5 deg",
-    ) -> RobotPose:
-        """The numbers in the configuration with this pose or with these amounts of the actuators; at home without both.
-
-        `at` is text as for `gcrules pose` ("x y z; euler zyx a b c deg"), or as many coordinates as the platform has
-        freedoms: "z=0.2, roll=5deg, pitch=0deg", or a mapping with angles in radians. `actuators` are text as
-        "q1=0.1, q2=5deg", a mapping, or all of them in the order of the file. All are differences from home, in its
-        unit of length; the platform turns about the centroid of the limbs' ends on it. Raises InputError for what makes
-        no sense, and where the robot does not assemble, with how far it comes.
+        `coordinates` holds three numbers for each point and direction that the relations leave free (those at home if
+        None). Raises InputError for coordinates that are missing or that violate a relation by more than 1e-6.
         """
-        from gcrules.poses.limbs.pose_report import posed  # numpy, for numbers only
+        values = self.values_at(coordinates)
+        for d in self.family.definitions:
+            if self.violates(d, values):
+                raise InputError(
+                    f"the coordinates of {d.name} violate its relation: {d.text}",
+                    hint="leave out what the relations determine, or change its coordinates",
+                )
+        return tuple(limb.at(values, RATIONALS) for limb in self.limbs)
 
-        return posed(self._mechanism, lambda: self._analysis, at, actuators, threshold=threshold)
-
-    @checked("robot.at", degrees=FLAG, coordinates=each(either("a number", NUMBER, TEXT)))
-    def at(self, *, degrees: bool = False, threshold: Any = "0.5 deg", **coordinates: float) -> RobotPose:
-        """The numbers in the pose with these coordinates: `.at(z=0.2, roll=5, pitch=0, degrees=True)`; see `pose`."""
-        lengths = ("x", "y", "z")
-        scale = math.pi / 180 if degrees else 1
-        given = {n: v if n in lengths else exact_float(v, n) * scale for n, v in coordinates.items()}
-        return self.pose(given, threshold=threshold)
-
-    @checked("robot.poses", ats=listed("a sequence of poses", optional(_AT)))
-    def poses(self, ats: Iterable[Any], *, threshold: Any = "0.5 deg") -> tuple[RobotPose, ...]:
-        """The numbers in each of these poses, which are as for `pose`."""
-        return tuple(self.pose(at, threshold=threshold) for at in ats)
-
-    @checked("robot.singular", towards=optional(_AT), actuators=optional(_ACTUATORS))
-    def singular(
-        self,
-        towards: Any = None,
-        *,
-        actuators: str | Mapping[str, float] | Sequence[float] | None = None,
-        threshold: Any = "0.5 deg",
-    ) -> RobotPose | None:
-        """The first singular configuration that is found on the straight way in these coordinates from home, or None.
-
-        Arguments and errors as for `pose`. A search at samples: what it does not find may be there all the same.
-        """
-        from gcrules.poses.limbs.pose_report import first_singular_pose  # numpy, for numbers only
-
-        return first_singular_pose(self._mechanism, lambda: self._analysis, towards, actuators, threshold=threshold)
-
-    def home_remark(self, analysis: RobotAnalysis | None = None) -> str:
-        """That home is singular, or nearly so, with cause and motion; nothing of a regular home, of none, or of one
-        that cannot be moved. The `analysis` is made where it is not given.
-        """
-        from gcrules.poses.limbs.pose_report import posed  # numpy, for numbers only
-        from gcrules.poses.limbs.remark import remark
-
-        if self.home is None:
-            return ""
-        try:
-            return remark(posed(self._mechanism, lambda: analysis or self._analysis, None, None))
-        except InputError:
-            return ""
-
-    @cached_property
-    def _mechanism(self) -> Mechanism:
-        from gcrules.mechanisms.kinematics.mechanism import mechanism
-
-        return mechanism(self)
-
-    @cached_property
-    def _analysis(self) -> RobotAnalysis:
-        return self.analyze()
+    def violates(self, d: Definition, values: Mapping[str, Any]) -> bool:
+        """Whether values violate the relation of a name by more than 1e-6 of their size."""
+        size = max((abs(c) for v in values.values() for c in v), default=Fraction(1)) or Fraction(1)
+        limit = _TOLERANCE * size**3
+        return any(abs(r) > limit for r in d.relation.residual(d.sort, RATIONALS, values, values[d.name]))

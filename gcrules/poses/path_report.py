@@ -25,6 +25,7 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.numbers.arrays import from_poses, matrices
 from gcrules.poses.numbers.many import PoseNumbers, numbers
@@ -34,7 +35,7 @@ from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.poses.paths.segment import Segment, segments
 from gcrules.poses.paths.table import load_poses
 from gcrules.poses.paths.zeros import Place, Stretch, places, stretches
-from gcrules.poses.pose_inputs import Given, moving_robot
+from gcrules.poses.pose_inputs import moving_robot
 from gcrules.poses.pose_report import report
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.pose import Pose
@@ -48,15 +49,15 @@ MAX_SAMPLES = 200_000
 
 
 def path(
-    robot: Given,
+    robot: Source,
     poses: str | PathLike[str] | Sequence[Any],
     *,
     samples: int = SAMPLES,
-    about: str | Sequence[Any] = "origin",
+    about: str | Sequence[Any] = "centroid",
     threshold: str | Threshold = DEFAULT,
 ) -> PathReport:
     """The function of `gcrules.api.functions`, which says what the arguments are."""
-    analysis, moving = moving_robot(robot, about)
+    analysis, moving = moving_robot(robot, about, "a path")
     limit = angle_threshold(threshold, moving.unit, "along a path")
     found, notes = _poses(poses, moving.unit)
     per_segment = _per_segment(samples, len(found) - 1)

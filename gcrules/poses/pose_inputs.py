@@ -1,36 +1,46 @@
-r"""What numbers begin with: the analysis of the robot that a user gives, and the robot as it moves."""
+r"""What numbers begin with: a mechanism, and the method by which a computation is done for it.
+
+Much is computed for platforms on six legs only, by the exact road of their superbracket. What comes to a robot of
+joints whose limbs are six legs takes this road too; for any other the one answer stands here.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from os import PathLike
 from typing import Any
 
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.description.platform_file import Platform, load_platform
-from gcrules.mechanisms.moving_platform import Rig, rig
-from gcrules.mechanisms.platform_analysis import analyze
-from gcrules.poses.numbers.pose_arguments import centre_of
+from gcrules.mechanisms.description.as_platform import as_platform
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.load import Source
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
+from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.six_legs import SixLegs
 
-__all__ = ["Given", "analysed", "moving_robot"]
-
-Given = Platform | Analysis | str | PathLike[str]
-"""A platform with coordinates, its analysis, or the name of its geometry file."""
-
-
-def analysed(robot: Given) -> Analysis:
-    """The analysis of what a user gives. Raises FileError with all faults of a file."""
-    if isinstance(robot, Analysis):
-        return robot
-    return analyze(robot if isinstance(robot, Platform) else load_platform(robot))
+__all__ = ["moving_robot", "on_six_legs"]
 
 
-def moving_robot(robot: Given, about: str | Sequence[Any]) -> tuple[Analysis, Rig]:
-    """The analysis, and the robot whose platform turns `about` the "origin" of its file, the "centroid" of the
-    platform's joints, or a point. Raises InputError for legs without coordinates and for degenerate robots.
+def on_six_legs(found: Mechanism, what: str) -> SixLegs:
+    """The mechanism as a platform on six legs. Raises InputError where it is none: `what` has no method for it."""
+    if isinstance(found, SixLegs):
+        return found
+    if not isinstance(found, Limbs):
+        raise InputError(f"{what} is for platforms on six legs, and {found.title} is none")
+    robot = found.robot
+    try:
+        return SixLegs(as_platform(robot), found.about)
+    except InputError as fault:
+        raise InputError(
+            f"{what} is for platforms on six legs; {fault.message}",
+            hint=f'numbers in single configurations: gcrules pose {robot.id} --at "…" (gc.pose); the first singular one'
+            f' on a way: gcrules robot pose {robot.id} --at "…" --search (gc.singular)',
+        ) from None
+
+
+def moving_robot(source: Source, about: str | Sequence[Any], what: str) -> tuple[Analysis, Rig]:
+    """The analysis, and the platform on six legs as it moves, for `what` is computed. Raises InputError for legs
+    without coordinates, for other mechanisms and for degenerate robots.
     """
-    analysis = analysed(robot)
-    if analysis.platform is None:
-        raise InputError("the analysis is of legs without coordinates", hint="analyze a platform (load_platform)")
-    return analysis, rig(analysis.structure, analysis.platform, centre_of(about))
+    found = on_six_legs(mechanism(source, about=about), what)
+    return found.analysis, found.rig

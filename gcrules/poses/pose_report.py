@@ -1,20 +1,8 @@
-r"""A robot at poses: `pose` reads like its answer. Numbers, nearest singular poses, causes; or arrays for many poses.
-
->>> from gcrules.mechanisms.description.platform_file import parse_platform
->>> robot = parse_platform('''
-... legs: [ab, af, cb, cd, ed, ef]
-... points: {a: [0, -3, 0], c: [3, 2, 0], e: [-3, 2, 0], b: [1, -1, 4], d: [0, 1, 4], f: [-1, -1, 4]}
-... ''')
->>> here = pose(robot, "0 0 0; euler zyx 30 0 0 deg", nearest=False)
->>> here.verdict, round(here.closeness, 3)
-('regular', 0.392)
->>> pose(robot, [[0, 0, 0], [0, 0, -4]]).verdict.tolist()
-['regular', 'singular']
-"""
+r"""A platform on six legs at poses: numbers, nearest singular poses, causes; or arrays for many poses."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -31,55 +19,44 @@ from gcrules.poses.numbers.incidence_measures import readings
 from gcrules.poses.numbers.many import PoseNumbers, homogeneous, numbers
 from gcrules.poses.numbers.motion import dependence, exact_dependence, scaled, softest_twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
-from gcrules.poses.numbers.pose_arguments import known_accuracy, one_pose
+from gcrules.poses.numbers.pose_arguments import read_one
 from gcrules.poses.numbers.reason import verdict as verdict_of
 from gcrules.poses.numbers.report import PoseReading, PoseReport
-from gcrules.poses.pose_inputs import Given, moving_robot
 from gcrules.rules.condition import Condition
 from gcrules.screws.guarantees import ROUNDING, closeness, noise
 from gcrules.screws.margin import jacobian
-from gcrules.screws.pose import Pose, parse_pose
-from gcrules.screws.threshold import DEFAULT, Threshold, threshold_of
+from gcrules.screws.pose import Pose
+from gcrules.screws.threshold import Threshold
 
-__all__ = ["pose", "report"]
+__all__ = ["numbers_at", "report"]
 
 
-def pose(
-    robot: Given,
-    at: Any = None,
-    *,
-    quaternion: Any = None,
-    rotation_vector: Any = None,
-    euler: tuple[str, Any] | None = None,
-    degrees: bool = False,
-    about: str | Sequence[Any] = "origin",
-    threshold: str | Threshold = DEFAULT,
-    accuracy: str | float | None = None,
-    nearest: bool = True,
-) -> PoseReport | PoseNumbers:
-    """The function of `gcrules.api.functions`, which says what the arguments are. Poses may be `Pose`s too."""
-    analysis, moving = moving_robot(robot, about)
-    limit = threshold_of(threshold, moving.unit)
-    known = known_accuracy(accuracy, moving)
-    if limit.length is not None and accuracy is not None and known:
-        raise InputError(
-            f"the threshold {limit.text} is a length: it takes the joints' places as exact, and cannot be had with an "
-            "accuracy",
-            hint="give the threshold as an angle, for example 0.5deg, or leave the accuracy out",
-        )
-    turns = {"quaternion": quaternion, "rotation_vector": rotation_vector, "euler": euler}
-    if isinstance(at, (list, tuple)) and at and isinstance(at[0], (Pose, str)):
+def numbers_at(
+    analysis: Analysis,
+    moving: Rig,
+    at: Any,
+    turns: Mapping[str, Any],
+    degrees: bool,
+    threshold: Threshold,
+    accuracy: float,
+) -> PoseNumbers:
+    """Arrays for many poses: a sequence of poses, or translations (N, 3) with turns beside them, N or one of each."""
+    if isinstance(at, (list, tuple)) and at and isinstance(at[0], (Pose, str, Mapping)):
         if any(t is not None for t in turns.values()):
             raise InputError("poses that hold their turns, and a turn beside them")
-        poses = [p if isinstance(p, Pose) else parse_pose(p, moving.unit) for p in at]
+        poses = [read_one(p, moving.unit, degrees) for p in at]
         arrays, notes = from_poses(poses), tuple(dict.fromkeys(n for p in poses for n in p.notes))
     else:
-        one = one_pose(at, turns, degrees, moving.unit)
-        if one is not None:
-            return report(analysis, moving, one, threshold=limit, accuracy=known, nearest=nearest)
-        arrays = read_arrays(at, quaternions=quaternion, rotation_vectors=rotation_vector, euler=euler, degrees=degrees)
+        quaternion = turns["quaternion"]
+        arrays = read_arrays(
+            at,
+            quaternions=quaternion,
+            rotation_vectors=turns["rotation_vector"],
+            euler=turns["euler"],
+            degrees=degrees,
+        )
         notes = () if quaternion is None else normalised_note(quaternion)
-    found = numbers(moving, (analysis.condition, *analysis.readings), arrays, limit, known)
+    found = numbers(moving, (analysis.condition, *analysis.readings), arrays, threshold, accuracy)
     return replace(found, notes=(*notes, *found.notes))
 
 

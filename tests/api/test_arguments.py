@@ -23,10 +23,13 @@ from gcrules.api import functions as api
 from gcrules.api.signatures import SIGNATURES
 from gcrules.core.arguments import described
 from gcrules.core.errors import GcrulesError, InputError
+from gcrules.mechanisms.description.platform_file import load_platform
+from gcrules.mechanisms.load import read_robot
 
-PLATFORM = gc.load_platform(ROOT / "examples" / "octahedral.yaml")
+PLATFORM = load_platform(ROOT / "examples" / "octahedral.yaml")
 ANALYSIS = gc.analyze(PLATFORM)
-ROBOT = gc.Robot.load("3-rps")
+ROBOT = read_robot("3-rps")
+ANALYZED = gc.analyze(ROBOT)
 LEGS = "ab af cb cd ed ef"
 
 
@@ -111,27 +114,28 @@ NASTY: dict[str, Callable[[], Any]] = {
 
 # What is right, so that one argument at a time is wrong. Searches are short.
 RIGHT: dict[str, dict[str, Any]] = {
-    "analyze": {"legs": LEGS, "search": 0.0},
-    "compiled": {"robot": PLATFORM, "engine": "numpy"},
+    "analyze": {"source": LEGS, "search": 0.0},
+    "compiled": {"source": PLATFORM, "engine": "numpy"},
     "evaluate": {"e": "[ab]", "points": {"a": (1, 0), "b": (0, 1)}, "rank": 2},
     "expand": {"e": "[abcd]"},
     "factor": {"e": "[abcd]", "seconds": 1.0},
-    "load_platform": {"path": ROOT / "examples" / "octahedral.yaml"},
+    "load": {"source": ROOT / "examples" / "octahedral.yaml"},
     "load_rules": {"identities": False},
-    "locus": {"robot": PLATFORM, "over": "z"},
+    "locus": {"source": PLATFORM, "over": "z"},
     "parse": {"text": "[abcd]"},
-    "path": {"robot": PLATFORM, "poses": ["0 0 0", "0 0 1"], "samples": 2},
-    "pose": {"robot": PLATFORM, "at": "0 0 0", "nearest": False},
+    "path": {"source": PLATFORM, "poses": ["0 0 0", "0 0 1"], "samples": 2},
+    "pose": {"source": PLATFORM, "at": "0 0 0", "nearest": False},
     "prove": {"claim": "[abcd] == [abcd]"},
-    "report": {"analysis": ANALYSIS, "interactive": False},
+    "report": {"source": ANALYSIS, "interactive": False},
     "rewrite": {"e": "[aabc]", "rules": ["vanishing"]},
     "shorten": {"e": "[abcd]", "seconds": 1.0},
     "shortest": {"legs": LEGS},
-    "singular_map": {"robot": PLATFORM, "over": ["x -1:1:2", "y -1:1:2"], "measure": "value"},
+    "singular_map": {"source": PLATFORM, "over": ["x -1:1:2", "y -1:1:2"], "measure": "value"},
+    "singular": {"source": ANALYZED, "towards": "z=0.1, roll=0deg, pitch=0deg"},
     "straighten": {"e": "[abcd]"},
     "superbracket": {"legs": LEGS},
     "transversals": {"legs": LEGS},
-    "view": {"robot": PLATFORM},
+    "view": {"source": PLATFORM},
     "seeded": {"seed": 7},
     "within": {"seconds": 60},
 }
@@ -139,13 +143,14 @@ COMPILED = gc.compiled(PLATFORM, engine="numpy")
 MAP = gc.singular_map(PLATFORM, ["x -1:1:2", "y -1:1:2"], measure="value")
 LIBRARY = gc.load_rules()
 METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
-    "Robot.load": (gc.Robot.load, ("name",)),
-    "Robot.load plugins": (lambda plugins: gc.Robot.load("3-rps", plugins=plugins), ("plugins",)),
-    "Robot.parse": (gc.Robot.parse, ("text",)),
-    "Robot.pose": (ROBOT.pose, ("at", "actuators", "threshold")),
-    "Robot.poses": (ROBOT.poses, ("ats",)),
-    "Robot.at": (ROBOT.at, ("x", "z", "roll", "degrees", "threshold")),
-    "Robot.singular": (ROBOT.singular, ("towards", "actuators", "threshold")),
+    "load plugins": (lambda plugins: gc.load("3-rps", plugins=plugins), ("plugins",)),
+    "load data": (lambda **data: gc.load({"legs": "ab", **data}), ("legs", "points", "units", "limbs")),
+    "pose of a robot": (
+        lambda **given: gc.pose(ANALYZED, **given),
+        ("at", "actuators", "quaternion", "euler", "degrees", "about", "threshold", "accuracy", "nearest"),
+    ),
+    "pose by coordinates": (lambda **at: gc.pose(ANALYZED, {"z": 0, "roll": 0, "pitch": 0, **at}), ("x", "z", "roll")),
+    "platform by coordinates": (lambda **at: gc.pose(ANALYSIS, at, nearest=False), ("x", "z", "roll", "rx")),
     "CompiledCondition": (COMPILED, ("translations", "rotations", "quaternions", "out")),
     "CompiledCondition.at_joints": (COMPILED.at_joints, ("points",)),
     "SingularMap.values": (MAP.values, ("name",)),
@@ -216,11 +221,11 @@ def test_a_wrong_keyword_is_pythons(name: str) -> None:
 @pytest.mark.parametrize(
     ("call", "message", "hint"),
     [
-        (lambda: gc.pose(ROBOT), "gc.pose: `robot` must be a platform, its analysis or the name", "robot.pose"),
-        (lambda: gc.path(gc, []), "gc.path: `robot` must be a platform, .* got a module", None),
-        (lambda: gc.path(ROBOT, []), "got a Robot", "as_platform"),
-        (lambda: gc.analyze(ROBOT), "gc.analyze: `legs` must be legs as text", "robot.analyze"),
-        (lambda: gc.report(PLATFORM), "`analysis` must be an analysis, got a Platform", r"gc.report\(gc.analyze"),
+        (lambda: gc.path(gc, []), "gc.path: `source` must be a source: legs, .* got a module", None),
+        (lambda: gc.path(ROBOT, []), "a path is for platforms on six legs; 3-rps", "gc.singular"),
+        (lambda: gc.pose(LEGS), "legs alone have no coordinates", "give a geometry file"),
+        (lambda: gc.analyze(ROBOT, order="2 1 3 4 5 6"), "the robot 3-rps takes no options order", None),
+        (lambda: gc.analyze(ANALYSIS, recheck=True), "what was analysed before takes no options recheck", None),
         (lambda: gc.expand(b"[abcd]"), "`e` must be text or an expression, got b'", None),
         (lambda: gc.expand("[abcd]", limit=True), "`limit` must be a whole number from 1 on, got True", None),
         (lambda: gc.factor("[abcd]", seconds=math.nan), "number of seconds, 0 or more, got nan", None),
@@ -231,7 +236,7 @@ def test_a_wrong_keyword_is_pythons(name: str) -> None:
             "names of points as text or as a sequence.* got a set of 2",
             None,
         ),
-        (lambda: ROBOT.pose(z=1), "", None),
+        (lambda: gc.pose(ROBOT, z=1), "", None),
     ],
 )
 def test_messages(call: Callable[[], Any], message: str, hint: str | None) -> None:
@@ -256,7 +261,8 @@ def test_messages(call: Callable[[], Any], message: str, hint: str | None) -> No
         lambda: gc.pose(ROOT / "examples" / "octahedral.yaml", [0, Fraction(1, 3), Decimal("0.5")], nearest=False),
         lambda: gc.path(PLATFORM, (p for p in ("0 0 0", (0, 0, np.int32(1)))), samples=np.int16(2)),
         lambda: gc.analyze([["a", "b"], ("a", "f"), "cb", "cd", "ed", "ef"], order=np.array([1, 0, 2, 3, 4, 5])),
-        lambda: ROBOT.at(z=np.float64(0.1), roll=np.int64(0), pitch=0),
+        lambda: gc.pose(ANALYZED, {"z": np.float64(0.1), "roll": np.int64(0), "pitch": 0}),
+        lambda: gc.load({"legs": ["ab"], "points": {"a": np.zeros(3), "b": (Fraction(1, 3), "1/2", np.float64(1))}}),
         lambda: gc.load_rules(identities=np.bool_(False)),
     ],
 )
@@ -283,9 +289,9 @@ def test_a_value_in_words(value: Any, words: str) -> None:
 
 @pytest.mark.parametrize("wrong", ["a", None, [1e200] * 4, b"1"], ids=["text", "None", "a list", "bytes"])
 def test_each_named_coordinate_is_judged_by_itself(wrong: Any) -> None:
-    robot = gc.Robot.load("delta")
+    robot = gc.analyze("delta")
     with pytest.raises(InputError, match=r"\by\b.* (must be|expected) a number"):
-        robot.at(x=0, y=wrong, z=0.5)
+        gc.pose(robot, {"x": 0, "y": wrong, "z": 0.5})
 
 
 @pytest.mark.parametrize("symbol", ["add", "sub", "mul", "or_", "and_"])

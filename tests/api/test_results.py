@@ -30,7 +30,9 @@ from gcrules.conditions.example_poses import singular_pose
 from gcrules.conditions.pose_value import pose_value
 from gcrules.core.errors import FileError, InputError, LimitReached, Span, StepError, SyntaxFault, join_faults
 from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.platform_file import load_platform
+from gcrules.mechanisms.load import read_robot
 from gcrules.rules.catalog.file import load
 from gcrules.rules.script import run_script
 
@@ -106,10 +108,10 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "curve": lambda: gc.singular_map(PLATFORM, ["x -100:100:5", "z -600:100:5"]).curves[0],
     "locus": lambda: gc.locus(PLATFORM, "x, y"),
     "compiled condition": lambda: gc.compiled(PLATFORM, engine="numpy"),
-    "robot": lambda: gc.Robot.load("3-rps"),
-    "analysis of a robot": lambda: gc.Robot.load("3-rps").analyze(),
-    "pose of a robot": lambda: gc.Robot.load("3-rps").pose("z=0.1, roll=5deg, pitch=0deg"),
-    "singular pose of a robot": lambda: gc.Robot.load("3-rps").pose("z=-1.1, roll=0deg, pitch=0deg"),
+    "robot": lambda: read_robot("3-rps"),
+    "analysis of a robot": lambda: analyze_robot(read_robot("3-rps")),
+    "pose of a robot": lambda: gc.pose("3-rps", "z=0.1, roll=5deg, pitch=0deg"),
+    "singular pose of a robot": lambda: gc.pose("3-rps", "z=-1.1, roll=0deg, pitch=0deg"),
     "factorization": lambda: gc.factor("[abcd][abef] + [abce][abdf]"),
     "shortening": lambda: gc.shorten("[abcd][abef] - [abce][abdf]"),
     "rewriting": lambda: gc.rewrite(r"(ab /\ cde) \/ f", ["expansion"]),

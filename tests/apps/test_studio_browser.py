@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-import gcrules as gc
+from gcrules.mechanisms.description.platform_file import load_platform
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 pytest.importorskip("playwright", reason="needs Playwright")
@@ -325,7 +325,7 @@ def test_files_are_taken_away(desk: Desk, taken: Callable[[str], Path]) -> None:
     desk.one("panel-take-away").click()
     assert taken("latex").read_text(encoding="utf-8").startswith("\\documentclass")
     assert json.loads(taken("json").read_text(encoding="utf-8"))["condition"]["kind"] == "four-planes"
-    assert len(gc.load_platform(taken("yaml")).legs) == 6
+    assert len(load_platform(taken("yaml")).legs) == 6
     for thing in ("svg", "view-svg"):
         assert taken(thing).read_text(encoding="utf-8").lstrip().startswith("<svg")
     assert taken("view-png").read_bytes().startswith(b"\x89PNG")

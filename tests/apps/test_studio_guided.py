@@ -21,6 +21,9 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.language.legs_text import legs_text
 from gcrules.algebra.language.text import text
 from gcrules.conditions.analysis import Analysis
+from gcrules.mechanisms.analyze import analyze_robot
+from gcrules.mechanisms.description.platform_file import load_platform
+from gcrules.mechanisms.load import read_robot
 from gcrules.rules.catalog.file import load as load_catalog
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
@@ -30,7 +33,7 @@ from studio_page import Desk, Server, studio
 
 pytestmark = pytest.mark.browser
 
-OCTAHEDRAL = gc.load_platform(ROOT / "examples" / "octahedral.yaml")
+OCTAHEDRAL = load_platform(ROOT / "examples" / "octahedral.yaml")
 WIDE, TABLET = {"width": 1280, "height": 800}, {"width": 1024, "height": 768}
 STAGES = [
     "structure",
@@ -209,7 +212,7 @@ def test_the_paper_s_robot_of_four_freedoms(desk: Desk) -> None:
     panel = desk.step("condition")
     found = {frozenset(re.findall(r"[A-Z]\d", letters)) for kind, letters in chips(panel) if kind == "tetrahedron"}
     assert found == {frozenset(t.split()) for t in ("S1 A1 B1 C1", "S1 S3 A3 B3", "S1 S3 S2 A2")}
-    robot = gc.Robot.load("gallardo-4dof").analyze()
+    robot = analyze_robot(read_robot("gallardo-4dof"))
     desk.step("statement")
     assert desk.text("statement").replace("\n", "").replace("\u200b", "") == robot.statement
     desk.slide("1", 0.2)

@@ -44,6 +44,8 @@ from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.core import alarm, budget, memory
 from gcrules.core.budget import Count, checkpoint, seconds_left, waiting, watched, within
 from gcrules.core.errors import InputError, LimitReached
+from gcrules.mechanisms.analyze import analyze_robot
+from gcrules.mechanisms.load import read_robot
 from gcrules.rules import rule_file
 from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.rewriting import rewrite
@@ -309,7 +311,7 @@ STAGES: dict[str, Callable[[], object]] = {
     "shortest form": lambda: gc.shortest("Aa Bb Cc Dd Ee Ff"),
     "transversals": lambda: gc.transversals("Aa Ab Bc Cd De Ef"),
     "analyze": lambda: gc.analyze("ab af cb cd ed ef"),
-    "a robot": lambda: gc.Robot.load("3-rps").analyze(),
+    "a robot": lambda: analyze_robot(read_robot("3-rps")),
     "factor": lambda: gc.factor(SHORT),
     "shorten": lambda: gc.shorten(SHORT),
 }

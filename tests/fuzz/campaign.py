@@ -95,7 +95,7 @@ def load_everything() -> None:
                 continue
         gcrules.analyze("ab af cb cd ed ef", search=0)  # reads the catalog, rules and plugins, and makes the parser
         gcrules.load_rules()
-        gcrules.Robot.load("3-rps")
+        gcrules.load("3-rps")
 
 
 def tried(family: Family, case: Case, jail: Jail) -> tuple[list[Fault], Any]:

@@ -10,9 +10,14 @@ from click.testing import CliRunner
 
 import gcrules as gc
 from gcrules.apps.cli import cli
+from gcrules.apps.studio.subject import read_subject
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.load import read_robot
+from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.pose_inputs import on_six_legs
 
 LEGS = ("gough-stewart", "gough-stewart-63", "octahedral")
 COMMANDS = {
@@ -29,7 +34,7 @@ def run(*arguments: str, text: str | None = None) -> Any:
 
 @pytest.mark.parametrize("name", LEGS)
 def test_legs_are_those_at_home(name: str) -> None:
-    robot = gc.Robot.load(name)
+    robot = read_robot(name)
     platform = as_platform(robot)
     assert len(platform.legs) == 6
     assert {end for _, end in platform.legs} == set(robot.platform)
@@ -40,8 +45,8 @@ def test_legs_are_those_at_home(name: str) -> None:
 def test_both_ways_to_a_pose_agree(name: str) -> None:
     """The same wrenches: the platform's numbers, and those of the robot whose joints are solved."""
     at = "0.3 0.2 0.5; euler zyx 20 0 10 deg"
-    robot = gc.Robot.load(name)
-    one, other = robot.pose(at), gc.pose(as_platform(robot), at, about="centroid", nearest=False)
+    robot = read_robot(name)
+    one, other = gc.pose(robot, at), gc.pose(as_platform(robot), at, nearest=False)
     assert one.closeness == pytest.approx(other.closeness, rel=1e-9)
 
 
@@ -62,7 +67,7 @@ def test_others_are_refused_with_the_reason(name: str) -> None:
     with pytest.raises(
         InputError, match=f"{name} is described by its joints and cannot be read as a platform"
     ) as fault:
-        as_platform(gc.Robot.load(name))
+        on_six_legs(mechanism(name), "a path")
     assert f"gcrules robot pose {name}" in fault.value.render()
 
 
@@ -85,7 +90,7 @@ def test_a_robot_from_standard_input(root: Any) -> None:
         ({"P*(A1 B1)": "P*(A1 B2)"}, "no leg"),
         ({"B1: free": "B1: on line A1 along x", "B1: [1, 2, 4]": "B1: [1, 0, 0]"}, "depends on the other body"),
     ],
-    ids=["another direction", "tied"],
+    ids=["another limb's direction", "tied"],
 )
 def test_what_is_no_leg(root: Any, changes: dict[str, str], says: str) -> None:
     text = (root / "plugins" / "octahedral" / "robot.yaml").read_text(encoding="utf-8")
@@ -93,4 +98,19 @@ def test_what_is_no_leg(root: Any, changes: dict[str, str], says: str) -> None:
         assert old in text
         text = text.replace(old, new)
     with pytest.raises(InputError, match=says):
-        as_platform(gc.Robot.parse(text))
+        as_platform(parse_robot(text))
+
+
+def test_a_slide_may_have_an_axis_of_its_own_name(root: Any) -> None:
+    """The leg's force runs through its ends whatever the direction of the slide: every road says so."""
+    text = (root / "plugins" / "octahedral" / "robot.yaml").read_text(encoding="utf-8")
+    named = text.replace("P*(A1 B1)", "P*(w1)").replace("directions:\n", "directions:\n  w1: along A1 B1\n")
+    assert named != text
+    one, two = as_platform(parse_robot(text)), as_platform(parse_robot(named))
+    assert (one.legs, one.points) == (two.legs, two.points)
+    subject = read_subject({"kind": "file", "name": "robot.yaml", "text": named})
+    assert subject.moving is not None
+    assert subject.moving.legs == one.legs
+    at = "z=0.2, roll=5deg"
+    found = [gc.pose(source, at, nearest=False).closeness for source in (gc.load(named), one)]
+    assert found[0] == pytest.approx(found[1], rel=1e-9)

@@ -17,13 +17,15 @@ from hypothesis import strategies as st
 
 import gcrules as gc
 from gcrules.apps.cli import cli
+from gcrules.mechanisms.analyze import analyze_robot
+from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.limb_file import LimbText, read_joints
-from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.kinematics.chains import SHAPES, chain_of
 from gcrules.mechanisms.kinematics.coordinates import coordinates
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkage
 from gcrules.mechanisms.kinematics.margin import Closeness, _locked, closeness, limb_closeness
-from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism, mechanism
 from gcrules.mechanisms.kinematics.rigid_motions import cross_matrix, exponential, inverse, logarithm, rotations
 from gcrules.mechanisms.kinematics.solve import Course, Solution, free_coordinates, goal, solve
 from gcrules.mechanisms.kinematics.targets import (
@@ -34,9 +36,10 @@ from gcrules.mechanisms.kinematics.targets import (
     wanted_pose,
 )
 from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
+from gcrules.mechanisms.load import read_robot
 from gcrules.rules.plugins import shipped_folder
 from gcrules.screws import FLOATS, JOINTS, RATIONALS
-from gcrules.screws.pose import parse_pose
+from gcrules.screws.pose_text import parse_pose
 
 IDS = tuple(one.id for one in robots())
 PARTS = (0.6,)
@@ -46,11 +49,11 @@ STEPS = {"x": 0.1, "y": -0.15, "z": 0.2, "roll": 0.1, "pitch": -0.15, "yaw": 0.2
 
 
 @cache
-def machine(name: str) -> Mechanism:
-    return mechanism(gc.Robot.load(name))
+def machine(name: str) -> Linkage:
+    return linkage(read_robot(name))
 
 
-def moves(m: Mechanism, part: float, more: Mapping[str, float] | None = None) -> dict[str, float]:
+def moves(m: Linkage, part: float, more: Mapping[str, float] | None = None) -> dict[str, float]:
     found = {n: STEPS[n] for n in free_coordinates(m)}
     for n, step in (more or {}).items():
         found[n] += step
@@ -92,7 +95,7 @@ def geometry(joint: Any, values: Mapping[str, Any]) -> dict[str, tuple[str, Any]
     return found
 
 
-def bodies(m: Mechanism, values: Mapping[str, Any]) -> Iterator[tuple[str, list[tuple[str, Any]]]]:
+def bodies(m: Linkage, values: Mapping[str, Any]) -> Iterator[tuple[str, list[tuple[str, Any]]]]:
     """Every rigid body with the points and directions on it."""
     base: list[tuple[str, Any]] = [("direction", axis) for axis in np.eye(3)] + [("point", np.zeros(3))]
     platform: list[tuple[str, Any]] = []
@@ -267,7 +270,7 @@ def test_closeness_is_that_of_platforms(name: str) -> None:
     names = [(limb.joints[0].points[0], limb.joints[-1].points[0]) for limb in m.robot.limbs]
     points = {n: [float(c) for c in m.home.values[n]] for pair in names for n in pair}
     legs = [list(pair) for pair in names]
-    platform = parse_platform(json.dumps({"legs": legs, "points": points}))
+    platform = gc.load({"legs": legs, "points": points})
     for text in ("0 0 0", "0.5 0.2 -0.7; euler zyx 20 10 -15 deg"):
         about = tuple(float(c) for c in m.centre)
         expected = gc.pose(platform, text, about=about, nearest=False)
@@ -277,7 +280,7 @@ def test_closeness_is_that_of_platforms(name: str) -> None:
         assert j.smallest_singular_value == pytest.approx(expected.smallest_singular_value, abs=1e-9)
 
 
-def elsewhere(m: Mechanism, scale: Fraction) -> Mechanism:
+def elsewhere(m: Linkage, scale: Fraction) -> Linkage:
     """The same robot in another frame and unit."""
     third = Fraction(1, 3)
     turn = [[third * c for c in row] for row in ((1, 2, 2), (2, 1, -2), (-2, 2, -1))]
@@ -287,7 +290,7 @@ def elsewhere(m: Mechanism, scale: Fraction) -> Mechanism:
         x, y, z = (sum(c * d for c, d in zip(row, v, strict=True)) for row in turn)
         shift = (5, -7, 2) if m.robot.family.sorts[n] == "point" else (0, 0, 0)
         home[n] = tuple(scale * (c + s) for c, s in zip((x, y, z), shift, strict=True))
-    return mechanism(replace(m.robot, home=home))
+    return linkage(replace(m.robot, home=home))
 
 
 def names_the_frame(r: gc.Robot) -> bool:
@@ -295,7 +298,7 @@ def names_the_frame(r: gc.Robot) -> bool:
     return bool(used & {"x", "y", "z"}) or any(d.relation.kind == "sum" for d in r.family.definitions)
 
 
-FREE = [n for n in IDS if not names_the_frame(gc.Robot.load(n))]
+FREE = [n for n in IDS if not names_the_frame(read_robot(n))]
 """Robots that do not name directions of the frame."""
 
 
@@ -318,7 +321,7 @@ def test_closeness_is_at_most_one_and_takes_its_motion(name: str) -> None:
     assert power(m, c, found, -1) == pytest.approx(found.sigma, abs=1e-9)
 
 
-def power(m: Mechanism, c: Configuration, found: Closeness, place: int) -> float:
+def power(m: Linkage, c: Configuration, found: Closeness, place: int) -> float:
     """√(Σ |P ξ|² / Σ (|v|² + ε ρ²|ω|²)) from the limbs, one by one."""
     v, w = found.motions[place][:3], found.motions[place][3:]
     above = below = 0.0
@@ -331,7 +334,7 @@ def power(m: Mechanism, c: Configuration, found: Closeness, place: int) -> float
     return (above / below) ** 0.5
 
 
-def largest_turn(m: Mechanism, a: Configuration, b: Configuration) -> float:
+def largest_turn(m: Linkage, a: Configuration, b: Configuration) -> float:
     """The largest angle between the wrenches of a limb in two configurations, seen from the platform."""
     worst = 0.0
     for k in range(len(m.ends)):
@@ -357,12 +360,17 @@ SINGULAR = {
 
 @cache
 def robot(name: str) -> gc.Robot:
-    return gc.Robot.load(name)
+    return read_robot(name)
+
+
+@cache
+def analysed(name: str) -> Any:
+    return analyze_robot(robot(name))
 
 
 @cache
 def singular(name: str) -> Any:
-    found = robot(name).singular(SINGULAR[name])
+    found = gc.singular(analysed(name), SINGULAR[name])
     assert found is not None
     return found
 
@@ -394,7 +402,7 @@ def test_determinants_change_their_sign_where_it_is_singular() -> None:
     roll = found.coordinates["roll"]
     signs = []
     for angle in (roll - 1e-4, roll + 1e-4):
-        at = robot("3-rps").at(z=0, roll=angle, pitch=0).points
+        at = gc.pose(analysed("3-rps"), {"z": 0, "roll": angle, "pitch": 0}).points
         rows = []
         for n in "123":
             A, S, r = (np.array(at[f"{letter}{n}"]) for letter in "ASr")
@@ -440,10 +448,10 @@ home: {O1: [5, 0, 3], A1: [5, 0, 0], B1: [5, 1, 0], d1: [-3, 0, 2], O2: [-3, 4, 
 
 
 def test_bars_that_would_not_stay_parallel_are_refused() -> None:
-    r = gc.Robot.parse(BARS)
-    assert r.pose("0.1 0.2 0.3; euler xyz 5 0 0 deg").residual < 1e-9  # turns about the first driven axes
+    r = parse_robot(BARS)
+    assert gc.pose(r, "0.1 0.2 0.3; euler xyz 5 0 0 deg").residual < 1e-9  # turns about the first driven axes
     with pytest.raises(gc.InputError, match="would not stay parallel"):
-        r.pose("0 0 0; euler xyz 0 0 5 deg")
+        gc.pose(r, "0 0 0; euler xyz 0 0 5 deg")
 
 
 def test_a_robot_that_is_singular_at_home() -> None:
@@ -451,46 +459,46 @@ def test_a_robot_that_is_singular_at_home() -> None:
     r = robot("3-rpr")
     assert r.home is not None
     r = replace(r, home={**r.home, **{n: tuple(map(Fraction, v)) for n, v in CONCURRENT.items()}})
-    here = r.pose()
+    here = gc.pose(r)
     assert (here.verdict, here.closeness, len(here.motions)) == ("singular", pytest.approx(0, abs=1e-12), 1)
     assert here.motions[0].point == pytest.approx((3, 1.5, 0))  # where the legs meet
     with pytest.raises(gc.InputError, match="singular at home"):
-        r.pose(actuators=[0.1, 0, 0])
+        gc.pose(r, actuators=[0.1, 0, 0])
 
 
 def test_ways_that_cross_a_singular_configuration_are_told() -> None:
-    assert "crosses a singular" in robot("3-rps").pose("z=0, roll=60deg, pitch=0deg").mode
-    assert robot("3-rps").pose("z=0, roll=40deg, pitch=0deg").mode.startswith("that of home")
+    assert "crosses a singular" in gc.pose(analysed("3-rps"), "z=0, roll=60deg, pitch=0deg").mode
+    assert gc.pose(analysed("3-rps"), "z=0, roll=40deg, pitch=0deg").mode.startswith("that of home")
 
 
 def test_none_is_found_where_none_is() -> None:
-    assert robot("3-rps").singular("z=0.1, roll=1deg, pitch=0deg") is None
+    assert gc.singular(analysed("3-rps"), "z=0.1, roll=1deg, pitch=0deg") is None
 
 
 # --- from Python and from the shell ----------------------------------------------------------------------------------
 
 
 def test_ways_to_ask() -> None:
-    r = robot("3-rps")
-    here = r.at(z=0.2, roll=5, pitch=0, degrees=True)
+    r = analysed("3-rps")
+    here = gc.pose(r, {"z": 0.2, "roll": 5, "pitch": 0}, degrees=True)
     for same in (
-        r.pose("z=0.2, roll=5deg, pitch=0deg"),
-        r.pose({"z": 0.2, "roll": np.pi / 36, "pitch": 0}),
-        r.pose(actuators=list(here.actuator_values.values())),
-        r.pose(actuators=here.actuator_values),
+        gc.pose(r, "z=0.2, roll=5deg, pitch=0deg"),
+        gc.pose(r, {"z": 0.2, "roll": np.pi / 36, "pitch": 0}),
+        gc.pose(r, actuators=list(here.actuator_values.values())),
+        gc.pose(r, actuators=here.actuator_values),
     ):
         assert same.closeness == pytest.approx(here.closeness, abs=1e-9)
         assert same.coordinates == pytest.approx(here.coordinates, abs=1e-9)
-    assert r.pose((0, 0, 0.2)).closeness == pytest.approx(r.pose("0 0 0.2").closeness)
-    assert r.pose().wanted == "home"
-    assert [one.closeness for one in r.poses(["0 0 0.2", {"z": 0.2, "roll": 0, "pitch": 0}])] == pytest.approx(
+    assert gc.pose(r, (0, 0, 0.2)).closeness == pytest.approx(gc.pose(r, "0 0 0.2").closeness)
+    assert gc.pose(r).wanted == "home"
+    assert [one.closeness for one in gc.pose(r, ["0 0 0.2", {"z": 0.2, "roll": 0, "pitch": 0}])] == pytest.approx(
         [0.609] * 2, abs=1e-3
     )
     assert repr(here) == "<RobotPose 3-rps: regular, closeness 0.5913, 36.3°>"
 
 
 def test_json_is_complete() -> None:
-    found = robot("delta").pose("x=0.1, y=0, z=0.3").to_json()
+    found = gc.pose(analysed("delta"), "x=0.1, y=0, z=0.3").to_json()
     assert json.loads(json.dumps(found, allow_nan=False))["points"] == found["points"]
     assert [len(found["jacobian"]["rows"]), len(found["actuators"]), len(found["limbs"])] == [6, 3, 3]
     assert found["guarantees"]["turn"] == pytest.approx(np.arcsin(found["closeness"]))
@@ -498,8 +506,8 @@ def test_json_is_complete() -> None:
 
 
 def test_text_in_ascii_is_ascii() -> None:
-    assert robot("3-rps").pose().text().isascii()
-    assert "tabular" in robot("3-rps").pose().latex()
+    assert gc.pose(analysed("3-rps")).text().isascii()
+    assert "tabular" in gc.pose(analysed("3-rps")).latex()
 
 
 HOMELESS = "copies: 3\ntitle: t\npoints: {A%: free, S%: 'in plane A% perpendicular to r%'}\ndirections: {r%: free}\n"
@@ -555,13 +563,24 @@ def test_faults(command: tuple[str, ...], name: str) -> None:
 @pytest.mark.parametrize("text", [HOMELESS, LINES], ids=["no home", "given by lines"])
 def test_robots_without_configurations(text: str) -> None:
     with pytest.raises(gc.InputError, match=r"no home|given by its lines"):
-        gc.Robot.parse(text).pose()
+        gc.pose(parse_robot(text))
 
 
-@pytest.mark.parametrize("option", ["--nearest", "--accuracy=1", "--about=1,2,3"])
+@pytest.mark.parametrize("option", ["--nearest", "--accuracy=1"])
 def test_options_of_platforms_are_refused_for_robots(option: str) -> None:
     result = CliRunner().invoke(cli, ["pose", "3-rps", option])
-    assert (result.exit_code, "docs/robot-numbers.md" in result.stderr) == (2, True)
+    assert (result.exit_code, "is for platforms on six legs" in result.stderr) == (2, True)
+
+
+def test_any_mechanism_turns_about_any_centre() -> None:
+    at = "x=0.1, yaw=10deg, roll=5deg"
+    for source in ("gough-stewart", gc.analyze(as_platform(read_robot("gough-stewart")))):
+        ends = [gc.pose(source, at, about=about, nearest=False) for about in ((1, 2, 3), "1, 2, 3", "origin")]
+        assert ends[0].closeness == ends[1].closeness != ends[2].closeness
+    one, two = (
+        gc.pose(source, at, about="1,2,3", nearest=n) for source, n in (("gough-stewart", False), (source, False))
+    )
+    assert one.closeness == pytest.approx(two.closeness, rel=1e-9)
 
 
 def test_pose_reads_robots_and_platforms() -> None:
@@ -575,7 +594,7 @@ def test_pose_reads_robots_and_platforms() -> None:
     found = [json.loads(a)["closeness"] for a in answers]
     assert found == [found[0]] * 4
     refused = CliRunner().invoke(cli, ["pose", "examples/octahedral.yaml", "--actuators", "q1=0"])
-    assert (refused.exit_code, "--actuators" in refused.stderr) == (2, True)
+    assert (refused.exit_code, "actuators are for robots" in refused.stderr) == (2, True)
 
 
 def test_searches_that_find_nothing_are_undecided() -> None:
@@ -624,7 +643,7 @@ def test_cross_matrices() -> None:
     ids=["yaw", "roll", "in the plane"],
 )
 def test_more_than_half_a_turn(name: str, at: str, whole: str) -> None:
-    one, two = robot(name).pose(at), robot(name).pose(whole)
+    one, two = gc.pose(analysed(name), at), gc.pose(analysed(name), whole)
     assert list(one.actuator_values.values()) == pytest.approx(list(two.actuator_values.values()), abs=1e-8)
 
 
@@ -633,7 +652,7 @@ def test_ends_on_a_line() -> None:
     r = robot("3-rps")
     points = {"A1": (2, 0, 0), "A2": (0, 2, 0), "A3": (-2, 0, 0), "S1": (1, 0, 2), "S2": (0, 0, 2), "S3": (-1, 0, 2)}
     axes = {"r1": (0, 1, 0), "r2": (1, 0, 0), "r3": (0, 1, 0)}
-    here = replace(r, home={n: tuple(map(Fraction, v)) for n, v in {**points, **axes}.items()}).pose()
+    here = gc.pose(replace(r, home={n: tuple(map(Fraction, v)) for n, v in {**points, **axes}.items()}))
     assert (here.verdict, here.closeness) == ("singular", pytest.approx(0, abs=1e-12))
     assert any(abs(abs(t.axis[0]) - 1) < 1e-9 and t.pitch == pytest.approx(0, abs=1e-9) for t in here.motions)
 
@@ -652,7 +671,7 @@ home: {A1: [0, 0, 0], A2: [10, 0, 0], A3: [5, 9, 0], B1: [1, 4, 0], B2: [9, 1, 0
 
 
 def test_driven_ends_pass_on_moments() -> None:
-    m = mechanism(gc.Robot.parse(DRIVEN_AT_THE_PLATFORM))
+    m = linkage(parse_robot(DRIVEN_AT_THE_PLATFORM))
     assert m.firm == (False, False, False)
     assert closeness(m, m.home).singular_values[0] <= 1
 
@@ -674,7 +693,7 @@ home: {A1: [0, 0, 0], A2: [10, 0, 0], A3: [5, 9, 0], B1: [1, 4, 0], B2: [9, 1, 0
 
 def test_joints_that_other_limbs_would_turn_are_refused() -> None:
     with pytest.raises(gc.InputError, match=r"P\(B1 B2\) would not stay fixed in its links"):
-        gc.Robot.parse(ELBOWS).pose("x=0.2, y=0.1, yaw=5deg")
+        gc.pose(parse_robot(ELBOWS), "x=0.2, y=0.1, yaw=5deg")
 
 
 def test_helical_joints_advance_by_their_pitch() -> None:
@@ -691,10 +710,10 @@ home: {A1: [3, 0, 0], A2: [-2, 3, 0], A3: [-2, -3, 0], D1: [3, 1, 0], D2: [-3, 3
   u2: [0, 1, 2], u3: [1, 0, 3], r1: [0, 1, 0], r2: [1, 1, 0], r3: [1, -1, 0], B1: [1, 1, 2], B2: [-2, 2, 2],
   B3: [-1, -3, 3]}
 """
-    r = gc.Robot.parse(text)
+    r = parse_robot(text)
     assert r.home is not None
     home = {n: np.array([float(c) for c in v]) for n, v in r.home.items()}
-    here = r.pose("x=0.1, y=0.05, z=-0.04")
+    here = gc.pose(r, "x=0.1, y=0.05, z=-0.04")
     for k, q in zip("123", here.actuator_values.values(), strict=True):
         u = home[f"u{k}"] / np.linalg.norm(home[f"u{k}"])
         turn = rotations(q * u)
@@ -719,10 +738,10 @@ home: {A1: [3, 0, 0], A2: [-2, 3, 0], A3: [-2, -3, 0], u1: [0, 0, 2], u2: [0, 1,
 
 
 def test_cylindrical_joints_slide_by_what_is_given_back() -> None:
-    r = gc.Robot.parse(SLEEVES)
+    r = parse_robot(SLEEVES)
     assert r.home is not None
     home = {n: np.array([float(c) for c in v]) for n, v in r.home.items()}
-    here = r.pose("z=0.05, roll=1deg, pitch=-1deg")
+    here = gc.pose(r, "z=0.05, roll=1deg, pitch=-1deg")
     for k, q in zip("123", here.actuator_values.values(), strict=True):
         u = home[f"u{k}"] / np.linalg.norm(home[f"u{k}"])
         then, now = (p - home[f"A{k}"] for p in (home[f"B{k}"], np.array(here.points[f"B{k}"])))
@@ -733,7 +752,7 @@ def test_cylindrical_joints_slide_by_what_is_given_back() -> None:
 def test_coordinates_that_turn_back_are_named() -> None:
     """At 24.4% of this way z, roll and pitch stop to determine the pose; no factor of the condition vanishes there."""
     with pytest.raises(gc.InputError, match=r"24\.4% .* z, roll and pitch hardly determine the pose"):
-        gc.Robot.parse(SLEEVES).pose("z=0.3, roll=5deg, pitch=-4deg")
+        gc.pose(parse_robot(SLEEVES), "z=0.3, roll=5deg, pitch=-4deg")
 
 
 PLANES = """
@@ -750,10 +769,10 @@ home: {A1: [3, 0, 0], A2: [-2, 3, 0], A3: [-2, -3, 1], n1: [0, 0, 2], n2: [0, 1,
 
 
 def test_planar_joints_keep_their_distance() -> None:
-    r = gc.Robot.parse(PLANES)
+    r = parse_robot(PLANES)
     assert r.home is not None
     home = {n: np.array([float(c) for c in v]) for n, v in r.home.items()}
-    here = r.pose("0.1 0.2 0.3; euler zyx 5 6 7 deg")
+    here = gc.pose(r, "0.1 0.2 0.3; euler zyx 5 6 7 deg")
     driven = list(here.actuator_values.values())[::2]
     for k, q in zip("123", driven, strict=True):
         n = home[f"n{k}"] / np.linalg.norm(home[f"n{k}"])
@@ -762,12 +781,12 @@ def test_planar_joints_keep_their_distance() -> None:
 
 def test_limbs_by_themselves_are_left_out_of_the_guarantee() -> None:
     """Close to the reach of an arm of a Delta robot it is singular by itself long before asin σ is used up."""
-    here = robot("delta").pose("x=0, y=0, z=-2.4")
+    here = gc.pose(analysed("delta"), "x=0, y=0, z=-2.4")
     assert here.limbs[0].closeness < 0.1
     assert here.turn > 0.15
     assert here.reason.startswith("The limbs' own singularities apart, there is no singular configuration before")
 
 
 def test_degrees_of_text() -> None:
-    here = robot("3-rpr").at(x="0.1", y=0, yaw="5", degrees=True)
+    here = gc.pose("3-rpr", {"x": "0.1", "y": 0, "yaw": "5"}, degrees=True)
     assert here.coordinates["yaw"] == pytest.approx(np.deg2rad(5))

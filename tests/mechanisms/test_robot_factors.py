@@ -18,6 +18,7 @@ from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.language.text import text
 from gcrules.apps.cli import cli
 from gcrules.core.errors import GcrulesError, InputError
+from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.common_factor import Subset
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, Part, at_member, ranks
 from gcrules.mechanisms.conditions.overlaps import of_several_kinds
@@ -25,7 +26,9 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.family import circles
 from gcrules.mechanisms.description.relations import Values
+from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.lines.singular import divided, gcd, interpolated, radical, roots
+from gcrules.mechanisms.load import read_robot
 from gcrules.screws import RATIONALS, RESIDUES, axis, jacobian, product
 
 FILES = DATA / "robots"
@@ -34,12 +37,12 @@ IDS = [one.id for one in robots()]
 
 @cache
 def load(name: str) -> gc.Robot:
-    return gc.Robot.load(name if name in IDS else FILES / f"{name}.yaml")
+    return read_robot(name if name in IDS else FILES / f"{name}.yaml")
 
 
 @cache
 def analysis(name: str) -> RobotAnalysis:
-    return load(name).analyze()
+    return analyze_robot(load(name))
 
 
 # --- six-subsets -----------------------------------------------------------------------------------------------------
@@ -184,7 +187,7 @@ def test_families_of_a_high_degree_are_not_compared() -> None:
     chain = ", ".join(f'{c}: "perpendicular to {b}, {a}"' for a, b, c in zip(names, names[1:], names[2:], strict=False))
     source = (FILES / "3-prrr.yaml").read_text("utf-8")
     source = source.replace("{u%: free}", f"{{c1: free, c2: free, {chain}, u1: free, u2: free, u3: 'c10 + c11'}}")
-    a = gc.Robot.parse(source).analyze()
+    a = analyze_robot(parse_robot(source))
     assert a.common is None
     assert "the directions u1, u2 and u3 are parallel to one plane" in a.statement
     assert "not compared" in a.text()
@@ -227,7 +230,7 @@ def test_chosen_lines_that_depend_on_each_other_are_left_out() -> None:
     source = (
         (FILES / "3-psp.yaml").read_text("utf-8").replace("S%: free", 'S%: free, T%: "in plane S% perpendicular to e%"')
     )
-    a = gc.Robot.parse(source.replace('P(e%)"', 'P(e%)", through: T%')).analyze()
+    a = analyze_robot(parse_robot(source.replace('P(e%)"', 'P(e%)", through: T%')))
     assert [p.chosen > 0 for p in a.parts] == [True]
     assert a.statement.startswith("Where the lines that were chosen for a limb do not depend on each other, the robot")
     assert "others only the chosen lines depend on each other" in " ".join(a.text().split())
@@ -239,7 +242,7 @@ def test_chosen_lines_that_depend_on_each_other_are_left_out() -> None:
 def test_screws_at_home() -> None:
     """A 3-UPU robot whose axes are not parallel: constraints of finite pitch, as the joint screws have them."""
     r = load("3-upu-askew")
-    a = r.analyze()
+    a = analyze_robot(r)
     assert a.structure.lines is None
     assert "two forces, its constraint a screw of finite pitch" in a.statement
     assert "Its Jacobian can be computed in any configuration" in a.statement
@@ -292,7 +295,7 @@ mobility: 3
 
 def test_lines_that_go_through_no_points_of_the_robot() -> None:
     """The forces of an HPS leg are a pencil at S, whose plane is turned by the pitch; no pair of points is in it."""
-    a = gc.Robot.parse(HELICAL).analyze()
+    a = analyze_robot(parse_robot(HELICAL))
     assert "leg 1, leg 2 and leg 3 (planar pencil)" in a.statement
     assert a.wrenches == ()
     assert "not known: the file has no home configuration" in a.text()
@@ -300,7 +303,7 @@ def test_lines_that_go_through_no_points_of_the_robot() -> None:
         "home: {r1: [0,1,0], r2: [2,1,0], r3: [2,-1,0], A1: [1,0,0], A2: [-1,2,0], A3: [-1,-2,0],"
         " S1: [1/2,0,2], S2: [-1/2,1,2], S3: [-1/2,-1,2]}\n"
     )
-    a = gc.Robot.parse(at_home).analyze()
+    a = analyze_robot(parse_robot(at_home))
     assert {one.kind for one in a.wrenches} == {"force"}
     assert len(a.wrenches) == 6
 
@@ -337,7 +340,7 @@ ONCE = {
 @pytest.mark.parametrize(("old", "new", "said"), ONCE.values(), ids=ONCE)
 def test_copies_report_a_fault_once(old: str, new: str, said: str) -> None:
     with pytest.raises(GcrulesError) as caught:
-        gc.Robot.parse(LEGS.replace(old, new))
+        parse_robot(LEGS.replace(old, new))
     assert said in caught.value.render()
     assert caught.value.render().count("error:") == 1
 
@@ -360,6 +363,6 @@ def test_words_of_planar_robots() -> None:
     }
     for last, words in said.items():
         source = f"{head}limbs:\n{rods}  - {{name: c, joints: '{last}'}}\nmobility: 3\n"
-        a = gc.Robot.parse(source).analyze()
+        a = analyze_robot(parse_robot(source))
         assert words in a.statement
         assert [limb.kind for limb in a.structure.limbs][:2] == ["force", "force"]

@@ -10,10 +10,13 @@ import pytest
 from click.testing import CliRunner
 from commands import assert_refused
 
-import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.core.english import agreeing, listed, of_kind
+from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.load import read_robot
+from gcrules.poses.limbs.remark import home_remark
 from gcrules.rules.plugins import shipped_folder
 
 ROBOTS = [one.id for one in robots(())]
@@ -74,7 +77,7 @@ def test_a_singular_home_is_said_to_be_one(
 ) -> None:
     path = tmp_path / "robot.yaml"
     path.write_text(changed(name, places), encoding="utf-8")
-    remark = gc.Robot.load(path).home_remark()
+    remark = home_remark(analyze_robot(read_robot(path)))
     assert says in remark
     assert more in remark
     checked = CliRunner().invoke(cli, ["robot", "check", str(path)])
@@ -88,7 +91,7 @@ def test_a_singular_home_is_said_to_be_one(
 
 @pytest.mark.parametrize("name", ROBOTS)
 def test_shipped_homes_are_regular(name: str) -> None:
-    assert gc.Robot.load(name).home_remark() == ""
+    assert home_remark(analyze_robot(read_robot(name))) == ""
 
 
 # --- published conditions -------------------------------------------------------------------------------------------
@@ -100,7 +103,7 @@ FACTORS = ["1", "-1", "2", "1/2", "-1/2", "-3/7", "1/3", "2000000000001", "1/200
 @pytest.mark.parametrize("factor", FACTORS)
 def test_the_factor_of_a_published_condition(factor: str) -> None:
     text = shipped("gallardo-4dof").replace(f'"{BRACKETS}"', f'"{factor} {BRACKETS}"')
-    published = gc.Robot.parse(text).analyze().published
+    published = analyze_robot(parse_robot(text)).published
     assert published is not None
     assert published.verdict == "proved"
     assert (
@@ -109,10 +112,10 @@ def test_the_factor_of_a_published_condition(factor: str) -> None:
 
 
 def test_at_half() -> None:
-    superbracket = gc.Robot.load("3-rps").analyze().lines
+    superbracket = analyze_robot(read_robot("3-rps")).lines
     assert superbracket is not None
     text = f'{shipped("3-rps")}condition: "-2 {superbracket.structure.superbracket}"\n'
-    published = gc.Robot.parse(text).analyze().published
+    published = analyze_robot(parse_robot(text)).published
     assert published is not None
     assert published.detail.startswith("the superbracket is -1/2 times it")
 

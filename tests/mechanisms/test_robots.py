@@ -26,16 +26,20 @@ from gcrules.algebra.expr import Bracket, Expr, Point, points_of
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.apps.cli import cli
 from gcrules.core.errors import GcrulesError, InputError
+from gcrules.mechanisms.analyze import analyze_robot
+from gcrules.mechanisms.conditions.analyze_robot import _statement
 from gcrules.mechanisms.conditions.checks import notes
 from gcrules.mechanisms.conditions.factor_causes import ranks
-from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis, _statement
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.conditions.words import Words
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.family import Path as MemberPath
 from gcrules.mechanisms.description.limb_file import read_joints
 from gcrules.mechanisms.description.relations import RELATIONS, Values, relation
+from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.description.skeleton import skeleton
 from gcrules.mechanisms.lines.singular import interpolated, roots
+from gcrules.mechanisms.load import read_robot
 from gcrules.rules.plugins import shipped_folder
 from gcrules.screws import JOINTS, RATIONALS, RESIDUES
 
@@ -63,12 +67,12 @@ Row = tuple[Any, ...]
 
 @cache
 def robot(name: str) -> gc.Robot:
-    return gc.Robot.load(FILES / f"{name}.yaml" if name in OTHERS else name)
+    return read_robot(FILES / f"{name}.yaml" if name in OTHERS else name)
 
 
 @cache
 def analysis(name: str) -> RobotAnalysis:
-    return robot(name).analyze()
+    return analyze_robot(robot(name))
 
 
 # --- what is found for each robot ------------------------------------------------------------------------------------
@@ -154,12 +158,12 @@ def variant(name: str, old: str, new: str) -> gc.Robot:
     assert folder is not None
     text = (folder / name / "robot.yaml").read_text("utf-8").partition("\nhome:")[0]
     assert old in text
-    return gc.Robot.parse(text.replace(old, new) + "\n")
+    return parse_robot(text.replace(old, new) + "\n")
 
 
 @pytest.mark.parametrize(("name", "change", "words"), VARIANTS.values(), ids=VARIANTS)
 def test_special_families(name: str, change: tuple[str, str], words: tuple[str, ...]) -> None:
-    statement = variant(name, *change).analyze().statement
+    statement = analyze_robot(variant(name, *change)).statement
     assert [w for w in words if w not in statement] == []
 
 
@@ -203,8 +207,8 @@ mobility: 3
 
 def test_factors_that_vanish_together_are_told_by_what_loses_rank() -> None:
     """Where the v are parallel to one plane the constraints, forces through O, lose rank, at exact members too."""
-    r = gc.Robot.parse(WRIST)
-    a = r.analyze()
+    r = parse_robot(WRIST)
+    a = analyze_robot(r)
     assert [(p.kind, p.members >= 3) for p in a.parts] == [("constraint", True)] * 2
     assert [str(p.same) for p in a.parts] == [r"A1B1O /\ A2B2O /\ A3B3", "None"]  # said once, by the weaker condition
     assert a.statement.count("(constraint singularity)") == 1
@@ -242,7 +246,7 @@ mobility: 6
 
 
 def test_singular_limbs_without_words_are_left_out_too() -> None:
-    a = gc.Robot.parse(SCREWS).analyze()
+    a = analyze_robot(parse_robot(SCREWS))
     assert all(s.unexplained and not s.conditions for s in a.limbs)
     assert a.statement.startswith("Outside the singularities of its limbs, the robot is singular exactly when")
     assert "none found" not in a.text()
@@ -263,20 +267,22 @@ CHAINS = {
 @pytest.mark.parametrize(("key", "relation", "last", "words"), CHAINS.values(), ids=CHAINS)
 def test_chains_of_parallel_axes(key: str, relation: str, last: str, words: str) -> None:
     axis = "z" if "plane" in key else "r%"
-    a = gc.Robot.parse(f"""
+    a = analyze_robot(
+        parse_robot(f"""
 title: chains of parallel axes
 {key}
 copies: 3
 points: {{A%: free, B%: {relation}, C%: {relation}}}
 limbs: [{{joints: "R*(A%, {axis}) R(B%, {axis}) {last}"}}]
 mobility: 3
-""").analyze()
+""")
+    )
     assert words in [said for _, said in a.limbs[0].conditions]
 
 
 def test_words_of_a_flat_bracket_with_a_direction() -> None:
     """[A1 B1 C1 z] where the points lie in a plane across z in every member."""
-    family = gc.Robot.parse("""
+    family = parse_robot("""
 title: legs across z
 points: {A1: free, B1: in plane A1 perpendicular to z, C1: in plane A1 perpendicular to z, D1: free, E1: free, F1: free}
 lines: A1B1 B1C1 A1D1 B1E1 C1F1 D1E1
@@ -329,7 +335,7 @@ def test_the_published_condition_is_proved_or_refuted() -> None:
     folder = shipped_folder()
     assert folder is not None
     text = (folder / "gallardo-4dof" / "robot.yaml").read_text("utf-8")
-    other = gc.Robot.parse(text.replace("[S1A1B1C1] [S1S3A3B3]", "[S1A1B1C1] [S2S3A3B3]")).analyze()
+    other = analyze_robot(parse_robot(text.replace("[S1A1B1C1] [S1S3A3B3]", "[S1A1B1C1] [S2S3A3B3]")))
     assert other.published is not None
     assert other.published.verdict == "refuted"
 
@@ -569,7 +575,7 @@ def test_factors_of_chosen_lines(relations: Sequence[str] | None, kind: str, bra
     for old, new in zip(("S1 + x", "S1 + y", "S1 + z"), relations or (), strict=False):
         text = text.replace(old, new)
     text = text.replace("  d3: free", "  d3: free\n  w: perpendicular to u2, v2")
-    a = gc.Robot.parse(text if relations else text.replace("    through: A1 B1 C1\n", "")).analyze()
+    a = analyze_robot(parse_robot(text if relations else text.replace("    through: A1 B1 C1\n", "")))
     assert {str(p.expression): p.kind for p in a.parts} == {
         bracket: kind,
         "[A2S1S2S3]": "actuation",
@@ -579,13 +585,15 @@ def test_factors_of_chosen_lines(relations: Sequence[str] | None, kind: str, bra
 
 
 def test_a_link_may_spin_between_two_ball_joints() -> None:
-    a = gc.Robot.parse("""
+    a = analyze_robot(
+        parse_robot("""
 title: legs with a ball joint at both ends
 copies: 6
 points: {A%: free, B%: free}
 limbs: [{joints: "S(A%) P*(A% B%) S(B%)"}]
 mobility: 6
-""").analyze()
+""")
+    )
     assert (a.structure.mobility, a.structure.idle) == (6, 6)
     assert "belong to one linear complex" in a.statement
 
@@ -610,7 +618,7 @@ directions: {a%: free, b%: free, c%: free, d%: free, e%: free}
 limbs: [{joints: "R*(A%, a%) R(B%, b%) R(C%, c%) R(D%, d%) R(E%, e%)"}]
 mobility: 3
 """
-    a = gc.Robot.parse(general).analyze()
+    a = analyze_robot(parse_robot(general))
     assert a.structure.lines is None
     assert a.condition is None
     assert "a screw of finite pitch" in a.statement
@@ -628,12 +636,12 @@ mobility: 4
 
 
 def test_a_robot_is_given_by_its_lines() -> None:
-    a = gc.Robot.parse(GIVEN_BY_LINES).analyze()
+    a = analyze_robot(parse_robot(GIVEN_BY_LINES))
     assert [str(p.expression) for p in a.parts] == ["[A1B1C1S1]", "[A2S1S2S3]", "[A3B3S1S3]"]
     dead = GIVEN_BY_LINES.replace("S1A1 S1B1 S1C1 S2A2 S3A3 S3B3", "S1A1 S1B1 S1C1 S1A2 S3A3 S3B3")
     with pytest.raises(InputError, match="singular in every pose"):
-        gc.Robot.parse(dead).analyze()
-    special = gc.Robot.parse(GIVEN_BY_LINES.replace("C1: free", "C1: in plane A1 B1 S2")).analyze()
+        analyze_robot(parse_robot(dead))
+    special = analyze_robot(parse_robot(GIVEN_BY_LINES.replace("C1: free", "C1: in plane A1 B1 S2")))
     assert "[A1B1C1S1]" in [str(p.expression) for p in special.parts]
 
 
@@ -644,14 +652,14 @@ points: {A1: free, A2: free, A3: free, A4: free, B1: free, B2: free, B3: free, B
 lines: A1B1 A1B2 A2B2 A2B3 A3B4 A4B5
 mobility: 6
 """
-    a = gc.Robot.parse(lines).analyze()
+    a = analyze_robot(parse_robot(lines))
     assert a.structure.given == ()
     assert len(a.parts) == 1
-    special = gc.Robot.parse(lines.replace("B4: free", "B4: in plane A1 A2 A3")).analyze()
+    special = analyze_robot(parse_robot(lines.replace("B4: free", "B4: in plane A1 A2 A3")))
     assert special.structure.incidences == ("coplanar(A1, A2, A3, B4)",)
     assert [str(p.expression) for p in special.parts] == ["[A1A2A4B5]", r"A1B1B2 /\ A2B2B3 /\ A3B4"]
     planar = lines.replace("A1B1 A1B2 A2B2 A2B3 A3B4 A4B5", "A1B1 A2B2 A3B3").replace("title", "space: plane\ntitle")
-    flat = gc.Robot.parse(planar.replace("A3: free", "A3: on line A1 A2")).analyze()
+    flat = analyze_robot(parse_robot(planar.replace("A3: free", "A3: on line A1 A2")))
     assert flat.structure.incidences == ("collinear(A1, A2, A3)",)
 
 
@@ -674,7 +682,7 @@ mobility: 3
 
 def told(text: str) -> str:
     with pytest.raises(GcrulesError) as caught:
-        gc.Robot.parse(text, "robot.yaml")
+        parse_robot(text, "robot.yaml")
     assert caught.value.exit_code == 2
     return caught.value.render()
 
@@ -752,7 +760,7 @@ def test_all_faults_come_out_at_once() -> None:
 def test_home_that_violates_a_relation() -> None:
     home = "home: {A1: [1,0,0], A2: [-1,2,0], A3: [-1,-2,0], r1: [0,1,0], r2: [2,1,0], r3: [2,-1,0],"
     good = f"{GOOD}{home} S1: [1/2,0,2], S2: [-1/2,1,2], S3: [-1/2,-1,2]}}\n"
-    assert gc.Robot.parse(good).home
+    assert parse_robot(good).home
     assert "home violates the relation of S1" in told(good.replace("S1: [1/2,0,2]", "S1: [1/2,1,2]"))
     assert "home violates" not in told(good.replace("r1: [0,1,0]", "r1: [0,0,0]"))
     assert "S2 is in the same place as another point" in told(good.replace("S2: [-1/2,1,2]", "S2: [-1,2,0]"))
@@ -762,7 +770,7 @@ def test_large_files_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "robot.yaml"
     path.write_bytes(b"#" * 10_000_000)
     with pytest.raises(InputError, match="larger than"):
-        gc.Robot.load(path)
+        read_robot(path)
 
 
 def test_bombs_are_refused() -> None:
@@ -775,7 +783,7 @@ def test_bombs_are_refused() -> None:
 def test_any_text_is_read_or_refused_with_a_place(junk: str, key: str) -> None:
     text = re.sub(rf"({re.escape(key)}:).*", lambda m: f"{m[1]} {json.dumps(junk)}", GOOD, count=1)
     with contextlib.suppress(GcrulesError):  # anything else is a fault of gcrules
-        gc.Robot.parse(text)
+        parse_robot(text)
 
 
 # --- relations and joints --------------------------------------------------------------------------------------------
@@ -844,17 +852,17 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_robots_are_found_by_id_and_by_path(folder: Path) -> None:
-    assert gc.Robot.load("mine", plugins=[folder]).id == "mine"
-    assert gc.Robot.load(folder / "mine" / "robot.yaml").title == "three legs"
+    assert read_robot("mine", plugins=[folder]).id == "mine"
+    assert read_robot(folder / "mine" / "robot.yaml").title == "three legs"
     with pytest.raises(InputError, match="there is no robot '3-rsp'") as caught:
-        gc.Robot.load("3-rsp")
+        read_robot("3-rsp")
     assert "3-rps" in (caught.value.hint or "")
 
 
 def test_a_clash_names_both_owners(folder: Path) -> None:
     (folder / "mine").rename(folder / "delta")
     with pytest.raises(InputError) as caught:
-        gc.Robot.load("delta", plugins=[folder])
+        read_robot("delta", plugins=[folder])
     assert "gcrules" in caught.value.message
     assert f"folder {folder}" in caught.value.message
 
@@ -862,12 +870,12 @@ def test_a_clash_names_both_owners(folder: Path) -> None:
 def test_a_folder_that_is_known_is_no_clash() -> None:
     folder = shipped_folder()
     assert folder is not None
-    assert gc.Robot.load("delta", plugins=[os.path.relpath(folder)]).owner == "gcrules"
+    assert read_robot("delta", plugins=[os.path.relpath(folder)]).owner == "gcrules"
 
 
 def test_a_file_of_code_beside_a_robot_is_not_run(folder: Path) -> None:
     (folder / "mine" / "rules.py").write_text("raise SystemExit(7)", "utf-8")
-    assert gc.Robot.load("mine", plugins=[folder]).analyze().structure.mobility == 3
+    assert analyze_robot(read_robot("mine", plugins=[folder])).structure.mobility == 3
 
 
 def test_robots_of_installed_packages(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -878,7 +886,7 @@ def test_robots_of_installed_packages(folder: Path, monkeypatch: pytest.MonkeyPa
     monkeypatch.syspath_prepend(str(folder))
     entry = type("Entry", (), {"name": "others", "value": "robots_of_others", "dist": None})
     monkeypatch.setattr("gcrules.mechanisms.description.discovery.metadata.entry_points", lambda group: [entry])
-    assert gc.Robot.load("mine").owner == "package robots_of_others"
+    assert read_robot("mine").owner == "package robots_of_others"
 
 
 def test_commands(folder: Path) -> None:

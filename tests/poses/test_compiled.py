@@ -30,7 +30,7 @@ from gcrules.poses.compiling.compiled import CompiledCondition, compiled
 from gcrules.poses.compiling.native import native
 from gcrules.poses.compiling.scalars import Graph, Scalar
 from gcrules.poses.compiling.tape import Line, Program, allocated, lower
-from gcrules.poses.compiling.tracing import Mechanism, trace
+from gcrules.poses.compiling.tracing import Joints, trace
 from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.cubic import superbracket_at
@@ -161,19 +161,19 @@ def test_machine_code_takes_any_memory(layout: str) -> None:
 
 
 @st.composite
-def mechanisms(draw: st.DrawFn) -> tuple[Any, Mechanism]:
+def mechanisms(draw: st.DrawFn) -> tuple[Any, Joints]:
     """Six legs between few joints, which often share them; or, half the time, among any joints (odd cycles)."""
     if draw(st.booleans()):
         joints = st.sampled_from("abcdef")
         legs = [draw(st.tuples(joints, joints).filter(lambda leg: leg[0] != leg[1])) for _ in range(6)]
         structure = read_legs(legs)
-        return structure, Mechanism({}, structure.names, {})
+        return structure, Joints({}, structure.names, {})
     base, ends = st.sampled_from("ABCDEF"[: draw(st.integers(2, 6))]), st.sampled_from("abcdef")
     structure = read_legs([draw(st.tuples(base, ends)) for _ in range(6)])
     place = st.tuples(*[st.fractions(-5, 5, max_denominator=3)] * 3)
     fixed = {n: draw(place) for n in structure.names if n.isupper()}
     arms = {n: draw(place) for n in structure.names if n.islower()}
-    return structure, Mechanism(fixed, tuple(arms), arms, draw(place))
+    return structure, Joints(fixed, tuple(arms), arms, draw(place))
 
 
 def roads(structure: Any) -> list[Any]:
@@ -187,37 +187,37 @@ def roads(structure: Any) -> list[Any]:
 
 @settings(max_examples=30, deadline=None)
 @given(mechanisms(), st.data())
-def test_programs_are_exactly_the_superbracket(made: tuple[Any, Mechanism], data: st.DataObject) -> None:
-    structure, mechanism = made
+def test_programs_are_exactly_the_superbracket(made: tuple[Any, Joints], data: st.DataObject) -> None:
+    structure, joints = made
     shift = data.draw(st.tuples(small, small, small))
     q = data.draw(st.tuples(st.integers(1, 5), small, small, small))
     places = data.draw(st.lists(st.tuples(small, small, small), min_size=6, max_size=6))
     turn = rotation(tuple(map(F, q)))  # type: ignore[arg-type]
-    for kind in mechanism.kinds:
+    for kind in joints.kinds:
         if kind == "joints":
-            moved = dict(zip(mechanism.moving, places, strict=False))
-            inputs = [c for n in mechanism.moving for c in moved[n]]
+            moved = dict(zip(joints.moving, places, strict=False))
+            inputs = [c for n in joints.moving for c in moved[n]]
         else:
             moved = {
                 n: tuple(
-                    sum(r * c for r, c in zip(row, mechanism.arms[n], strict=True)) + c + t
-                    for row, c, t in zip(turn, mechanism.centre, shift, strict=True)
+                    sum(r * c for r, c in zip(row, joints.arms[n], strict=True)) + c + t
+                    for row, c, t in zip(turn, joints.centre, shift, strict=True)
                 )
-                for n in mechanism.moving
+                for n in joints.moving
             }
             inputs = [*shift, *(q if kind == "quaternions" else [c for row in turn for c in row])]
-        points = {n: (*p, 1) for n, p in {**mechanism.fixed, **moved}.items()}
+        points = {n: (*p, 1) for n, p in {**joints.fixed, **moved}.items()}
         expected = superbracket_at(structure.legs, points)
         for road in roads(structure):
-            _, program = trace(mechanism, kind, [road], structure.superbracket)
+            _, program = trace(joints, kind, [road], structure.superbracket)
             assert program.exact(list(map(F, inputs))) == expected
 
 
 def test_a_wrong_road_is_found_out() -> None:
     structure = read_legs("ab af cb cd ed ef")
-    mechanism = Mechanism({}, structure.names, {})
+    joints = Joints({}, structure.names, {})
     with pytest.raises(EngineFault, match="disagree"):
-        trace(mechanism, "joints", [("", lambda p: 2 * of_legs(structure.legs, p))], structure.superbracket)  # type: ignore[operator]
+        trace(joints, "joints", [("", lambda p: 2 * of_legs(structure.legs, p))], structure.superbracket)  # type: ignore[operator]
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ from places import EXAMPLES
 import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.core.errors import EngineFault, InputError, LimitReached
-from gcrules.mechanisms.description.platform_file import Platform, parse_platform
+from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
 from gcrules.mechanisms.moving_platform import rig
 from gcrules.poses.loci import locus as module
 from gcrules.poses.loci.expansion import expansion
@@ -31,7 +31,8 @@ from gcrules.poses.loci.locus import locus
 from gcrules.poses.loci.variables import question
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
 from gcrules.rules.catalog.file import load
-from gcrules.screws.pose import Pose, parse_pose
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import parse_pose
 from gcrules.screws.rotations import from_vector
 from gcrules.views.results.locus import form_latex
 
@@ -42,7 +43,7 @@ ALL = ("x", "y", "z", "e0", "e1", "e2", "e3")
 @pytest.fixture(scope="module")
 def robots() -> dict[str, Any]:
     names = ("octahedral", "platform-6-6", "platform-6-4", "platform-6-3", "four-dof")
-    return {n: gc.analyze(gc.load_platform(EXAMPLES / f"{n}.yaml")) for n in names}
+    return {n: gc.analyze(load_platform(EXAMPLES / f"{n}.yaml")) for n in names}
 
 
 def robot(legs: str, seed: int = 1, flat: str = "") -> Platform:

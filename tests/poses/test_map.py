@@ -27,7 +27,7 @@ import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
-from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.mechanisms.description.platform_file import load_platform, parse_platform
 from gcrules.mechanisms.moving_platform import Rig, rig
 from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.poses.compiling.compiled import compiled
@@ -44,7 +44,8 @@ from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.maps.slices import Factor, factors, middle, slice_polynomial
 from gcrules.poses.maps.tracing import traced
 from gcrules.poses.numbers.cubic import superbracket_at
-from gcrules.screws.pose import Pose, parse_pose
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import parse_pose
 from gcrules.views.plots import map_files as outputs
 from gcrules.views.plots.map_meshes import glb, ply
 
@@ -59,7 +60,7 @@ FLAT = {  # planes in which all joints lie in one plane and stay there: always s
 
 @pytest.fixture(scope="module")
 def robots(root: Any) -> dict[str, Analysis]:
-    return {n: analyze(gc.load_platform(root / "examples" / f"{n}.yaml")) for n in (*EXAMPLES, "octahedral-singular")}
+    return {n: analyze(load_platform(root / "examples" / f"{n}.yaml")) for n in (*EXAMPLES, "octahedral-singular")}
 
 
 @pytest.fixture(scope="module", autouse=True)

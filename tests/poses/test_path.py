@@ -24,7 +24,7 @@ from gcrules.apps.cli import path as path_command
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import report
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
-from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.mechanisms.description.platform_file import load_platform, parse_platform
 from gcrules.mechanisms.moving_platform import Rig, rig
 from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
@@ -34,7 +34,8 @@ from gcrules.poses.paths.roots import WIDTH, integers, roots, sign_after, sign_b
 from gcrules.poses.paths.segment import Segment, segments
 from gcrules.poses.paths.table import read_poses
 from gcrules.poses.paths.zeros import Stretch, places, stretches
-from gcrules.screws.pose import Pose, parse_pose
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import parse_pose
 from gcrules.screws.rotations import product as turn_product
 from gcrules.views.plots.path_plot import _determinant
 
@@ -50,10 +51,10 @@ small = st.integers(-6, 6)
 
 @pytest.fixture(scope="module")
 def robots(root: Any) -> dict[str, Analysis]:
-    return {n: analyze(gc.load_platform(root / "examples" / f"{n}.yaml")) for n in (*EXAMPLES, "octahedral-singular")}
+    return {n: analyze(load_platform(root / "examples" / f"{n}.yaml")) for n in (*EXAMPLES, "octahedral-singular")}
 
 
-def rig_of(a: Analysis, about: Any = "origin") -> Rig:
+def rig_of(a: Analysis, about: Any = "centroid") -> Rig:
     assert a.platform is not None
     return rig(a.structure, a.platform, about)
 

@@ -22,7 +22,7 @@ from gcrules.algebra.language.legs_text import read_legs
 from gcrules.apps.cli import cli
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError
-from gcrules.mechanisms.description.platform_file import Platform, parse_platform
+from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
 from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.poses.nearest.cover import free_angle, free_distance
 from gcrules.poses.nearest.multistart import Determinant, best_zero
@@ -37,7 +37,8 @@ from gcrules.poses.numbers.motion import dependence, exact_dependence
 from gcrules.poses.numbers.variety import signature, variety
 from gcrules.screws.guarantees import closeness, noise
 from gcrules.screws.margin import Jacobian, jacobian
-from gcrules.screws.pose import Pose, parse_pose
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import parse_pose
 from gcrules.screws.rotations import from_euler, product, rotation
 from gcrules.screws.threshold import parse_threshold
 
@@ -49,7 +50,7 @@ seeds = st.integers(0, 2**32 - 1)
 
 @pytest.fixture(scope="module")
 def robots(root: Any) -> dict[str, Analysis]:
-    return {n: analyze(gc.load_platform(root / "examples" / f"{n}.yaml")) for n in (*EXAMPLES, "octahedral-singular")}
+    return {n: analyze(load_platform(root / "examples" / f"{n}.yaml")) for n in (*EXAMPLES, "octahedral-singular")}
 
 
 def random_robot(seed: int, number: int = 1) -> tuple[np.ndarray, np.ndarray]:

@@ -17,6 +17,7 @@ import gcrules as gc
 from gcrules.apps.studio.numbers import numbers
 from gcrules.apps.studio.subject import read_subject
 from gcrules.mechanisms.description.platform_file import Platform, parse_platform
+from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.screws.threshold import DEFAULT, closeness_of
 from gcrules.screws.verdict import CLOSE, VERDICTS, decide, rank
 from gcrules.views.report.scene_json import Scenery
@@ -39,7 +40,7 @@ def platform(height: str) -> Platform:
 
 def by_joints(height: str) -> gc.Robot:
     file = ROOT / "plugins" / "octahedral" / "robot.yaml"
-    return gc.Robot.parse(file.read_text(encoding="utf-8").replace(", 4]", f", {height}]"))
+    return parse_robot(file.read_text(encoding="utf-8").replace(", 4]", f", {height}]"))
 
 
 def widget(height: str) -> Any:
@@ -55,7 +56,7 @@ ROADS: dict[str, Callable[[str], Any]] = {
     "samples of a path": lambda h: gc.path(platform(h), ["0 0 0", "0 0 0"], samples=1).numbers.verdict.tolist()[0],
     "studio": lambda h: numbers(read_subject({"kind": "file", "text": geometry(h), "name": "x.yaml"}), HOME)["verdict"],
     "widget": widget,
-    "joints": lambda h: by_joints(h).pose().verdict,
+    "joints": lambda h: gc.pose(by_joints(h)).verdict,
 }
 
 

@@ -24,10 +24,12 @@ from gcrules.apps.studio.composing import platform_text
 from gcrules.apps.studio.export import saved
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import read_subject
+from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.discovery import robots
-from gcrules.mechanisms.description.platform_file import UNITS
-from gcrules.mechanisms.robot import Robot
+from gcrules.mechanisms.description.platform_file import load_platform
+from gcrules.mechanisms.load import read_robot
 from gcrules.rules.catalog.file import load
+from gcrules.screws.pose import UNITS
 from gcrules.views.formulas.latex import latex, latex_name
 from gcrules.views.formulas.latex_text import latex_document, latex_quantity, latex_words
 
@@ -72,7 +74,7 @@ def long_legs(legs: Iterable[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
 
 def long_platform(path: Path, folder: Path) -> str:
     """A platform file whose points have long names, with units, and a title that LaTeX cannot take as it is."""
-    p = gc.load_platform(path)
+    p = load_platform(path)
     points = {long_name(n): xyz for n, xyz in p.points.items()}
     found = folder / path.name
     found.write_text(platform_text(HARD_TITLE, HARD_TITLE, "um", long_legs(p.legs), points), encoding="utf-8")
@@ -87,7 +89,7 @@ ANALYSES: Mapping[str, Callable[[Path], str]] = {
     **{f"studio {p.stem}": lambda _, p=p: studio({"kind": "example", "name": p.stem}) for p in PLATFORMS},
     **{f"class {c}": lambda _, c=c: gc.analyze(ALL_CLASSES[c]).latex() for c in ALL_CLASSES},
     **{f"long class {c}": lambda _, c=c: gc.analyze(long_legs(ALL_CLASSES[c])).latex() for c in ALL_CLASSES},
-    **{f"robot {r}": lambda _, r=r: Robot.load(r).analyze().latex() for r in ROBOTS},
+    **{f"robot {r}": lambda _, r=r: analyze_robot(read_robot(r)).latex() for r in ROBOTS},
     **{f"studio {r}": lambda _, r=r: studio({"kind": "robot", "id": r}) for r in ROBOTS},
     "words": lambda _: latex_document([rf"\section*{{{latex_words(HARD_TITLE)}}}"]),
     "every sign": lambda _: latex_document(rf"{latex_words(chr(c))}\par" for c in SAMPLE_OF_SIGNS),
@@ -168,7 +170,7 @@ def test_there_is_something_to_compile() -> None:
     assert len(PLATFORMS) > 3
     assert len(ROBOTS) > 15
     assert len(ALL_CLASSES) == 39
-    assert any(gc.load_platform(p).units for p in PLATFORMS)
+    assert any(load_platform(p).units for p in PLATFORMS)
 
 
 # --- words and quantities -------------------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ import pytest
 from places import EXAMPLES
 
 import gcrules as gc
+from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.rules.catalog.file import load
 from gcrules.views.report.report import fragment
 from gcrules.views.report.stages import Formula, stages
@@ -53,7 +54,7 @@ def check_page(page: str) -> None:
 
 @pytest.mark.parametrize("path", PLATFORMS, ids=[p.stem for p in PLATFORMS])
 def test_reports_of_the_examples(path: Path) -> None:
-    a = gc.analyze(gc.load_platform(path))
+    a = gc.analyze(load_platform(path))
     page = gc.report(a, interactive=False)
     check_page(page)
     assert a.pose is not None
@@ -106,7 +107,7 @@ def test_long_names() -> None:
 def test_report_in_a_browser(run_browser: Callable[..., str], tmp_path: Path) -> None:
     """From file://, with formulas and figures in the document and no text outside them lost."""
     path = tmp_path / "report.html"
-    a = gc.analyze(gc.load_platform(PLATFORMS[0]))
+    a = gc.analyze(load_platform(PLATFORMS[0]))
     path.write_text(gc.report(a, interactive=False), encoding="utf-8")
     dom = run_browser(path)
     assert a.condition.statement in dom

@@ -16,12 +16,14 @@ from click.testing import CliRunner, Result
 from hypothesis import given
 from hypothesis import strategies as st
 
-import gcrules as gc
 from gcrules.apps.cli import cli
+from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import ranks
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.load import read_robot
 from gcrules.screws import JOINTS, RATIONALS, RESIDUES
 from gcrules.screws.screw import product
 from gcrules.views.drawing import bsp, frame, labels, legend, solids
@@ -53,12 +55,12 @@ Pages = dict[str, str]
 
 @pytest.fixture(scope="module")
 def analyses() -> dict[str, RobotAnalysis]:
-    return {name: gc.Robot.load(name).analyze() for name in ALL}
+    return {name: analyze_robot(read_robot(name)) for name in ALL}
 
 
 @pytest.fixture(scope="module")
 def pages() -> Pages:
-    return robot_pages([gc.Robot.load(name) for name in FEW])
+    return robot_pages([read_robot(name) for name in FEW])
 
 
 @pytest.fixture(scope="module")
@@ -69,7 +71,7 @@ def committed(root: Path) -> Path:
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """A folder of plugins with one robot."""
-    text = (Path(gc.Robot.load("3-rpr").filename)).read_text(encoding="utf-8")
+    text = (Path(read_robot("3-rpr").filename)).read_text(encoding="utf-8")
     (tmp_path / "mine" / "my-robot").mkdir(parents=True)
     (tmp_path / "mine" / "my-robot" / "robot.yaml").write_text(text, encoding="utf-8")
     return tmp_path / "mine"
@@ -197,7 +199,7 @@ def test_pages_do_not_depend_on_the_last_bit(pages: Pages, monkeypatch: pytest.M
     for module in (*modules, robot_scene, robot_sky, robot_symbols):
         for name in {"cos", "sin", "atan2", "hypot", "dist", "dot"} & vars(module).keys():
             monkeypatch.setattr(module, name, shaken(getattr(module, name)))
-    found = robot_pages([gc.Robot.load("3-upu")])
+    found = robot_pages([read_robot("3-upu")])
     assert [n for n, text in found.items() if n != "index.md" and text != pages[n]] == []
 
 
@@ -376,7 +378,7 @@ mobility: 6
 
 @pytest.mark.parametrize("text", [WITHOUT_HOME, GIVEN_BY_LINES], ids=["no home", "given by lines"])
 def test_robots_that_cannot_be_drawn_have_a_page(text: str) -> None:
-    robot = gc.Robot.parse(text, "there/robot.yaml")
+    robot = parse_robot(text, "there/robot.yaml")
     found = robot_pages([robot])
     (page,) = [t for n, t in found.items() if n.endswith(".md") and n != "index.md"]
     assert not [n for n in found if n.endswith(".svg")]
@@ -401,8 +403,8 @@ home: {A: [0, 0, 0], B: [3, 0, 1], C: [0, 3, 2], D: [1, 1, 4], E: [4, 4, 0], F: 
 
 
 def test_every_kind_of_joint_is_drawn() -> None:
-    robot = gc.Robot.parse(EVERY_JOINT, "there/robot.yaml")
-    drawing = draw_robot(robot.analyze(), home_values(robot))
+    robot = parse_robot(EVERY_JOINT, "there/robot.yaml")
+    drawing = draw_robot(analyze_robot(robot), home_values(robot))
     ET.fromstring(drawing.svg())
     words = shown(drawing)
     assert {"cylindrical", "helical", "planar", "prismatic", "revolute", "universal", "spherical"} <= set(words)

@@ -22,8 +22,11 @@ import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.conditions.pose_value import judged, measure
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.analyze import analyze_robot
+from gcrules.mechanisms.description.platform_file import load_platform
+from gcrules.mechanisms.load import read_robot
 from gcrules.rules.catalog.file import load
-from gcrules.screws.pose import parse_pose
+from gcrules.screws.pose_text import parse_pose
 from gcrules.views.drawing.palette import ROLES
 from gcrules.views.report.report_page import in_script
 from gcrules.views.report.robot_report import robot_scene
@@ -32,13 +35,13 @@ from gcrules.views.viewer import viewer_script
 
 EXAMPLES = ROOT / "examples"
 SOURCES = ROOT / "studio-ui" / "src" / "viewer"
-OCTAHEDRAL = gc.analyze(gc.load_platform(EXAMPLES / "octahedral.yaml"))
+OCTAHEDRAL = gc.analyze(load_platform(EXAMPLES / "octahedral.yaml"))
 STRUCTURES = {
     "octahedral": OCTAHEDRAL,
-    "octahedral-singular": gc.analyze(gc.load_platform(EXAMPLES / "octahedral-singular.yaml")),
-    "6-6": gc.analyze(gc.load_platform(EXAMPLES / "platform-6-6.yaml")),
-    "6-4": gc.analyze(gc.load_platform(EXAMPLES / "platform-6-4.yaml")),
-    "four-dof": gc.analyze(gc.load_platform(EXAMPLES / "four-dof.yaml")),
+    "octahedral-singular": gc.analyze(load_platform(EXAMPLES / "octahedral-singular.yaml")),
+    "6-6": gc.analyze(load_platform(EXAMPLES / "platform-6-6.yaml")),
+    "6-4": gc.analyze(load_platform(EXAMPLES / "platform-6-4.yaml")),
+    "four-dof": gc.analyze(load_platform(EXAMPLES / "four-dof.yaml")),
     "turned round": gc.analyze("ba af cb cd ed ef"),
 }
 POSES = [
@@ -89,11 +92,11 @@ def test_lines_without_a_platform_are_drawn_and_stay(legs: str) -> None:
 
 
 def test_robots_on_six_legs_move_as_platforms() -> None:
-    found = robot_scene(gc.Robot.load("gough-stewart").analyze())
+    found = robot_scene(analyze_robot(read_robot("gough-stewart")))
     assert len(found["platform"]) == 6
     assert "recipe" in found
-    assert "recipe" not in robot_scene(gc.Robot.load("3-rps").analyze())
-    shown = gc.view(gc.Robot.load("gough-stewart"))
+    assert "recipe" not in robot_scene(analyze_robot(read_robot("3-rps")))
+    shown = gc.view(read_robot("gough-stewart"))
     assert shown.verdict == "regular"
     assert shown.numbers(nearest=False).closeness == pytest.approx(shown.margin)
 
@@ -198,7 +201,7 @@ def test_a_small_report_has_no_scripts() -> None:
 
 @pytest.mark.parametrize("name", ["3-rps", "gallardo-4dof", "delta", "3-rpr", "gough-stewart"])
 def test_reports_of_robots(name: str) -> None:
-    a = gc.Robot.load(name).analyze()
+    a = analyze_robot(read_robot(name))
     page = gc.report(a, interactive=False)
     parser = Scripts()
     parser.feed(page)
@@ -236,14 +239,14 @@ def test_a_report_of_no_analysis_says_what_to_write() -> None:
 def test_a_file_in_place_of_legs_gets_a_hint(ask: Callable[[str], object]) -> None:
     with pytest.raises(InputError) as fault:
         ask("examples/octahedral.yaml")
-    assert "gc.load_platform" in (fault.value.hint or "")
+    assert "load_platform" in (fault.value.hint or "")
 
 
 # --- the widget ----------------------------------------------------------------------------------------------------
 
 
 def test_a_widget_follows_the_pose_from_both_sides() -> None:
-    platform = gc.load_platform(EXAMPLES / "octahedral.yaml")
+    platform = load_platform(EXAMPLES / "octahedral.yaml")
     shown = gc.view(platform)
     assert shown.scene == scene(OCTAHEDRAL)
     assert shown.verdict == "regular"
@@ -260,7 +263,7 @@ def test_a_widget_follows_the_pose_from_both_sides() -> None:
 
 
 def test_a_widget_warns() -> None:
-    shown = gc.view(gc.load_platform(EXAMPLES / "octahedral-singular.yaml"))
+    shown = gc.view(load_platform(EXAMPLES / "octahedral-singular.yaml"))
     assert shown.verdict == "singular"
 
 
@@ -276,7 +279,7 @@ def test_no_pose(pose: Any) -> None:
 
 
 def test_a_widget_of_a_robot_stays_at_home() -> None:
-    shown = gc.view(gc.Robot.load("3-rps"))
+    shown = gc.view(read_robot("3-rps"))
     assert shown.margin is None
     assert len(shown.scene["limbs"]) == 3
     with pytest.raises(InputError, match="legs and coordinates"):
@@ -664,7 +667,7 @@ def test_what_is_pointed_at_is_told_and_marked(view: Open, renderer: str) -> Non
 @pytest.mark.browser
 @RENDERERS
 def test_limbs_with_their_wrenches(view: Open, renderer: str) -> None:
-    data = robot_scene(gc.Robot.load("3-rps").analyze())
+    data = robot_scene(analyze_robot(read_robot("3-rps")))
     shown = view(data, renderer)
     assert [limb["name"] for limb in data["limbs"]] == ["leg 1", "leg 2", "leg 3"]
     assert {frozenset(p["label"]) for p in data["planes"]} == {frozenset(f"r{i}A{i}S{i}") for i in (1, 2, 3)}
@@ -844,7 +847,7 @@ def test_the_report_moves_the_platform_to_a_singular_pose(open_page: Open, rende
     "legs", ["Aa Ab Ba Bb Cc Dd", "3-rps", "ab bc ca ad be cf"], ids=["sample", "robot", "triangle"]
 )
 def test_other_reports_come_to_life(open_page: Open, legs: str) -> None:
-    a = gc.analyze(legs) if " " in legs else gc.Robot.load(legs).analyze()
+    a = gc.analyze(legs) if " " in legs else analyze_robot(read_robot(legs))
     shown = open_page(gc.report(a))
     assert shown.page.locator(".live .gcrules-viewer").is_visible()
     shown.page.emulate_media(media="print")

@@ -22,7 +22,7 @@ from gcrules.core.errors import GcrulesError, InputError, Span
 
 __all__ = ["Leg", "Structure", "leg_text", "legs_text", "read_legs", "read_order"]
 
-_FILE = "a geometry file is read by gc.load_platform, a robot described by its joints by gc.Robot.load"
+_FILE = "the file of a platform or of a robot is read by gc.load"
 
 
 def read_legs(

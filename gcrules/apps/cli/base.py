@@ -365,6 +365,8 @@ def search_option(default: float) -> Callable[[_Command], _Command]:
 
 about_option = click.option(
     "--about",
+    default="centroid",
+    show_default=True,
     metavar="CENTRE",
-    help="What the platform turns about: origin (the default of geometry files), centroid (of robots), or x,y,z.",
+    help="What the platform turns about: centroid (of its joints), origin (of the file), or x,y,z.",
 )

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
+from gcrules.algebra.language.legs_text import Structure
 from gcrules.apps.cli.base import (
     ExpressionCommand,
     Output,
@@ -19,25 +19,21 @@ from gcrules.apps.cli.base import (
     search_option,
     space_options,
 )
-from gcrules.apps.cli.files import OutputFile, read_stdin, working
+from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual import Manual, manual_options, run_manual
 from gcrules.apps.cli.rule_options import Choice, rules_options
+from gcrules.apps.cli.sources import read_source
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
-from gcrules.core.hints import near
-from gcrules.core.yaml_file import Document
-from gcrules.mechanisms.description.discovery import robots
-from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
-from gcrules.mechanisms.description.robot_file import describes_joints
-from gcrules.mechanisms.platform_analysis import analyze as analyzed
+from gcrules.mechanisms.analyze import analyze as analyzed
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.load import Loaded
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.factorization import SECONDS
-
-if TYPE_CHECKING:
-    from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 
 __all__ = ["analyze", "report"]
 
@@ -45,6 +41,7 @@ rendered = deferred("gcrules.views.report.report:report")
 save = deferred("gcrules.views.drawing.drawing_files:save")
 graph_figure = deferred("gcrules.views.drawing.figures:graph_figure")
 robot_figure = deferred("gcrules.views.drawing.figures:robot_figure")
+home_remark = deferred("gcrules.poses.limbs.remark:home_remark")
 
 _order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
 _recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
@@ -116,18 +113,16 @@ def analyze(
     if manual.wanted:
         refused = recheck or full or catalogs or figure or choice.words or choice.without or out.latex or special
         _check_manual(legs, refused, manual)
-        run_manual(_platform_or_legs(legs) if legs else None, order, manual, space, out, seconds)
+        run_manual(_six_legs(legs, space, choice) if legs else None, order, manual, space, out, seconds)
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
     others = order or recheck or full or figure or assumptions or catalogs or space != _SPACE
     with limited(seconds, beside(search)):
-        if of_joints := _of_joints(legs, choice, search, others):
-            out.show(of_joints)
-            return
-        analysis = _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
-        if figure:
+        loaded = _loaded(legs, assumptions, space, choice)
+        analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others)
+        if figure and isinstance(analysis, Analysis):
             _draw(analysis, figure)
-        out.show(_InFull(analysis) if full else analysis)
+        out.show(_InFull(analysis) if full and isinstance(analysis, Analysis) else analysis)
 
 
 @click.command(cls=ExpressionCommand)
@@ -167,9 +162,29 @@ def report(
     """
     _check_page(path)
     others = order or recheck or assumptions or catalogs or space != _SPACE
-    found: Analysis | RobotAnalysis | None = _of_joints(legs, choice, search, others)
-    found = found or _analysis(legs, order, recheck, assumptions, search, catalogs, choice, space)
-    write_file(path, rendered(found, interactive=interactive))
+    loaded = _loaded(legs, assumptions, space, choice)
+    analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others)
+    write_file(path, rendered(analysis, interactive=interactive))
+
+
+def _loaded(words: tuple[str, ...], assumptions: tuple[str, ...], space: Space, choice: Choice) -> Loaded:
+    """What the words say. Raises InputError for assumptions about what has coordinates."""
+    loaded = read_source(
+        words, plugins=choice.folders, points=space.points, ideal=space.ideal, given=assumptions, rank=space.rank
+    )
+    if isinstance(loaded, Platform) and assumptions:
+        raise InputError(f"{loaded.filename} gives coordinates: assumptions are for legs without")
+    return loaded
+
+
+def _six_legs(words: tuple[str, ...], space: Space, choice: Choice) -> Structure | Platform:
+    """The legs for manual mode. Raises InputError for robots of joints."""
+    loaded = _loaded(words, (), space, choice)
+    if not isinstance(loaded, (Structure, Platform)):
+        raise InputError(
+            "manual mode is for legs, and this is a robot of joints", hint="`gcrules robot analyze` takes it"
+        )
+    return loaded
 
 
 _OTHER_FORMATS = {
@@ -195,36 +210,44 @@ def _check_page(path: str) -> None:
         )
 
 
-def _of_joints(words: tuple[str, ...], choice: Choice, search: float, others: object) -> RobotAnalysis | None:
-    """The analysis of a robot described by its joints; None for legs and geometry files.
-
-    Raises UsageError for options that are for legs only: `others` is true if there are any.
+def _analyzed(
+    loaded: Loaded,
+    order: str | None,
+    recheck: bool,
+    search: float,
+    catalogs: tuple[str, ...],
+    choice: Choice,
+    space: Space,
+    others: object,
+) -> Analysis | RobotAnalysis:
+    """The analysis of what was read. Raises UsageError for options that a robot of joints does not take: `others` is
+    true if there are any.
     """
-    robot = _robot(words, choice.folders)
-    if robot is None:
-        return None
-    if others or choice.words or choice.without:
-        raise click.UsageError("A robot of joints takes --search, --plugins and the options of output only.")
+    if isinstance(loaded, Robot):
+        if others or choice.words or choice.without:
+            raise click.UsageError("A robot of joints takes --search, --plugins and the options of output only.")
+        with working("analysing"):
+            found = analyzed(loaded, search=search)
+            remark = home_remark(found)
+        if remark:
+            click.echo(f"warning: {remark}", err=True)
+        return found
+    given: dict[str, Any] = (
+        {"points": space.points, "ideal": space.ideal, "rank": space.rank} if isinstance(loaded, Platform) else {}
+    )
     with working("analysing"):
-        found = robot.analyze(search=search)
-        remark = robot.home_remark(found)
-    if remark:
-        click.echo(f"warning: {remark}", err=True)
-    return found
-
-
-def _robot(words: tuple[str, ...], folders: tuple[str, ...]) -> Robot | None:
-    """The robot of an id or a robot file; None for legs and geometry files."""
-    if len(words) != 1 or words[0] == "-":
-        return None
-    (word,) = words
-    path = _is_path(word)
-    if not path and re.search(r"[\s,]", word):  # legs, for which the modules of robots need not be loaded
-        return None
-    if path:
-        return Robot.load(word, plugins=folders) if describes_joints(Document.load(word)) else None
-    known = {one.id for one in robots(folders)}
-    return Robot.load(word, plugins=folders) if word in known or near(word, known) else None
+        answer = analyzed(
+            loaded,
+            order=order,
+            catalogs=catalogs,
+            recheck=recheck,
+            strategy=choice.strategy(),
+            search=search,
+            **given,
+        )
+    for warning in answer.platform.warnings if isinstance(answer, Analysis) and answer.platform else ():
+        click.echo(f"warning: {warning}", err=True)
+    return answer
 
 
 @dataclass(frozen=True)
@@ -249,53 +272,6 @@ def _check_manual(legs: tuple[str, ...], others: object, manual: Manual) -> None
         raise click.UsageError("Manual mode goes with --order, --points, --ideal and --json, no other options.")
     if "-" in legs and not manual.proposals:
         raise click.UsageError("In manual mode standard input holds the commands, not the legs.")
-
-
-def _analysis(
-    legs: tuple[str, ...],
-    order: str | None,
-    recheck: bool,
-    assumptions: tuple[str, ...],
-    search: float,
-    catalogs: tuple[str, ...],
-    choice: Choice,
-    space: Space,
-) -> Analysis:
-    found = _platform_or_legs(legs)
-    with working("analysing"):
-        answer = analyzed(
-            found,
-            order=order,
-            points=space.points,
-            ideal=space.ideal,
-            given=assumptions,
-            rank=space.rank,
-            catalogs=catalogs,
-            recheck=recheck,
-            strategy=choice.strategy(),
-            search=search,
-        )
-    for warning in answer.platform.warnings if answer.platform else ():
-        click.echo(f"warning: {warning}", err=True)
-    return answer
-
-
-def _platform_or_legs(words: tuple[str, ...]) -> Platform | str:
-    """A geometry file if the single word names one (or looks like a path), else the text of the legs."""
-    if len(words) > 1:
-        if "-" in words or any(_is_path(w) for w in words):
-            raise InputError("expected one geometry file, or legs", hint="give one file at a time")
-        return " ".join(words)
-    (word,) = words
-    if word == "-":
-        source = read_stdin()
-        return parse_platform(source, "<stdin>") if re.search(r"^\s*[\"']?legs", source, re.MULTILINE) else source
-    return load_platform(word) if _is_path(word) else word
-
-
-def _is_path(word: str) -> bool:
-    without_meets = re.sub(r"/\\|\\/", "", word)
-    return word.lower().endswith((".yaml", ".yml")) or os.sep in without_meets or os.path.isfile(word)
 
 
 def _draw(analysis: Analysis, path: str) -> None:

@@ -7,7 +7,7 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, limit_option, output_options
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.platforms import read_platform
+from gcrules.apps.cli.sources import read_source, warn
 from gcrules.poses.loci.factors import MAX_TERMS
 from gcrules.poses.loci.form import FORMATS
 from gcrules.poses.loci.locus import locus as computed
@@ -38,7 +38,7 @@ def locus(
     fix: str | None,
     at: str | None,
     rotation: str,
-    about: str | None,
+    about: str,
     export: str | None,
     limit: int,
     out: Output,
@@ -56,8 +56,8 @@ def locus(
     """
     if export is not None and (out.json or out.latex):
         raise click.UsageError("--export excludes --json and --latex.")
-    platform, centre = read_platform(file, about)
+    loaded = warn(read_source(file))
     with working("computing"):
-        found = computed(platform, over, fix=fix, at=at, rotation=rotation, about=centre, limit=limit)
+        found = computed(loaded, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
         text = found.text(unicode=out.unicode) if export is None else found.written(export)
     out.show(found, text)

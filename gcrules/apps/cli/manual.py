@@ -83,7 +83,7 @@ def manual_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def run_manual(
-    found: Platform | str | None, order: str | None, manual: Manual, space: Space, out: Output, seconds: float
+    found: Platform | Structure | None, order: str | None, manual: Manual, space: Space, out: Output, seconds: float
 ) -> None:
     """A session on legs (or on those of the session file), to its end. The exit code is 1 if anything was refused.
 
@@ -109,7 +109,7 @@ def run_manual(
     click.get_current_context().exit(1 if console.refused else 0)
 
 
-def _opened(found: Platform | str | None, order: str | None, path: str | None, space: Space) -> Session:
+def _opened(found: Platform | Structure | None, order: str | None, path: str | None, space: Space) -> Session:
     structure = None if found is None else _structure(found, space)
     if path is None or not os.path.exists(path):
         if structure is None:
@@ -127,9 +127,11 @@ def _opened(found: Platform | str | None, order: str | None, path: str | None, s
     return session
 
 
-def _structure(found: Platform | str, space: Space) -> Structure:
-    if isinstance(found, str):
-        return read_legs(found, points=space.points, ideal=space.ideal)
+def _structure(found: Platform | Structure, space: Space) -> Structure:
+    if isinstance(found, Structure):
+        if found.stand_ins:
+            raise InputError("manual mode takes legs between joints, and no lines that are built from points")
+        return found
     for warning in found.warnings:
         click.echo(f"warning: {warning}", err=True)
     long_names = (n for n in found.points if not SHORT_NAME.fullmatch(n))

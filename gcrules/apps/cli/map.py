@@ -11,13 +11,15 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.platforms import read_platform
+from gcrules.apps.cli.sources import read_source, warn
 from gcrules.core.budget import report
 from gcrules.core.errors import InputError
 from gcrules.core.files import after_writing
+from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.maps.axes import read_axes
 from gcrules.poses.maps.maps import MEASURES, bytes_of, done, planned
 from gcrules.poses.maps.store import check_room
+from gcrules.poses.pose_inputs import on_six_legs
 from gcrules.views.plots.map_files import SUFFIXES, check_outputs
 
 __all__ = ["map_"]
@@ -67,7 +69,7 @@ def map_(
     file: str,
     over: tuple[str, ...],
     at: str | None,
-    about: str | None,
+    about: str,
     limits: str | None,
     threshold: str,
     measure: str,
@@ -88,12 +90,12 @@ def map_(
     finished chunks are kept in a folder FILE.part, and the same command goes on from there. "-" reads the robot's
     file from standard input; the id of a robot with six legs, as of "gcrules robot list", does as well.
     """
-    platform, centre = read_platform(file, about)
-    check_outputs(outputs, len(read_axes(over, platform.units)))
+    legs = on_six_legs(mechanism(warn(read_source(file)), about=about), "a map")
+    check_outputs(outputs, len(read_axes(over, legs.unit)))
     work = _folder(outputs)
     if work is None and restart:
         raise InputError("--restart without -o", hint="chunks are kept only where -o names a file")
-    analysis, task, limit = planned(platform, over, at, centre, limits, threshold, measure)
+    analysis, task, limit = planned(legs.analysis, over, at, about, limits, threshold, measure)
     if work is not None:
         if task.number == 1 and not os.path.isdir(work):
             work = None

@@ -7,7 +7,7 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, output_options
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.platforms import read_platform
+from gcrules.apps.cli.sources import read_source, warn
 from gcrules.core.files import write_file
 from gcrules.core.streams import is_stdout
 from gcrules.poses.path_report import SAMPLES
@@ -45,7 +45,7 @@ def path(
     file: str,
     table: str | None,
     at: tuple[str, ...],
-    about: str | None,
+    about: str,
     samples: int,
     threshold: str,
     values: str | None,
@@ -66,14 +66,14 @@ def path(
     """
     if (table is None) == (not at):
         raise click.UsageError("Give the poses either by --poses POSES.csv or by --at, twice or more.")
-    platform, centre = read_platform(file, about)
+    loaded = warn(read_source(file))
     try:
         with working("computing") as status:
             found = along(
-                platform,
+                loaded,
                 list(at) if table is None else table,
                 samples=samples,
-                about=centre,
+                about=about,
                 threshold=threshold,
             )
     except KeyboardInterrupt:

@@ -4,15 +4,11 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, output_options
+from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, output_options
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.platforms import centre, read_either
-from gcrules.core.errors import InputError
-from gcrules.mechanisms.description.as_platform import as_platform
-from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.mechanisms.robot import Robot
-from gcrules.poses.pose_report import pose as posed
+from gcrules.apps.cli.sources import read_source, warn
+from gcrules.poses.pose import pose as computed
 
 __all__ = ["pose"]
 
@@ -22,14 +18,10 @@ __all__ = ["pose"]
 @click.option(
     "--at",
     metavar="POSE",
-    help='"x y z; euler zyx 10 0 0 deg"; by default the file\'s pose. Robots: "z=0.2, roll=5deg".',
+    help='"z=5, roll=10deg", or "x y z; euler zyx 10 0 0 deg"; by default the pose of the file.',
 )
 @click.option("--actuators", metavar="VALUES", help='Instead of a pose, of a robot with joints: "q1=0.1, q2=5deg".')
-@click.option(
-    "--about",
-    metavar="CENTRE",
-    help="What the platform turns about: origin (the default of geometry files), centroid, or x,y,z.",
-)
+@about_option
 @click.option(
     "--threshold",
     default="0.5 deg",
@@ -45,7 +37,7 @@ def pose(
     file: str,
     at: str | None,
     actuators: str | None,
-    about: str | None,
+    about: str,
     threshold: str,
     accuracy: str | None,
     nearest: bool | None,
@@ -55,46 +47,27 @@ def pose(
 
     \b
     gcrules pose robot.yaml
-    gcrules pose robot.yaml --at "10 0 -5; euler zyx 30 0 0 deg" --about centroid
+    gcrules pose robot.yaml --at "x=10, z=-5, yaw=30deg"
+    gcrules pose robot.yaml --at "10 0 -5; euler zyx 30 0 0 deg" --about origin
     gcrules pose robot.yaml --at "0 0 5 mm; quaternion 1 0 0 0" --threshold 20mm --json
     gcrules pose 3-rps --at "z=0.2, roll=5deg, pitch=0deg"
 
-    A pose is a translation x y z and, after a semicolon, a turn: quaternion w x y z, rotation-vector x y z deg, or
-    euler SEQUENCE a b c deg (xyz about the fixed axes, XYZ about the axes that turn along). It moves the platform from
-    where the file has it. "-" reads the file from standard input. A robot that is described by its joints, a file or
-    an id, is answered as by "gcrules robot pose"; with --nearest, --accuracy or --about x,y,z as the platform that its
-    six legs make.
+    A pose is said by coordinates: x, y, z of the platform's centre, and roll, pitch, yaw about the fixed axes or rx,
+    ry, rz, the rotation vector. Or it is a translation x y z and, after a semicolon, a turn: quaternion w x y z,
+    rotation-vector x y z deg, or euler SEQUENCE a b c deg (xyz about the fixed axes, XYZ about the axes that turn
+    along). It moves the platform from where the file has it. "-" reads the file from standard input. A robot that is
+    described by its joints, a file or an id, is answered as by "gcrules robot pose"; with --nearest or --accuracy as
+    the platform that its six legs make.
     """
-    read = read_either(file)
-    if isinstance(read, Robot):
-        about = centre(read, about)
-        unfit = [option for option, value in (("--accuracy", accuracy), ("--nearest", nearest)) if value]
-        unfit += ["--about"] if about != "centroid" else []
-        if not unfit:
-            with working("computing"):
-                answer = read.pose(at, actuators=actuators, threshold=threshold)
-            out.show(answer)
-            return
-        read = _as_platform(read, unfit[0])
-    if actuators is not None:
-        raise InputError("--actuators is for robots described by their joints", hint="give a pose by --at")
+    loaded = warn(read_source(file))
     with working("computing"):
-        found = posed(
-            read,
-            "0 0 0" if at is None else at,
-            about=about or "origin",
+        found = computed(
+            loaded,
+            at,
+            actuators=actuators,
+            about=about,
             threshold=threshold,
             accuracy=accuracy,
-            nearest=nearest is not False,
+            nearest=nearest,
         )
     out.show(found)
-
-
-def _as_platform(robot: Robot, option: str) -> Platform:
-    try:
-        return as_platform(robot)
-    except InputError as fault:
-        raise InputError(
-            f"{option} is for platforms with their dimensions; {fault.message}",
-            hint="its platform turns about the centroid of the limbs' ends; see docs/robot-numbers.md",
-        ) from None

@@ -14,16 +14,23 @@ from gcrules.apps.cli.files import Command, OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
 from gcrules.core.budget import checkpoint
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import FileError, GcrulesError, LimitReached
 from gcrules.core.files import write_file
+from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import notes
 from gcrules.mechanisms.description.discovery import FILE, robots
 from gcrules.mechanisms.description.family import Definition
 from gcrules.mechanisms.description.skeleton import skeleton
+from gcrules.mechanisms.load import read_robot
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.factorization import SECONDS
 
 __all__ = ["robot"]
+
+_home_remark = deferred("gcrules.poses.limbs.remark:home_remark")  # numpy, for numbers only
+_pose = deferred("gcrules.poses.pose:pose")
+_singular = deferred("gcrules.poses.pose:singular")
 
 _plugins = click.option("--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins.")
 _name = click.argument("name", metavar="ID|FILE")
@@ -48,7 +55,7 @@ def robot() -> None:
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def list_command(folders: tuple[str, ...], as_json: bool) -> None:
     """List all robots that are known: id, mobility of the platform, title."""
-    found = [(one, Robot.load(one.path)) for one in robots(folders)]
+    found = [(one, read_robot(one.path)) for one in robots(folders)]
     if as_json:
         rows = [
             {"id": one.id, "title": r.title, "limbs": r.chain, "mobility": r.mobility, "owner": one.owner}
@@ -67,7 +74,7 @@ def list_command(folders: tuple[str, ...], as_json: bool) -> None:
 @_plugins
 def show_command(name: str, folders: tuple[str, ...]) -> None:
     """Show a robot: its points and directions with the relations that make them, and its limbs."""
-    click.echo("\n".join(_shown(Robot.load(name, plugins=folders))))
+    click.echo("\n".join(_shown(read_robot(name, folders))))
 
 
 def _by_number(d: Definition) -> tuple[str, int]:
@@ -114,8 +121,8 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
             left = f"{len(chosen) - number} of {len(chosen)} robots are not checked"
             raise LimitReached(f"{over.message}: {left}", hint=over.hint) from None
         try:
-            found = Robot.load(name, plugins=folders)
-            analysis = found.analyze()
+            found = read_robot(name, folders)
+            analysis = analyze_robot(found)
         except GcrulesError as fault:
             if fault.place is None:
                 fault.filename = name
@@ -131,7 +138,7 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
             f"{found.id}: mobility {analysis.structure.mobility}, {home},"
             f" {analysis.members} members and {analysis.met} singular members checked{said}"
         )
-        if remark := found.home_remark(analysis):
+        if remark := _home_remark(analysis):
             click.echo(f"  warning: {remark}")
         for note in notes(found):
             click.echo(f"  note: {note}")
@@ -152,9 +159,8 @@ def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Out
     gcrules robot analyze my-robot/robot.yaml --json
     """
     with working("analysing"):
-        read = Robot.load(name, plugins=folders)
-        found = read.analyze(search=search)
-        remark = read.home_remark(found)
+        found = analyze_robot(read_robot(name, folders), search=search)
+        remark = _home_remark(found)
     if remark:
         click.echo(f"warning: {remark}", err=True)
     out.show(found)
@@ -191,18 +197,17 @@ def pose_command(
     Coordinates are x, y, z of the platform's centre and roll, pitch, yaw about the fixed axes (or rx, ry, rz, the
     rotation vector), as many as the platform has freedoms; the others follow. All are from home.
     """
-    read = Robot.load(name, plugins=folders)
+    read = read_robot(name, folders)
     with working("computing"):
         if not search:
-            found = read.pose(at, actuators=actuators, threshold=threshold)
-        else:
-            singular = read.singular(at, actuators=actuators, threshold=threshold)
-            if singular is None:
-                raise LimitReached(
-                    f"no singular configuration was found on the way to {at or actuators}",
-                    hint="it is sought at samples of the way: go farther, or in another direction",
-                )
-            found = singular
+            out.show(_pose(read, at, actuators=actuators, threshold=threshold))
+            return
+        found = _singular(read, at, actuators=actuators, threshold=threshold)
+    if found is None:
+        raise LimitReached(
+            f"no singular configuration was found on the way to {at or actuators}",
+            hint="it is sought at samples of the way: go farther, or in another direction",
+        )
     out.show(found)
 
 

@@ -9,7 +9,7 @@ from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.page_files import renew
 from gcrules.mechanisms.description.discovery import robots
-from gcrules.mechanisms.robot import Robot
+from gcrules.mechanisms.load import read_robot
 from gcrules.views.pages.robot_pages import FIGURES, HEAD, robot_pages
 
 __all__ = ["docs"]
@@ -34,7 +34,7 @@ def docs(ctx: click.Context, check: bool, out: str, folders: tuple[str, ...], as
     gcrules robot docs --out build/robots --plugins mine
     """
     with working("computing the pages"):
-        pages = robot_pages([Robot.load(one.path, plugins=folders) for one in robots(folders)])
+        pages = robot_pages([read_robot(one.path) for one in robots(folders)])
     done = renew(pages, out, head=HEAD, figures=FIGURES, command="gcrules robot docs", check=check)
     Output(json=as_json).show(done)
     ctx.exit(1 if check and done.stale else 0)

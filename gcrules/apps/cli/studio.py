@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import os
-
 import click
 
 from gcrules.apps.cli.files import read_stdin
 from gcrules.apps.studio.protocol.requests import LONGEST_FILE, SourceJson
-from gcrules.apps.studio.subject import known_as, read_subject
+from gcrules.apps.studio.subject import read_subject, source_of
 from gcrules.core.deferred import resolved
 from gcrules.core.errors import FileError, InputError
-from gcrules.core.yaml_file import read_text
 
 __all__ = ["studio"]
 
@@ -49,13 +46,7 @@ def studio(source: str | None, port: int | None, no_browser: bool) -> None:
 
 def _source(word: str) -> SourceJson:
     """What the word means: a file, an id, or legs. Faults show here, before a page is opened."""
-    found: SourceJson
-    if word == "-":
-        found = {"kind": "file", "text": read_stdin(), "name": "<stdin>"}
-    elif os.path.isfile(word) or word.endswith((".yaml", ".yml")):
-        found = {"kind": "file", "text": read_text(word), "name": os.path.basename(word)}
-    else:
-        found = known_as(word) or {"kind": "legs", "legs": word}
+    found = source_of(word, read_stdin)
     if found["kind"] == "file" and len(found["text"]) > LONGEST_FILE:
         raise FileError(f"the file has more than {LONGEST_FILE:,} characters", filename=found["name"])
     if found["kind"] != "class":

@@ -5,13 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from gcrules.api.signatures import public
-from gcrules.conditions.analysis import Analysis
 from gcrules.core.deferred import resolved
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis, analyze_robot
-from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.mechanisms.description.robot_spec import RobotText
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.analyze import analyze
+from gcrules.mechanisms.load import Folders, Source
 
 if TYPE_CHECKING:
     from gcrules.apps.notebook.widget import RobotWidget
@@ -20,14 +17,14 @@ __all__ = ["view"]
 
 
 @public
-def view(robot: Platform | Analysis | RobotText | RobotAnalysis | str, *, pose: Any = None) -> RobotWidget:
+def view(source: Source, *, pose: Any = None, plugins: Folders = ()) -> RobotWidget:
     """A widget that shows a robot in 3D and moves its platform, for Jupyter and other notebooks.
 
-    `robot` is a platform (`load_platform`), an analysis, legs as text, or a robot described by its joints, which stays
-    at home unless it is a platform on six legs. `pose` is where the platform begins: text as for `gcrules pose`, a
-    `Pose`, or a mapping with `translation` and `quaternion`; turns are about the centroid of the platform's joints. The
-    widget's traits `pose`, `margin` and `verdict` follow the platform, and setting `pose` moves it; `numbers()` is
-    the full report there.
+    `source` is what `gcrules.load` takes; legs get a sample shape, and a robot described by its joints stays at home
+    unless it is a platform on six legs. `pose` is where the platform begins: text as for `gcrules pose`, a `Pose`, or a
+    mapping with `translation` and `quaternion`; turns are about the centroid of the platform's joints. The widget's
+    traits `pose`, `margin` and `verdict` follow the platform, and setting `pose` moves it; `numbers()` is the full
+    report there.
 
     Raises InputError where the optional dependency is missing, and for lines that are no legs between finite joints.
     """
@@ -38,9 +35,5 @@ def view(robot: Platform | Analysis | RobotText | RobotAnalysis | str, *, pose: 
             f"a widget needs the package {fault.name}, which is not installed",
             hint='pip install "gcrules[widget]"',
         ) from fault
-    if isinstance(robot, RobotText):
-        robot = analyze_robot(robot)
-    elif not isinstance(robot, (Analysis, RobotAnalysis)):
-        robot = analyze(robot)
-    shown: RobotWidget = widget(robot, pose)
+    shown: RobotWidget = widget(analyze(source, plugins=plugins), pose)
     return shown

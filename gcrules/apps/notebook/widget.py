@@ -15,8 +15,9 @@ from gcrules.core.arguments import described
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.poses.numbers.report import PoseReport
-from gcrules.poses.pose_report import pose as report_at
-from gcrules.screws.pose import Pose, parse_pose
+from gcrules.poses.pose import pose as report_at
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import parse_pose
 from gcrules.views.report.robot_report import on_six_legs, robot_scene
 from gcrules.views.report.scene_json import Scenery
 from gcrules.views.viewer import viewer_script
@@ -71,7 +72,7 @@ class RobotWidget(anywidget.AnyWidget):
         if self._analysis is None or self._analysis.platform is None:
             raise InputError("numbers are for robots that are given by legs and coordinates")
         t, q = (" ".join(map(repr, self.pose[key])) for key in ("translation", "quaternion"))
-        found = report_at(self._analysis, f"{t}; quaternion {q}", about="centroid", **options)
+        found = report_at(self._analysis, f"{t}; quaternion {q}", **options)
         assert isinstance(found, PoseReport)
         return found
 
@@ -85,7 +86,7 @@ def _read(value: Any, unit: str) -> dict[str, list[float]]:
     try:
         found = {key: [float(c) for c in value[key]] for key in ("translation", "quaternion")}
     except (TypeError, KeyError, IndexError, ValueError, OverflowError):
-        raise InputError(f"{described(value)} is no pose", hint='write "10 0 5; euler zyx 30 0 0 deg"') from None
+        raise InputError(f"{described(value)} is no pose", hint='write "x=10, z=5, yaw=30deg"') from None
     numbers = [c for cs in found.values() for c in cs]
     size = hypot(*found["quaternion"])
     if len(found["translation"]) != 3 or len(numbers) != 7 or not size or not all(map(isfinite, numbers)):

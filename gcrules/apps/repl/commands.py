@@ -10,7 +10,7 @@ from os.path import expanduser
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, points_of
-from gcrules.algebra.language.legs_text import read_legs
+from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.names import step_name
 from gcrules.algebra.straightening.straighten import straighten, straighten_steps
@@ -24,8 +24,9 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.files import write_file
 from gcrules.core.hints import near
-from gcrules.mechanisms.description.platform_file import load_platform
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.analyze import analyze
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.load import load
 from gcrules.rules.identity import Identity
 from gcrules.views.formulas.latex import latex
 
@@ -100,21 +101,23 @@ def _analyze(repl: Session, request: Request) -> Iterator[Answer]:
     if is_blank(request.argument):
         raise request.fault("no legs", "six legs, each its two joints:  :analyze ab af cb cd ed ef")
     found = _analysis(repl, request)
-    repl.remember(found.condition.expression)
+    if found.condition is not None:
+        repl.remember(found.condition.expression)
     settings = repl.settings
     text = found.latex() if settings.latex else found.text(unicode=settings.unicode)
     yield Answer(text.rstrip("\n"), "shown", wraps=False)
 
 
-def _analysis(repl: Session, request: Request) -> Analysis:
+def _analysis(repl: Session, request: Request) -> Analysis | RobotAnalysis:
+    """The analysis of legs, whose points may be declared here, or of anything else that `load` reads."""
     at = repl.state.context
     word = request.argument.partition("#")[0].strip()
-    if word.lower().endswith((".yaml", ".yml")):
-        return analyze(load_platform(expanduser(word)))
     text = request.source.text
     place = request.span
     try:
-        legs = read_legs(word, points=(*at.points, *at.ideal), built=True)
+        legs = load(expanduser(word), points=(*at.points, *at.ideal))
+        if not isinstance(legs, Structure):
+            return analyze(legs)
         known = {*legs.names, *at.points}
         given = tuple(a for a in at.given if known.issuperset(points_of(*a.args)))
         structure = replace(legs, points=at.points, ideal=tuple(n for n in at.ideal if n in legs.names), given=given)

@@ -15,11 +15,12 @@ from gcrules.apps.studio.moving import values_at
 from gcrules.apps.studio.numbers import exact_pose, numbers
 from gcrules.apps.studio.protocol.answer_views import Saved
 from gcrules.apps.studio.protocol.requests import Format, PoseJson
-from gcrules.apps.studio.subject import Subject, Vector, examples
+from gcrules.apps.studio.subject import Subject, Vector
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import pose_value
 from gcrules.core.errors import InputError
 from gcrules.core.yaml_file import read_text
+from gcrules.mechanisms.description.discovery import examples
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.views.drawing.drawing import Drawing
 from gcrules.views.drawing.drawing_files import pdf_bytes

@@ -11,11 +11,9 @@ from gcrules.algebra.language.legs_text import legs_text
 from gcrules.algebra.structure import Structure
 from gcrules.apps.studio.drawings import sketch
 from gcrules.apps.studio.protocol.study_views import Gallery, GalleryItem
-from gcrules.apps.studio.subject import examples
 from gcrules.core.errors import GcrulesError
-from gcrules.mechanisms.description.discovery import Found, robots
-from gcrules.mechanisms.description.platform_file import load_platform
-from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.description.discovery import Found, examples, robots
+from gcrules.mechanisms.load import read_example, read_robot
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load as load_catalog
@@ -78,7 +76,7 @@ def _of_structure(s: Structure) -> str:
 
 def _of_robot(one: Found) -> GalleryItem | None:
     try:
-        robot = Robot.load(one.path)
+        robot = read_robot(one.path)
     except GcrulesError:  # a plugin of the user's that is at fault shows when it is asked for by name
         return None
     return {
@@ -92,7 +90,7 @@ def _of_robot(one: Found) -> GalleryItem | None:
     }
 
 
-def _of_limbs(robot: RobotText) -> str:
+def _of_limbs(robot: Robot) -> str:
     """The limbs as chains through the points of their joints."""
     home = robot.home or {}
     points = {n: [float(c) for c in p] for n, p in home.items() if robot.family.sorts.get(n) == "point"}
@@ -108,7 +106,7 @@ def _places(names: tuple[str, ...], points: dict[str, list[float]]) -> list[str]
 
 
 def _of_example(name: str) -> GalleryItem:
-    given = load_platform(examples()[name])
+    given = read_example(name)
     s = Structure(given.legs)
     points = {n: [float(c) for c in p] for n, p in given.points.items() if n in s.names}
     return {

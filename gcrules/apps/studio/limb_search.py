@@ -14,7 +14,7 @@ from gcrules.apps.studio.subject import Subject
 from gcrules.core.budget import report
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.mechanism import Mechanism
+from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.kinematics.targets import wanted_actuators
 from gcrules.poses.limbs.around import Met, Way, along, amounts_of, begun_at, ways
@@ -37,7 +37,7 @@ def first_around(subject: Subject, pose: PoseJson) -> Nearest:
     assert subject.robot is not None
     if configuration(subject, pose).closeness <= SINGULAR:
         return {"found": [], "note": "The robot is singular at this pose: move it away to search from there."}
-    m = subject.mechanism
+    m = subject.linkage
     given = pose.get("coordinates") or [0.0] * len(m.actuators)
     now = [radians(v) if a.angle else float(v) for a, v in zip(m.actuators, given, strict=True)]
     at = begun_at(m, solve(m, wanted_actuators(m, now)).configuration if any(now) else m.home)
@@ -64,7 +64,7 @@ def first_around(subject: Subject, pose: PoseJson) -> Nearest:
     return {"found": views, "note": _note(views, every, stops, lost)}
 
 
-def _view(subject: Subject, at: Mechanism, one: Met, now: list[float], pose: PoseJson) -> SingularPoseView | None:
+def _view(subject: Subject, at: Linkage, one: Met, now: list[float], pose: PoseJson) -> SingularPoseView | None:
     """What was met, with the actuators that take the robot there; None where they do not."""
     assert subject.robot is not None
     there = here(at, subject.robot, one.solution, DEFAULT)

@@ -30,7 +30,7 @@ def actuator_axes(subject: Subject) -> list[Axis]:
     """One slider for each actuator, from home; none where the joints cannot be moved."""
     assert subject.robot is not None
     try:
-        actuators = subject.mechanism.actuators
+        actuators = subject.linkage.actuators
     except InputError:
         return []
     size = subject.size
@@ -54,7 +54,7 @@ def configuration(subject: Subject, pose: PoseJson, threshold: str | None = None
 
     Raises InputError where the robot does not assemble.
     """
-    robot, m = subject.robot, subject.mechanism
+    robot, m = subject.robot, subject.linkage
     assert robot is not None
     given = pose.get("coordinates")
     if given is not None and len(given) != len(m.actuators):

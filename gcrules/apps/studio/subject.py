@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import os
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 from gcrules.algebra.language.legs_text import Structure, legs_text, read_legs
@@ -22,23 +22,22 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
-from gcrules.core.yaml_file import Document
+from gcrules.core.yaml_file import read_text as read_file
+from gcrules.mechanisms.analyze import analyze_legs, analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.discovery import robots
-from gcrules.mechanisms.description.platform_file import Platform, parse_platform
-from gcrules.mechanisms.description.robot_file import describes_joints
-from gcrules.mechanisms.description.robot_spec import RobotText
-from gcrules.mechanisms.kinematics.mechanism import Mechanism, mechanism
+from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
+from gcrules.mechanisms.limbs import feet_of
+from gcrules.mechanisms.load import is_data, kind_of, read_class, read_example, read_robot, read_text
 from gcrules.mechanisms.moving_platform import Rig, rig
-from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.mechanisms.robot import Robot
-from gcrules.rules.catalog.file import load as load_catalog
-from gcrules.rules.plugins import shipped_folder
 from gcrules.screws import RATIONALS
 from gcrules.views.drawing.sample import sample_coordinates
 from gcrules.views.report.scene_json import Scenery, drawable
 
-__all__ = ["Subject", "examples", "known_as", "read_subject"]
+__all__ = ["Subject", "read_subject", "source_of"]
 
 Vector = tuple[Fraction, Fraction, Fraction]
 
@@ -97,17 +96,16 @@ class Subject:
         return {n: [float(c) for c in v] for n, v in _values(self.robot.robot).items()}
 
     @cached_property
-    def mechanism(self) -> Mechanism:
+    def linkage(self) -> Linkage:
         """The joints that move a robot with limbs. Raises InputError where they do not."""
         assert self.robot is not None
-        return mechanism(self.robot.robot)
+        return linkage(self.robot.robot)
 
     @property
     def feet(self) -> tuple[str, ...]:
         """The points of the base."""
         if self.limbed and self.robot is not None:
-            found = (p for limb in self.robot.robot.limbs for p in limb.joints[0].names)
-            return tuple(dict.fromkeys(n for n in found if n in self.points and n not in self.body))
+            return tuple(n for n in feet_of(self.robot.robot) if n in self.points)
         return self.structure.base if self.structure else ()
 
     @property
@@ -126,16 +124,23 @@ def read_subject(source: SourceJson) -> Subject:
     return _READERS[source["kind"]](source)
 
 
+def source_of(word: str, stdin: Callable[[], str]) -> SourceJson:
+    """The source that a word on the command line means, as a page names it. Raises GcrulesError."""
+    if word == "-":
+        text = stdin()
+        return {"kind": "file", "text": text, "name": "<stdin>"} if is_data(text) else {"kind": "legs", "legs": text}
+    kind = kind_of(word)
+    if kind in ("file", "text"):
+        text = word if kind == "text" else read_file(word)
+        return {"kind": "file", "text": text, "name": "<input>" if kind == "text" else os.path.basename(word)}
+    return _NAMED[kind](word)
+
+
 # --- kinds of sources ----------------------------------------------------------------------------------------------
 
 
 def _of_class(source: ClassSource) -> Subject:
-    catalog = load_catalog()
-    entry = next((e for e in catalog.entries if e.id == source["id"]), None)
-    if entry is None:
-        raise InputError(
-            f"there is no class {source['id'][:40]!r}", hint=near(source["id"], [e.id for e in catalog.entries])
-        )
+    entry = read_class(source["id"])
     title = f"Class {entry.id}" + (f", {entry.name}" if entry.name else "")
     return _of_legs_alone(source, read_legs(legs_text(entry.legs)), title, entry.note or "")
 
@@ -146,21 +151,22 @@ def _of_legs(source: LegsSource) -> Subject:
 
 
 def _of_example(source: ExampleSource) -> Subject:
-    path = examples().get(source["name"])
-    if path is None:
-        raise InputError(f"there is no example {source['name'][:40]!r}", hint=near(source["name"], examples()))
-    return _of_text(source, path.read_text(encoding="utf-8"), path.name)
+    return _of_loaded(source, read_example(source["name"]))
 
 
 def _of_robot(source: RobotSource) -> Subject:
     known = {one.id: one for one in robots()}  # a path is no id: the page opens no files
     if source["id"] not in known:
         raise InputError(f"there is no robot {source['id'][:40]!r}", hint=near(source["id"], known))
-    return _of_limbs(source, Robot.load(known[source["id"]].path))
+    return _of_loaded(source, read_robot(known[source["id"]].path))
 
 
 def _of_file(source: FileSource) -> Subject:
-    return _of_text(source, source["text"], source["name"])
+    text, name = source["text"], source["name"]
+    try:
+        return _of_loaded(source, read_text(text, name))
+    except GcrulesError as fault:
+        raise fault.located(text, name, Span(0, 1)) if fault.source is None else fault from None
 
 
 _READERS: Mapping[str, Callable[[Any], Subject]] = {
@@ -170,40 +176,24 @@ _READERS: Mapping[str, Callable[[Any], Subject]] = {
     "robot": _of_robot,
     "file": _of_file,
 }
-
-
-def examples() -> dict[str, Path]:
-    """The platform files that come with gcrules, by name without ending."""
-    shipped = shipped_folder()
-    folder = shipped.parent / ("_examples" if shipped.name == "_plugins" else "examples") if shipped else None
-    found = sorted(folder.glob("*.yaml")) if folder and folder.is_dir() else []
-    return {path.stem: path for path in found}
-
-
-def known_as(word: str) -> SourceJson | None:
-    """The class, robot or example of this name, in this sequence."""
-    if any(e.id == word for e in load_catalog().entries):
-        return {"kind": "class", "id": word}
-    if any(one.id == word for one in robots()):
-        return {"kind": "robot", "id": word}
-    return {"kind": "example", "name": word} if word in examples() else None
+_NAMED: Mapping[str, Callable[[str], SourceJson]] = {
+    "class": lambda word: {"kind": "class", "id": word},
+    "robot": lambda word: {"kind": "robot", "id": word},
+    "example": lambda word: {"kind": "example", "name": word},
+    "legs": lambda word: {"kind": "legs", "legs": word},
+}
+"""How a page names a source of each kind."""
 
 
 # --- reading -------------------------------------------------------------------------------------------------------
 
 
-def _of_text(source: SourceJson, text: str, name: str) -> Subject:
-    """A platform file or a robot file, told apart by what it begins to describe."""
-    try:
-        if describes_joints(Document.parse(text, name)):
-            return _of_limbs(source, Robot.parse(text, name))
-        return _of_platform(source, parse_platform(text, name))
-    except GcrulesError as fault:
-        raise fault.located(text, name, Span(0, 1)) if fault.source is None else fault from None
+def _of_loaded(source: SourceJson, loaded: Platform | Robot) -> Subject:
+    return _of_limbs(source, loaded) if isinstance(loaded, Robot) else _of_platform(source, loaded)
 
 
 def _of_platform(source: SourceJson, given: Platform, robot: RobotAnalysis | None = None) -> Subject:
-    analysis = analyze(given, search=SEARCH)
+    analysis = analyze_legs(given, search=SEARCH)
     note = " ".join(filter(None, [given.note, *given.warnings]))
     points = {n: given.points[n] for n in analysis.structure.names}
     found = Subject(source, given.title, analysis, FrozenMap(points), note, given.units, robot=robot)
@@ -211,7 +201,7 @@ def _of_platform(source: SourceJson, given: Platform, robot: RobotAnalysis | Non
 
 
 def _of_legs_alone(source: SourceJson, structure: Structure, title: str, note: str = "") -> Subject:
-    analysis = analyze(structure, search=SEARCH)
+    analysis = analyze_legs(structure, search=SEARCH)
     shape = sample_coordinates(structure.oriented, structure.base, structure.platform)
     points = {n: _exact(p) for n, p in shape.items()}
     given = Platform(structure.legs, points, title, filename="sample.yaml")
@@ -231,28 +221,20 @@ def _with_rig(subject: Subject, structure: Structure, given: Platform) -> Subjec
 
 def _of_limbs(source: SourceJson, robot: Robot) -> Subject:
     """A robot; one whose limbs are six legs between joints that stay and joints of the platform moves as a platform."""
-    found = robot.analyze(search=SEARCH)
-    home = {n: _vector(v) for n, v in _values(robot).items() if robot.family.sorts.get(n) == "point"}
+    found = analyze_robot(robot, search=SEARCH)
     told = (robot.note, robot.source and f"Source: {robot.source}")
     note = " ".join(f"{words.rstrip('.')}." for words in told if words)
-    legs = found.structure.legs
-    if robot.mobility == 6 and all(limb.chain in _LEGS for limb in robot.limbs) and _finite(legs, home):
-        points = {n: home[n] for leg in legs for n in leg}
-        return _of_platform(source, Platform(legs, points, robot.title, note, filename=robot.filename), found)
-    return Subject(source, robot.title, found.lines, FrozenMap(home), note, robot=found)
+    try:
+        platform = replace(as_platform(robot), note=note)
+    except InputError:  # its limbs are others
+        home = {n: _vector(v) for n, v in _values(robot).items() if robot.family.sorts.get(n) == "point"}
+        return Subject(source, robot.title, found.lines, FrozenMap(home), note, robot=found)
+    return _of_platform(source, platform, found)
 
 
-def _values(robot: RobotText) -> Mapping[str, tuple[Fraction, ...]]:
+def _values(robot: Robot) -> Mapping[str, tuple[Fraction, ...]]:
     """Coordinates at home; of some member of the family where the file gives no home."""
     return robot.values_at() if robot.home is not None else robot.family.member(1, RATIONALS)
-
-
-_LEGS = {"UP*S", "SP*U", "SP*S"}
-"""Limbs whose line of force joins a point of the frame to a point of the platform in every pose."""
-
-
-def _finite(legs: Sequence[Sequence[str]], home: Mapping[str, Vector]) -> bool:
-    return bool(legs) and all(n in home for leg in legs for n in leg)
 
 
 def _exact(p: tuple[float, float, float]) -> Vector:

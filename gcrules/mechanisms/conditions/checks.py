@@ -12,7 +12,7 @@ from gcrules.core.yaml_file import Node
 from gcrules.mechanisms.description.family import Definition
 from gcrules.mechanisms.description.limb_file import LimbText
 from gcrules.mechanisms.description.relations import Values, combined
-from gcrules.mechanisms.description.robot_spec import Fact, RobotText
+from gcrules.mechanisms.robot import Fact, Robot
 from gcrules.screws import RATIONALS, RESIDUES, Limb
 
 __all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes"]
@@ -20,7 +20,7 @@ __all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes"]
 _SEEDS = (11, 12)
 
 
-def check_family(robot: RobotText, places: Mapping[str, Node], facts: Sequence[tuple[Node, Fact]]) -> None:
+def check_family(robot: Robot, places: Mapping[str, Node], facts: Sequence[tuple[Node, Fact]]) -> None:
     """Zero directions, points that are one, points outside the plane, facts that do not hold.
 
     Of copies, which stand at one node, only the first is reported, and nothing that only follows from another fault.
@@ -80,7 +80,7 @@ def _check_arguments(d: Definition, values: Values, node: Node) -> None:
         )
 
 
-def check_limbs(robot: RobotText, nodes: Sequence[Node], mobility: Node) -> None:
+def check_limbs(robot: Robot, nodes: Sequence[Node], mobility: Node) -> None:
     """Joints that are none, actuators that do not fit the mobility, a platform that is never held.
 
     Of the copies of a limb, which stand at one node, only the first that is at fault is reported.
@@ -108,7 +108,7 @@ def check_limbs(robot: RobotText, nodes: Sequence[Node], mobility: Node) -> None
         _check_platform(robot, limbs, mobility)
 
 
-def _check_limb(robot: RobotText, text: LimbText, limb: Limb, node: Node) -> None:
+def _check_limb(robot: Robot, text: LimbText, limb: Limb, node: Node) -> None:
     rank = limb.rank(RESIDUES)
     if text.freedoms > 6 and text.freedoms - rank > 1:
         node.fault(
@@ -126,7 +126,7 @@ def _check_limb(robot: RobotText, text: LimbText, limb: Limb, node: Node) -> Non
         node.fault(f"{text.name} leaves the plane z = 0 of a planar robot", "its turns are about z")
 
 
-def _check_platform(robot: RobotText, limbs: Sequence[Limb], mobility: Node) -> None:
+def _check_platform(robot: Robot, limbs: Sequence[Limb], mobility: Node) -> None:
     held = [row for limb in limbs for row in limb.constraints(RESIDUES)]
     locked = [row for limb in limbs for row in limb.locked(RESIDUES)]
     freedom = 6 - RESIDUES.rank(held) if held else 6
@@ -148,7 +148,7 @@ def _check_platform(robot: RobotText, limbs: Sequence[Limb], mobility: Node) -> 
         )
 
 
-def notes(robot: RobotText) -> tuple[str, ...]:
+def notes(robot: Robot) -> tuple[str, ...]:
     """What is no fault, yet makes the family larger than the robot that is likely meant: bars of a parallelogram that
     are not perpendicular to its axes.
     """
@@ -168,7 +168,7 @@ def _neighbours(text: LimbText) -> list[tuple[str, str]]:
     return list(pairwise(j.kind for j in text.joints if j.kind not in ("P", "C")))
 
 
-def home_values(robot: RobotText) -> dict[str, Any]:
+def home_values(robot: Robot) -> dict[str, Any]:
     """Coordinates of all points and directions at home, those that relations determine computed.
 
     Raises InputError, naming what has no coordinates.
@@ -176,7 +176,7 @@ def home_values(robot: RobotText) -> dict[str, Any]:
     return robot.values_at()
 
 
-def check_home(robot: RobotText, node: Node) -> None:
+def check_home(robot: Robot, node: Node) -> None:
     """Record a fault for a relation that the home configuration violates by more than 1e-6 of its size."""
     try:
         values = home_values(robot)

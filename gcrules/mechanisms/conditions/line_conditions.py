@@ -12,15 +12,15 @@ from gcrules.conditions.analysis import Analysis, analyze
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.conditions.at_infinity import separated
 from gcrules.mechanisms.conditions.factor_causes import at_member
-from gcrules.mechanisms.description.robot_spec import RobotText
 from gcrules.mechanisms.lines.equivalent import Equivalent
+from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.sentences import factors_of
 
 __all__ = ["condition_of_lines", "factors_at"]
 
 
-def condition_of_lines(robot: RobotText, structure: Equivalent, search: float) -> tuple[Analysis, Condition]:
+def condition_of_lines(robot: Robot, structure: Equivalent, search: float) -> tuple[Analysis, Condition]:
     """The analysis of the lines with their points in general position, which holds for all positions; where that gives
     no condition that says something of the robot, with the incidences of its family.
     """
@@ -52,7 +52,7 @@ def _weak(condition: Condition) -> bool:
     return condition.cofactor != ONE or condition.kind in weak or isinstance(condition.expression, Sum)
 
 
-def _usable(robot: RobotText, structure: Equivalent, found: Analysis) -> Condition | None:
+def _usable(robot: Robot, structure: Equivalent, found: Analysis) -> Condition | None:
     """The first reading whose cofactor and expression do not vanish in the whole family."""
     at = at_member(robot.family, structure, robot.family.member("usable"))
     for c in (found.condition, *found.readings):
@@ -64,7 +64,7 @@ def _usable(robot: RobotText, structure: Equivalent, found: Analysis) -> Conditi
 _Factors = tuple[tuple[Expr, ...], tuple[Expr, ...]]
 
 
-def factors_at(robot: RobotText, structure: Equivalent, condition: Condition) -> _Factors:
+def factors_at(robot: Robot, structure: Equivalent, condition: Condition) -> _Factors:
     """Factors of the cofactor and of the expression: planes at infinity taken out, and what both share cancelled."""
     e = condition.expression
     factors = tuple(factors_of(e)) or (e,)

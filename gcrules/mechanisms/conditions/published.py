@@ -11,8 +11,8 @@ from gcrules.algebra.straightening.straighten import straighten
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.conditions.factor_causes import at_member, constant
-from gcrules.mechanisms.description.robot_spec import RobotText
 from gcrules.mechanisms.lines.equivalent import Equivalent
+from gcrules.mechanisms.robot import Robot
 
 __all__ = ["MEMBERS", "Published", "published"]
 
@@ -29,7 +29,7 @@ class Published:
     detail: str
 
 
-def published(robot: RobotText, structure: Equivalent, found: Analysis) -> Published:
+def published(robot: Robot, structure: Equivalent, found: Analysis) -> Published:
     """Compare the published condition with the superbracket of the lines."""
     try:
         e = parse(robot.condition, context=Context(found.structure.rank, (), structure.ideal))

@@ -1,27 +1,30 @@
 r"""Robots described by their joints whose six limbs are legs of variable length: read as platforms with dimensions.
 
-Such a leg is UPS, SPU or SPS: it turns about a point of the base and a point of the platform and is driven along the
-line through both, so that all it resists with its actuator locked is the force along this line.
+Such a leg is UPS, SPU or SPS: it turns about a point of the base and a point of the platform, and what is driven
+between them changes their distance. With its actuator locked the link between the two joints is one body, so that all
+it resists with is the force along the line through both points, whatever the direction of its slide.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.limb_file import LimbText
 from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.robot import Robot
 
 __all__ = ["as_platform"]
 
 _ENDS = (("U", "S"), ("S", "U"), ("S", "S"))  # with two joints U it would resist a couple, too
 
 
-def as_platform(robot: RobotText) -> Platform:
+def as_platform(robot: Robot) -> Platform:
     """The platform that the robot is at home, with a leg from the base to the platform for each limb.
 
     Raises InputError, which says why, for robots with other limbs, and for those without a home configuration.
     """
-    legs = [_leg(limb) for limb in robot.limbs]
+    legs = [_leg(robot, limb) for limb in robot.limbs]
     other = next((limb for limb, leg in zip(robot.limbs, legs, strict=True) if leg is None), None)
     found = tuple(leg for leg in legs if leg is not None)
     reason = ""
@@ -34,10 +37,7 @@ def as_platform(robot: RobotText) -> Platform:
     elif (name := _tied(robot, found)) is not None:
         reason = f"the place of {name} depends on the other body"
     if reason:
-        raise InputError(
-            f"{robot.id} is described by its joints and cannot be read as a platform: {reason}",
-            hint=f'in single configurations: gcrules robot pose {robot.id} --at "…", and --search for a singular one',
-        )
+        raise InputError(f"{robot.id} is described by its joints and cannot be read as a platform: {reason}")
     values = robot.values_at()
     points = {name: values[name] for leg in found for name in leg}
     return Platform(
@@ -50,7 +50,7 @@ def as_platform(robot: RobotText) -> Platform:
     )
 
 
-def _leg(limb: LimbText) -> tuple[str, str] | None:
+def _leg(robot: Robot, limb: LimbText) -> tuple[str, str] | None:
     """The ends of the leg that a limb is, if it is one."""
     if len(limb.joints) != 3:
         return None
@@ -60,10 +60,18 @@ def _leg(limb: LimbText) -> tuple[str, str] | None:
     if first.actuated or last.actuated:
         return None
     (start,), (end,), (along,) = first.points, last.points, slide.directions
-    return (start, end) if {n for _, n in along} == {start, end} and start != end else None
+    return (start, end) if start != end and _carried(robot, [n for _, n in along], {start, end}) else None
 
 
-def _tied(robot: RobotText, legs: tuple[tuple[str, str], ...]) -> str | None:
+def _carried(robot: Robot, names: Iterable[str], ends: set[str]) -> bool:
+    """Whether a direction is named by the ends of the leg at most, so that no other limb holds it."""
+    uses = {d.name: d.relation.names for d in robot.family.definitions}
+    return all(
+        n in ends if robot.family.sorts.get(n) == "point" else _carried(robot, uses.get(n, ()), ends) for n in names
+    )
+
+
+def _tied(robot: Robot, legs: tuple[tuple[str, str], ...]) -> str | None:
     """A point whose relation uses points of the other body, so that motion does not keep it."""
     uses = {d.name: d.relation.names for d in robot.family.definitions}
 

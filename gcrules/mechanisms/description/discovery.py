@@ -12,7 +12,7 @@ from gcrules.core.errors import FileError, InputError
 from gcrules.core.hints import near
 from gcrules.rules.plugins import shipped_folder
 
-__all__ = ["FILE", "GROUP", "Found", "find_robot", "robots"]
+__all__ = ["FILE", "GROUP", "Found", "examples", "find_robot", "robots"]
 
 FILE = "robot.yaml"
 GROUP = "gcrules.robots"
@@ -54,6 +54,14 @@ def find_robot(name: str | PathLike[str], folders: Folders = ()) -> Found:
         hint = near(word, known) or f"there are {', '.join(known)}."
         raise InputError(f"there is no robot {word!r}", hint=f"{hint} A file is named with its ending .yaml")
     return known[word]
+
+
+def examples() -> dict[str, Path]:
+    """The platform files that come with gcrules, by name without ending."""
+    shipped = shipped_folder()
+    folder = shipped.parent / ("_examples" if shipped.name == "_plugins" else "examples") if shipped else None
+    found = sorted(folder.glob("*.yaml")) if folder and folder.is_dir() else []
+    return {path.stem: path for path in found}
 
 
 def _all(folders: Folders) -> Iterator[Found]:

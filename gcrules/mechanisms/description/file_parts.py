@@ -12,7 +12,7 @@ from gcrules.core.hints import near
 from gcrules.core.yaml_file import Node
 from gcrules.mechanisms.description.family import Definition, Family
 from gcrules.mechanisms.description.relations import AXES, relation
-from gcrules.mechanisms.description.robot_spec import Fact
+from gcrules.mechanisms.robot import Fact
 
 __all__ = ["MAX_TEXT", "numbered", "read_facts", "read_home", "read_lines", "read_platform"]
 

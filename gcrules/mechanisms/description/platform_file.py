@@ -5,7 +5,7 @@ A YAML file with the keys
     title: Octahedral platform            # optional; the name of the file otherwise
     note: example, invented dimensions    # optional
     source: where the dimensions are from # optional
-    units: mm                             # optional; one of `UNITS`
+    units: mm                             # optional; one of `gcrules.screws.pose.UNITS`
     legs: [ab, af, cb, cd, ed, ef]        # two points each: ab, S1A1, "S1 A1" or [left, right]; or one text "ab af cb"
     points:                               # Cartesian coordinates in one frame, in these units
       a: [0, 1/2, -0.25]                  # whole numbers, decimals or quotients, all exact
@@ -35,7 +35,6 @@ from gcrules.screws.pose import UNITS
 __all__ = ["Platform", "load_platform", "parse_platform"]
 
 _UNIT_ONCE = "the unit stands once in the file, as  units: {}"
-"""Units of length that a file may name."""
 
 Vector = tuple[Fraction, Fraction, Fraction]
 

@@ -43,36 +43,28 @@ from gcrules.mechanisms.description.file_parts import (
 )
 from gcrules.mechanisms.description.limb_file import LimbText, read_joints
 from gcrules.mechanisms.description.relations import AXES, RELATIONS, relation
-from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS
 
-__all__ = ["describes_joints", "load_robot", "parse_robot"]
+__all__ = ["load_robot", "parse_robot"]
 
 _REQUIRED = ("title", "points", "mobility")
 _OPTIONAL = (
     "source", "note", "copies", "space", "directions", "limbs", "lines", "platform", "facts", "home", "condition",
 )  # fmt: skip
-_OF_JOINTS = {"limbs", "lines", "mobility", "copies"}  # keys that geometry files do not have
 MAX_COPIES = 12
 MAX_NAMES = 120
 MAX_LIMBS = 12
 MAX_FREEDOMS = 12
 
 
-def describes_joints(document: Document) -> bool:
-    """Whether a robot file is meant and not a geometry file: no legs, and a key that only robot files have."""
-    root = document.root
-    keys = {key.text for key, _ in root.entries()} if root.kind == "mapping" else set()
-    return "legs" not in keys and not _OF_JOINTS.isdisjoint(keys)
-
-
-def load_robot(path: str | PathLike[str], owner: str = "") -> RobotText:
+def load_robot(path: str | PathLike[str], owner: str = "") -> Robot:
     """Read a robot file. Raises FileError with all its faults."""
     name = Path(path).parent.name if Path(path).name == "robot.yaml" else Path(path).stem
     return _Reader(Document.load(path), name, owner).robot()
 
 
-def parse_robot(text: str, filename: str = "<input>", name: str = "robot") -> RobotText:
+def parse_robot(text: str, filename: str = "<input>", name: str = "robot") -> Robot:
     """Read the text of a robot file. Raises FileError likewise."""
     return _Reader(Document.parse(text, filename), name, "").robot()
 
@@ -88,7 +80,7 @@ class _Reader:
         self.copies = 0
         self.faulty: list[Node] = []
 
-    def robot(self) -> RobotText:
+    def robot(self) -> Robot:
         top = self.document.root.mapping(_REQUIRED, _OPTIONAL)
         if "copies" in top:
             self.copies = top["copies"].integer() or 0
@@ -113,7 +105,7 @@ class _Reader:
         home = read_home(top["home"], family) if "home" in top else None
         platform = read_platform(top["platform"], family, self.copies) if "platform" in top else ()
         self.document.check()
-        robot = RobotText(
+        robot = Robot(
             id=self.name,
             title=texts["title"],
             family=family,

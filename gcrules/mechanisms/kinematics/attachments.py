@@ -10,9 +10,9 @@ import numpy as np
 
 from gcrules.mechanisms.description.limb_file import JointText
 from gcrules.mechanisms.description.relations import AXES
-from gcrules.mechanisms.description.robot_spec import RobotText
 from gcrules.mechanisms.kinematics.chains import SHAPES
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.robot import Robot
 from gcrules.screws import FLOATS, JOINTS
 
 __all__ = ["Ride", "disagreement", "moved", "off_relations", "rides"]
@@ -31,7 +31,7 @@ class Ride:
     loose: bool = False
 
 
-def rides(robot: RobotText) -> dict[str, tuple[Ride, ...]]:
+def rides(robot: Robot) -> dict[str, tuple[Ride, ...]]:
     """All links that carry each name. Names of the platform that no joint has ride on it; names without a ride are
     made from others or stay where they are.
     """
@@ -74,7 +74,7 @@ def _of_joint(joint: JointText) -> Iterator[tuple[str, int, bool]]:
             yield from ((name, link, True) for name in (near, far) for link in range(first, last + 1))
 
 
-def moved(robot: RobotText, own: Mapping[str, tuple[Ride, ...]], values: Values, links: Sequence[Floats]) -> Values:
+def moved(robot: Robot, own: Mapping[str, tuple[Ride, ...]], values: Values, links: Sequence[Floats]) -> Values:
     """The places of all names after the links of each limb went as `links` (K + 1, 4, 4) say."""
     found: dict[str, Any] = {name: np.array(axis, dtype=float) for name, axis in AXES.items()}
     for d in robot.family.definitions:
@@ -94,7 +94,7 @@ def _by(ride: Ride, sort: str, value: Floats, links: Sequence[Floats]) -> Floats
 
 
 def disagreement(
-    robot: RobotText, own: Mapping[str, tuple[Ride, ...]], values: Values, links: Sequence[Floats], size: float
+    robot: Robot, own: Mapping[str, tuple[Ride, ...]], values: Values, links: Sequence[Floats], size: float
 ) -> tuple[float, str]:
     """How far the links that carry one name carry it to different places, at most, and that name: distances divided by
     `size` for points, sines of angles for directions.
@@ -114,7 +114,7 @@ def disagreement(
     return worst, named
 
 
-def off_relations(robot: RobotText, values: Values, size: float) -> tuple[float, str]:
+def off_relations(robot: Robot, values: Values, size: float) -> tuple[float, str]:
     """How far a name is from satisfying its relation, at most, and that name: distances divided by `size` for points,
     parts of its length for directions. Relations are linear in the name itself, so this is a quotient.
     """

@@ -7,16 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, exponential, rotation_vector
+from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS, VECTOR
 
-__all__ = ["ANGLES", "COORDINATES", "SHIFTS", "TURNS", "VECTOR", "coordinates", "slopes", "wrapped"]
-
-SHIFTS = ("x", "y", "z")
-TURNS = ("roll", "pitch", "yaw")
-VECTOR = ("rx", "ry", "rz")
-ANGLES = frozenset((*TURNS, *VECTOR))
-COORDINATES = (*SHIFTS, *TURNS, *VECTOR)
-"""`x`, `y`, `z` shift the point of the platform that is at the centre at home; `roll`, `pitch`, `yaw` turn it about the
-fixed axes x, then y, then z; `rx`, `ry`, `rz` are the rotation vector. Angles are in radians, all from home."""
+__all__ = ["coordinates", "slopes", "wrapped"]
 
 _STEP = 1e-6
 

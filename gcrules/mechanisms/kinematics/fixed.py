@@ -7,16 +7,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from gcrules.mechanisms.kinematics.chains import Chain
-from gcrules.mechanisms.kinematics.mechanism import Mechanism
+from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.screws import JOINTS
 
 __all__ = ["unfixed"]
 
 
-def unfixed(
-    m: Mechanism, before: Sequence[Chain], links: Sequence[Floats], after: Sequence[Chain]
-) -> tuple[float, str]:
+def unfixed(m: Linkage, before: Sequence[Chain], links: Sequence[Floats], after: Sequence[Chain]) -> tuple[float, str]:
     """How far the freedoms of a joint are from those that its links carry, at most, and that joint.
 
     `links` are the motions of all links from the chains `before` to those `after`, which are made from the names at
@@ -41,7 +39,7 @@ def unfixed(
     return worst, named
 
 
-def _scaled(twists: Floats, m: Mechanism) -> Floats:
+def _scaled(twists: Floats, m: Linkage) -> Floats:
     """Columns (ω; v/size), v at the centre."""
     moved = twists[3:] + np.cross(twists[:3], m.centre, axisa=0, axisb=0, axisc=0)
     return np.concatenate([twists[:3], moved / m.size])

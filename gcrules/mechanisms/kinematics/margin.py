@@ -24,7 +24,7 @@ from functools import cached_property
 import numpy as np
 
 from gcrules.mechanisms.kinematics.chains import Chain
-from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
 
 __all__ = ["Closeness", "closeness", "limb_closeness"]
@@ -70,7 +70,7 @@ class Closeness:
         return np.asarray(np.linalg.svd(self.rows, compute_uv=False))
 
 
-def closeness(m: Mechanism, here: Configuration) -> Closeness:
+def closeness(m: Linkage, here: Configuration) -> Closeness:
     """The measure at a configuration."""
     platform = here.platform
     ends = m.ends @ platform[:3, :3].T + platform[:3, 3]
@@ -101,7 +101,7 @@ def closeness(m: Mechanism, here: Configuration) -> Closeness:
     return Closeness(every[:, keep], sizes[: len(keep)], motions, left[:, len(keep) - 1], tuple(owners), centre)
 
 
-def _locked(m: Mechanism, place: int, chain: Chain, end: Floats) -> Floats:
+def _locked(m: Linkage, place: int, chain: Chain, end: Floats) -> Floats:
     """An orthonormal basis of a limb's wrenches with its actuators locked: rows (f; m/ρ), moments about the end."""
     driven = {a.coordinate for a in m.actuators if a.place == place}
     free = [k for k in range(len(chain.turns)) if k not in driven]
@@ -119,7 +119,7 @@ def _at(chain: Chain, end: Floats, size: float) -> Floats:
     return np.asarray(rows * np.where(chain.turns, 1.0, size)[:, None])
 
 
-def limb_closeness(m: Mechanism, here: Configuration) -> tuple[float, ...]:
+def limb_closeness(m: Linkage, here: Configuration) -> tuple[float, ...]:
     """For each limb the least singular value of its twists that is not 0 in all configurations: turns by 1 rad, slides
     by ρ, measured in |ω|² + |v|²/ρ², v at the limb's end on the platform. It is 0 where the limb itself is singular, or
     its passive joints are.

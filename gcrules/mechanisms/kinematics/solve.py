@@ -19,12 +19,13 @@ from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.attachments import disagreement, moved, off_relations
 from gcrules.mechanisms.kinematics.chains import chain_of
-from gcrules.mechanisms.kinematics.coordinates import SHIFTS, TURNS, VECTOR, coordinates, slopes, wrapped
+from gcrules.mechanisms.kinematics.coordinates import coordinates, slopes, wrapped
 from gcrules.mechanisms.kinematics.failure_reasons import stopped
 from gcrules.mechanisms.kinematics.fixed import unfixed
-from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, exponential, inverse, logarithm, rotation_vector
 from gcrules.mechanisms.kinematics.targets import Wanted, check_count, written
+from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
 __all__ = ["Course", "Solution", "check_wanted", "free_coordinates", "goal", "solve"]
 
@@ -42,7 +43,7 @@ _STILL = 1e-7  # rad
 class Course:
     """Wanted values as a function of the part of the way from home, 0 to 1, or beyond."""
 
-    m: Mechanism
+    m: Linkage
     wanted: Wanted
 
     def error(self, part: float, here: Configuration, links: tuple[Floats, ...], amounts: tuple[Floats, ...]) -> Floats:
@@ -112,7 +113,7 @@ class Solution:
         return len(self.way)
 
 
-def solve(m: Mechanism, wanted: Wanted) -> Solution:
+def solve(m: Linkage, wanted: Wanted) -> Solution:
     """The configuration in which the wanted values are reached. Raises InputError where it does not assemble."""
     check_wanted(m, wanted)
     course = Course(m, wanted)
@@ -182,7 +183,7 @@ def _closed(course: Course, here: Configuration, part: float) -> tuple[Configura
     raise _NotClosed("the loops do not close")
 
 
-def _gaps(links: tuple[Floats, ...], here: Configuration, m: Mechanism) -> Floats:
+def _gaps(links: tuple[Floats, ...], here: Configuration, m: Linkage) -> Floats:
     """How the other limbs' platforms lie off that of the first one: the twists that would bring them there."""
     centre = here.platform[:3, :3] @ m.centre + here.platform[:3, 3]
     back = inverse(links[0][-1])
@@ -201,7 +202,7 @@ def _scaled(twist: Floats, size: float) -> Floats:
     return np.concatenate([twist[:3], twist[3:] / size])
 
 
-def _loops(twists: list[Floats], here: Configuration, m: Mechanism) -> Floats:
+def _loops(twists: list[Floats], here: Configuration, m: Linkage) -> Floats:
     """The derivatives of the gaps by all amounts: (6 (limbs − 1), amounts)."""
     motion = here.platform
     centre = motion[:3, :3] @ m.centre + motion[:3, 3]
@@ -215,7 +216,7 @@ def _loops(twists: list[Floats], here: Configuration, m: Mechanism) -> Floats:
 
 
 def _configuration(
-    m: Mechanism, here: Configuration, links: tuple[Floats, ...], amounts: tuple[Floats, ...], residual: float
+    m: Linkage, here: Configuration, links: tuple[Floats, ...], amounts: tuple[Floats, ...], residual: float
 ) -> Configuration:
     """The configuration after these amounts. Raises _NotClosed where the robot has left its family there."""
     values = moved(m.robot, m.rides, here.values, links)
@@ -242,7 +243,7 @@ def _configuration(
     )
 
 
-def check_wanted(m: Mechanism, wanted: Wanted) -> None:
+def check_wanted(m: Linkage, wanted: Wanted) -> None:
     """Raises InputError where the wanted coordinates are too few or too many or do not determine the pose near home, or
     where home itself is singular for the actuators.
     """
@@ -265,7 +266,7 @@ def check_wanted(m: Mechanism, wanted: Wanted) -> None:
     )
 
 
-def free_coordinates(m: Mechanism, first: Sequence[str] = ()) -> tuple[str, ...]:
+def free_coordinates(m: Linkage, first: Sequence[str] = ()) -> tuple[str, ...]:
     """As many coordinates as the platform has freedoms, on which its pose depends near home; those named `first` are
     preferred where they tell something, then shifts.
     """

@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from gcrules.core.floats import without_noise
 from gcrules.core.frozen import HoldsArrays
 from gcrules.mechanisms.kinematics.chains import geometry_of
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.margin import Closeness
-from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.screws import JOINTS, Joint, Limb, jacobian
 from gcrules.screws.floats import Floats as FloatField
@@ -42,7 +43,7 @@ class WrenchJacobian(HoldsArrays):
         return {
             "labels": list(self.labels),
             "rows": [[number(c) for c in row] for row in self.rows],
-            "about": [float(c) for c in self.centre],
+            "about": [without_noise(c, self.length) for c in self.centre],
             "characteristic_length": self.length,
             "smallest_singular_value": number(self.smallest_singular_value),
             "condition_number": number(self.condition_number),
@@ -50,10 +51,10 @@ class WrenchJacobian(HoldsArrays):
 
 
 def _finite(x: float) -> float | None:
-    return float(x) if np.isfinite(x) else None
+    return without_noise(x) if np.isfinite(x) else None
 
 
-def wrench_jacobian(m: Mechanism, here: Configuration, near: Closeness) -> WrenchJacobian:
+def wrench_jacobian(m: Linkage, here: Configuration, near: Closeness) -> WrenchJacobian:
     """The Jacobian at a configuration, whose closeness is known, about the centroid of the limbs' ends."""
     platform = here.platform
     centre = platform[:3, :3] @ m.centre + platform[:3, 3]
@@ -69,7 +70,7 @@ def wrench_jacobian(m: Mechanism, here: Configuration, near: Closeness) -> Wrenc
     return WrenchJacobian(tuple(labels), rows, centre, m.size, near.smallest_singular_value, near.condition_number)
 
 
-def _limb(m: Mechanism, place: int, values: Mapping[str, Floats]) -> Limb:
+def _limb(m: Linkage, place: int, values: Mapping[str, Floats]) -> Limb:
     """The limb with directions of length 1, so that rates are in radians and lengths for each second."""
     text = m.robot.limbs[place]
     joints = []

@@ -11,8 +11,8 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from gcrules.mechanisms.description.robot_spec import RobotText
 from gcrules.mechanisms.lines.equivalent import Equivalent
+from gcrules.mechanisms.robot import Robot
 from gcrules.screws import RATIONALS, axis
 from gcrules.screws.field import Row
 from gcrules.screws.lines import vector_text
@@ -61,14 +61,14 @@ class HomeWrench:
         return f"{self.limb}, {self.role}: {self.kind}{pitch}{through} along {vector_text(self.direction)}"
 
 
-def home_wrenches(robot: RobotText, structure: Equivalent) -> tuple[HomeWrench, ...]:
+def home_wrenches(robot: Robot, structure: Equivalent) -> tuple[HomeWrench, ...]:
     """The wrenches at home of the limbs that have no lines; none without a home configuration."""
     if robot.home is None or not any(limb.lines is None for limb in structure.limbs):
         return ()
     return tuple(_of_limbs(robot, structure))
 
 
-def _of_limbs(robot: RobotText, structure: Equivalent) -> Iterator[HomeWrench]:
+def _of_limbs(robot: Robot, structure: Equivalent) -> Iterator[HomeWrench]:
     for found, limb in zip(structure.limbs, robot.limbs_at(), strict=True):
         if found.lines is None:
             yield from (_wrench(limb.name, "constraint", row) for row in limb.constraints(RATIONALS))

@@ -23,17 +23,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.algebra.expr import ONE, Expr, points_of, rank_of
+from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.language.text import text as as_text
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.analyze import analyze_legs
+from gcrules.mechanisms.load import Source, load
+from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.compiling.batches import Batch, given_joints, given_poses, output
 from gcrules.poses.compiling.engines import engine_named, runner
 from gcrules.poses.compiling.tape import Program
-from gcrules.poses.compiling.tracing import Mechanism, Road, trace
+from gcrules.poses.compiling.tracing import Joints, Road, trace
 from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
-from gcrules.poses.pose_inputs import Given, analysed, moving_robot
+from gcrules.poses.pose_inputs import moving_robot
 
 __all__ = ["CompiledCondition", "compiled"]
 
@@ -105,26 +109,31 @@ class CompiledCondition:
 
 
 def compiled(
-    robot: Given,
+    robot: Source,
     expression: str | Expr | None = None,
     *,
-    about: str | Sequence[Any] = "origin",
+    about: str | Sequence[Any] = "centroid",
     engine: str | None = None,
 ) -> CompiledCondition:
     """The function of `gcrules.api.functions`, which says what the arguments are."""
     chosen = engine_named(engine)
-    analysis = analysed(robot)
+    loaded = load(robot)
+    moving = None
+    if isinstance(loaded, Structure) or (isinstance(loaded, Analysis) and loaded.platform is None):
+        analysis = loaded if isinstance(loaded, Analysis) else analyze_legs(loaded)
+    else:
+        analysis, moving = moving_robot(loaded, about, "a compiled condition")
     structure = analysis.structure
     if structure.special or structure.stand_ins or structure.rank != 4:
         raise InputError("only legs between finite joints in space are compiled", hint="analyze a platform")
     asked = structure.superbracket if expression is None else _scalar(expression, structure.names)
     roads = _roads(analysis) if asked == structure.superbracket else [_as_written(asked)]
-    mechanism, unit = _mechanism(analysis, about)
-    found = {kind: trace(mechanism, kind, roads, asked) for kind in mechanism.kinds}
+    joints = _joints(analysis, moving)
+    found = {kind: trace(joints, kind, roads, asked) for kind in joints.kinds}
     return CompiledCondition(
         expression=as_text(asked, names=structure.names),
-        joints=mechanism.moving,
-        unit=unit,
+        joints=joints.moving,
+        unit=moving.unit if moving else "",
         engine=chosen,
         programs={kind: program for kind, (_, program) in found.items()},
         roads={kind: name for kind, (name, _) in found.items()},
@@ -156,15 +165,14 @@ def _as_written(e: Expr) -> Road:
     return as_text(e), lambda places: of_expression(e, places)
 
 
-def _mechanism(analysis: Analysis, about: str | Sequence[Any]) -> tuple[Mechanism, str]:
-    """The joints with their coordinates, and the unit; without a platform all joints move."""
-    if analysis.platform is None:
-        return Mechanism({}, analysis.structure.names, {}), ""
-    _, moving = moving_robot(analysis, about)
+def _joints(analysis: Analysis, moving: Rig | None) -> Joints:
+    """The joints with their coordinates; without a platform all of them move."""
+    if moving is None:
+        return Joints({}, analysis.structure.names, {})
     body = analysis.structure.platform
     arms = {n: _less(moving.points[n], moving.centre) for n in body}
     fixed = {n: p for n, p in moving.points.items() if n not in arms}
-    return Mechanism(fixed, tuple(body), arms, moving.centre), moving.unit
+    return Joints(fixed, tuple(body), arms, moving.centre)
 
 
 def _less(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Fraction, Fraction, Fraction]:

@@ -21,7 +21,7 @@ from gcrules.poses.compiling.tape import Program, lower
 from gcrules.poses.compiling.vectors import Places, Vector, add, dot, sub
 from gcrules.screws.rotations import rotation
 
-__all__ = ["KINDS", "Mechanism", "Road", "trace"]
+__all__ = ["KINDS", "Joints", "Road", "trace"]
 
 Road = tuple[str, Callable[[Places], Ring]]
 """What a value is computed from, in words, and how."""
@@ -34,7 +34,7 @@ Turn = tuple[Vector, Vector, Vector]
 
 
 @dataclass(frozen=True)
-class Mechanism:
+class Joints:
     """Joints that are `fixed` (exact coordinates) and joints that are `moving`.
 
     `arms` are the coordinates of those that move about the `centre` of their body, which poses send to R·arm + centre
@@ -92,42 +92,42 @@ def _turned(turn: Turn, v: Vector) -> Vector:
 _LARGE = 1 << 30  # numbers of the exact check are smaller
 
 
-def trace(mechanism: Mechanism, kind: str, roads: Sequence[Road], expression: Expr) -> tuple[str, Program]:
+def trace(joints: Joints, kind: str, roads: Sequence[Road], expression: Expr) -> tuple[str, Program]:
     """The shortest program for `expression` that any of the roads leads to, and the name of that road.
 
     Raises EngineFault if its exact value at a random pose is not that of the expression, computed apart from it.
     """
 
     def traced(road: Road, origin: Vector, anchor: str | None) -> Program:
-        graph = Graph(mechanism.inputs(kind))
-        return lower(graph, road[1](mechanism.places(kind, graph, origin, anchor)))
+        graph = Graph(joints.inputs(kind))
+        return lower(graph, road[1](joints.places(kind, graph, origin, anchor)))
 
     def operations(found: tuple[Program, str, Vector]) -> int:
         return found[0].operations
 
-    origins = [*mechanism.fixed.values(), *([ZERO] if kind == "joints" else [])]
+    origins = [*joints.fixed.values(), *([ZERO] if kind == "joints" else [])]
     best = [min(((traced(road, o, None), road[0], o) for o in origins), key=operations) for road in roads]
     if kind != "joints":
         for road, (_, name, origin) in zip(roads, tuple(best), strict=True):
-            best += [(traced(road, origin, anchor), name, origin) for anchor in mechanism.moving]
+            best += [(traced(road, origin, anchor), name, origin) for anchor in joints.moving]
     program, name, _ = min(best, key=operations)
-    _check(mechanism, kind, program, expression)
+    _check(joints, kind, program, expression)
     return name, program
 
 
-def _check(mechanism: Mechanism, kind: str, program: Program, expression: Expr) -> None:
+def _check(joints: Joints, kind: str, program: Program, expression: Expr) -> None:
     """Two roads: the program in exact arithmetic, and the expression at the points of the pose."""
     at: dict[str, Vector]
     rng = drawn("compiled", kind, digest(expression))
-    inputs = [Fraction(rng.randrange(-_LARGE, _LARGE)) for _ in range(mechanism.inputs(kind))]
+    inputs = [Fraction(rng.randrange(-_LARGE, _LARGE)) for _ in range(joints.inputs(kind))]
     if kind == "joints":
-        at = {n: (inputs[3 * k], inputs[3 * k + 1], inputs[3 * k + 2]) for k, n in enumerate(mechanism.moving)}
+        at = {n: (inputs[3 * k], inputs[3 * k + 1], inputs[3 * k + 2]) for k, n in enumerate(joints.moving)}
     else:
         w, x, y, z = (Fraction(rng.randrange(1, _LARGE)) for _ in range(4))
         turn = rotation((w, x, y, z))
         inputs[3:] = (w, x, y, z) if kind == "quaternions" else (c for row in turn for c in row)
-        shift = add(mechanism.centre, (inputs[0], inputs[1], inputs[2]))
-        at = {n: add(_turned(turn, mechanism.arms[n]), shift) for n in mechanism.moving}
-    points = {n: (*p, 1) for n, p in {**mechanism.fixed, **at}.items()}
+        shift = add(joints.centre, (inputs[0], inputs[1], inputs[2]))
+        at = {n: add(_turned(turn, joints.arms[n]), shift) for n in joints.moving}
+    points = {n: (*p, 1) for n, p in {**joints.fixed, **at}.items()}
     if program.exact(inputs) != evaluate(expression, points):
         raise EngineFault(f"the compiled {kind} and {str(expression)[:80]} disagree at a pose")

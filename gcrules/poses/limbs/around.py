@@ -5,12 +5,12 @@ not close beyond, and no factor changes its sign. So the platform is led along o
 while the others keep their values, and the actuators follow. This is a search along straight courses, and no proof that
 nothing singular lies nearer.
 
->>> from gcrules.mechanisms.kinematics.mechanism import mechanism
->>> from gcrules.mechanisms.robot import Robot
->>> robot = Robot.load("3-rpr")
->>> m = mechanism(robot)
->>> first = along(m, robot.analyze(), Way("yaw", 1))
->>> round(first.distance, 4), along(m, robot.analyze(), Way("x", 1))
+>>> from gcrules.mechanisms.kinematics.linkage import linkage
+>>> from gcrules.mechanisms.analyze import analyze
+>>> analysis = analyze("3-rpr")
+>>> m = linkage(analysis.robot)
+>>> first = along(m, analysis, Way("yaw", 1))
+>>> round(first.distance, 4), along(m, analysis, Way("x", 1))
 (0.3092, None)
 """
 
@@ -22,11 +22,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.kinematics.coordinates import ANGLES
-from gcrules.mechanisms.kinematics.mechanism import Configuration, Mechanism
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.solve import Course, Solution, check_wanted, free_coordinates, goal
 from gcrules.mechanisms.kinematics.targets import Wanted
 from gcrules.poses.limbs.search import first_singular
+from gcrules.screws.pose_text import ANGLES
 
 __all__ = ["Met", "Way", "along", "amounts_of", "begun_at", "ways"]
 
@@ -71,8 +71,8 @@ class Met:
         return goal(self.course, start, 0.0, self.part * (1 - short)).configuration
 
 
-def begun_at(m: Mechanism, c: Configuration) -> Mechanism:
-    """The same mechanism, with this configuration for its home: all amounts and coordinates count from there."""
+def begun_at(m: Linkage, c: Configuration) -> Linkage:
+    """The same linkage, with this configuration for its home: all amounts and coordinates count from there."""
     turn, shift = c.platform[:3, :3], c.platform[:3, 3]
     home = replace(
         c,
@@ -82,12 +82,12 @@ def begun_at(m: Mechanism, c: Configuration) -> Mechanism:
     return replace(m, home=home, centre=turn @ m.centre + shift, ends=m.ends @ turn.T + shift)
 
 
-def ways(m: Mechanism) -> Iterator[Way]:
+def ways(m: Linkage) -> Iterator[Way]:
     """Both ways along all coordinates on which the platform's pose depends at home."""
     return (Way(name, sign) for name in free_coordinates(m) for sign in (1, -1))
 
 
-def along(m: Mechanism, analysis: RobotAnalysis, way: Way) -> Met | None:
+def along(m: Linkage, analysis: RobotAnalysis, way: Way) -> Met | None:
     """The first singular configuration on a way from home, or None. Raises InputError where the robot does not assemble
     before it, or is singular at home.
     """
@@ -102,6 +102,6 @@ def along(m: Mechanism, analysis: RobotAnalysis, way: Way) -> Met | None:
     return Met(way, found.part * far, apart, found.solution, Course(m, wanted), found.part)
 
 
-def amounts_of(m: Mechanism, c: Configuration) -> list[float]:
+def amounts_of(m: Linkage, c: Configuration) -> list[float]:
     """The amounts of the actuators in a configuration: lengths and radians."""
     return [float(c.amounts[a.place][a.coordinate]) for a in m.actuators]

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from gcrules.core.floats import without_noise
+from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.margin import Closeness
-from gcrules.mechanisms.kinematics.mechanism import Mechanism
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
 __all__ = ["LimbNumbers", "limb_numbers"]
@@ -38,8 +39,8 @@ class LimbNumbers:
             "name": self.name,
             "closeness": self.closeness,
             "share": self.share,
-            "force": list(self.force),
-            "moment": list(self.moment),
+            "force": [without_noise(c) for c in self.force],
+            "moment": [without_noise(c) for c in self.moment],
         }
 
     def wrench(self, centre: Floats, size: float) -> str:
@@ -60,7 +61,7 @@ def _shown(v: Floats) -> str:
     return "(" + ", ".join(f"{c:.4g}" for c in np.round(v, 9) + 0.0) + ")"
 
 
-def limb_numbers(m: Mechanism, near: Closeness, own: Sequence[float]) -> tuple[LimbNumbers, ...]:
+def limb_numbers(m: Linkage, near: Closeness, own: Sequence[float]) -> tuple[LimbNumbers, ...]:
     """The numbers of all limbs from the closeness of the robot and of each limb."""
     owners = np.array(near.owners)
     places = [0, 1, 5] if m.robot.family.plane else list(range(6))

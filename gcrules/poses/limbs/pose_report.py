@@ -1,10 +1,4 @@
-r"""A robot described by its joints, in one configuration: solve, then all numbers there.
-
->>> from gcrules.mechanisms.robot import Robot
->>> here = Robot.load("3-rps").at(z=0.2, roll=5, pitch=0, degrees=True)
->>> here.verdict, round(here.closeness, 3), [round(v, 3) for v in here.actuator_values.values()]
-('regular', 0.591, [0.18, 0.256, 0.101])
-"""
+r"""A robot described by its joints, in one configuration: solve, then all numbers there."""
 
 from __future__ import annotations
 
@@ -18,10 +12,11 @@ import numpy as np
 from gcrules.core.arguments import described
 from gcrules.core.english import agreeing
 from gcrules.core.errors import InputError
+from gcrules.core.floats import without_noise
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.kinematics.coordinates import COORDINATES, coordinates
+from gcrules.mechanisms.kinematics.coordinates import coordinates
+from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.margin import Closeness, closeness, limb_closeness
-from gcrules.mechanisms.kinematics.mechanism import Mechanism
 from gcrules.mechanisms.kinematics.solve import Solution, check_wanted, solve
 from gcrules.mechanisms.kinematics.targets import (
     Wanted,
@@ -38,6 +33,7 @@ from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.limbs.search import first_singular
 from gcrules.poses.numbers.motion import Twist, twist_of
 from gcrules.screws.pose import Pose, exact
+from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
 from gcrules.screws.threshold import DEFAULT, Threshold, degrees, parse_threshold
 from gcrules.screws.verdict import decide
 
@@ -50,11 +46,12 @@ _NEAR_ZERO = 1e-6  # of a factor, where the robot is singular
 
 
 def posed(
-    m: Mechanism,
+    m: Linkage,
     analysis: Callable[[], RobotAnalysis],
     at: Any,
     actuators: Any,
     *,
+    degrees: bool = False,
     threshold: str | Threshold = DEFAULT,
 ) -> RobotPose:
     """The numbers at a wanted pose, or at wanted actuators; at home where neither is given. Raises InputError.
@@ -62,22 +59,23 @@ def posed(
     The `analysis` is asked for only when the joints are solved.
     """
     limit = limit_of(threshold)
-    wanted = wanted_of(m, at, actuators)
+    wanted = wanted_of(m, at, actuators, degrees)
     solution = solve(m, wanted) if wanted is not None else _at_home(m)
     return here(m, analysis(), solution, limit)
 
 
 def first_singular_pose(
-    m: Mechanism,
+    m: Linkage,
     analysis: Callable[[], RobotAnalysis],
     at: Any,
     actuators: Any,
     *,
+    degrees: bool = False,
     threshold: str | Threshold = DEFAULT,
 ) -> RobotPose | None:
     """The numbers at the first singular configuration on the way to what is wanted, or None. Raises InputError."""
     limit = limit_of(threshold)
-    wanted = wanted_of(m, at, actuators)
+    wanted = wanted_of(m, at, actuators, degrees)
     if wanted is None or not wanted.values.any():
         raise InputError("no direction is given in which to look", hint="give the end of the way: z=1, roll=0deg, …")
     check_wanted(m, wanted)
@@ -88,7 +86,7 @@ def first_singular_pose(
     return here(m, analysis(), part, limit)
 
 
-def _at_home(m: Mechanism) -> Solution:
+def _at_home(m: Linkage) -> Solution:
     return Solution(m.home, Wanted((), np.zeros(0), text="home"))
 
 
@@ -105,12 +103,13 @@ def limit_of(threshold: str | Threshold) -> Threshold:
     return limit
 
 
-def wanted_of(m: Mechanism, at: Any, actuators: Any) -> Wanted | None:
-    """What is asked for, or None for home. Raises InputError for both kinds at once and for what is no request."""
+def wanted_of(m: Linkage, at: Any, actuators: Any, degrees: bool = False) -> Wanted | None:
+    """What is asked for, or None for home; angles of mappings and of rows of actuators are in radians unless `degrees`.
+    Raises InputError for both kinds at once and for what is no request."""
     if at is not None and actuators is not None:
         raise InputError("a pose and actuators at once", hint="give one of them; the other one follows")
     if actuators is not None:
-        return read_actuators(m, actuators) if isinstance(actuators, str) else wanted_actuators(m, actuators)
+        return read_actuators(m, actuators) if isinstance(actuators, str) else _driven(m, actuators, degrees)
     match at:
         case None:
             return None
@@ -119,14 +118,28 @@ def wanted_of(m: Mechanism, at: Any, actuators: Any) -> Wanted | None:
         case Pose():
             return wanted_pose(m, at)
         case Mapping():
-            return wanted_coordinates(m, at)
+            return wanted_coordinates(m, {n: _amount(v, n, degrees and n in ANGLES) for n, v in at.items()})
         case Sequence() if len(at) == 3:
             x, y, z = (exact(c, "the translation") for c in at)
             return wanted_pose(m, Pose((x, y, z)))
     raise InputError(f"{str(at)[:60]!r} is no pose", hint='write "z=0.2, roll=5deg", or "x y z; euler zyx a b c deg"')
 
 
-def here(m: Mechanism, analysis: RobotAnalysis, solution: Solution, limit: Threshold) -> RobotPose:
+def _driven(m: Linkage, given: Any, degrees: bool) -> Wanted:
+    angles = {a.name for a in m.actuators if a.angle}
+    if isinstance(given, Mapping):
+        return wanted_actuators(m, {n: _amount(v, n, degrees and n in angles) for n, v in given.items()})
+    values = list(given)
+    if len(values) == len(m.actuators):  # else whoever reads them says what is missing
+        values = [_amount(v, a.name, degrees and a.angle) for a, v in zip(m.actuators, values, strict=True)]
+    return wanted_actuators(m, values)
+
+
+def _amount(value: Any, name: str, in_degrees: bool) -> Any:
+    return Amount(exact(value, name), degrees=True) if in_degrees else value
+
+
+def here(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Threshold) -> RobotPose:
     """All numbers at a solution."""
     c = solution.configuration
     near = closeness(m, c)
@@ -134,7 +147,7 @@ def here(m: Mechanism, analysis: RobotAnalysis, solution: Solution, limit: Thres
     own = limb_closeness(m, c)
     verdict, reason = _verdict(m, near, own, limit)
     motions = _twists(m, near)
-    numbers = coordinates(COORDINATES, c.platform, m.centre)
+    numbers = zip(COORDINATES, coordinates(COORDINATES, c.platform, m.centre), strict=True)
     return RobotPose(
         robot=m.robot.id,
         title=m.robot.title,
@@ -142,9 +155,11 @@ def here(m: Mechanism, analysis: RobotAnalysis, solution: Solution, limit: Thres
         verdict=verdict,
         reason=reason,
         causes=_causes(values, verdict),
-        coordinates={n: float(v) for n, v in zip(COORDINATES, numbers, strict=True)},
+        coordinates={n: without_noise(v, 1.0 if n in ANGLES else m.size) for n, v in numbers},
         centre=tuple(map(float, m.centre)),
-        actuators=tuple((a, float(c.amounts[a.place][a.coordinate])) for a in m.actuators),
+        actuators=tuple(
+            (a, without_noise(c.amounts[a.place][a.coordinate], 1.0 if a.angle else m.size)) for a in m.actuators
+        ),
         residual=c.residual,
         off=c.off,
         steps=solution.steps,
@@ -159,12 +174,15 @@ def here(m: Mechanism, analysis: RobotAnalysis, solution: Solution, limit: Thres
         limbs=limb_numbers(m, near, own),
         softest=motions[-1],
         motions=tuple(t for t, s in zip(motions, near.singular_values, strict=True) if s <= SINGULAR),
-        points={d.name: tuple(map(float, c.values[d.name])) for d in m.robot.family.definitions},
+        points={
+            d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
+            for d in m.robot.family.definitions
+        },
         notes=(*solution.wanted.notes, *_notes(m, own)),
     )
 
 
-def _verdict(m: Mechanism, near: Closeness, own: Sequence[float], limit: Threshold) -> tuple[str, str]:
+def _verdict(m: Linkage, near: Closeness, own: Sequence[float], limit: Threshold) -> tuple[str, str]:
     sigma, turn = near.sigma, math.asin(near.sigma)
     assert limit.angle is not None
     # Here σ guarantees a turn of asin σ, which is at most 90°.
@@ -201,11 +219,11 @@ def _capital(words: str) -> str:
     return words[0].upper() + words[1:]
 
 
-def _twists(m: Mechanism, near: Closeness) -> tuple[Twist, ...]:
+def _twists(m: Linkage, near: Closeness) -> tuple[Twist, ...]:
     return tuple(twist_of(row[:3], row[3:], near.centre, m.size) for row in near.motions)
 
 
-def _notes(m: Mechanism, own: Sequence[float]) -> tuple[str, ...]:
+def _notes(m: Linkage, own: Sequence[float]) -> tuple[str, ...]:
     return tuple(
         f"{limb.name} is nearly singular by itself (least singular value of its twists {c:.2g}), so that what is said"
         " of the platform holds near here only"
@@ -214,7 +232,7 @@ def _notes(m: Mechanism, own: Sequence[float]) -> tuple[str, ...]:
     )
 
 
-def _mode(m: Mechanism, analysis: RobotAnalysis, values: Sequence[Factor], solution: Solution) -> str:
+def _mode(m: Linkage, analysis: RobotAnalysis, values: Sequence[Factor], solution: Solution) -> str:
     """On which assembly mode the solution lies, by its way from home and the signs of the factors."""
     if not solution.steps:
         return "that of home"

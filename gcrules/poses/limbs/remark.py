@@ -2,9 +2,25 @@
 
 from __future__ import annotations
 
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.kinematics.linkage import linkage
+from gcrules.poses.limbs.pose_report import posed
 from gcrules.poses.limbs.report import RobotPose
 
-__all__ = ["remark"]
+__all__ = ["home_remark", "remark"]
+
+
+def home_remark(analysis: RobotAnalysis) -> str:
+    """That home is singular, or nearly so, with cause and motion; nothing of a regular home, of none, or of one that
+    cannot be moved.
+    """
+    if analysis.robot.home is None:
+        return ""
+    try:
+        return remark(posed(linkage(analysis.robot), lambda: analysis, None, None))
+    except InputError:
+        return ""
 
 
 def remark(home: RobotPose) -> str:

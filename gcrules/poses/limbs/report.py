@@ -9,7 +9,7 @@ from typing import Any
 
 from gcrules.core.frozen import FrozenMap, HoldsArrays
 from gcrules.core.shown import Shown
-from gcrules.mechanisms.kinematics.mechanism import Actuator
+from gcrules.mechanisms.kinematics.linkage import Actuator
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.poses.limbs.balance import LimbNumbers
 from gcrules.poses.limbs.factors import Factor

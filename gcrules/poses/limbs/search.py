@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.margin import closeness
-from gcrules.mechanisms.kinematics.mechanism import Mechanism
 from gcrules.mechanisms.kinematics.solve import Course, Solution, goal
 from gcrules.mechanisms.kinematics.targets import Wanted
 from gcrules.poses.limbs.factors import factors
@@ -37,7 +37,7 @@ class Found:
     samples: int
 
 
-def first_singular(m: Mechanism, analysis: RobotAnalysis, wanted: Wanted, samples: int = SAMPLES) -> Found | None:
+def first_singular(m: Linkage, analysis: RobotAnalysis, wanted: Wanted, samples: int = SAMPLES) -> Found | None:
     """The first one that is found, or None. Raises InputError where the course does not assemble before it.
 
     What is wanted has passed `check_wanted`.

@@ -25,6 +25,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.errors import EngineFault
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import DRAWN, PRIME, drawn
+from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.loci.expansion import Terms, expansion
 from gcrules.poses.loci.factors import MAX_TERMS, primitive
@@ -33,7 +34,7 @@ from gcrules.poses.loci.known import rational_ring
 from gcrules.poses.loci.report import Locus
 from gcrules.poses.loci.variables import images, question
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
-from gcrules.poses.pose_inputs import Given, moving_robot
+from gcrules.poses.pose_inputs import moving_robot
 from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import Quaternion, Vector
 from gcrules.screws.rotations import rotation as matrix
@@ -44,17 +45,17 @@ CHECKS = 3  # poses of each kind
 
 
 def locus(
-    robot: Given,
+    robot: Source,
     over: str | Sequence[str] | None = None,
     *,
     fix: str | Mapping[str, Any] | None = None,
     at: str | Pose | None = None,
     rotation: str = "quaternion",
-    about: str | Sequence[Any] = "origin",
+    about: str | Sequence[Any] = "centroid",
     limit: int = MAX_TERMS,
 ) -> Locus:
     """The function of `gcrules.api.functions`, which says what the arguments are."""
-    analysis, moving = moving_robot(robot, about)
+    analysis, moving = moving_robot(robot, about, "the locus")
     asked = question(over, fix, at, rotation, moving.unit)
     ring = rational_ring(asked.free)
     shift, turn, norms = images(asked, ring)

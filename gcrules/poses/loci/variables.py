@@ -16,7 +16,8 @@ from typing import Any
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near, run_together
-from gcrules.screws.pose import Pose, exact, parse_pose, read_number
+from gcrules.poses.numbers.pose_arguments import read_one
+from gcrules.screws.pose import Pose, exact, read_number
 from gcrules.screws.rotations import Quaternion, check_sequence, product
 
 __all__ = ["Question", "images", "question"]
@@ -84,7 +85,7 @@ def question(
             "every variable is free or fixed, so nothing is taken from the pose",
             hint="name the free ones: --over translation, or --over x,y",
         )
-    pose = at if isinstance(at, Pose) else parse_pose(at, unit) if at is not None else Pose()
+    pose = Pose() if at is None else read_one(at, unit)
     fixed |= {n: c for n, c in zip(TRANSLATION, pose.translation, strict=True) if n in rest}
     if all(n in rest for n in turning):
         return Question(rotation, tuple(free), fixed, pose.quaternion)

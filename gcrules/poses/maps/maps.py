@@ -27,6 +27,7 @@ from gcrules.core.budget import checkpoint, report
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.seeds import drawn
 from gcrules.core.version import __version__
+from gcrules.mechanisms.load import Source
 from gcrules.poses.compiling.compiled import compiled
 from gcrules.poses.maps.axes import Axis, read_axes
 from gcrules.poses.maps.grid import grid
@@ -39,7 +40,7 @@ from gcrules.poses.maps.store import Folder, Memory, Store
 from gcrules.poses.maps.summary import Summary, summed, together
 from gcrules.poses.maps.tracing import polished, traced
 from gcrules.poses.maps.values import KINDS, Task
-from gcrules.poses.pose_inputs import Given, moving_robot
+from gcrules.poses.pose_inputs import moving_robot
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, closeness_of
 
 __all__ = ["MEASURES", "bytes_of", "done", "planned", "singular_map"]
@@ -51,11 +52,11 @@ MAX_HELD = 8_000_000
 
 
 def singular_map(
-    robot: Given,
+    robot: Source,
     over: Sequence[str | Axis],
     at: Any = None,
     *,
-    about: str | Sequence[Any] = "origin",
+    about: str | Sequence[Any] = "centroid",
     limits: str | None = None,
     threshold: str | Threshold = DEFAULT,
     measure: str = "closeness",
@@ -94,7 +95,7 @@ def planned(
     robot: Any, over: Any, at: Any, about: Any, limits: str | None, threshold: Any, measure: str
 ) -> tuple[Analysis, Task, Threshold]:
     """What is to be computed, all faults of the input told."""
-    analysis, moving = moving_robot(robot, about)
+    analysis, moving = moving_robot(robot, about, "a map")
     axes = read_axes(over, moving.unit)
     limit = angle_threshold(threshold, moving.unit, "in a map")
     if measure not in MEASURES:

@@ -1,9 +1,8 @@
-r"""What a user asks for in Python: one pose or many, the accuracy, a centre; told apart and checked."""
+r"""What a user asks for in Python: one pose or many, the accuracy; told apart and checked."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from fractions import Fraction
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,11 +10,12 @@ import numpy as np
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.screws.guarantees import ROUNDING
-from gcrules.screws.pose import Pose, exact, exact_float, parse_pose, unit_note
+from gcrules.screws.pose import Pose, exact, exact_float, unit_note
+from gcrules.screws.pose_text import parse_pose, pose_of
 from gcrules.screws.rotations import IDENTITY, from_euler, from_vector
 from gcrules.screws.threshold import parse_length
 
-__all__ = ["centre_of", "known_accuracy", "one_pose"]
+__all__ = ["is_many", "known_accuracy", "one_pose", "read_one"]
 
 
 _COARSE = 1e6
@@ -35,11 +35,6 @@ def known_accuracy(given: str | float | None, moving: Rig) -> float:
     return max(length, ROUNDING * moving.size)
 
 
-def centre_of(about: str | Sequence[Any]) -> str | tuple[Fraction, ...]:
-    """A centre by its name, or its three exact coordinates."""
-    return about if isinstance(about, str) else tuple(exact(c, "the centre") for c in _three(about, "the centre"))
-
-
 def _three(numbers: Any, what: str) -> Sequence[Any]:
     """Three entries. Raises InputError for another number of them."""
     found = list(numbers) if np.ndim(numbers) else [numbers]
@@ -48,18 +43,17 @@ def _three(numbers: Any, what: str) -> Sequence[Any]:
     return found
 
 
-def one_pose(at: Any, turns: dict[str, Any], in_degrees: bool, unit: str) -> Pose | None:
+def one_pose(at: Any, turns: Mapping[str, Any], in_degrees: bool, unit: str) -> Pose | None:
     """The pose if it is a single one, else None."""
     given = {kind: t for kind, t in turns.items() if t is not None}
-    if isinstance(at, (str, Pose)):
+    if isinstance(at, (str, Pose, Mapping)):
         if given:
             raise InputError("a pose that holds its turn, and a turn beside it")
-        return at if isinstance(at, Pose) else parse_pose(at, unit)
+        return read_one(at, unit, in_degrees)
     euler = given.get("euler", ("zyx", ()))
     if not (isinstance(euler, (tuple, list)) and len(euler) == 2 and isinstance(euler[0], str)):
         raise InputError("Euler angles are a sequence and three angles", hint='euler=("zyx", (10, 0, 0)), degrees=True')
-    values = [at, *(t[1] if kind == "euler" else t for kind, t in given.items())]
-    if any(v is not None and _is_nested(v) for v in values):
+    if is_many(at, given):
         return None
     if len(given) > 1:
         raise InputError("several kinds of turns", hint="give a quaternion, a rotation vector or Euler angles")
@@ -67,6 +61,32 @@ def one_pose(at: Any, turns: dict[str, Any], in_degrees: bool, unit: str) -> Pos
     x, y, z = (exact(c, "the translation") for c in _three(shift, "the translation"))
     turn, notes = _turn(given, in_degrees)
     return Pose((x, y, z), turn, notes)
+
+
+def read_one(at: Any, unit: str, in_degrees: bool = False) -> Pose:
+    """A pose that holds its turn: a `Pose`, text, coordinates by their names, or a translation of three numbers. Raises
+    InputError for anything else.
+    """
+    if isinstance(at, Pose):
+        return at
+    if isinstance(at, str):
+        return parse_pose(at, unit)
+    if isinstance(at, Mapping):
+        return pose_of(at, degrees=in_degrees)
+    x, y, z = (exact(c, "the translation") for c in _three(at, "the translation"))
+    return Pose((x, y, z))
+
+
+def is_many(at: Any, turns: Mapping[str, Any]) -> bool:
+    """Whether there are several poses, or several turns beside one."""
+    if at is None or isinstance(at, (str, Pose, Mapping)):
+        values = []
+    elif isinstance(at, (list, tuple)) and at and (at[0] is None or isinstance(at[0], (str, Pose, Mapping))):
+        return True
+    else:
+        values = [at]
+    values += [t[1] if kind == "euler" else t for kind, t in turns.items()]
+    return any(_is_nested(v) for v in values)
 
 
 def _is_nested(value: Any) -> bool:

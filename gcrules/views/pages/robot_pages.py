@@ -13,11 +13,11 @@ from pathlib import Path
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Superbracket
 from gcrules.algebra.language.text import text
+from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import Part
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import FILE
-from gcrules.mechanisms.description.robot_spec import RobotText
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, Line
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.plugins import shipped_folder
@@ -54,7 +54,7 @@ def robot_pages(robots: Sequence[Robot]) -> dict[str, str]:
     pages: dict[str, str] = {}
     found: list[RobotAnalysis] = []
     for robot in robots:
-        a = robot.analyze()
+        a = analyze_robot(robot)
         found.append(a)
         name = names[robot.id]
         poses: list[tuple[Part, SingularPose | None]] = []
@@ -165,7 +165,7 @@ def _formula(left: Expr | None, right: Expr) -> list[str]:
     return ["$$", r"\begin{aligned}", *body, r"\end{aligned}", "$$", ""]
 
 
-def _file(robot: RobotText) -> Iterator[str]:
+def _file(robot: Robot) -> Iterator[str]:
     yield "## The file to start from"
     yield ""
     path, shipped = Path(robot.filename), shipped_folder()

@@ -8,7 +8,6 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import Coordinates, PoseValue
-from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.derivation import Step
 from gcrules.views.drawing.figures import graph_figure, robot_figure
@@ -27,14 +26,7 @@ def report(analysis: Analysis | RobotAnalysis, *, interactive: bool = True) -> s
     a robot with limbs these too.
 
     `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
-
-    Raises InputError for what is no analysis.
     """
-    if not hasattr(analysis, "structure"):
-        raise InputError(
-            f"a report is of an analysis, not of {analysis!r}",
-            hint="gc.report(gc.analyze(…)), or gc.report(gc.Robot.load(…).analyze())",
-        )
     if isinstance(analysis, RobotAnalysis):
         return robot_report(analysis, interactive=interactive)
     live = interactive and drawable(analysis)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from gcrules.mechanisms.kinematics.coordinates import SHIFTS, TURNS
 from gcrules.poses.limbs.report import RobotPose
+from gcrules.screws.pose_text import SHIFTS, TURNS
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table

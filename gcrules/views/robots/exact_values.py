@@ -10,9 +10,9 @@ from gcrules.algebra.expr import Expr
 from gcrules.core.linear_algebra import kernel
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.relations import combined
-from gcrules.mechanisms.description.robot_spec import RobotText
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.wrenches import PLANAR
+from gcrules.mechanisms.robot import Robot
 from gcrules.screws import RATIONALS
 
 __all__ = ["Values", "Vector", "gained", "lines_at", "value_at"]
@@ -40,7 +40,7 @@ def value_at(family: Family, structure: Equivalent, values: Values, e: Expr) -> 
     return Fraction(Evaluator(points, 3 if family.plane else 4).value(e)[0])
 
 
-def gained(robot: RobotText, values: Values) -> list[tuple[Fraction, ...]]:
+def gained(robot: Robot, values: Values) -> list[tuple[Fraction, ...]]:
     """A basis of the twists (ω; v) of the platform that no wrench of a limb with locked actuators opposes."""
     rows = [tuple(map(Fraction, row)) for row in PLANAR] if robot.family.plane else []
     for text in robot.limbs:

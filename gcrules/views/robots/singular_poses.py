@@ -22,7 +22,7 @@ from gcrules.mechanisms.conditions.factor_causes import Part, Ranks, ranks, upst
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.relations import AXES
-from gcrules.mechanisms.description.robot_spec import RobotText
+from gcrules.mechanisms.robot import Robot
 from gcrules.screws import RATIONALS
 from gcrules.views.robots.entities import meeting
 from gcrules.views.robots.exact_values import Values, Vector, gained, value_at
@@ -112,12 +112,12 @@ def _one_line(values: Values, one: tuple[str, str], other: tuple[str, str]) -> b
     )
 
 
-def _middle(robot: RobotText, values: Values) -> tuple[float, ...]:
+def _middle(robot: Robot, values: Values) -> tuple[float, ...]:
     points = [values[d.name] for d in robot.family.definitions if d.sort == "point"]
     return tuple(float(sum(p[i] for p in points)) / len(points) for i in range(3))
 
 
-def home_parameters(robot: RobotText, home: Values) -> Parameters | None:
+def home_parameters(robot: Robot, home: Values) -> Parameters | None:
     """The parameters of the family's member at home (directions up to their lengths); None where home has none."""
     found: Parameters = {}
     values: dict[str, Any] = {n: RATIONALS.vector(axis) for n, axis in AXES.items()}
@@ -144,9 +144,7 @@ def _unit(count: int, place: int) -> tuple[Fraction, ...]:
     return tuple(Fraction(int(i == place)) for i in range(count))
 
 
-def _checked(
-    robot: RobotText, part: Part, values: Values, moved: tuple[str, ...], generic: Ranks
-) -> SingularPose | None:
+def _checked(robot: Robot, part: Part, values: Values, moved: tuple[str, ...], generic: Ranks) -> SingularPose | None:
     """The pose, if the joint screws say that the robot, and no limb by itself, is singular there."""
     try:
         here = ranks(robot.family, robot.limbs, values, RATIONALS)
@@ -195,7 +193,7 @@ def _candidates(
                 yield round(cost, 6), values, names
 
 
-def _moves(robot: RobotText, home: Values) -> Iterator[tuple[tuple[str, ...], tuple[int, ...]]]:
+def _moves(robot: Robot, home: Values) -> Iterator[tuple[tuple[str, ...], tuple[int, ...]]]:
     """Which names move, and in which direction of their parameters."""
     plane = robot.family.plane
     sets: list[tuple[str, ...]] = [(n,) for n in robot.family.moving]
@@ -221,7 +219,7 @@ def _scale(family: Family, home: Values, name: str, size: float) -> Fraction:
     return Fraction(round(float(length) * 16), 16) or Fraction(1)
 
 
-def _cost(robot: RobotText, home: Values, values: Values, t: Fraction, size: float) -> float | None:
+def _cost(robot: Robot, home: Values, values: Values, t: Fraction, size: float) -> float | None:
     """How far from home a member is and how long its numbers are; None where it is no good to be shown."""
     family = robot.family
     shift = 0.0
@@ -251,7 +249,7 @@ def _turn(a: Sequence[Fraction], b: Sequence[Fraction]) -> float:
     return 2.0 if product < 0 else max(0.0, 1 - product * product / squares) ** 0.5
 
 
-def _flat(robot: RobotText, values: Values) -> float:
+def _flat(robot: Robot, values: Values) -> float:
     """What speaks against a platform whose points are nearly on a line."""
     points = [tuple(map(float, values[n])) for n in robot.platform]
     if len(points) < 3:

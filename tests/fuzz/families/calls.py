@@ -12,7 +12,7 @@ import pickle
 import traceback
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -35,9 +35,9 @@ def _numpy() -> Any:
 
 @cache
 def _robot() -> Any:
-    from gcrules.mechanisms.robot import Robot
+    import gcrules as gc
 
-    return Robot.load("3-rpr")
+    return gc.analyze("3-rpr")
 
 
 @cache
@@ -129,7 +129,8 @@ VALUES: Mapping[str, Callable[[], Any]] = {
     "path of nothing": lambda: Path("nothing.yaml"),
     "g.yaml": lambda: "g.yaml",
     "3-rpr": lambda: "3-rpr",
-    "robot": _robot,
+    "robot": lambda: _robot().robot,
+    "analysis of robot": _robot,
     "platform": _platform,
     "analysis": lambda: _analysis(False),
     "analysis of platform": lambda: _analysis(True),
@@ -146,9 +147,9 @@ _USUAL: Mapping[str, tuple[str, ...]] = {
     "e": _EXPRESSIONS,
     "claim": ("claim", "expression"),
     "legs": ("legs", "pairs"),
-    "robot": _ROBOTS,
+    "source": (*_ROBOTS, "legs", "pairs"),
     "at": ("pose", "3 numbers", "array 3", "array 2x3", "None"),
-    "ats": ("2 poses", "3 texts"),
+    "towards": ("pose", "3 numbers"),
     "poses": ("2 poses", "array 2x3"),
     "over": ("ranges",),
     "rules": ("expansion", "3 texts"),
@@ -163,7 +164,6 @@ _USUAL: Mapping[str, tuple[str, ...]] = {
 
 def _functions() -> Mapping[str, Callable[..., Any]]:
     import gcrules as gc
-    from gcrules.mechanisms.robot import Robot
 
     names = (
         "analyze",
@@ -171,7 +171,7 @@ def _functions() -> Mapping[str, Callable[..., Any]]:
         "evaluate",
         "expand",
         "factor",
-        "load_platform",
+        "load",
         "load_rules",
         "locus",
         "parse",
@@ -184,21 +184,20 @@ def _functions() -> Mapping[str, Callable[..., Any]]:
         "rewrite",
         "shorten",
         "shortest",
+        "singular",
         "singular_map",
         "straighten",
         "superbracket",
         "transversals",
         "view",
     )
-    methods = {f"robot.{n}": getattr(_robot(), n) for n in ("pose", "at", "poses", "singular")}
+    methods = {f"{n} of a robot": partial(getattr(gc, n), _robot()) for n in ("pose", "singular")}
     types = {n: getattr(gc, n) for n in ("Platform", "Plugin", "Strategy", "Structure")}
     return (
         {n: getattr(gc, n) for n in (*names, *more)}
         | methods
         | types
         | {
-            "Robot.load": Robot.load,
-            "Robot.parse": Robot.parse,
             "compiled()": _compiled(),
         }
     )
@@ -212,16 +211,15 @@ _COSTLY = {
     "report": {},
 }
 _RARE = (
-    "robot.singular",
-    "robot.poses",
+    "singular of a robot",
     "singular_map",
     "report",
     "view",
     "locus",
-    "Robot.load",
     "load_rules",
     "path",
-    "robot.pose",
+    "pose of a robot",
+    "singular",
 )
 
 

@@ -1,22 +1,25 @@
-"""A robot as a mechanism in floats: its chains at home, what they carry, its size; and configurations of it."""
+"""A robot as a linkage in floats: its chains at home, what they carry, its size; and configurations of it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import ranks
-from gcrules.mechanisms.description.robot_spec import RobotText
 from gcrules.mechanisms.kinematics.attachments import Ride, rides
 from gcrules.mechanisms.kinematics.chains import SHAPES, Chain, chain_of, geometry_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS
+from gcrules.screws.pose_text import read_centre
 
-__all__ = ["Actuator", "Configuration", "Mechanism", "mechanism"]
+__all__ = ["Actuator", "Configuration", "Linkage", "linkage"]
 
 
 @dataclass(frozen=True)
@@ -60,16 +63,16 @@ class Configuration:
 
 
 @dataclass(frozen=True, eq=False)
-class Mechanism:
-    """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `firm` tells of each whether the limb
-    ends in a passive ball joint there (a hinge, in the plane), so that it passes on forces through that point
-    alone. `centre` is the centroid of the ends, `size` the root mean square of their distances from it (of all
-    points, where it is 0). `ranks` are those of each limb's twists in the family, with `passive_ranks` of the
-    undriven ones. `still` are coordinates that have to stay at 0: the places of limb and coordinate, and the joint
-    as written.
+class Linkage:
+    """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `firm` tells of each whether the limb ends
+    in a passive ball joint there (a hinge, in the plane), so that it passes on forces through that point alone.
+    `centre` is what poses turn about, the centroid of the places of the ends if nothing else is chosen; `size` is the
+    root mean square of the ends' distances from their mean (of all points, where it is 0). `ranks` are those of each
+    limb's twists in the family, with `passive_ranks` of the undriven ones. `still` are coordinates that have to stay at
+    0: the places of limb and coordinate, and the joint as written.
     """
 
-    robot: RobotText
+    robot: Robot
     rides: Mapping[str, tuple[Ride, ...]]
     home: Configuration
     actuators: tuple[Actuator, ...]
@@ -82,8 +85,10 @@ class Mechanism:
     still: tuple[tuple[int, int, str], ...]
 
 
-def mechanism(robot: RobotText) -> Mechanism:
-    """The mechanism of a robot. Raises InputError where it has no joints, no home, or joints that are lost there."""
+def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
+    """The linkage of a robot, whose poses turn `about` a centre (see `read_centre`). Raises InputError where it has no
+    joints, no home, or joints that are lost there.
+    """
     if not robot.limbs:
         raise InputError(
             f"{robot.id} is given by its lines: there are no joints that could move it",
@@ -100,6 +105,9 @@ def mechanism(robot: RobotText) -> Mechanism:
     home = Configuration(values, links, tuple(np.zeros(len(c.turns)) for c in chains), chains)
     ends = np.array([_end(robot, place, values) for place in range(len(chains))])
     centre = ends.mean(axis=0)
+    joints = np.unique(ends, axis=0).mean(axis=0)  # limbs may share one
+    x, y, z = map(Fraction, joints.tolist())
+    turning = np.array([float(c) for c in read_centre(about, (x, y, z))])
     size = float(np.sqrt(((ends - centre) ** 2).sum(axis=1).mean()))
     if size <= 1e-9 * float(np.abs(ends).max(initial=0.0)) or not size:
         points = np.array([values[d.name] for d in robot.family.definitions if d.sort == "point"])
@@ -108,14 +116,14 @@ def mechanism(robot: RobotText) -> Mechanism:
     firm = tuple(limb.joints[-1].kind == ball and not limb.joints[-1].actuated for limb in robot.limbs)
     family = ranks(robot.family, robot.limbs, robot.family.member("kinematics")).limbs
     every, passive = (tuple(pair[k] for pair in family) for k in (0, 1))
-    return Mechanism(
+    return Linkage(
         robot,
         rides(robot),
         home,
         tuple(_actuators(robot)),
         ends,
         firm,
-        centre,
+        turning,
         size,
         every,
         passive,
@@ -123,7 +131,7 @@ def mechanism(robot: RobotText) -> Mechanism:
     )
 
 
-def _end(robot: RobotText, place: int, values: Mapping[str, Floats]) -> Floats:
+def _end(robot: Robot, place: int, values: Mapping[str, Floats]) -> Floats:
     """The limb's joint point on the platform: the last one that its joints name, or the middle of a pair of bars."""
     joints = robot.limbs[place].joints
     for joint in reversed(joints):
@@ -139,7 +147,7 @@ def _end(robot: RobotText, place: int, values: Mapping[str, Floats]) -> Floats:
     return np.asarray(np.mean(named, axis=0)) if named else np.zeros(3)
 
 
-def _still(robot: RobotText) -> Iterator[tuple[int, int, str]]:
+def _still(robot: Robot) -> Iterator[tuple[int, int, str]]:
     for place, limb in enumerate(robot.limbs):
         start = 0
         for joint in limb.joints:
@@ -147,7 +155,7 @@ def _still(robot: RobotText) -> Iterator[tuple[int, int, str]]:
             start += len(JOINTS[joint.kind].freedoms)
 
 
-def _actuators(robot: RobotText) -> Iterator[Actuator]:
+def _actuators(robot: Robot) -> Iterator[Actuator]:
     number = 0
     for place, limb in enumerate(robot.limbs):
         start = 0

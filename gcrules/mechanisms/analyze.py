@@ -1,0 +1,86 @@
+r"""When and why any mechanism is singular: the analysis of whatever `load` reads.
+
+>>> analyze("ab af cb cd ed ef")
+<Analysis 3-3.3: four-planes, abc /\ aef /\ bdf /\ cde>
+>>> analyze("3-rps")
+<RobotAnalysis 3-rps: four-planes>
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from os import PathLike
+from typing import Any
+
+from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.language.text import Names
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.deferred import deferred
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.load import Folders, Source, load
+from gcrules.mechanisms.platform_analysis import analyze as analyze_legs
+from gcrules.mechanisms.robot import Robot
+from gcrules.rules.factorization import SECONDS
+from gcrules.rules.strategy import Strategy
+
+__all__ = ["analyze", "analyze_legs", "analyze_robot"]
+
+_of_joints = deferred("gcrules.mechanisms.conditions.analyze_robot:analyze_robot")
+
+
+def analyze(
+    source: Source,
+    *,
+    order: str | Sequence[int | str] | None = None,
+    points: Names = (),
+    ideal: Names = (),
+    given: str | Iterable[str] = (),
+    rank: int = 4,
+    catalogs: Iterable[str | PathLike[str]] = (),
+    recheck: bool = False,
+    strategy: Strategy | None = None,
+    search: float = SECONDS,
+    plugins: Folders = (),
+) -> Analysis | RobotAnalysis:
+    """The condition of legs or of a platform (an `Analysis`), or of a robot of joints (a `RobotAnalysis`).
+
+    `source` is what `gcrules.load` takes, with `plugins`; what was analysed before is given back. A line that is no
+    pair of joints is built from points: "abc /\\ def". `order` keeps the user's own order of legs instead of the
+    shortest one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points (as
+    `gcrules.prove` takes it), and `rank` another space, in which there are n (n − 1) / 2 lines.
+
+    `catalogs` adds files of the user's own; `strategy` says which rules run. With `recheck` readings that are instances
+    of catalog identities are proved from scratch. Where no rule finds a condition, a factorization is sought for
+    `search` seconds. Raises InputError for the wrong number of lines, for what is no line, for assumptions that are not
+    resolved, and for options that the source does not take: robots of joints take `search` only.
+    """
+    loaded = load(source, plugins=plugins, points=points, ideal=ideal, given=given, rank=rank)
+    options: dict[str, Any] = {
+        "order": order,
+        "points": points,
+        "ideal": ideal,
+        "given": given,
+        "rank": None if rank == 4 else rank,
+        "catalogs": catalogs,
+        "recheck": recheck,
+        "strategy": strategy,
+    }
+    chosen = {name: value for name, value in options.items() if value}
+    if isinstance(loaded, Structure) and loaded is not source:  # read with them just now
+        chosen = {name: value for name, value in chosen.items() if name not in ("points", "ideal", "given", "rank")}
+    if isinstance(loaded, (Robot, Analysis, RobotAnalysis)) and chosen:
+        what = f"the robot {loaded.id}" if isinstance(loaded, Robot) else "what was analysed before"
+        hint = "they are for legs and platforms" if isinstance(loaded, Robot) else "analyze its structure anew"
+        raise InputError(f"{what} takes no options {', '.join(chosen)}", hint=hint)
+    if isinstance(loaded, (Analysis, RobotAnalysis)):
+        return loaded
+    if isinstance(loaded, Robot):
+        return analyze_robot(loaded, search=search)
+    return analyze_legs(loaded, search=search, **chosen)
+
+
+def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
+    """The analysis of a robot of joints. Raises InputError for six lines that are no legs."""
+    found: RobotAnalysis = _of_joints(robot, search=search)
+    return found

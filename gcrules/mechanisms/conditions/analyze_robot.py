@@ -1,0 +1,202 @@
+r"""From a robot's joints to the sentence: wrenches, equivalent lines, condition of the lines, factors told apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.evaluate import PRIME
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.text import text
+from gcrules.algebra.scalars import bracket
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.budget import checkpoint
+from gcrules.core.english import listed
+from gcrules.core.errors import EngineFault
+from gcrules.core.seeds import remark
+from gcrules.mechanisms.conditions.common_factor import common_factor, sees_constraints
+from gcrules.mechanisms.conditions.factor_causes import ASIDE, Part, at_member, not_told, ranks, tell_apart
+from gcrules.mechanisms.conditions.line_conditions import condition_of_lines, factors_at
+from gcrules.mechanisms.conditions.overlaps import of_several_kinds, without_repetition
+from gcrules.mechanisms.conditions.published import MEMBERS, published
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.conditions.words import Words
+from gcrules.mechanisms.description.relations import AXES
+from gcrules.mechanisms.lines.equivalent import FRAME, Equivalent, equivalent
+from gcrules.mechanisms.lines.home import home_wrenches
+from gcrules.mechanisms.lines.serial import LimbSingularity, limb_singularities
+from gcrules.mechanisms.lines.wrenches import Line
+from gcrules.mechanisms.robot import Robot
+from gcrules.rules.condition import Condition
+from gcrules.rules.factorization import SECONDS
+
+__all__ = ["analyze_robot"]
+
+
+def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
+    """Analyse a robot; `search` as for `gcrules.analyze`. Raises InputError for six lines that are no legs."""
+    structure = equivalent(robot.family, robot.limbs) if robot.limbs else _given_lines(robot)
+    if structure.lines is None:
+        return _without_lines(robot, structure)
+    if structure.over and not sees_constraints(robot.family, structure):
+        structure = equivalent(robot.family, robot.limbs, frame=False)
+    found, condition = condition_of_lines(robot, structure, search)
+    family = robot.family
+    cofactors, factors = factors_at(robot, structure, condition)
+    tell = tell_apart if robot.limbs else not_told
+    several = of_several_kinds(family, structure, factors) if robot.limbs else frozenset()
+    parts, told = tell(family, robot.limbs, structure, found.structure.superbracket, factors, several)
+    base = tuple(p for limb in robot.limbs for p in limb.joints[0].points if p not in robot.platform)
+    words = Words(family, structure.lines or (), robot.platform, base, frozenset(structure.ideal) | frozenset(AXES))
+    parts = tuple(replace(p, statement=words.clause(p.expression) or "") for p in parts)
+    parts = without_repetition(family, structure, parts)
+    common = common_factor(family, structure, found.structure.superbracket, cofactors, parts, words)
+    serial = limb_singularities(family, robot.limbs)
+    members = _check(robot, structure, found, cofactors, factors)
+    return RobotAnalysis(
+        robot,
+        structure,
+        found,
+        condition,
+        parts,
+        serial,
+        _with_derived(_statement(structure, condition, cofactors, parts, serial), structure),
+        _certificate(robot, condition, members, told.met),
+        cofactors,
+        members,
+        told.met,
+        published(robot, structure, found) if robot.condition else None,
+        common,
+    )
+
+
+def _given_lines(robot: Robot) -> Equivalent:
+    """The structure of a robot that is given by its lines."""
+    sorts = robot.family.sorts
+    lines = tuple(
+        Line(ends, "the given lines", all(sorts[n] == "direction" for n in ends), "wrench") for ends in robot.lines
+    )
+    names = dict.fromkeys(n for line in lines for n in line.ends)
+    ideal = tuple(n for n in names if sorts[n] == "direction")
+    full = 3 if robot.family.plane else 6
+    at = [at_member(robot.family, Equivalent((), lines, 0, 0, 0, full), robot.family.member(s)) for s in (1, 2, 3)]
+    rank = 3 if robot.family.plane else 4
+    given = tuple(
+        some
+        for some in combinations(names, rank)
+        if not set(some) <= set(ideal) and not any(one.value(bracket(*map(ex.Point, some), rank=rank))[0] for one in at)
+    )
+    return Equivalent((), lines, robot.mobility, 0, 0, full, ideal, given)
+
+
+def _check(
+    robot: Robot, structure: Equivalent, found: Analysis, cofactors: Sequence[Expr], factors: Sequence[Expr]
+) -> int:
+    """The number of random members at which Π cofactors · superbracket = c · Π factors with one number c, and the joint
+    screws have full rank. Raises EngineFault otherwise.
+    """
+    full = 3 if robot.family.plane else 6
+    numbers = set()
+    for seed in range(MEMBERS):
+        checkpoint()
+        values = robot.family.member(("checked", seed))
+        at = at_member(robot.family, structure, values)
+        if robot.limbs and ranks(robot.family, robot.limbs, values).wrenches != full:
+            raise EngineFault(f"the wrenches of {robot.id} have no full rank at a random member")
+        left, right = (at.value(ex.mul(*es))[0] for es in ((*cofactors, found.structure.superbracket), factors))
+        numbers.add(left * pow(right, -1, PRIME) % PRIME)
+    if len(numbers) > 1:
+        raise EngineFault(f"the factors found for {robot.id} are not its superbracket")
+    return MEMBERS
+
+
+_MARKS: Mapping[str, str] = {
+    "actuation": " (actuation singularity)",
+    "constraint": " (constraint singularity)",
+    "mixed": " (actuation or constraint singularity)",
+    "not met": "",
+}
+"""What the statement says of kinds of factors. Where all are actuation singularities it says nothing."""
+
+
+def _some(serial: Sequence[LimbSingularity]) -> bool:
+    """Whether limbs are singular by themselves, be it known where or not."""
+    return any(s.conditions or s.unexplained for s in serial)
+
+
+def _statement(
+    structure: Equivalent,
+    condition: Condition,
+    cofactors: Sequence[Expr],
+    parts: Sequence[Part],
+    serial: Sequence[LimbSingularity],
+) -> str:
+    aside = ["Outside the singularities of its limbs"] * _some(serial)
+    if any(p.chosen for p in parts):
+        aside.append("where the lines that were chosen for a limb do not depend on each other")
+    outside = f"{_upper(' and '.join(aside))}, the" if aside else "The"
+    also = ""
+    if any(line.limb == FRAME for line in structure.lines or ()):
+        also = (
+            " It is singular too where the constraints of all limbs together lose rank, which takes two conditions or"
+            " more."
+        )
+    live = [p for p in parts if p.kind not in ASIDE and p.same is None]
+    if live and not cofactors and (any(p.statement for p in live) or any(p.kind in ASIDE for p in parts)):
+        mark = len({p.kind for p in live}) > 1 or live[0].kind == "constraint"
+        words = [p.statement or f"{text(p.expression, unicode=True)} = 0" for p in live]
+        said = [w + _MARKS[p.kind] if mark else w for w, p in zip(words, live, strict=True)]
+        return f"{outside} robot is singular exactly when {', or '.join(said)}.{also}"
+    if not live:
+        return "No singular member of the family was found outside the singularities of its limbs."
+    first = condition.sentence.replace("Without the legs", "Without the wrenches along").replace(
+        "the legs", "the lines"
+    )
+    first += also
+    return first if outside == "The" else f"{outside.removesuffix(', the')}: {first}"
+
+
+def _with_derived(statement: str, structure: Equivalent) -> str:
+    """The statement, and what the derived directions are that it names."""
+    named = [f"{n} is the direction {what}" for n, what in structure.named if n in statement]
+    return f"{statement} Here {listed(named)}." if named else statement
+
+
+def _upper(words: str) -> str:
+    return words[:1].upper() + words[1:]
+
+
+def _certificate(robot: Robot, condition: Condition, members: int, met: int) -> str:
+    lines = f"the identity of the lines: {condition.certificate.detail}"
+    if not robot.limbs:
+        return lines
+    return (
+        f"{lines}; that the lines stand for the joints holds at {members} exact random members of the family, and"
+        f" {met} exact singular members were found, all by the ranks of the joint screws (modulo a prime){remark()}"
+    )
+
+
+def _without_lines(robot: Robot, structure: Equivalent) -> RobotAnalysis:
+    """Where wrenches of a limb are no lines through the robot's points."""
+    kinds: dict[str, list[str]] = {}
+    for limb in structure.limbs:
+        if limb.lines is None:
+            kinds.setdefault(limb.kind, []).append(limb.limb.name)
+    if kinds:
+        which = "; ".join(f"{listed(names)} ({kind})" for kind, names in kinds.items())
+        why = f"no lines through the robot's points span the wrenches of {which}"
+    else:
+        why = f"its wrenches have rank {structure.rank} in every configuration"
+    return RobotAnalysis(
+        robot,
+        structure,
+        None,
+        None,
+        (),
+        limb_singularities(robot.family, robot.limbs),
+        f"No condition in points is given for this robot: {why}. Its Jacobian can be computed in any configuration.",
+        f"the ranks hold at exact random members{remark()}",
+        wrenches=home_wrenches(robot, structure),
+    )

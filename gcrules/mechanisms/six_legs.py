@@ -1,0 +1,89 @@
+"""A platform on six legs as a mechanism: exact, and quick in many poses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.analyze import analyze_legs
+from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
+from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import parse_pose, pose_of
+
+__all__ = ["SixLegs"]
+
+
+@dataclass(frozen=True)
+class SixLegs:
+    """A `Mechanism`: each leg is driven, and resists with the force along it. `analysed` is what is known already.
+
+    Raises InputError, once it is moved, for degenerate platforms and legs that do not tell base from platform.
+    """
+
+    platform: Platform
+    about: str | Sequence[Any] = "centroid"
+    analysed: Analysis | None = None
+
+    @cached_property
+    def analysis(self) -> Analysis:
+        return self.analysed or analyze_legs(self.platform)
+
+    @cached_property
+    def rig(self) -> Rig:
+        """The platform as it moves."""
+        return rig(self.analysis.structure, self.platform, self.about)
+
+    @property
+    def title(self) -> str:
+        return self.platform.title
+
+    @property
+    def unit(self) -> str:
+        return self.platform.units
+
+    @property
+    def bodies(self) -> Mapping[str, tuple[str, ...]]:
+        structure = self.analysis.structure
+        return FrozenMap({"base": structure.base, "platform": structure.platform})
+
+    @property
+    def mobility(self) -> int:
+        return 6
+
+    @property
+    def actuators(self) -> tuple[str, ...]:
+        return self.rig.names
+
+    @property
+    def centre(self) -> tuple[float, ...]:
+        return tuple(map(float, self.rig.centre))
+
+    def pose(self, at: Pose | str | Mapping[str, Any] | None) -> Pose:
+        """The pose that is written or given by coordinates."""
+        if at is None or isinstance(at, Pose):
+            return at or Pose()
+        return parse_pose(at, self.unit) if isinstance(at, str) else pose_of(at)
+
+    def wrenches(self, at: Pose | str | Mapping[str, Any] | None = None) -> WrenchJacobian:
+        """Unit forces along the legs, from the base on, with moments about the moved centre."""
+        moving, pose = self.rig, self.pose(at)
+        turn = np.array([[[float(c) for c in row] for row in pose.rotation]])
+        shift = np.array([[float(c) for c in pose.translation]])
+        ends = moving.ends(shift, turn)[0]
+        centre = np.array(self.centre) + shift[0]
+        along = ends - moving.base
+        forces = along / np.linalg.norm(along, axis=1)[:, None]
+        rows = np.concatenate([forces, np.cross(ends - centre, forces)], axis=1)
+        arms = ends - ends.mean(axis=0)
+        size = float(np.sqrt((arms**2).sum(axis=1).mean()))
+        values = np.linalg.svd(np.concatenate([forces, np.cross(arms / size, forces)], axis=1), compute_uv=False)
+        condition = float(values[0] / values[5]) if values[5] > 1e-12 * values[0] else float("inf")
+        return WrenchJacobian(self.actuators, rows, centre, size, float(values[5]), condition)

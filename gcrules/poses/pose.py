@@ -1,0 +1,164 @@
+r"""Numbers at a pose of any mechanism, and the first singular pose on a way; each by the method for its kind.
+
+>>> here = pose("3-rps", "z=0.2, roll=5deg, pitch=0deg")
+>>> here.verdict, round(here.closeness, 3), [round(v, 3) for v in here.actuator_values.values()]
+('regular', 0.591, [0.18, 0.256, 0.101])
+>>> pose("octahedral", "z=0.2, roll=5deg").verdict
+'regular'
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.load import Folders, Source
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.limbs.pose_report import first_singular_pose, posed
+from gcrules.poses.limbs.report import RobotPose
+from gcrules.poses.numbers.many import PoseNumbers
+from gcrules.poses.numbers.pose_arguments import is_many, known_accuracy, one_pose
+from gcrules.poses.numbers.report import PoseReport
+from gcrules.poses.path_report import path
+from gcrules.poses.pose_inputs import on_six_legs
+from gcrules.poses.pose_report import numbers_at, report
+from gcrules.screws.pose import Pose
+from gcrules.screws.threshold import DEFAULT, Threshold, threshold_of
+
+__all__ = ["Answer", "pose", "singular"]
+
+Answer = PoseReport | PoseNumbers | RobotPose | tuple[RobotPose, ...]
+
+
+def pose(
+    source: Source,
+    at: Any = None,
+    *,
+    actuators: Any = None,
+    quaternion: Any = None,
+    rotation_vector: Any = None,
+    euler: tuple[str, Any] | None = None,
+    degrees: bool = False,
+    about: str | Sequence[Any] = "centroid",
+    threshold: str | Threshold = DEFAULT,
+    accuracy: str | float | None = None,
+    nearest: bool | None = None,
+    plugins: Folders = (),
+) -> Answer:
+    """The function of `gcrules.api.functions`, which says what the arguments are. Poses may be `Pose`s too."""
+    found = mechanism(source, about=about, plugins=plugins)
+    if nearest:
+        found = on_six_legs(found, "the search for the nearest singular poses")
+    elif accuracy is not None:
+        found = on_six_legs(found, "the accuracy of the joints")
+    turns = {"quaternion": quaternion, "rotation_vector": rotation_vector, "euler": euler}
+    method = _POSE[type(found)]
+    return method(found, at, actuators, turns, degrees, threshold, accuracy, nearest)
+
+
+def singular(
+    source: Source,
+    towards: Any = None,
+    *,
+    actuators: Any = None,
+    degrees: bool = False,
+    about: str | Sequence[Any] = "centroid",
+    threshold: str | Threshold = DEFAULT,
+    plugins: Folders = (),
+) -> PoseReport | RobotPose | None:
+    """The function of `gcrules.api.functions`, which says what the arguments are."""
+    found = mechanism(source, about=about, plugins=plugins)
+    return _SINGULAR[type(found)](found, towards, actuators, degrees, threshold)
+
+
+# --- platforms on six legs -----------------------------------------------------------------------------------------
+
+
+def _at_legs(
+    m: SixLegs,
+    at: Any,
+    actuators: Any,
+    turns: Mapping[str, Any],
+    degrees: bool,
+    threshold: str | Threshold,
+    accuracy: str | float | None,
+    nearest: bool | None,
+) -> PoseReport | PoseNumbers:
+    _no_actuators(actuators)
+    limit = threshold_of(threshold, m.unit)
+    known = known_accuracy(accuracy, m.rig)
+    if limit.length is not None and accuracy is not None and known:
+        raise InputError(
+            f"the threshold {limit.text} is a length: it takes the joints' places as exact, and cannot be had with an "
+            "accuracy",
+            hint="give the threshold as an angle, for example 0.5deg, or leave the accuracy out",
+        )
+    one = one_pose(at, turns, degrees, m.unit)
+    if one is None:
+        return numbers_at(m.analysis, m.rig, at, turns, degrees, limit, known)
+    return report(m.analysis, m.rig, one, threshold=limit, accuracy=known, nearest=nearest is not False)
+
+
+def _first_of_legs(
+    m: SixLegs, towards: Any, actuators: Any, degrees: bool, threshold: str | Threshold
+) -> PoseReport | None:
+    """The first zero of the exact polynomial along the straight way: none is missed."""
+    _no_actuators(actuators)
+    end = None if towards is None else one_pose(towards, {}, degrees, m.unit)
+    if end is None:
+        raise InputError("no direction is given in which to look", hint='give the end of the way: "z=1, roll=0deg"')
+    limit = threshold_of(threshold, m.unit)
+    way = path(m.analysis, [Pose(), end], samples=1, about=m.about)
+    if not way.zeros and not way.stretches:
+        return None
+    first = Pose() if way.stretches else way.zeros[0].pose  # a stretch is all of the way
+    return report(m.analysis, m.rig, first, threshold=limit, accuracy=known_accuracy(None, m.rig), nearest=False)
+
+
+def _no_actuators(actuators: Any) -> None:
+    if actuators is not None:
+        raise InputError("actuators are for robots described by their joints", hint="give a pose")
+
+
+# --- robots of joints ----------------------------------------------------------------------------------------------
+
+
+def _of_joints(
+    m: Limbs,
+    at: Any,
+    actuators: Any,
+    turns: Mapping[str, Any],
+    degrees: bool,
+    threshold: str | Threshold,
+    accuracy: str | float | None,
+    nearest: bool | None,
+) -> RobotPose | tuple[RobotPose, ...]:
+    beside = {kind: turn for kind, turn in turns.items() if turn is not None}
+    if not is_many(at, beside):
+        asked = one_pose(at, turns, degrees, m.unit) if beside else at
+        return posed(m.linkage, lambda: m.analysis, asked, actuators, degrees=degrees, threshold=threshold)
+    if beside:
+        raise InputError("many poses, and a turn beside them", hint="give poses that hold their turns")
+    if actuators is not None:
+        raise InputError("many poses and actuators at once", hint="give one of them; the other one follows")
+    every = at.tolist() if isinstance(at, np.ndarray) else at
+    return tuple(posed(m.linkage, lambda: m.analysis, one, None, degrees=degrees, threshold=threshold) for one in every)
+
+
+def _first_of_joints(
+    m: Limbs, towards: Any, actuators: Any, degrees: bool, threshold: str | Threshold
+) -> RobotPose | None:
+    return first_singular_pose(m.linkage, lambda: m.analysis, towards, actuators, degrees=degrees, threshold=threshold)
+
+
+_POSE: Mapping[type[Mechanism], Callable[..., Answer]] = {SixLegs: _at_legs, Limbs: _of_joints}
+_SINGULAR: Mapping[type[Mechanism], Callable[..., PoseReport | RobotPose | None]] = {
+    SixLegs: _first_of_legs,
+    Limbs: _first_of_joints,
+}
+"""The method for each kind of mechanism."""
