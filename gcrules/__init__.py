@@ -46,29 +46,24 @@ if TYPE_CHECKING:
         SyntaxFault,
         Transversals,
         analyze,
-        compiled,
         evaluate,
         expand,
         factor,
         load,
         load_rules,
-        locus,
         parse,
-        path,
-        pose,
         prove,
         report,
         rewrite,
         seeded,
         shorten,
         shortest,
-        singular,
-        singular_map,
         straighten,
         superbracket,
         transversals,
         within,
     )
+    from gcrules.api.poses import compiled, locus, path, pose, singular, singular_map
     from gcrules.apps.notebook.view import view
 
 __all__ = [
@@ -122,7 +117,10 @@ __all__ = [
 ]
 
 
-_ELSEWHERE = {"view": "gcrules.apps.notebook.view"}  # it shows a robot in an app, the notebook
+_ELSEWHERE = {
+    **dict.fromkeys(("compiled", "locus", "path", "pose", "singular", "singular_map"), "gcrules.api.poses"),
+    "view": "gcrules.apps.notebook.view",  # it shows a robot in an app, the notebook
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -56,7 +56,7 @@ def path(
     about: str | Sequence[Any] = "centroid",
     threshold: str | Threshold = DEFAULT,
 ) -> PathReport:
-    """The function of `gcrules.api.functions`, which says what the arguments are."""
+    """The function of `gcrules.api.poses`, which says what the arguments are."""
     analysis, moving = moving_robot(robot, about, "a path")
     limit = angle_threshold(threshold, moving.unit, "along a path")
     found, notes = _poses(poses, moving.unit)

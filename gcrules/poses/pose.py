@@ -50,7 +50,7 @@ def pose(
     nearest: bool | None = None,
     plugins: Folders = (),
 ) -> Answer:
-    """The function of `gcrules.api.functions`, which says what the arguments are. Poses may be `Pose`s too."""
+    """The function of `gcrules.api.poses`, which says what the arguments are. Poses may be `Pose`s too."""
     found = mechanism(source, about=about, plugins=plugins)
     if nearest:
         found = on_six_legs(found, "the search for the nearest singular poses")
@@ -71,7 +71,7 @@ def singular(
     threshold: str | Threshold = DEFAULT,
     plugins: Folders = (),
 ) -> PoseReport | RobotPose | None:
-    """The function of `gcrules.api.functions`, which says what the arguments are."""
+    """The function of `gcrules.api.poses`, which says what the arguments are."""
     found = mechanism(source, about=about, plugins=plugins)
     return _SINGULAR[type(found)](found, towards, actuators, degrees, threshold)
 

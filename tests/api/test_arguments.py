@@ -19,7 +19,6 @@ import pytest
 from places import ROOT
 
 import gcrules as gc
-from gcrules.api import functions as api
 from gcrules.api.signatures import SIGNATURES
 from gcrules.core.arguments import described
 from gcrules.core.errors import GcrulesError, InputError
@@ -206,10 +205,10 @@ def test_a_wrong_argument(function: Callable[..., Any], right: dict[str, Any], a
 
 
 def test_every_public_function_is_in_the_table() -> None:
-    functions = {n for n in api.__all__ if inspect.isfunction(getattr(api, n))}
+    functions = {n for n in gc.__all__ if inspect.isfunction(getattr(gc, n))}
     assert functions == SIGNATURES.keys() == RIGHT.keys()
     for name in functions:
-        assert inspect.signature(getattr(api, name)).parameters.keys() == SIGNATURES[name].keys(), name
+        assert inspect.signature(getattr(gc, name)).parameters.keys() == SIGNATURES[name].keys(), name
 
 
 @pytest.mark.parametrize("name", SIGNATURES)

@@ -63,7 +63,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "Transversals": lambda: transversals("Aa Ab Bc Bd Ce Df"),
     "Analysis": lambda: gc.analyze("ab af cb cd ed ef"),
     "Session": lambda: Session.start("ab af cb cd ed ef").plane("abc"),
-    "RobotAnalysis": lambda: gc.Robot.load("3-rps").analyze(),
+    "RobotAnalysis": lambda: gc.analyze("3-rps"),
     "PoseReport": lambda: gc.pose(OCTAHEDRAL, nearest=False),
     "PoseNumbers": lambda: gc.pose(OCTAHEDRAL, [(0, 0, 0), (0, 0, 10)]),
     "PathReport": lambda: gc.path(OCTAHEDRAL, [(0, 0, 0), (0, 0, -400)]),
