@@ -44,6 +44,10 @@ demo: $(READY) ## analyse the octahedral platform, every stage, and write its re
 test: $(READY) ## run the tests and doctests; ends with what was left out
 	$(BIN)/python -m pytest -n auto --dist worksteal
 
+.PHONY: test-fast
+test-fast: $(READY) ## of all tests those that find most in a second (tests/fast.py)
+	$(BIN)/python -m pytest -n auto --dist worksteal --fast tests
+
 .PHONY: coverage
 coverage: $(READY) ## the same with branch coverage, which takes twice as long
 	$(BIN)/python -m pytest -n auto --dist worksteal --cov --cov-branch --cov-report=term

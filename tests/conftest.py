@@ -11,12 +11,14 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from fast import chosen
 from hypothesis import HealthCheck, settings
 from places import ROOT
 
 # "ci" draws the same examples every time, so that a red run is red again; "dev" goes on searching.
 settings.register_profile("ci", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("dev", deadline=None)
+settings.register_profile("fast", deadline=None, max_examples=10, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci" if os.environ.get("CI") else "dev"))
 
 # How fast the machine is decides no test; those of the limits say how many seconds they mean.
@@ -52,6 +54,18 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     if os.environ.get("GCRULES_REQUIRE_BROWSER") == "1":
         pytest.fail(f"{reason}, and GCRULES_REQUIRE_BROWSER=1", pytrace=False)
     pytest.skip(reason)
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--fast", action="store_true", help="the tests that find most in a second (tests/fast.py)")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """With ``--fast`` only what :func:`fast.chosen` keeps."""
+    if config.getoption("--fast"):
+        settings.load_profile("fast")
+        items[:] = chosen(items)
 
 
 @pytest.fixture(scope="session")

@@ -238,7 +238,7 @@ def positions(
             if any(v):
                 return tuple(v)
 
-    for _ in range(number):
+    for _ in range(number * (4 if at.ideal else 1)):
         few = [vector(False) for _ in range(rng.randint(2, 6))]
         found = {}
         for n in names:
@@ -248,7 +248,9 @@ def positions(
             u, v, k = rng.choice(few), rng.choice(few), rng.randrange(modulus)
             on = tuple((x + k * y) % modulus for x, y in zip(u, v, strict=True))
             found[n] = on if any(on) else u
-        yield found
+        # Where some points are at infinity, the others are finite; else no plane is singled out.
+        if not at.ideal or all(found[n][-1] for n in names if n not in at.ideal):
+            yield found
 
 
 def check_everywhere(proofs: Sequence[Proof], at: Context, names: Sequence[str], seed: int, number: int) -> int:

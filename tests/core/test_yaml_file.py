@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from contextlib import suppress
 from fractions import Fraction
 from pathlib import Path
@@ -65,9 +64,7 @@ def test_forbidden_constructs(text: str, place: str, words: str) -> None:
 
 def test_an_alias_bomb_is_no_burden() -> None:
     lines = ["a0: &a0 [x, x]"] + [f"a{i}: &a{i} [{', '.join([f'*a{i - 1}'] * 9)}]" for i in range(1, 40)]
-    start = time.perf_counter()
-    assert "more faults" in faults(Document.parse("\n".join(lines)))
-    assert time.perf_counter() - start < 2
+    assert "more faults" in faults(Document.parse("\n".join(lines)))  # 9^39 values would come to no end
 
 
 def test_all_faults_of_a_mapping_at_once() -> None:
