@@ -42,6 +42,7 @@ from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.apps.cli import cli
 from gcrules.core.errors import EngineFault, FileError, InputError, LimitReached
 from gcrules.core.shapes import Size, Words
+from gcrules.mechanisms.description.discovery import examples
 from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.screws.verdict import VERDICTS
 from gcrules.views import scene_data
@@ -68,7 +69,7 @@ from gcrules.apps.studio.pool import Pool
 from gcrules.apps.studio.protocol.methods import LONGEST, METHODS
 from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.study import study
-from gcrules.apps.studio.subject import examples, known_as, read_subject
+from gcrules.apps.studio.subject import read_subject, source_of
 from gcrules.apps.studio.wire import framed
 
 PORT = 8747
@@ -319,7 +320,7 @@ def test_pieces_are_the_formula(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["3-3.3", "6-4.2", "6-6", "octahedral", "octahedral-singular"])
 def test_numbers_are_those_of_the_library(name: str) -> None:
-    subject = read_subject(known_as(name) or {})
+    subject = read_subject(source_of(name, str))
     assert subject.analysis is not None
     assert subject.moving is not None
     rng = random.Random(name)

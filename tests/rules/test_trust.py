@@ -34,7 +34,7 @@ from gcrules.conditions.manual.file import load_session
 from gcrules.conditions.manual.session import Session
 from gcrules.core import proof_memory, seeds
 from gcrules.core.errors import FileError, InputError, LimitReached
-from gcrules.mechanisms.conditions.robot_analysis import analyze_robot
+from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules import rule_file
