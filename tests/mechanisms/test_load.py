@@ -164,7 +164,7 @@ def test_what_a_text_is(word: str) -> None:
         ({"legs": object()}, InputError, "data cannot hold", None),
         ([("a", "b", "c")], InputError, "legs|leg", None),
     ],
-    ids=str,
+    ids=["robot", "example", "word", "letters", "nothing", "file", "no points", "an object", "no leg"],
 )
 def test_faults_say_what_was_expected(wrong: Any, error: type[Exception], says: str, hint: str | None) -> None:
     with pytest.raises(error, match=says) as fault:
