@@ -37,7 +37,7 @@ from gcrules.core.seeds import repeated
 from gcrules.mechanisms.analyze import analyze as _analyze
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.mechanisms.load import Folders, Loaded, Source
+from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.load import load as _load
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
@@ -273,7 +273,9 @@ def evaluate(e: str | Expr, points: dict[str, Any], *, rank: int | None = None, 
 
 
 @public
-def load(source: Source, *, plugins: Folders = (), points: Names = (), ideal: Names = ()) -> Loaded:
+def load(
+    source: Source, *, plugins: Folders = (), points: Names = (), ideal: Names = ()
+) -> Structure | Platform | Robot | Analysis | RobotAnalysis:
     """What a source says: a `Structure` of legs, a `Platform` with coordinates, or a `Robot` of joints.
 
     A source is legs ("ab af cb cd ed ef", or a sequence of pairs of names, read with `points` and `ideal`), the name or

@@ -16,10 +16,10 @@ from gcrules.poses.loci.locus import locus as computed
 from gcrules.poses.loci.report import Locus
 from gcrules.poses.maps.maps import singular_map as made
 from gcrules.poses.maps.report import SingularMap
+from gcrules.poses.numbers.many import PoseNumbers
 from gcrules.poses.numbers.report import PoseReport
 from gcrules.poses.path_report import path as along
 from gcrules.poses.paths.report import PathReport
-from gcrules.poses.pose import Answer
 from gcrules.poses.pose import pose as posed
 from gcrules.poses.pose import singular as first_singular
 
@@ -41,7 +41,7 @@ def pose(
     accuracy: str | float | None = None,
     nearest: bool | None = None,
     plugins: Folders = (),
-) -> Answer:
+) -> PoseReport | PoseNumbers | RobotPose | tuple[RobotPose, ...]:
     """How close a mechanism is to a singularity at one pose, or at N poses.
 
     `source` is what `load` takes, with coordinates; the answer for a platform is a `PoseReport` or, at N poses,

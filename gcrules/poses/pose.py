@@ -139,7 +139,7 @@ def _of_joints(
     nearest: bool | None,
 ) -> RobotPose | tuple[RobotPose, ...]:
     beside = {kind: turn for kind, turn in turns.items() if turn is not None}
-    if not is_many(at, beside):
+    if not is_many(at, beside) or not np.iterable(at):
         asked = one_pose(at, turns, degrees, m.unit) if beside else at
         return posed(m.linkage, lambda: m.analysis, asked, actuators, degrees=degrees, threshold=threshold)
     if beside:

@@ -219,7 +219,8 @@ def test_what_the_public_functions_return_is_in_the_tables() -> None:
         "Expr",
         "Any",
         "str",
-        "RobotWidget",
+        "None",  # no singular pose on the way
+        "tuple[RobotPose, ...]",
     }  # a sum of one class of expressions, and no values
 
 

@@ -216,11 +216,12 @@ AT = {
     "too few": ("3-rps", "x=0.1", 'give 3; the others follow from them: "z=0, roll=0deg, pitch=0deg"'),
     "too few, but some": ("3-rps", "pitch=2deg", '"pitch=2deg, z=0, roll=0deg"'),
     "too few, in the plane": ("3-rrr", "yaw=1deg", '"yaw=1deg, x=0, y=0"'),
-    "too few, a rotation vector": ("gough-stewart", "rx=1deg", '"rx=1deg, x=0, y=0, z=0, ry=0deg, rz=0deg"'),
+    "too few, a rotation vector": ("gallardo-4dof", "rx=1deg", '"rx=1deg, y=0, z=0, ry=0deg"'),
     "too many": ("3-rps", "x=0.1, y=0, z=0, yaw=4deg", '"z=0, roll=0deg, pitch=0deg"'),
     "too many, of the first": ("delta", "x=0.1, y=0, z=0, yaw=4deg", '"x=0.1, y=0, z=0"'),
     "no commas": ("3-rps", "x=0.1 y=0 z=0", "two values without a comma"),
-    "names for a platform": (PLATFORM, "x=0.1", "coordinates by their names are for robots"),
+    "a name that no platform has": (PLATFORM, "x=0.1, rol=2deg", "did you mean roll?"),
+    "a unit that the platform has not": (PLATFORM, "x=0.1 cm", "give lengths in mm"),
 }
 
 
@@ -287,7 +288,7 @@ def test_a_robot_that_is_not_decided_is_named(monkeypatch: pytest.MonkeyPatch) -
     def slow(robot: Robot) -> None:
         raise LimitReached("this takes more than 1 second")
 
-    monkeypatch.setattr(Robot, "analyze", slow)
+    monkeypatch.setattr("gcrules.apps.cli.robot.analyze_robot", slow)
     done = run("robot", "check", "delta", "3-rps")
     assert done.exit_code == 3
     assert done.stderr.splitlines() == [f"error: {name}: this takes more than 1 second" for name in ("delta", "3-rps")]

@@ -914,7 +914,7 @@ def test_commands(folder: Path) -> None:
         (["3-rps", "--full"], 2, "A robot of joints takes"),
         (["3-rps", "--rank", "3"], 2, "A robot of joints takes"),
         (["ab,af,cb,cd,ed,ef"], 0, "four planes abc, aef, bdf and cde"),
-        (["abaf"], 2, "is not a leg"),
+        (["abaf"], 2, "no id of a robot, a class or an example, and no legs"),
     ],
     ids=["id", "file", "of a folder", "JSON", "typing error", "option", "rank", "legs in one word", "no legs"],
 )

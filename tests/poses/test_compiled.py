@@ -49,7 +49,7 @@ def robots() -> dict[str, Any]:
 
 @pytest.fixture(scope="module")
 def values(robots: dict[str, Any]) -> dict[str, CompiledCondition]:
-    return {n: compiled(a, engine="numpy") for n, a in robots.items()}
+    return {n: compiled(a, about="origin", engine="numpy") for n, a in robots.items()}
 
 
 def poses(number: int, seed: int = 0, size: float = 100) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -298,7 +298,7 @@ def test_poses_may_be_given_in_three_ways(robots: dict[str, Any], values: dict[s
     joints = {n: turns @ p + shifts for n, p in at.items()}
     assert np.allclose(value.at_joints(joints), found, rtol=0, atol=1e-12 * size)
     assert np.array_equal(value.at_joints(np.stack([joints[n] for n in value.joints], axis=1)), value.at_joints(joints))
-    assert np.allclose(gc.pose(analysis, shifts, quaternion=q).value, found, rtol=0, atol=1e-12 * size)
+    assert np.allclose(gc.pose(analysis, shifts, quaternion=q, about="origin").value, found, rtol=0, atol=1e-12 * size)
 
 
 @pytest.mark.parametrize("about", ["centroid", (1, "2.5", -3)])
@@ -408,13 +408,13 @@ def test_operations(values: dict[str, Any], name: str, operations: int, road: st
 
 def test_it_is_a_frozen_value(robots: dict[str, Any], values: dict[str, Any]) -> None:
     value = values["octahedral"]
-    again = compiled(robots["octahedral"], engine="numpy")
+    again = compiled(robots["octahedral"], about="origin", engine="numpy")
     assert value == again
     assert hash(value) == hash(again)
     assert pickle.loads(pickle.dumps(value)) == value
     with pytest.raises(FrozenInstanceError):
         value.engine = "numba"
-    assert gc.compiled(robots["octahedral"].platform, engine="numpy") == value
+    assert gc.compiled(robots["octahedral"].platform, about="origin", engine="numpy") == value
 
 
 def test_always_singular() -> None:

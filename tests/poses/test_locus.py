@@ -175,7 +175,7 @@ def test_a_wrong_polynomial_is_noticed(robots: dict[str, Any], monkeypatch: pyte
 )
 def test_degrees_of_the_general_platform(flat: str, each: list[int], terms: int) -> None:
     """3 in the translation and 6 in the quaternion; a flat base in the plane z = 0 lowers those in x and y."""
-    found = locus(robot(GENERAL, flat=flat))
+    found = locus(robot(GENERAL, flat=flat), about="origin")
     assert found.degrees == {**dict(zip(ALL, each, strict=True)), "translation": 3, "rotation": 6, "total": 9}
     assert len(found.form.terms) == terms
     assert all(sum(e[3:]) == 6 for e, _ in found.form.terms)  # homogeneous in the quaternion
@@ -347,7 +347,7 @@ def test_primitive() -> None:
 
 
 def test_forms_are_read_back(robots: dict[str, Any]) -> None:
-    found = locus(robots["octahedral"], "translation", at="0 0 0; euler zyx 90 0 0 deg")
+    found = locus(robots["octahedral"], "translation", at="0 0 0; euler zyx 90 0 0 deg", about="origin")
     assert sympy.sympify(found.written("sympy")) == found.to_sympy()
     assert sympy.Poly(found.to_sympy()) == found.polynomial
     maple = found.written("maple")
@@ -423,7 +423,7 @@ def test_faults(robots: dict[str, Any], arguments: dict[str, Any], says: str) ->
 
 
 def test_degenerate_robots_are_refused(robots: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match="without coordinates"):
+    with pytest.raises(InputError, match="legs alone have no coordinates"):
         locus(gc.analyze("ab af cb cd ed ef"))
     with pytest.raises(InputError, match="lie on one line"):
         locus(

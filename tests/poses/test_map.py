@@ -428,7 +428,7 @@ def test_values_are_those_of_a_pose(robots: dict[str, Analysis], name: str, over
 
 
 def test_a_leg_of_no_length(robots: dict[str, Analysis]) -> None:
-    m = singular_map(robots["octahedral"], ["x -300:0:3", "y -400:0:3"], "0 0 -350")  # b comes to a
+    m = singular_map(robots["octahedral"], ["x -300:0:3", "y -400:0:3"], "0 0 -350", about="origin")  # b comes to a
     assert m.values("closeness")[1, 1] == m.values("superbracket")[1, 1] == 0
     assert np.isfinite(m.values("closeness")).all()
 
@@ -749,7 +749,7 @@ def test_an_interrupted_run_goes_on(robots: dict[str, Analysis], tmp_path: Path,
 
 
 @pytest.mark.parametrize(
-    "change", [{"at": "1 0 0"}, {"measure": "value"}, {"limits": "legs 1.."}, {"about": "centroid"}], ids=str
+    "change", [{"at": "1 0 0"}, {"measure": "value"}, {"limits": "legs 1.."}, {"about": "origin"}], ids=str
 )
 def test_a_changed_map_is_noticed(robots: dict[str, Analysis], tmp_path: Path, counted: list[int], change: Any) -> None:
     work = tmp_path / "map.part"
@@ -991,11 +991,11 @@ def test_python_tells_faults(robots: dict[str, Analysis], monkeypatch: pytest.Mo
         ({"measure": "beauty"}, "no measure"),
         ({"threshold": 2}, "has no unit"),
         ({"at": [[0, 0, 0], [1, 1, 1]]}, "around one pose"),
-        ({"about": (1, 2)}, "the centre has 3 numbers"),
+        ({"about": (1, 2)}, "the centre has 3 numbers, found 2"),
     ):
         with pytest.raises(InputError, match=says):
             gc.singular_map(a, SMALL, **options)
-    with pytest.raises(InputError, match="without coordinates"):
+    with pytest.raises(InputError, match="legs alone have no coordinates"):
         gc.singular_map(gc.analyze("ab af cb cd ed ef"), SMALL)
     m = gc.singular_map(a, SMALL)
     with pytest.raises(InputError, match="has no 'beauty'"):

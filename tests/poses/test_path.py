@@ -332,7 +332,7 @@ def test_the_lower_curve_has_the_sign_of_the_superbracket(robots: dict[str, Anal
 
 
 def test_two_zeros_between_samples(robots: dict[str, Analysis]) -> None:
-    found = gc.path(robots["octahedral"], ["0 0 0", "0 0 -500; euler zyx 40 0 0 deg"], samples=1)
+    found = gc.path(robots["octahedral"], ["0 0 0", "0 0 -500; euler zyx 40 0 0 deg"], samples=1, about="origin")
     assert [round(z.parameter, 4) for z in found.zeros] == [0.6998, 0.7, 0.826]
     assert all(z.causes and z.dependence is not None for z in found.zeros)
 
@@ -635,5 +635,5 @@ def test_python_tells_faults(robots: dict[str, Analysis], poses: Any, options: d
 
 
 def test_an_analysis_without_coordinates() -> None:
-    with pytest.raises(InputError, match="without coordinates"):
+    with pytest.raises(InputError, match="legs alone have no coordinates"):
         gc.path(gc.analyze("ab af cb cd ed ef"), ["0 0 0", "0 0 1"])

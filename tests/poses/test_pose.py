@@ -893,7 +893,8 @@ def test_a_centre_moves_the_same_robot(robots: dict[str, Analysis]) -> None:
     c = np.array([10.0, -20.0, 300.0])
     r = np.array(parse_pose("euler ZYX 10 20 30 deg").rotation, float)
     about = gc.pose(a, "1 2 3; euler ZYX 10 20 30 deg", about="10, -20, 300", nearest=False)
-    origin = gc.pose(a, np.array([1, 2, 3]) + c - r @ c, euler=("ZYX", (10, 20, 30)), degrees=True, nearest=False)
+    shift, turn = np.array([1, 2, 3]) + c - r @ c, ("ZYX", (10, 20, 30))
+    origin = gc.pose(a, shift, euler=turn, degrees=True, about="origin", nearest=False)
     assert about.value == pytest.approx(origin.value)
     assert about.rig.centre == (10, -20, 300)
 
@@ -1000,7 +1001,7 @@ def test_sizes_of_robots(here: Any, power: int) -> None:
 
 
 def test_an_analysis_without_coordinates() -> None:
-    with pytest.raises(InputError, match="without coordinates"):
+    with pytest.raises(InputError, match="legs alone have no coordinates"):
         gc.pose(ANALYSES[STRUCTURES[0]])
 
 

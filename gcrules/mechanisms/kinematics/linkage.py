@@ -22,6 +22,9 @@ from gcrules.screws.pose_text import read_centre
 __all__ = ["Actuator", "Configuration", "Linkage", "linkage"]
 
 
+_FAR = 1e12
+
+
 @dataclass(frozen=True)
 class Actuator:
     """A driven freedom: its `name` (q1, q2 … in the order of the file), the limb and the joint as written, what it
@@ -112,6 +115,8 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
     if size <= 1e-9 * float(np.abs(ends).max(initial=0.0)) or not size:
         points = np.array([values[d.name] for d in robot.family.definitions if d.sort == "point"])
         size = float(np.sqrt(((points - points.mean(axis=0)) ** 2).sum(axis=1).mean())) or 1.0
+    if np.abs(turning - centre).max() > _FAR * size:
+        raise InputError(f"the centre is more than {_FAR:g} times the robot's size away", hint="check the unit")
     ball = "R" if robot.family.plane else "S"
     firm = tuple(limb.joints[-1].kind == ball and not limb.joints[-1].actuated for limb in robot.limbs)
     family = ranks(robot.family, robot.limbs, robot.family.member("kinematics")).limbs

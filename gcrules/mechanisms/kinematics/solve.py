@@ -37,6 +37,8 @@ _SHORTEST = 1.0 / 4096
 _DEPENDENT = 1e-7
 _PREFERRED = 0.01  # of the largest rate: a coordinate that moves less is not proposed
 _STILL = 1e-7  # rad
+_FAR = 1e12
+_MOST_STEPS = 1000
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,6 +146,12 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
             continue
         done += step
         step *= 2
+        if len(found.way) >= _MOST_STEPS:
+            raise InputError(
+                f"{course.m.robot.id} comes {100 * (at + done * float(np.sign(end - at))):.3g}% of the way to"
+                f" {course.wanted.text} in {_MOST_STEPS:,} steps",
+                hint="check the unit, and ask for less",
+            )
         found = Solution(there, course.wanted, found.iterations + iterations, (*found.way, there))
     return found
 
@@ -245,8 +253,13 @@ def _configuration(
 
 def check_wanted(m: Linkage, wanted: Wanted) -> None:
     """Raises InputError where the wanted coordinates are too few or too many or do not determine the pose near home, or
-    where home itself is singular for the actuators.
+    where home itself is singular for the actuators, or where it is too far to get there step by step.
     """
+    if not Course(m, wanted).length <= _FAR:
+        raise InputError(
+            f"a configuration is more than {_FAR:g} times the robot's size, or as many radians, from home",
+            hint="check the unit",
+        )
     if wanted.whole is not None:
         return
     if not wanted.driven and len(wanted.names) != m.robot.mobility:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.errors import InputError
+from gcrules.core.floats import as_float
 from gcrules.screws.pose import SILENT, UNIT_TOLERANCE, Pose
 from gcrules.screws.rotations import MANY, check_sequence, too_many_turns
 
@@ -19,7 +20,7 @@ Floats = NDArray[np.float64]
 
 def from_poses(poses: Sequence[Pose]) -> tuple[Floats, Floats]:
     """Poses as arrays (N, 3) and (N, 3, 3)."""
-    translations = np.array([[float(c) for c in p.translation] for p in poses]).reshape(-1, 3)
+    translations = np.array([[as_float(c) for c in p.translation] for p in poses]).reshape(-1, 3)
     return translations, matrices(np.array([p.unit_quaternion for p in poses]).reshape(-1, 4))
 
 

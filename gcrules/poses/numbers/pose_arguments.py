@@ -37,7 +37,7 @@ def known_accuracy(given: str | float | None, moving: Rig) -> float:
 
 def _three(numbers: Any, what: str) -> Sequence[Any]:
     """Three entries. Raises InputError for another number of them."""
-    found = list(numbers) if np.ndim(numbers) else [numbers]
+    found = list(numbers) if np.iterable(numbers) else [numbers]
     if len(found) != 3:
         raise InputError(f"{what} has 3 numbers, found {len(found)}")
     return found
@@ -50,9 +50,6 @@ def one_pose(at: Any, turns: Mapping[str, Any], in_degrees: bool, unit: str) -> 
         if given:
             raise InputError("a pose that holds its turn, and a turn beside it")
         return read_one(at, unit, in_degrees)
-    euler = given.get("euler", ("zyx", ()))
-    if not (isinstance(euler, (tuple, list)) and len(euler) == 2 and isinstance(euler[0], str)):
-        raise InputError("Euler angles are a sequence and three angles", hint='euler=("zyx", (10, 0, 0)), degrees=True')
     if is_many(at, given):
         return None
     if len(given) > 1:
@@ -78,7 +75,12 @@ def read_one(at: Any, unit: str, in_degrees: bool = False) -> Pose:
 
 
 def is_many(at: Any, turns: Mapping[str, Any]) -> bool:
-    """Whether there are several poses, or several turns beside one."""
+    """Whether there are several poses, or several turns beside one. Raises InputError for Euler angles without their
+    sequence.
+    """
+    euler = turns.get("euler", ("zyx", ()))
+    if not (isinstance(euler, (tuple, list)) and len(euler) == 2 and isinstance(euler[0], str)):
+        raise InputError("Euler angles are a sequence and three angles", hint='euler=("zyx", (10, 0, 0)), degrees=True')
     if at is None or isinstance(at, (str, Pose, Mapping)):
         values = []
     elif isinstance(at, (list, tuple)) and at and (at[0] is None or isinstance(at[0], (str, Pose, Mapping))):
