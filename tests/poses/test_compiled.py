@@ -367,7 +367,7 @@ def test_memory(values: dict[str, Any]) -> None:
 @needs_numba
 @pytest.mark.parametrize("name", PLATFORMS)
 def test_engines_agree_to_the_last_bit(robots: dict[str, Any], values: dict[str, Any], name: str) -> None:
-    fast = compiled(robots[name], engine="numba")
+    fast = compiled(robots[name], engine="numba", about="origin")
     shifts, turns, q = poses(1000)
     assert np.array_equal(fast(shifts, turns), values[name](shifts, turns))
     assert np.array_equal(fast(shifts), values[name](shifts))  # one read-only row for all turns
