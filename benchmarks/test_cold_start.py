@@ -11,7 +11,7 @@ import pytest
 
 LEGS = "ab af cb cd ed ef"
 LIBRARIES = "import sympy, networkx, numpy, yaml, lark"
-ANALYZE = f"import sys; sys.argv = ['gcrules', 'analyze', {LEGS!r}]; from gcrules.apps.cli import main; main()"
+ANALYZE = f"import sys; sys.argv = ['gcrules', 'analyze', {LEGS!r}]; from gcrules.apps.main import main; main()"
 
 
 def python(code: str) -> Callable[[], str]:

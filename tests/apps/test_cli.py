@@ -42,7 +42,7 @@ def shell(
 ) -> subprocess.CompletedProcess[str]:
     """A process of its own, as a shell would start it."""
     return subprocess.run(
-        [sys.executable, "-c", "from gcrules.apps.cli import main; main()", *arguments],
+        [sys.executable, "-c", "from gcrules.apps.main import main; main()", *arguments],
         input=input,
         capture_output=True,
         encoding="utf-8",
@@ -632,7 +632,7 @@ def in_terminal(*arguments: str, env: dict[str, str]) -> str:
 
     child, terminal = pty.fork()
     if child == 0:  # pragma: no cover
-        code = "from gcrules.apps.cli import main; main()"
+        code = "from gcrules.apps.main import main; main()"
         os.execve(sys.executable, [sys.executable, "-c", code, *arguments], os.environ | env)
     chunks = []
     while True:
@@ -657,7 +657,7 @@ def test_colour_on_a_terminal_unless_told_otherwise() -> None:
 
 
 def test_broken_pipe_is_quiet() -> None:
-    code = "from gcrules.apps.cli import main; main()"
+    code = "from gcrules.apps.main import main; main()"
     with subprocess.Popen(
         [sys.executable, "-c", code, "straighten", "[afgl][behk][cdij]", "--steps"],
         stdout=subprocess.PIPE,
@@ -673,7 +673,7 @@ def test_broken_pipe_is_quiet() -> None:
 def test_interrupt_is_quiet() -> None:
     """The expansion takes minutes; the interrupt comes when it has begun."""
     started = (
-        "import sys, gcrules.apps.cli.algebra; print('ready', flush=True); from gcrules.apps.cli import main; main()"
+        "import sys, gcrules.apps.cli.algebra; print('ready', flush=True); from gcrules.apps.main import main; main()"
     )
     long = "*".join(["(abc /\\ def /\\ ghi /\\ jkl)"] * 40)
     with subprocess.Popen(
@@ -695,7 +695,7 @@ def test_interrupt_is_quiet() -> None:
 
 def test_internal_faults_are_not_hidden() -> None:
     code = (
-        "import gcrules.apps.cli.algebra as a; from gcrules.apps.cli import main\n"
+        "import gcrules.apps.cli.algebra as a; from gcrules.apps.main import main\n"
         "def broken(*args, **options): raise RuntimeError('broken')\n"
         "a.expanded = broken; main()"
     )

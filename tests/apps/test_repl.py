@@ -1003,7 +1003,7 @@ class Terminal:
 
         self.child, self.handle = pty.fork()
         if self.child == 0:  # pragma: no cover
-            code = "from gcrules.apps.cli import main; main()"
+            code = "from gcrules.apps.main import main; main()"
             os.execve(sys.executable, [sys.executable, "-c", code, "repl", *arguments], os.environ | env)
         fcntl.ioctl(self.handle, termios.TIOCSWINSZ, struct.pack("HHHH", 30, 100, 0, 0))
         self.shown = ""

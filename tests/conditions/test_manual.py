@@ -926,7 +926,7 @@ def test_prompt(tmp_path: Path) -> None:
     """On a terminal: an answer, a fault, Ctrl-C in the middle of a line, Ctrl-D; all without a traceback."""
     path = tmp_path / "session.yaml"
     master, slave = pytest.importorskip("pty").openpty()
-    code = "from gcrules.apps.cli import main; main()"
+    code = "from gcrules.apps.main import main; main()"
     process = subprocess.Popen(
         [sys.executable, "-c", code, "analyze", OCTAHEDRON, "--manual", "--session", str(path)],
         stdin=slave, stdout=slave, stderr=slave, start_new_session=True, preexec_fn=_controlling,

@@ -34,6 +34,7 @@ from gcrules.rules.rewriting import rewrite
 from gcrules.rules.rule import Incidence, RewriteRule, Rule
 from gcrules.rules.rule_file import check_script, identities, load_rule_file
 from gcrules.rules.script import run_script
+from gcrules.views.results.script import totals
 
 OCTAHEDRON = "ab af cb cd ed ef"
 
@@ -385,7 +386,7 @@ def test_rules_in_scripts() -> None:
     found = run_script(parse_script(SCRIPT, "x.gca"))
     assert [r.verdict for r in found.results] == ["proved", "proved", "shown", "refuted"]
     assert found.verdict == "refuted"
-    assert found.totals == ("1 claim: 1 proved", "2 rules: 1 proved, 1 refuted")
+    assert totals(found) == ("1 claim: 1 proved", "2 rules: 1 proved, 1 refuted")
     data = json.loads(json.dumps(found.to_json()))
     assert [r["kind"] for r in data["results"]] == ["rule", "claim", "rewrite", "rule"]
     assert data["results"][3]["counterexample"]
