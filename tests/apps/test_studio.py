@@ -1220,7 +1220,7 @@ def test_studio_runs_until_it_is_interrupted(tmp_path: Path) -> None:
         (["ab cd"], "expected six"),
         (["nowhere.yaml"], "there is no such file"),
         (["ab af cb cd ed ef", "--port", "99999"], "99999"),
-        (["-"], "mapping"),
+        (["-"], "is not a leg"),
     ],
 )
 def test_studio_refuses(arguments: list[str], words: str) -> None:
