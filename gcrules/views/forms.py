@@ -66,10 +66,18 @@ FORMS: dict[str, Forms] = {
     "gcrules.rules.rewriting.Rewriting": Forms(
         text=f"{_RESULTS}.rewriting:text", latex=f"{_RESULTS}.rewriting:latex", unicode=False
     ),
-    "gcrules.rules.script.ClaimResult": Forms(text=f"{_RESULTS}.script:claim", unicode=False),
-    "gcrules.rules.script.ShowResult": Forms(text=f"{_RESULTS}.script:shown", unicode=False),
-    "gcrules.rules.script.RuleResult": Forms(text=f"{_RESULTS}.script:rule", unicode=False),
-    "gcrules.rules.script.RewriteResult": Forms(text=f"{_RESULTS}.script:rewritten", unicode=False),
+    "gcrules.rules.script.ClaimResult": Forms(
+        text=f"{_RESULTS}.script:claim", latex=f"{_RESULTS}.script:formula", unicode=False
+    ),
+    "gcrules.rules.script.ShowResult": Forms(
+        text=f"{_RESULTS}.script:shown", latex=f"{_RESULTS}.script:formula", unicode=False
+    ),
+    "gcrules.rules.script.RuleResult": Forms(
+        text=f"{_RESULTS}.script:rule", latex=f"{_RESULTS}.script:formula", unicode=False
+    ),
+    "gcrules.rules.script.RewriteResult": Forms(
+        text=f"{_RESULTS}.script:rewritten", latex=f"{_RESULTS}.script:formula", unicode=False
+    ),
     "gcrules.rules.script.ScriptResult": Forms(
         text=f"{_RESULTS}.script:text", latex=f"{_RESULTS}.script:latex", unicode=False
     ),

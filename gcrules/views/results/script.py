@@ -11,7 +11,7 @@ from gcrules.views.formulas import latex as formulas
 from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.results import polynomial, proof, rewriting
 
-__all__ = ["claim", "latex", "rewritten", "rule", "shown", "text", "totals"]
+__all__ = ["claim", "formula", "latex", "rewritten", "rule", "shown", "text", "totals"]
 
 _LABEL = 100  # characters of a label that the text shows
 
@@ -74,11 +74,12 @@ def _shortened(label: str) -> str:
 
 def latex(r: ScriptResult) -> str:
     """One row for each result in an `aligned` environment (package amsmath), without dollar signs."""
-    rows = " \\\\\n".join(f"&{_formula(one)}" for one in r.results)
+    rows = " \\\\\n".join(f"&{formula(one)}" for one in r.results)
     return f"\\begin{{aligned}}\n{rows}\n\\end{{aligned}}"
 
 
-def _formula(r: Result) -> str:
+def formula(r: Result) -> str:
+    """One result, without dollar signs."""
     match r:
         case ClaimResult(proof=p) if p is not None:
             return f"{proof.latex(p)} && \\text{{{r.verdict}}}"
