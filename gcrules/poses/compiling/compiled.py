@@ -9,7 +9,7 @@ r"""Conditions compiled for many poses: a frozen value that is called with array
 >>> value([[0, 0, 0], [0, 0, -4], [1, 0, 0]]).tolist()
 [-168960.0, 0.0, -168960.0]
 >>> value
-<CompiledCondition [[ab, af, cb, cd, ed, ef]]: 68 operations a pose, by numpy>
+<CompiledCondition [[ab, af, cb, cd, ed, ef]]: 66 operations a pose, by numpy>
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ z^3 + 12*z^2 + 48*z + 64 -2640
 >>> [(str(f.form), f.multiplicity) for f in found.factors]
 [('z + 4', 3)]
 >>> locus(robot)
-<Locus of degree 9 in x, y, z, e0, e1, e2, e3: 381 terms>
+<Locus of degree 9 in x, y, z, e0, e1, e2, e3: 408 terms>
 """
 
 from __future__ import annotations
