@@ -2,9 +2,41 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+from collections.abc import Callable
 from typing import Any
 
-__all__ = ["assert_refused"]
+from click.testing import CliRunner, Result
+
+from gcrules.apps.cli import cli
+
+__all__ = ["Run", "assert_refused", "invoke", "shell"]
+
+Run = Callable[..., Result]
+
+
+def invoke(*arguments: str, input: str | bytes | None = None) -> Result:
+    """The program in this process; anything but a proper exit fails the test."""
+    result = CliRunner().invoke(cli, arguments, input=input, prog_name="gcrules")
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result
+
+
+def shell(
+    *arguments: str, input: str = "", env: dict[str, str] | None = None, timeout: float = 60
+) -> subprocess.CompletedProcess[str]:
+    """A process of its own, as a shell would start it."""
+    return subprocess.run(
+        [sys.executable, "-c", "from gcrules.apps.main import main; main()", *arguments],
+        input=input,
+        capture_output=True,
+        encoding="utf-8",
+        env=os.environ | {"PYTHONIOENCODING": "utf-8"} | (env or {}),
+        timeout=timeout,
+    )
 
 
 def assert_refused(done: Any, code: int, says: str) -> None:

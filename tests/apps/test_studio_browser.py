@@ -24,14 +24,6 @@ FACES = {"abc", "bdf", "cde", "aef"}
 
 
 @pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    from browsing import chromium
-
-    with chromium() as browser:
-        yield browser
-
-
-@pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     with studio(tmp_path_factory.mktemp("studio")) as running:
         yield running

@@ -56,14 +56,6 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         yield found
 
 
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    from browsing import chromium
-
-    with chromium() as browser:
-        yield browser
-
-
 @pytest.fixture
 def sit_down(chromium: Any, server: Server) -> Iterator[Callable[..., Desk]]:
     """A desk with a page of its own; at the end nothing has left the machine, and nothing was complained of."""

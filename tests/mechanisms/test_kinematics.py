@@ -1,69 +1,39 @@
-"""Robots in configurations: loops close, on an independent road; closeness, its guarantee; singular places; faults."""
+"""Robots in configurations: loops close, on an independent road; every joint moves as its twists say."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache
 from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from mechanisms.moved_robots import analysed, machine, moves, robot, there
 
 import gcrules as gc
-from gcrules.apps.cli import cli
-from gcrules.mechanisms.analyze import analyze_robot
-from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.limb_file import LimbText, read_joints
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.kinematics.chains import SHAPES, chain_of
 from gcrules.mechanisms.kinematics.coordinates import coordinates
-from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkage
-from gcrules.mechanisms.kinematics.margin import Closeness, _locked, closeness, limb_closeness
-from gcrules.mechanisms.kinematics.rigid_motions import cross_matrix, exponential, inverse, logarithm, rotations
-from gcrules.mechanisms.kinematics.solve import Course, Solution, free_coordinates, goal, solve
+from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
+from gcrules.mechanisms.kinematics.margin import closeness
+from gcrules.mechanisms.kinematics.rigid_motions import exponential, inverse, logarithm, rotations
+from gcrules.mechanisms.kinematics.solve import free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import (
-    read_actuators,
-    read_pose,
     wanted_actuators,
     wanted_coordinates,
     wanted_pose,
 )
 from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
-from gcrules.mechanisms.load import read_robot
-from gcrules.rules.plugins import shipped_folder
 from gcrules.screws import FLOATS, JOINTS, RATIONALS
 from gcrules.screws.pose_text import parse_pose
 
 IDS = tuple(one.id for one in robots())
 PARTS = (0.6,)
-
-STEPS = {"x": 0.1, "y": -0.15, "z": 0.2, "roll": 0.1, "pitch": -0.15, "yaw": 0.2}
-"""How far coordinates go: lengths in parts of the robot's size, rad."""
-
-
-@cache
-def machine(name: str) -> Linkage:
-    return linkage(read_robot(name))
-
-
-def moves(m: Linkage, part: float, more: Mapping[str, float] | None = None) -> dict[str, float]:
-    found = {n: STEPS[n] for n in free_coordinates(m)}
-    for n, step in (more or {}).items():
-        found[n] += step
-    return {n: part * v * (m.size if n in "xyz" else 1) for n, v in found.items()}
-
-
-@cache
-def there(name: str, part: float) -> Solution:
-    m = machine(name)
-    return solve(m, wanted_coordinates(m, moves(m, part)))
 
 
 # --- loops close: from the places of points and directions alone -----------------------------------------------------
@@ -259,375 +229,6 @@ def test_half_turns_have_logarithms(axis: tuple[float, ...]) -> None:
     twist = np.array([*(np.pi * np.array(axis)), 1, 2, 3])
     motion = exponential(twist, 1.0)
     assert exponential(logarithm(motion), 1.0) == pytest.approx(motion, abs=1e-9)
-
-
-# --- closeness -------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("name", ["gough-stewart", "gough-stewart-63", "octahedral"])
-def test_closeness_is_that_of_platforms(name: str) -> None:
-    m = machine(name)
-    names = [(limb.joints[0].points[0], limb.joints[-1].points[0]) for limb in m.robot.limbs]
-    points = {n: [float(c) for c in m.home.values[n]] for pair in names for n in pair}
-    legs = [list(pair) for pair in names]
-    platform = gc.load({"legs": legs, "points": points})
-    for text in ("0 0 0", "0.5 0.2 -0.7; euler zyx 20 10 -15 deg"):
-        about = tuple(float(c) for c in m.centre)
-        expected = gc.pose(platform, text, about=about, nearest=False)
-        s = solve(m, wanted_pose(m, parse_pose(text)))
-        assert closeness(m, s.configuration).sigma == pytest.approx(expected.closeness, abs=1e-9)
-        j = wrench_jacobian(m, s.configuration, closeness(m, s.configuration))
-        assert j.smallest_singular_value == pytest.approx(expected.smallest_singular_value, abs=1e-9)
-
-
-def elsewhere(m: Linkage, scale: Fraction) -> Linkage:
-    """The same robot in another frame and unit."""
-    third = Fraction(1, 3)
-    turn = [[third * c for c in row] for row in ((1, 2, 2), (2, 1, -2), (-2, 2, -1))]
-    assert m.robot.home is not None
-    home = {}
-    for n, v in m.robot.home.items():
-        x, y, z = (sum(c * d for c, d in zip(row, v, strict=True)) for row in turn)
-        shift = (5, -7, 2) if m.robot.family.sorts[n] == "point" else (0, 0, 0)
-        home[n] = tuple(scale * (c + s) for c, s in zip((x, y, z), shift, strict=True))
-    return linkage(replace(m.robot, home=home))
-
-
-def names_the_frame(r: gc.Robot) -> bool:
-    used = {n for limb in r.limbs for j in limb.joints for n in j.names}
-    return bool(used & {"x", "y", "z"}) or any(d.relation.kind == "sum" for d in r.family.definitions)
-
-
-FREE = [n for n in IDS if not names_the_frame(read_robot(n))]
-"""Robots that do not name directions of the frame."""
-
-
-@pytest.mark.parametrize("name", FREE)
-def test_closeness_knows_neither_frame_nor_unit(name: str) -> None:
-    m = machine(name)
-    other = elsewhere(m, Fraction(1000))
-    assert other.size == pytest.approx(1000 * m.size) or name == "3-rrr-spherical"
-    assert closeness(other, other.home).sigma == pytest.approx(closeness(m, m.home).sigma, abs=1e-9)
-    if name != "3-rrr-spherical":  # has no length of its own
-        assert limb_closeness(other, other.home) == pytest.approx(limb_closeness(m, m.home), abs=1e-9)
-
-
-@pytest.mark.parametrize("name", IDS)
-def test_closeness_is_at_most_one_and_takes_its_motion(name: str) -> None:
-    m, c = machine(name), there(name, 0.6).configuration
-    found = closeness(m, c)
-    assert 0 <= found.sigma <= 1
-    assert found.singular_values[0] <= 1 + 1e-12  # of no motion more is noticed than there is
-    assert power(m, c, found, -1) == pytest.approx(found.sigma, abs=1e-9)
-
-
-def power(m: Linkage, c: Configuration, found: Closeness, place: int) -> float:
-    """√(Σ |P ξ|² / Σ (|v|² + ε ρ²|ω|²)) from the limbs, one by one."""
-    v, w = found.motions[place][:3], found.motions[place][3:]
-    above = below = 0.0
-    for k, chain in enumerate(c.chains):
-        end = c.platform[:3, :3] @ m.ends[k] + c.platform[:3, 3]
-        velocity = v + np.cross(w, end - found.centre)
-        wrenches = _locked(m, k, chain, end)
-        above += float(((wrenches[:, :3] @ velocity + wrenches[:, 3:] @ (m.size * w)) ** 2).sum())
-        below += float(velocity @ velocity) + (0 if m.firm[k] else m.size**2 * float(w @ w))
-    return (above / below) ** 0.5
-
-
-def largest_turn(m: Linkage, a: Configuration, b: Configuration) -> float:
-    """The largest angle between the wrenches of a limb in two configurations, seen from the platform."""
-    worst = 0.0
-    for k in range(len(m.ends)):
-        systems = []
-        for c in (a, b):
-            end = c.platform[:3, :3] @ m.ends[k] + c.platform[:3, 3]
-            rows = _locked(m, k, c.chains[k], end)
-            back = c.platform[:3, :3]
-            systems.append(np.concatenate([rows[:, :3] @ back, rows[:, 3:] @ back], axis=1))
-        cosines = np.linalg.svd(systems[0] @ systems[1].T, compute_uv=False)
-        worst = max(worst, float(np.arccos(min(1.0, cosines.min()))))
-    return worst
-
-
-# --- singular configurations -----------------------------------------------------------------------------------------
-
-SINGULAR = {
-    "3-rps": "z=0, roll=60deg, pitch=0deg",
-    "3-prs": "z=0, roll=60deg, pitch=0deg",
-    "octahedral": "0 0 0; euler zyx 120 0 0 deg",
-}
-
-
-@cache
-def robot(name: str) -> gc.Robot:
-    return read_robot(name)
-
-
-@cache
-def analysed(name: str) -> Any:
-    return analyze_robot(robot(name))
-
-
-@cache
-def singular(name: str) -> Any:
-    found = gc.singular(analysed(name), SINGULAR[name])
-    assert found is not None
-    return found
-
-
-@pytest.mark.parametrize("name", SINGULAR)
-def test_singular_configurations_are_found_and_true(name: str) -> None:
-    found = singular(name)
-    assert found.verdict == "singular"
-    assert found.closeness < 1e-9
-    assert found.causes
-    assert len(found.motions) == 1
-    assert any(abs(f.value) < 1e-9 for f in found.factors if f.live)
-    assert found.mode.startswith("that of home")
-    # the wrenches from the joint screws, not from the lines of the condition
-    rows = found.jacobian.rows.copy()
-    rows[:, 3:] /= found.jacobian.length
-    assert np.linalg.svd(rows, compute_uv=False)[-1] < 1e-8
-    # the guarantee of home held on the way
-    m = machine(name)
-    part = float(found.wanted.partition("%")[0]) / 100
-    way = Course(m, read_pose(m, SINGULAR[name]))
-    s = goal(way, Solution(m.home, way.wanted), 0.0, part)
-    assert largest_turn(m, m.home, s.configuration) >= np.arcsin(closeness(m, m.home).sigma) - 1e-6
-
-
-def test_determinants_change_their_sign_where_it_is_singular() -> None:
-    """The lines of a 3-RPS robot written down by hand: force along the leg, force through S along the hinge."""
-    found = singular("3-rps")
-    roll = found.coordinates["roll"]
-    signs = []
-    for angle in (roll - 1e-4, roll + 1e-4):
-        at = gc.pose(analysed("3-rps"), {"z": 0, "roll": angle, "pitch": 0}).points
-        rows = []
-        for n in "123":
-            A, S, r = (np.array(at[f"{letter}{n}"]) for letter in "ASr")
-            rows += [[*(S - A), *np.cross(A, S - A)], [*r, *np.cross(S, r)]]
-        signs.append(np.sign(np.linalg.det(np.array(rows))))
-    assert sorted(signs) == [-1, 1]
-
-
-def test_gained_motions_are_noticed_by_no_limb() -> None:
-    found = singular("3-rps")
-    (motion,) = found.motions
-    assert motion.point is not None
-    assert motion.pitch is not None
-    w = np.array(motion.axis)
-    v = np.cross(np.array(motion.point) - found.jacobian.centre, w) + motion.pitch * w
-    rows = found.jacobian.rows
-    assert rows[:, :3] @ v + rows[:, 3:] @ w == pytest.approx(0, abs=1e-9)
-
-
-CONCURRENT = {"A1": (0, 0, 0), "A2": (6, 0, 0), "A3": (3, 5, 0), "B1": (2, 1, 0), "B2": (4, 1, 0), "B3": (3, 3, 0)}
-
-
-@pytest.mark.parametrize("name", ["3-rps", "octahedral"])
-def test_dependent_wrenches_balance(name: str) -> None:
-    found = singular(name)
-    assert np.sum([limb.force for limb in found.limbs], axis=0) == pytest.approx(0, abs=1e-9)
-    assert np.sum([limb.moment for limb in found.limbs], axis=0) == pytest.approx(0, abs=1e-9)
-    assert max(limb.share for limb in found.limbs) == 1
-    assert "Dependent wrenches" in found.text()
-
-
-BARS = """
-title: pairs of bars on driven universal joints
-copies: 3
-points: {O%: free, A%: free, B%: free}
-directions: {d%: free, p%: free, q%: free}
-limbs: [{name: arm %, joints: "U*(O%, p%, q%) 4S(A%, B%, d%)"}]
-mobility: 6
-home: {O1: [5, 0, 3], A1: [5, 0, 0], B1: [5, 1, 0], d1: [-3, 0, 2], O2: [-3, 4, 3], A2: [-3, 4, 0], B2: [-4, 4, 0],
-  d2: [1, -3, 2], O3: [-3, -4, 3], A3: [-3, -4, 0], B3: [-4, -4, 0], d3: [2, 3, 1], p1: [1, 0, 0], q1: [0, 1, 0],
-  p2: [1, 0, 0], q2: [0, 1, 0], p3: [1, 0, 0], q3: [0, 1, 0]}
-"""
-
-
-def test_bars_that_would_not_stay_parallel_are_refused() -> None:
-    r = parse_robot(BARS)
-    assert gc.pose(r, "0.1 0.2 0.3; euler xyz 5 0 0 deg").residual < 1e-9  # turns about the first driven axes
-    with pytest.raises(gc.InputError, match="would not stay parallel"):
-        gc.pose(r, "0 0 0; euler xyz 0 0 5 deg")
-
-
-def test_a_robot_that_is_singular_at_home() -> None:
-    """Its three legs meet in a point."""
-    r = robot("3-rpr")
-    assert r.home is not None
-    r = replace(r, home={**r.home, **{n: tuple(map(Fraction, v)) for n, v in CONCURRENT.items()}})
-    here = gc.pose(r)
-    assert (here.verdict, here.closeness, len(here.motions)) == ("singular", pytest.approx(0, abs=1e-12), 1)
-    assert here.motions[0].point == pytest.approx((3, 1.5, 0))  # where the legs meet
-    with pytest.raises(gc.InputError, match="singular at home"):
-        gc.pose(r, actuators=[0.1, 0, 0])
-
-
-def test_ways_that_cross_a_singular_configuration_are_told() -> None:
-    assert "crosses a singular" in gc.pose(analysed("3-rps"), "z=0, roll=60deg, pitch=0deg").mode
-    assert gc.pose(analysed("3-rps"), "z=0, roll=40deg, pitch=0deg").mode.startswith("that of home")
-
-
-def test_none_is_found_where_none_is() -> None:
-    assert gc.singular(analysed("3-rps"), "z=0.1, roll=1deg, pitch=0deg") is None
-
-
-# --- from Python and from the shell ----------------------------------------------------------------------------------
-
-
-def test_ways_to_ask() -> None:
-    r = analysed("3-rps")
-    here = gc.pose(r, {"z": 0.2, "roll": 5, "pitch": 0}, degrees=True)
-    for same in (
-        gc.pose(r, "z=0.2, roll=5deg, pitch=0deg"),
-        gc.pose(r, {"z": 0.2, "roll": np.pi / 36, "pitch": 0}),
-        gc.pose(r, actuators=list(here.actuator_values.values())),
-        gc.pose(r, actuators=here.actuator_values),
-    ):
-        assert same.closeness == pytest.approx(here.closeness, abs=1e-9)
-        assert same.coordinates == pytest.approx(here.coordinates, abs=1e-9)
-    assert gc.pose(r, (0, 0, 0.2)).closeness == pytest.approx(gc.pose(r, "0 0 0.2").closeness)
-    assert gc.pose(r).wanted == "home"
-    assert [one.closeness for one in gc.pose(r, ["0 0 0.2", {"z": 0.2, "roll": 0, "pitch": 0}])] == pytest.approx(
-        [0.609] * 2, abs=1e-3
-    )
-    assert repr(here) == "<RobotPose 3-rps: regular, closeness 0.5913, 36.3°>"
-
-
-def test_json_is_complete() -> None:
-    found = gc.pose(analysed("delta"), "x=0.1, y=0, z=0.3").to_json()
-    assert json.loads(json.dumps(found, allow_nan=False))["points"] == found["points"]
-    assert [len(found["jacobian"]["rows"]), len(found["actuators"]), len(found["limbs"])] == [6, 3, 3]
-    assert found["guarantees"]["turn"] == pytest.approx(np.arcsin(found["closeness"]))
-    assert {f["kind"] for f in found["factors"]} == {"actuation", "constraint"}
-
-
-def test_text_in_ascii_is_ascii() -> None:
-    assert gc.pose(analysed("3-rps")).text().isascii()
-    assert "tabular" in gc.pose(analysed("3-rps")).latex()
-
-
-HOMELESS = "copies: 3\ntitle: t\npoints: {A%: free, S%: 'in plane A% perpendicular to r%'}\ndirections: {r%: free}\n"
-HOMELESS += "limbs: [{name: leg %, joints: 'R(A%, r%) P*(A% S%) S(S%)'}]\nmobility: 3\n"
-LINES = "title: t\npoints: {A%: free, B%: free}\ncopies: 6\nlines: A1B1 A2B2 A3B3 A4B4 A5B5 A6B6\nmobility: 6\n"
-
-FAULTS = {
-    # name: (arguments, what is said)
-    "unknown coordinate": (["3-rps", "--at", "z=1, rol=5deg"], "did you mean roll?"),
-    "not a number": (["3-rps", "--at", "z=nan, roll=0deg, pitch=0deg"], "finite number"),
-    "infinite": (["3-rps", "--at", "z=inf, roll=0deg, pitch=0deg"], "finite number"),
-    "no unit": (["3-rps", "--at", "z=1, roll=5, pitch=0deg"], "angle without a unit"),
-    "angle for a length": (["3-rps", "--at", "z=1deg, roll=5deg, pitch=0deg"], "z is a length"),
-    "unit of length": (["3-rps", "--at", "z=1mm, roll=5deg, pitch=0deg"], "names no unit"),
-    "too few": (["3-rps", "--at", "z=1"], "too few coordinates: 1"),
-    "too many": (["3-rps", "--at", "x=0, y=0, z=1, yaw=0deg"], "too many coordinates: 4"),
-    "dependent": (["3-rps", "--at", "x=0, y=0, z=1"], "do not determine the pose of 3-rps near home"),
-    "two kinds of turn": (["3-rps", "--at", "z=0, roll=5deg, rx=0deg"], "two ways"),
-    "out of the plane": (["3-rpr", "--at", "x=0, y=0, z=1"], "plane z = 0"),
-    "twice": (["3-rps", "--at", "z=1, z=2, roll=0deg"], "given twice"),
-    "no value": (["3-rps", "--at", "z=1, roll"], "gives no value"),
-    "empty": (["3-rps", "--at", "=,"], "gives no value"),
-    "a whole pose that it cannot take": (["3-rps", "--at", "0 0 0; euler xyz 5 0 0 deg"], "mobility 3"),
-    "unknown actuator": (["3-rps", "--actuators", "p1=0"], "is no actuator"),
-    "pose and actuators": (["3-rps", "--at", "0 0 0", "--actuators", "q1=0"], "at once"),
-    "out of reach": (["delta", "--at", "x=0, y=0, z=-5"], "near its reach"),
-    "whole pose out of reach": (["delta", "--at", "0 0 -5"], "48.1% of the way"),
-    "flipped out of the plane": (["3-rpr", "--at", "0 0 0; euler zyx 0 0 180 deg"], "plane z = 0"),
-    "pitch": (["3-rps", "--at", "z=0, roll=0deg, pitch=90deg"], "between -90deg and 90deg"),
-    "rotation vector": (["3-rps", "--at", "z=0, rx=0deg, ry=200deg"], "shorter than half a turn"),
-    "far out of reach": (["6-rus", "--at", "0 0 1e6"], "of the way"),
-    "threshold": (["3-rps", "--threshold", "5mm"], "names no unit"),
-    "unknown robot": (["3-rp"], "did you mean 3-rps"),
-}
-
-
-SHARED = ("unknown coordinate", "pose and actuators", "out of reach", "unknown robot")
-
-
-@pytest.mark.parametrize(
-    ("command", "name"),
-    [*((("robot", "pose"), name) for name in FAULTS), *((("pose",), name) for name in SHARED)],
-    ids=lambda x: x if isinstance(x, str) else " ".join(x),
-)
-def test_faults(command: tuple[str, ...], name: str) -> None:
-    arguments, said = FAULTS[name]
-    result = CliRunner().invoke(cli, [*command, *arguments])
-    assert result.exit_code == 2, result.output
-    assert said in result.stderr
-    assert "Traceback" not in result.output
-
-
-@pytest.mark.parametrize("text", [HOMELESS, LINES], ids=["no home", "given by lines"])
-def test_robots_without_configurations(text: str) -> None:
-    with pytest.raises(gc.InputError, match=r"no home|given by its lines"):
-        gc.pose(parse_robot(text))
-
-
-@pytest.mark.parametrize("option", ["--nearest", "--accuracy=1"])
-def test_options_of_platforms_are_refused_for_robots(option: str) -> None:
-    result = CliRunner().invoke(cli, ["pose", "3-rps", option])
-    assert (result.exit_code, "is for platforms on six legs" in result.stderr) == (2, True)
-
-
-def test_any_mechanism_turns_about_any_centre() -> None:
-    at = "x=0.1, yaw=10deg, roll=5deg"
-    for source in ("gough-stewart", gc.analyze(as_platform(read_robot("gough-stewart")))):
-        ends = [gc.pose(source, at, about=about, nearest=False) for about in ((1, 2, 3), "1, 2, 3", "origin")]
-        assert ends[0].closeness == ends[1].closeness != ends[2].closeness
-    one, two = (
-        gc.pose(source, at, about="1,2,3", nearest=n) for source, n in (("gough-stewart", False), (source, False))
-    )
-    assert one.closeness == pytest.approx(two.closeness, rel=1e-9)
-
-
-def test_pose_reads_robots_and_platforms() -> None:
-    folder = shipped_folder()
-    assert folder is not None
-    path = str(folder / "3-rps" / "robot.yaml")
-    answers = [CliRunner().invoke(cli, ["pose", name, "--json"]).stdout for name in ("3-rps", path)]
-    answers.append(CliRunner().invoke(cli, ["robot", "pose", "3-rps", "--json"]).stdout)
-    with open(path, encoding="utf-8") as file:
-        answers.append(CliRunner().invoke(cli, ["pose", "-", "--json"], input=file.read()).stdout)
-    found = [json.loads(a)["closeness"] for a in answers]
-    assert found == [found[0]] * 4
-    refused = CliRunner().invoke(cli, ["pose", "examples/octahedral.yaml", "--actuators", "q1=0"])
-    assert (refused.exit_code, "actuators are for robots" in refused.stderr) == (2, True)
-
-
-def test_searches_that_find_nothing_are_undecided() -> None:
-    at = ["--at", "z=0.1, roll=1deg, pitch=0deg", "--search"]
-    result = CliRunner().invoke(cli, ["robot", "pose", "3-rps", *at])
-    assert (result.exit_code, "no singular configuration was found" in result.stderr) == (3, True)
-
-
-@settings(max_examples=60, deadline=None)
-@given(st.text(alphabet="zxrqolpitchyaw=0123456789.,;- degradnainf°/", max_size=40))
-def test_texts_are_read_or_refused(text: str) -> None:
-    """No text brings out anything but an answer or a fault of the input."""
-    for read in (read_pose, read_actuators):
-        try:
-            found = read(machine("3-rps"), text)
-        except gc.InputError:
-            continue
-        assert np.isfinite(found.values).all()
-
-
-@settings(max_examples=20, deadline=None)
-@given(st.tuples(*[st.floats(-0.4, 0.4)] * 3))
-def test_loops_close_from_any_small_pose(numbers: tuple[float, float, float]) -> None:
-    m = machine("3-rps")
-    z, roll, pitch = numbers
-    s = solve(m, wanted_coordinates(m, {"z": z, "roll": roll, "pitch": pitch}))
-    assert s.configuration.residual < 1e-9
-    assert s.configuration.off < 1e-9
-
-
-def test_cross_matrices() -> None:
-    a, b = np.array([1.0, 2, 3]), np.array([-2.0, 0, 5])
-    assert cross_matrix(a) @ b == pytest.approx(np.cross(a, b))
 
 
 # --- angles beyond half a turn, ends on a line, joints named by other limbs -------------------------------------------

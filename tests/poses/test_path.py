@@ -17,6 +17,7 @@ from click.testing import CliRunner
 from commands import assert_refused
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from poses.platforms import PLATFORMS
 
 import gcrules as gc
 from gcrules.apps.cli import cli
@@ -24,13 +25,11 @@ from gcrules.apps.cli import path as path_command
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import report
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
-from gcrules.mechanisms.description.platform_file import load_platform, parse_platform
+from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.mechanisms.moving_platform import Rig, rig
-from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
 from gcrules.poses.paths import table as path_file
 from gcrules.poses.paths.report import PathReport
-from gcrules.poses.paths.roots import WIDTH, integers, roots, sign_after, sign_before, value
 from gcrules.poses.paths.segment import Segment, segments
 from gcrules.poses.paths.table import read_poses
 from gcrules.poses.paths.zeros import Stretch, places, stretches
@@ -40,18 +39,11 @@ from gcrules.screws.rotations import product as turn_product
 from gcrules.views.plots.path_plot import _determinant
 
 F = Fraction
-EXAMPLES = ("octahedral", "platform-6-3", "platform-6-4", "platform-6-6", "four-dof")
 ALWAYS = """
 legs: [Aa, Ab, Ac, Ad, Be, Ce]
 points:
   {A: [0, 0, 0], B: [4, 0, 0], C: [0, 5, 0], a: [1, 0, 3], b: [0, 1, 3], c: [-1, 0, 3], d: [0, -1, 4], e: [2, 2, 3]}
 """
-small = st.integers(-6, 6)
-
-
-@pytest.fixture(scope="module")
-def robots(root: Any) -> dict[str, Analysis]:
-    return {n: analyze(load_platform(root / "examples" / f"{n}.yaml")) for n in (*EXAMPLES, "octahedral-singular")}
 
 
 def rig_of(a: Analysis, about: Any = "centroid") -> Rig:
@@ -61,105 +53,6 @@ def rig_of(a: Analysis, about: Any = "centroid") -> Rig:
 
 def zeros(r: PathReport) -> list[tuple[Any, ...]]:
     return [(z.lower if z.exact else round(z.parameter, 6), z.kind, z.multiplicity) for z in r.zeros]
-
-
-# --- zeros of polynomials -------------------------------------------------------------------------------------------
-
-
-def product(*factors: list[int]) -> list[int]:
-    found = [1]
-    for f in factors:
-        found = [
-            sum(found[i] * f[n - i] for i in range(len(found)) if 0 <= n - i < len(f))
-            for n in range(len(found) + len(f) - 1)
-        ]
-    return found
-
-
-@pytest.mark.parametrize(
-    ("p", "expected"),
-    [
-        ([5], []),
-        ([1, 0, 1], []),
-        ([-1, 2], [(F(1, 2), 1)]),
-        ([0, 1], [(F(0), 1)]),
-        ([-1, 1], [(F(1), 1)]),
-        ([0, 0, 1, -1], [(F(0), 2), (F(1), 1)]),
-        (product([-1, 3], [-1, 3], [-1, 3]), [(F(1, 3), 3)]),
-        (product([-1, 2], [-1, 2], [1, 0, 1]), [(F(1, 2), 2)]),
-        (product([-3, 7], [-3, 7], [-1, 2]), [(F(3, 7), 2), (F(1, 2), 1)]),
-        (product([-1, 4], [-3, 4], [-1, 2]), [(F(1, 4), 1), (F(1, 2), 1), (F(3, 4), 1)]),
-        (product([1, 2], [-3, 2]), []),
-        ([-1, 0, 2], [(math.sqrt(0.5), 1)]),
-        (product([-1, 0, 2], [-1, 0, 2]), [(math.sqrt(0.5), 2)]),
-    ],
-    ids=str,
-)
-def test_zeros_that_are_known(p: list[int], expected: list[tuple[Any, int]]) -> None:
-    found = roots(p)
-    assert [r.multiplicity for r in found] == [m for _, m in expected]
-    for r, (place, _) in zip(found, expected, strict=True):
-        assert r.upper - r.lower <= WIDTH
-        assert r.lower == place == r.upper if isinstance(place, Fraction) else abs(float(r.middle) - place) < 1e-15
-
-
-def test_zeros_that_are_very_near_each_other() -> None:
-    tiny = 10**30
-    found = roots(product([-tiny // 2, tiny], [-tiny // 2 - 1, tiny], [-tiny // 2 - 1, tiny]))
-    assert [r.multiplicity for r in found] == [1, 2]
-    assert found[0].upper <= found[1].lower
-    assert found[0].lower <= F(1, 2) <= found[0].upper
-    assert found[1].lower <= F(1, 2) + F(1, tiny) <= found[1].upper
-
-
-def test_the_zero_polynomial_is_refused() -> None:
-    with pytest.raises(ValueError, match="zero polynomial"):
-        roots([0, 0])
-
-
-def sturm(p: list[int]) -> int:
-    """How many different zeros a polynomial has in (0, 1], by the changes of sign in Sturm's chain."""
-    chain = [[F(c) for c in p], [n * F(c) for n, c in enumerate(p)][1:]]
-    while any(chain[-1]):
-        rest, divisor = list(chain[-2]), chain[-1]
-        while len(rest) >= len(divisor):
-            lead = rest.pop() / divisor[-1]
-            for k, c in enumerate(divisor[:-1]):
-                rest[len(rest) - len(divisor) + 1 + k] -= lead * c
-        while rest and not rest[-1]:
-            rest.pop()
-        chain.append([-c for c in rest])
-    at = ([q[0] for q in chain[:-1]], [sum(q) for q in chain[:-1]])
-    below, above = (sum(a * b < 0 for a, b in pairwise([v for v in some if v])) for some in at)
-    return below - above
-
-
-@settings(max_examples=60, deadline=None)
-@given(st.lists(st.tuples(st.lists(small, min_size=2, max_size=4), st.integers(1, 3)), min_size=1, max_size=3))
-def test_zeros_are_those_of_another_road(factors: list[tuple[list[int], int]]) -> None:
-    p = integers(product(*(f for f, times in factors for _ in range(times))))
-    assume(len(p) > 1 and p[0])  # Sturm's chain tells nothing at a multiple zero
-    found = roots(p)
-    assume(all(r.multiplicity == 1 for r in found if r.lower in (0, 1)))
-    assert len(found) == sturm(p)
-    assert all(a.upper <= b.lower for a, b in pairwise(found))
-    for r in found:
-        slopes, order = p, 0
-        while r.exact and not value(slopes, r.lower):
-            slopes, order = [n * c for n, c in enumerate(slopes)][1:], order + 1
-        assert order == r.multiplicity if r.exact else r.upper - r.lower <= WIDTH
-        if not r.exact:
-            below, above = value(p, r.lower), value(p, r.upper)
-            assert (below * above < 0) == (r.multiplicity % 2 == 1)
-
-
-@settings(max_examples=40, deadline=None)
-@given(st.lists(small, min_size=1, max_size=6).filter(any))
-def test_signs_at_the_ends(p: list[int]) -> None:
-    tiny = F(1, 10**9)
-    p = integers(p)
-    for sign, x in ((sign_after(p), tiny), (sign_before(p), 1 - tiny)):
-        assert sign == np.sign(float(sum(c * x**n for n, c in enumerate(p))))
 
 
 # --- between two poses ----------------------------------------------------------------------------------------------
@@ -191,7 +84,7 @@ def test_the_interpolation(robots: dict[str, Analysis], a: Pose, b: Pose, s: F) 
 
 @settings(max_examples=30, deadline=None)
 @given(
-    name=st.sampled_from(EXAMPLES),
+    name=st.sampled_from(PLATFORMS),
     a=free_poses,
     b=free_poses,
     about=st.sampled_from(["origin", "centroid", "1,-2,1/3"]),
@@ -346,7 +239,7 @@ def test_a_leg_may_lose_its_length_on_the_way(robots: dict[str, Analysis]) -> No
 
 
 @settings(max_examples=25, deadline=None)
-@given(name=st.sampled_from(EXAMPLES), a=free_poses, b=free_poses)
+@given(name=st.sampled_from(PLATFORMS), a=free_poses, b=free_poses)
 def test_no_change_of_sign_is_missed(robots: dict[str, Analysis], name: str, a: Pose, b: Pose) -> None:
     """The number of zeros, with multiplicity, between two exact samples is even exactly if their signs agree."""
     moving = rig_of(robots[name], "centroid")
@@ -375,7 +268,7 @@ near_poses = st.builds(lambda t, q: Pose(t, (F(20), *q)), translations, st.tuple
 
 
 @settings(max_examples=20, deadline=None)
-@given(name=st.sampled_from(EXAMPLES), a=near_poses, b=near_poses, samples=st.sampled_from([1, 10]))
+@given(name=st.sampled_from(PLATFORMS), a=near_poses, b=near_poses, samples=st.sampled_from([1, 10]))
 def test_the_closeness_is_nowhere_below_its_bound(
     robots: dict[str, Analysis], name: str, a: Pose, b: Pose, samples: int
 ) -> None:
@@ -527,11 +420,6 @@ def test_values_are_read_back(robots: dict[str, Analysis], name: str, tmp_path: 
 
 def run(*arguments: str, text: str | None = None) -> Any:
     return CliRunner().invoke(cli, ["path", *arguments], input=text)
-
-
-@pytest.fixture(scope="module")
-def robot(root: Any) -> str:
-    return str(root / "examples" / "octahedral.yaml")
 
 
 WAY = ("--at", "0 0 0", "--at", "0 0 -400; euler zyx 20 0 0 deg", "--samples", "20")

@@ -1,38 +1,26 @@
-"""What comes from outside is proved before it becomes an answer, and nobody can foresee the points of checks."""
+"""What comes from outside is proved before it becomes an answer."""
 
 from __future__ import annotations
 
 import json
 import shlex
-import subprocess
-import sys
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import pytest
-from attacks import LEGS, MERSENNE, attacks, guessed
-from click.testing import CliRunner
-from hypothesis import given
-from hypothesis import strategies as st
+from commands import invoke
+from rules.attacks import ATTACKS, EACH_ATTACK, LEGS, MERSENNE
 
 import gcrules as gc
-from gcrules.algebra import claims
-from gcrules.algebra.assumptions.assumed import resolve
-from gcrules.algebra.assumptions.construction import Construction
-from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
-from gcrules.algebra.expr import Expr, Point, sub
+from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.language.legs_text import read_legs
-from gcrules.algebra.language.statements import parse_assumption
-from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.prove import Proof, prove
-from gcrules.apps.cli import cli
 from gcrules.conditions.catalog_check import check_digests, check_entry
 from gcrules.conditions.manual.file import load_session
 from gcrules.conditions.manual.session import Session
-from gcrules.core import proof_memory, seeds
+from gcrules.core import proof_memory
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.robot_file import parse_robot
@@ -41,12 +29,8 @@ from gcrules.rules import rule_file
 from gcrules.rules.catalog import proofs as catalog_proofs
 from gcrules.rules.catalog.file import load, load_file
 from gcrules.rules.plugins import load_rules
-from gcrules.rules.random_witness import Oracle
 from gcrules.rules.rule import Incidence
-from gcrules.rules.step import Step
 
-ATTACKS = attacks()
-EACH = pytest.mark.parametrize("false", ATTACKS.values(), ids=ATTACKS)
 STATEMENT = "Singular exactly when the attacker says so."
 
 
@@ -71,155 +55,13 @@ def own(tmp_path: Path) -> Any:
     return write
 
 
-def run(*words: str) -> Any:
-    return CliRunner().invoke(cli, list(words), prog_name="gcrules")
-
-
-# --- points and primes ---------------------------------------------------------------------------------------------
-
-
-def test_the_attacks_are_false_and_would_have_passed() -> None:
-    """At the points that were the same in every run, and modulo the prime that was."""
-    s = read_legs(LEGS)
-    for what, expression in ATTACKS.items():
-        assert prove(s.superbracket, expression).verdict == "refuted"
-        if what in ("first", "two-points", "one-multiple", "two-multiples"):
-            for points in guessed(s.names, (1, 2)):
-                assert evaluate(sub(s.superbracket, expression), points, modulus=MERSENNE) == 0
-
-
-@EACH
-def test_no_check_takes_a_false_identity_for_true(false: Expr) -> None:
-    s = read_legs(LEGS)
-    difference = sub(s.superbracket, false)
-    assert not vanishes(difference)
-    assert not s.construction.vanishes(difference)
-    assert not Oracle(s).zero(difference)
-    assert Oracle(s).coefficient(false) is None
-    assert not Step("a rule", s.superbracket, false, "because").check()
-    assert not prove(s.superbracket, false).proved
-    assert run("prove", f"{s.superbracket} == {false}").exit_code == 1
-
-
-SCRIPT = """
-import gcrules.core.seeds as s
-from gcrules.algebra.evaluate import PRIME, random_points
-from gcrules.algebra.language.legs_text import read_legs
-from gcrules.screws import RESIDUES
-print(PRIME, s.seed("claim"), random_points("ab", seed=1), read_legs("ab bc ca de fg hi").construction.random_points(1))
-"""
-
-
-def test_nobody_can_foresee_points_and_prime(root: Path) -> None:
-    found = {
-        subprocess.run([sys.executable, "-c", SCRIPT], cwd=root, capture_output=True, text=True, check=True).stdout
-        for _ in range(3)
-    }
-    columns = [set(words) for words in zip(*(line.split() for line in found), strict=True)]
-    assert len(found) == 3
-    assert min(map(len, columns[:2])) == 3
-
-
-def test_the_prime() -> None:
-    assert 2**60 < PRIME < 2**61
-    assert PRIME % 4 == 3
-    assert all(pow(a, PRIME - 1, PRIME) == 1 for a in (2, 3, 5, 7, 1234567))
-    drawn = {seeds._fresh_prime() for _ in range(20)}
-    assert len(drawn) == 20
-    sympy = pytest.importorskip("sympy")
-    assert all(sympy.isprime(p) for p in drawn)
-    assert [n for n in range(3, 300, 2) if seeds._is_prime(n)] == list(sympy.primerange(3, 300))
-
-
-def test_points_depend_on_the_claim_and_on_the_seed() -> None:
-    assert seeds.seed("a", "b") != seeds.seed("ab") != seeds.seed("a")
-    assert random_points("ab", seed=1) == random_points("ab", seed=1) != random_points("ab", seed=2)
-    with gc.seeded(7):
-        first = random_points("ab", seed=1)
-        with gc.seeded(8):
-            assert random_points("ab", seed=1) != first
-    with gc.seeded(7):
-        assert random_points("ab", seed=1) == first
-    assert random_points("ab", seed=1) != first
-    assert seeds.remark() == ""
-    for wrong in (None, "7", 7.0, True):
-        with pytest.raises(InputError, match="`seed` must be a whole number"):
-            gc.seeded(wrong)  # type: ignore[arg-type]
-
-
-# --- the bound -----------------------------------------------------------------------------------------------------
-
-
-@given(st.integers(0, 10**6), st.integers(0, 59), st.integers(1, 4))
-def test_the_bound_is_that_of_schwartz_and_zippel(degree: int, bits: int, samples: int) -> None:
-    assert seeds.bound(degree, bits, samples) == pytest.approx(float(Fraction(degree, 2**60) ** samples))
-    assert seeds.bound(degree, bits + 60, samples) >= 1e-16
-
-
-def test_the_bound_in_words() -> None:
-    assert seeds.error_below(0, 0, 2) == "error below 1e-299"
-    assert seeds.error_below(2**61, 0, 2) == "error below 1"
-    assert seeds.error_below(12, 600, 3) == "error below 1e-14"  # ten primes may divide all coefficients
-    with gc.seeded(5):
-        assert "points chosen with the seed 5" in seeds.error_below(12, 0, 2)
-
-
-SIZES = ["[abcd]", "ab /\\ cde", "3 [abcd]**4 - 7/5 [abce]", "[[ab, cd, ef, gh, ij, kl]]", "(ab /\\ cde) \\/ f \\/ gh"]
-
-
-@pytest.mark.parametrize("text", SIZES)
-def test_sizes_are_not_too_small(text: str) -> None:
-    """The degree is that along a line, and no coefficient there is larger than the size says."""
-    sympy = pytest.importorskip("sympy")
-    e = gc.parse(text)
-    e = e if not e.step else gc.parse(f"[({text}) x y z]" if e.step == 1 else f"[{text}]")
-    names = sorted({p for p in text if p.islower()} | set("xyz"))
-    t = sympy.Symbol("t")
-    at = {n: tuple(sympy.Integer((7 * i + 3 * k) % 3 - 1) * t for k in range(4)) for i, n in enumerate(names)}
-    value = sympy.Poly(evaluate(e, at), t)
-    found = claims.size(e)
-    assert value.is_zero or value.degree() <= found.degree
-    assert max((abs(c) for c in value.coeffs()), default=0) <= 2**found.bits
-
-
-DOTTED = ["[.a b][c .d]", "[.a b][.c d][e .f]", "[.a b][.c d][.e f][.g h]", "[.x y][.z w][.p q][.r s][.t u]"]
-
-
-@pytest.mark.parametrize("one", DOTTED)
-@pytest.mark.parametrize("other", DOTTED)
-def test_sizes_of_what_is_written_out_on_the_way(one: str, other: str) -> None:
-    """Dotted brackets stand for expressions that live only while they are looked at."""
-    sizes = [claims.size(gc.parse(t, rank=2)) for t in (one, other)]
-    for _ in range(5):
-        assert claims.size(gc.parse(f"{one} * {other}", rank=2)).degree == sum(s.degree for s in sizes)
-        assert claims.size(gc.parse(f"{one} + 2 {other}", rank=2)).degree == max(s.degree for s in sizes)
-
-
-def test_denominators_of_constructed_points_count() -> None:
-    """The point s (2^90 a + b) + t (c / 2^90 + d) is, without denominators, one with coefficients of 90 bits."""
-    part = 2**90
-    given = f"incident(p, ({part} a + b) \\/ (1/{part} c + d))"
-    found = resolve(parse_assumption(given, Context(rank=3)))._sizes["p"]
-    assert found.bits >= 90
-
-
-def test_constructed_points_count_with_their_degree() -> None:
-    s = read_legs(LEGS, given=["collinear(a, d, f)", "incident(h, abc)"])
-    plain = read_legs(LEGS).construction
-    assert isinstance(s.construction, Construction)
-    sizes = s.construction._sizes
-    assert sizes
-    assert all(size.degree > 1 for size in sizes.values())
-    assert s.construction.error_below(s.superbracket, 1) >= plain.error_below(s.superbracket, 1)
-
-
 # --- catalogs ------------------------------------------------------------------------------------------------------
 
 
-@EACH
+@EACH_ATTACK
 def test_a_false_entry_is_refused_with_place_and_points(own: Any, false: Expr) -> None:
     path = own(entry(false))
-    done = run("analyze", "--catalog", str(path), LEGS)
+    done = invoke("analyze", "--catalog", str(path), LEGS)
     assert done.exit_code == 2
     assert done.stdout == ""
     assert f"{path}:4:" in done.stderr
@@ -230,7 +72,7 @@ def test_a_false_entry_is_refused_with_place_and_points(own: Any, false: Expr) -
     assert not any(check_entry(e).ok for e in load_file(path).entries)
 
 
-@EACH
+@EACH_ATTACK
 def test_a_false_entry_is_refused_without_a_proof_too(own: Any, false: Expr, monkeypatch: pytest.MonkeyPatch) -> None:
     _without_proofs(monkeypatch)
     with pytest.raises(FileError, match="is not an identity"):
@@ -283,7 +125,7 @@ def test_a_true_entry_is_proved_and_its_words_are_marked(own: Any) -> None:
     assert page.count(STATEMENT) == page.count("In the words of") > 0
     tex = " ".join(a.latex().split())
     assert tex.count(STATEMENT) == tex.count("In the words of") > 0
-    shown = run("catalog", "show", "mine-1", "--catalog", str(path)).stdout
+    shown = invoke("catalog", "show", "mine-1", "--catalog", str(path)).stdout
     assert shown.count(STATEMENT) == shown.count("In the words of") == 1
 
 
@@ -293,12 +135,12 @@ REGULAR = "classes:\n  - id: mine-1\n    name: the best\n    legs: ab bc ca de f
 def test_nothing_outside_makes_a_robot_singular_in_every_pose(own: Any) -> None:
     """The kind of a condition is a claim too."""
     own_words = REGULAR + "    status: always-singular\n    condition: {kind: always-singular, expression: '0'}\n"
-    done = run("analyze", "--catalog", str(own(own_words)), LEGS)
+    done = invoke("analyze", "--catalog", str(own(own_words)), LEGS)
     assert (done.exit_code, done.stdout) == (2, "")
     assert "is not an identity: it fails at" in done.stderr
     sb = "'[[ab, bc, ca, de, fg, hi]]'"
     further = f"    readings: [{{kind: always-singular, expression: {sb}, statement: So it is.}}]\n"
-    done = run(
+    done = invoke(
         "analyze",
         "--catalog",
         str(own(f"{REGULAR}    condition: {{kind: one-incidence, expression: {sb}, statement: So.}}\n{further}")),
@@ -315,18 +157,18 @@ def test_a_class_from_outside_is_called_so(own: Any) -> None:
     called = f"mine-1, the best (of {path})"
     assert called in " ".join(a.text().split())
     assert gc.report(a).count("the best") == gc.report(a).count(called) > 0
-    shown = run("catalog", "show", "mine-1", "--catalog", str(path)).stdout
+    shown = invoke("catalog", "show", "mine-1", "--catalog", str(path)).stdout
     assert called in shown
     assert "sources    none given" in shown
     assert "proof      none: this is what" in shown
-    assert "proof" not in run("catalog", "show", "6-6").stdout
+    assert "proof" not in invoke("catalog", "show", "6-6").stdout
 
 
 def test_points_of_a_refusal_are_told_with_their_weights(own: Any) -> None:
     """The sum is zero wherever the last coordinates are 1, so that the points shown have others."""
     more = "[bcde] - [acde] + [abde] - [abce] + [abcd]"
     path = own(entry(gc.parse(f"[[ab, bc, ca, de, fg, hi]] + {more}")))
-    done = run("analyze", "--catalog", str(path), LEGS)
+    done = invoke("analyze", "--catalog", str(path), LEGS)
     assert done.exit_code == 2
     assert "(homogeneous coordinates)" in done.stderr
 
@@ -466,7 +308,7 @@ def test_a_false_rule_file_is_refused(own: Any) -> None:
         path = own(f'rule mine "The condition.": {read_legs(LEGS).superbracket} => {false}\n', "mine.gca")
         with pytest.raises(InputError, match="no identity"):
             load_rules([path])
-        assert run("rules", "check", str(path)).exit_code == 1
+        assert invoke("rules", "check", str(path)).exit_code == 1
         folder = own(path.read_text(encoding="utf-8"), "packs/mine/mine.gca").parent.parent
         with pytest.raises(InputError, match="no identity"):
             load_rules(folders=[folder])
@@ -493,7 +335,7 @@ def _plugin(own: Any, expression: object) -> gc.Library:
     return load_rules(folders=[own(source, "packs/mine/rules.py").parent.parent])
 
 
-@EACH
+@EACH_ATTACK
 def test_a_rule_of_a_plugin_makes_no_false_condition(own: Any, false: Expr) -> None:
     a = analyze(LEGS, strategy=_plugin(own, false).strategy())
     assert "mine" not in {c.kind for c in (a.condition, *a.readings)}
@@ -519,7 +361,7 @@ def test_a_true_rule_of_a_plugin_is_proved_and_marked(own: Any, monkeypatch: pyt
 # --- by hand -------------------------------------------------------------------------------------------------------
 
 
-@EACH
+@EACH_ATTACK
 def test_a_false_condition_is_refused_by_hand_and_when_resumed(own: Any, false: Expr) -> None:
     session = Session.start(read_legs(LEGS)).do(f"condition {false}")
     assert session.outcome is not None
@@ -531,10 +373,10 @@ def test_a_false_condition_is_refused_by_hand_and_when_resumed(own: Any, false: 
         load_session(path)
 
 
-@EACH
+@EACH_ATTACK
 def test_a_script_fails_at_a_false_claim(own: Any, false: Expr) -> None:
     path = own(f"prove {read_legs(LEGS).superbracket} == {false}\n", "claims.gca")
-    assert run("run", str(path)).exit_code in (1, 2)
+    assert invoke("run", str(path)).exit_code in (1, 2)
 
 
 # --- robots --------------------------------------------------------------------------------------------------------
@@ -556,11 +398,11 @@ def test_a_published_condition_with_a_coefficient_that_can_be_foreseen(root: Pat
 
 
 def test_a_seed_repeats_an_answer_which_says_so() -> None:
-    one, other = (run("analyze", LEGS, "--seed", "7") for _ in range(2))
+    one, other = (invoke("analyze", LEGS, "--seed", "7") for _ in range(2))
     assert one.exit_code == 0
     assert one.stdout == other.stdout
     assert "points chosen with the seed 7: who knows it can foresee them" in " ".join(one.stdout.split())
-    assert "seed" not in run("analyze", LEGS).stdout
+    assert "seed" not in invoke("analyze", LEGS).stdout
 
 
 SEEDED = "analyze, prove, factor, locus, map, path, pose, robot check, robot analyze, rules check, catalog check, run"
@@ -568,12 +410,12 @@ SEEDED = "analyze, prove, factor, locus, map, path, pose, robot check, robot ana
 
 @pytest.mark.parametrize("command", SEEDED.split(", "))
 def test_commands_that_decide_by_points_take_a_seed(command: str) -> None:
-    assert "--seed N" in run(*command.split(), "--help").stdout
+    assert "--seed N" in invoke(*command.split(), "--help").stdout
 
 
 @pytest.mark.parametrize("command", ["expand", "catalog list", "robot new", "studio"])
 def test_others_take_none(command: str) -> None:
-    assert "--seed" not in run(*command.split(), "--help").stdout
+    assert "--seed" not in invoke(*command.split(), "--help").stdout
 
 
 def test_a_rule_file_is_proved_once(own: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -587,7 +429,7 @@ def test_a_rule_file_is_proved_once(own: Any, tmp_path: Path, monkeypatch: pytes
     assert proved > 1
     assert load_rules([path])["mine"] == first["mine"]
     assert len(calls) == proved
-    assert run("rules", "check", str(path)).exit_code == 0  # from scratch
+    assert invoke("rules", "check", str(path)).exit_code == 0  # from scratch
     assert len(calls) == 2 * proved
     path.write_text(path.read_text(encoding="utf-8").replace("=> -", "=> "), encoding="utf-8")
     with pytest.raises(InputError, match="no identity"):

@@ -1,49 +1,32 @@
-"""The 3D viewer, alone and in the report, in a browser from file://; and what Python gives it."""
+"""The 3D viewer, alone and in the report, in a browser from file://."""
 
 from __future__ import annotations
 
 import base64
 import json
 import math
-import re
-import sys
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from html.parser import HTMLParser
+from collections.abc import Iterator
 from operator import mul
 from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner
 from places import ROOT
+from views.shown_pages import Open, Shown, open_from_file
+from views.viewed_structures import OCTAHEDRAL, STRUCTURES
 
 import gcrules as gc
-from gcrules.apps.cli import cli
 from gcrules.conditions.pose_value import judged, measure
-from gcrules.core.errors import InputError
 from gcrules.mechanisms.analyze import analyze_robot
-from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.mechanisms.load import read_robot
-from gcrules.rules.catalog.file import load
 from gcrules.screws.pose_text import parse_pose
 from gcrules.views.drawing.palette import ROLES
 from gcrules.views.report.report_page import in_script
 from gcrules.views.report.robot_report import robot_scene
-from gcrules.views.report.scene_json import Scenery, drawable, scene
+from gcrules.views.report.scene_json import Scenery, scene
 from gcrules.views.viewer import viewer_script
 
 EXAMPLES = ROOT / "examples"
-SOURCES = ROOT / "studio-ui" / "src" / "viewer"
-OCTAHEDRAL = gc.analyze(load_platform(EXAMPLES / "octahedral.yaml"))
-STRUCTURES = {
-    "octahedral": OCTAHEDRAL,
-    "octahedral-singular": gc.analyze(load_platform(EXAMPLES / "octahedral-singular.yaml")),
-    "6-6": gc.analyze(load_platform(EXAMPLES / "platform-6-6.yaml")),
-    "6-4": gc.analyze(load_platform(EXAMPLES / "platform-6-4.yaml")),
-    "four-dof": gc.analyze(load_platform(EXAMPLES / "four-dof.yaml")),
-    "turned round": gc.analyze("ba af cb cd ed ef"),
-}
 POSES = [
     None,
     {"translation": [30.0, -10.0, 25.0], "quaternion": [math.cos(0.2), 0.0, 0.0, math.sin(0.2)]},
@@ -52,294 +35,7 @@ POSES = [
 OTHER = gc.analyze("Aa Ab Ba Bb Cc Dd")
 
 
-# --- what Python gives it ------------------------------------------------------------------------------------------
-
-
-def test_the_palette_is_that_of_the_figures() -> None:
-    text = (SOURCES / "palette.ts").read_text(encoding="utf-8")
-    found = re.findall(r'^  (\w+): \["(#\w{6})", "(#\w{6})"\],$', text, re.MULTILINE)
-    assert {role: (light, dark) for role, light, dark in found} == ROLES
-
-
-@pytest.mark.parametrize("name", STRUCTURES)
-def test_a_scene_is_plain_data(name: str) -> None:
-    a = STRUCTURES[name]
-    found = scene(a)
-    assert json.loads(json.dumps(found, allow_nan=False))["unit"] == (a.platform.units if a.platform else "")
-    assert set(found["points"]) == set(a.structure.names) == {*found["base"], *found["platform"]}
-    assert [tuple(leg) for leg in found["legs"]] == list(a.structure.oriented)
-    assert [e["id"] for e in found["entities"]] == [f"e{i}" for i in range(len(found["entities"]))]
-    assert found["size"] > 0
-    if a.platform:
-        assert all(
-            found["points"][n] == pytest.approx([float(c) for c in a.platform.points[n]]) for n in a.structure.names
-        )
-
-
-def test_every_class_has_a_scene() -> None:
-    for entry in load().entries[::3]:
-        found = scene(gc.analyze(entry.legs))
-        assert len(found["legs"]) == 6
-        json.dumps(found, allow_nan=False)
-
-
-@pytest.mark.parametrize("legs", ["ab bc ca ad be cf", "ab bc ca de ef fd"])
-def test_lines_without_a_platform_are_drawn_and_stay(legs: str) -> None:
-    found = scene(gc.analyze(legs))
-    assert "recipe" not in found
-    assert found["motion"] is None
-    assert len(found["legs"]) == 6
-
-
-def test_robots_on_six_legs_move_as_platforms() -> None:
-    found = robot_scene(analyze_robot(read_robot("gough-stewart")))
-    assert len(found["platform"]) == 6
-    assert "recipe" in found
-    assert "recipe" not in robot_scene(analyze_robot(read_robot("3-rps")))
-    shown = gc.view(read_robot("gough-stewart"))
-    assert shown.verdict == "regular"
-    assert shown.numbers(nearest=False).closeness == pytest.approx(shown.margin)
-
-
-def test_a_pose_moves_the_platform_rigidly() -> None:
-    s = Scenery.of(OCTAHEDRAL)
-    exact = parse_pose("10 20 -5; euler zyx 30 10 -20 deg")
-    at = s.points(exact)
-    same = s.points({"translation": [10, 20, -5], "quaternion": exact.unit_quaternion})
-    assert s.invented is False
-    for n in OCTAHEDRAL.structure.names:
-        assert at[n] == pytest.approx(same[n])
-    assert all(at[n] == s.points()[n] for n in OCTAHEDRAL.structure.base)
-    middle = [sum(at[n][i] for n in "bdf") / 3 for i in range(3)]
-    assert middle == pytest.approx([float(c) + t for c, t in zip(s.about, (10, 20, -5), strict=True)])
-    assert math.dist(at["b"], at["d"]) == pytest.approx(math.dist(s.points()["b"], s.points()["d"]))
-
-
-def test_planes_that_meet_have_their_point_drawn_and_the_motion() -> None:
-    found = scene(STRUCTURES["octahedral-singular"])
-    (point,) = found["constructed"]
-    assert point["label"] == "M"
-    assert point["at"] == pytest.approx((19500 / 43, -400 / 43, 18000 / 43))
-    assert len(point["entities"]) == 4
-    assert found["motion"]["pitch"] == pytest.approx(134.516, abs=1e-3)
-    assert scene(OCTAHEDRAL)["motion"] is None
-
-
-def test_named_lines_are_constructed() -> None:
-    found = scene(OTHER)
-    p, q = found["constructed"]
-    assert [p["label"], q["label"]] == ["p", "q"]
-    a, b = (found["points"][n] for n in "AB")
-    along = [y - x for x, y in zip(a, b, strict=True)]
-    assert sum(x * y for x, y in zip(along, p["direction"], strict=True)) ** 2 == pytest.approx(math.hypot(*along) ** 2)
-
-
-@pytest.mark.parametrize("options", [{"given": "coplanar(A, B, C, D)"}, {"ideal": "A"}], ids=["given", "ideal"])
-def test_what_has_no_shape_is_not_drawn(options: dict[str, str]) -> None:
-    a = gc.analyze("Aa Ab Bc Bd Ce Df", **options)  # type: ignore[arg-type]
-    assert not drawable(a)
-    assert "GcrulesViewer" not in gc.report(a)
-    with pytest.raises(InputError, match="no robot to draw"):
-        scene(a)
-
-
-# --- the report as text --------------------------------------------------------------------------------------------
-
-EVIL = "</script><script>alert(1)</script><!-- <ScRiPt ]]> \u2028 &amp; \"'"
-
-
-class Scripts(HTMLParser):
-    """The scripts of a page as a browser reads them, and what is loaded."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.scripts: list[list[str]] = []
-        self.loaded: list[str] = []
-        self.inside = False
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.loaded += [v or "" for k, v in attrs if k in ("src", "href") and not (v or "").startswith("#")]
-        self.inside = tag == "script"
-        if self.inside:
-            self.scripts.append([""])
-
-    def handle_endtag(self, tag: str) -> None:
-        self.inside = False
-
-    def handle_data(self, data: str) -> None:
-        if self.inside:
-            self.scripts[-1].append(data)
-
-
-def test_data_in_a_script_cannot_end_it() -> None:
-    text = in_script({"title": EVIL, "values": [1.5, None]})
-    assert "<" not in text
-    assert "\u2028" not in text
-    assert json.loads(text) == {"title": EVIL, "values": [1.5, None]}
-
-
-def _platform(**changes: str) -> gc.Platform:
-    given = OCTAHEDRAL.platform
-    assert given is not None
-    return gc.Platform(given.legs, given.points, **changes)
-
-
-def test_hostile_titles_stay_text() -> None:
-    page = gc.report(gc.analyze(_platform(title=EVIL, note=EVIL)))
-    parser = Scripts()
-    parser.feed(page)
-    assert len(parser.scripts) == 3
-    assert json.loads("".join(parser.scripts[0])) == json.loads(json.dumps(scene(gc.analyze(_platform()))))
-    assert not parser.loaded
-
-
-def test_a_small_report_has_no_scripts() -> None:
-    page = gc.report(OCTAHEDRAL, interactive=False)
-    assert "<script" not in page
-    assert len(page) < 150_000 < 500_000 < len(gc.report(OCTAHEDRAL))
-
-
-@pytest.mark.parametrize("name", ["3-rps", "gallardo-4dof", "delta", "3-rpr", "gough-stewart"])
-def test_reports_of_robots(name: str) -> None:
-    a = analyze_robot(read_robot(name))
-    page = gc.report(a, interactive=False)
-    parser = Scripts()
-    parser.feed(page)
-    assert not parser.loaded
-    assert not parser.scripts
-    for words in (a.statement, a.certificate, *(limb.limb.name for limb in a.structure.limbs)):
-        assert words.replace("&", "&amp;") in page
-    assert page.count('class="formula"') >= 1 + len(a.parts)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "code", "said"),
-    [
-        (["3-rps", "--no-3d"], 0, "<title>3-RPS robot"),
-        ([str(ROOT / "plugins" / "gallardo-4dof" / "robot.yaml"), "--no-3d"], 0, "<title>Four-DOF robot"),
-        (["3-rps", "--rank", "3"], 2, "A robot of joints takes"),
-        (["3-rpz"], 2, "'3-rpz' is no file, no id of a robot"),
-        (["ab"], 2, "leg"),
-    ],
-    ids=["id", "file", "options", "typing error", "one leg"],
-)
-def test_the_command(arguments: list[str], code: int, said: str) -> None:
-    result = CliRunner().invoke(cli, ["report", *arguments])
-    assert result.exit_code == code
-    assert said in (result.stderr if code else result.stdout)
-
-
-def test_a_report_takes_what_load_takes() -> None:
-    page = gc.report("ab af cb cd ed ef", interactive=False)
-    assert page == gc.report(gc.analyze("ab af cb cd ed ef"), interactive=False)
-    with pytest.raises(InputError, match="is no file, no id"):
-        gc.report("3-rsp")
-
-
-@pytest.mark.parametrize("ask", [gc.analyze, gc.view], ids=["analyze", "view"])
-def test_a_file_is_taken_where_legs_are(ask: Callable[[str], object]) -> None:
-    assert ask(str(EXAMPLES / "octahedral.yaml"))
-
-
-# --- the widget ----------------------------------------------------------------------------------------------------
-
-
-def test_a_widget_follows_the_pose_from_both_sides() -> None:
-    platform = load_platform(EXAMPLES / "octahedral.yaml")
-    shown = gc.view(platform)
-    assert shown.scene == scene(OCTAHEDRAL)
-    assert shown.verdict == "regular"
-    heard: list[float] = []
-    shown.observe(lambda change: heard.append(change["new"]), "margin")
-    shown.pose = "1 2 10 mm; euler zyx 30 0 0 deg"
-    assert shown.pose["translation"] == [1, 2, 10]
-    assert heard == [shown.margin]
-    there = gc.pose(platform, "1 2 10; euler zyx 30 0 0 deg", about="centroid", nearest=False)
-    assert shown.margin == pytest.approx(there.closeness)
-    assert shown.numbers(nearest=False).closeness == pytest.approx(there.closeness)
-    shown.set_state({"pose": {"translation": [0, 0, 5], "quaternion": [2, 0, 0, 0]}})  # what the page sends
-    assert shown.pose == {"translation": [0, 0, 5], "quaternion": [1, 0, 0, 0]}
-
-
-def test_a_widget_warns() -> None:
-    shown = gc.view(load_platform(EXAMPLES / "octahedral-singular.yaml"))
-    assert shown.verdict == "singular"
-
-
-NAN = {"translation": [0, 0, float("nan")], "quaternion": [1, 0, 0, 0]}
-LENGTHS = {"translation": [0, 0], "quaternion": [1, 0, 0, 0, 0]}
-NO_TURN = {"translation": [0, 0, 0], "quaternion": [0, 0, 0, 0]}
-
-
-@pytest.mark.parametrize("pose", [{}, 3, "1 2", LENGTHS, NAN, NO_TURN], ids=str)
-def test_no_pose(pose: Any) -> None:
-    with pytest.raises(InputError):
-        gc.view("ab af cb cd ed ef", pose=pose)
-
-
-def test_a_widget_of_a_robot_stays_at_home() -> None:
-    shown = gc.view(read_robot("3-rps"))
-    assert shown.margin is None
-    assert len(shown.scene["limbs"]) == 3
-    with pytest.raises(InputError, match="legs and coordinates"):
-        shown.numbers()
-
-
-def test_without_the_extra_a_widget_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "anywidget", None)
-    monkeypatch.delitem(sys.modules, "gcrules.apps.notebook.widget", raising=False)
-    monkeypatch.setattr("gcrules.core.deferred._resolved", {})
-    with pytest.raises(InputError, match="needs the package anywidget") as fault:
-        gc.view("ab af cb cd ed ef")
-    assert fault.value.hint == 'pip install "gcrules[widget]"'
-
-
 # --- in a browser --------------------------------------------------------------------------------------------------
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    from browsing import chromium
-
-    with chromium() as browser:
-        yield browser
-
-
-@dataclass
-class Shown:
-    """A page with a viewer; `requests` are those that it made after itself."""
-
-    page: Any
-    requests: list[str]
-    faults: list[str]
-
-    def run(self, script: str) -> Any:
-        return self.page.evaluate(script)
-
-    def place(self, name: str) -> tuple[float, float]:
-        x, y = self.run(f"viewer.toScreen('{name}')")
-        return x, y
-
-    def settled(self) -> None:
-        """Two frames later."""
-        self.run("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
-
-
-Open = Callable[..., Shown]
-
-
-def _opened(chromium: Any, path: Path, text: str, **options: Any) -> Shown:
-    """The text of a page opened from a file, with reduced motion, so that nothing is under way."""
-    page = chromium.new_context(viewport={"width": 900, "height": 640}, reduced_motion="reduce", **options).new_page()
-    page.set_default_timeout(10_000)
-    path.write_text(text, encoding="utf-8")
-    shown = Shown(page, [], [])
-    page.on("request", lambda request: shown.requests.append(request.url))
-    page.on("pageerror", lambda fault: shown.faults.append(str(fault)))
-    page.on("console", lambda said: shown.faults.append(said.text) if said.type in ("error", "warning") else None)
-    page.goto(path.as_uri())
-    shown.requests.remove(path.as_uri())
-    return shown
 
 
 @pytest.fixture
@@ -347,7 +43,7 @@ def open_page(chromium: Any, tmp_path: Path) -> Iterator[Open]:
     contexts = []
 
     def opened(text: str, **options: Any) -> Shown:
-        shown = _opened(chromium, tmp_path / "page.html", text, **options)
+        shown = open_from_file(chromium, tmp_path / "page.html", text, **options)
         contexts.append(shown.page.context)
         return shown
 
@@ -367,7 +63,7 @@ def bare(chromium: Any, tmp_path_factory: pytest.TempPathFactory) -> Shown:
         "onPose: (p, done) => log.push({...p, done}), onPick: n => log.push(n), onHover: h => window.under = h});"
         "viewer.show(scene); }</script>"
     )
-    return _opened(chromium, tmp_path_factory.mktemp("viewer") / "page.html", page)
+    return open_from_file(chromium, tmp_path_factory.mktemp("viewer") / "page.html", page)
 
 
 @pytest.fixture

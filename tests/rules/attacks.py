@@ -5,12 +5,14 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Mapping, Sequence
 
+import pytest
+
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.expr import Expr, Number, Point, add, mul
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.scalars import bracket
 
-__all__ = ["LEGS", "MERSENNE", "attacks", "guessed", "monomials", "vanishing"]
+__all__ = ["ATTACKS", "EACH_ATTACK", "LEGS", "MERSENNE", "guessed"]
 
 LEGS = "ab bc ca de fg hi"
 MERSENNE = 2**61 - 1  # a prime that anybody would try
@@ -64,7 +66,7 @@ def vanishing(exprs: Sequence[Expr], points: Sequence[Mapping[str, tuple[int, ..
     return add(*(mul(Number(c), exprs[k]) for k, c in numbers.items() if c))
 
 
-def attacks() -> dict[str, Expr]:
+def _attacks() -> dict[str, Expr]:
     """False conditions: the superbracket of LEGS and what vanishes where the attacker expects to be looked at."""
     s = read_legs(LEGS)
     true, names = s.superbracket, s.names
@@ -90,3 +92,7 @@ def _first(some: Sequence[Expr], names: Sequence[str]) -> Expr:
     (small,) = (random_rational_points(names, seed=5),)
     one, other = vanishing(some[:4], points), vanishing([*some[:3], some[4]], points)
     return add(mul(Number(int(evaluate(other, small))), one), mul(Number(-int(evaluate(one, small))), other))
+
+
+ATTACKS = _attacks()
+EACH_ATTACK = pytest.mark.parametrize("false", ATTACKS.values(), ids=ATTACKS)
