@@ -71,6 +71,7 @@ check: $(READY) ## lint, formatting, types, the order of the rooms, documentatio
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/python tools/studio_protocol.py --check
+	$(BIN)/mypy benchmarks/conftest.py
 	$(BIN)/python tools/check_docs.py
 	@$(build-site)
 

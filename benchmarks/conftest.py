@@ -158,5 +158,6 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
                 terminalreporter.line(f"{'':<{width}}  {show(seconds):>9}{times}  {other}")
             for missed in m.missed():
                 terminalreporter.line(f"{'':<{width}}  MISSED: {missed}")
-    for name in sorted(config.stash[MISSING_PEERS]):
+    missing = config.stash[MISSING_PEERS]
+    for name in sorted(missing):
         terminalreporter.line(f"the peer {name} is not installed; the comparisons with it were left out")

@@ -21,6 +21,7 @@ import numpy as np
 import pytest
 
 import gcrules as gc
+from gcrules.mechanisms.analyze import analyze_legs
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.mechanisms.moving_platform import rig
 from gcrules.poses.numbers.arrays import matrices
@@ -62,7 +63,7 @@ def agree(one: Any, other: Any) -> bool:
 def test_compiled(ratio: Callable[..., Any], robot: str, engine: str) -> None:
     if not find_spec(engine):
         pytest.skip(f"{engine} is not installed")
-    analysis = gc.analyze(load_platform(EXAMPLES / f"{robot}.yaml"))
+    analysis = analyze_legs(load_platform(EXAMPLES / f"{robot}.yaml"))
     assert analysis.platform is not None
     value = gc.compiled(analysis, engine=engine)
     legs = rig(analysis.structure, analysis.platform)

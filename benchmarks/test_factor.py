@@ -121,7 +121,7 @@ def test_transversals(ratio: Callable[..., Any]) -> None:
     """The transversal conditions of all classes, found and tested."""
 
     def found() -> int:
-        structures = [Structure(tuple(map(tuple, LEGS[c]))) for c in LEGS]  # type: ignore[arg-type]
+        structures = [Structure(tuple(map(tuple, LEGS[c]))) for c in LEGS]
         return sum(bool(find(s, Oracle(s))) for s in structures)
 
     ratio(found, {}, within=6, rounds=2)

@@ -16,6 +16,7 @@ import sympy
 from sympy.core.cache import clear_cache
 
 import gcrules as gc
+from gcrules.mechanisms.analyze import analyze_legs
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.poses.loci.expansion import expansion
 from gcrules.poses.loci.locus import locus
@@ -49,7 +50,7 @@ def afresh(analysis: gc.Analysis, *arguments: str) -> Any:
 
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_translations(ratio: Callable[..., Any], robot: str) -> None:
-    analysis = gc.analyze(load_platform(EXAMPLES / f"{robot}.yaml"))
+    analysis = analyze_legs(load_platform(EXAMPLES / f"{robot}.yaml"))
 
     def agree(mine: Any, other: Any) -> bool:
         scale = sympy.Rational(*mine[0].coefficient.as_integer_ratio())
@@ -66,5 +67,5 @@ def test_translations(ratio: Callable[..., Any], robot: str) -> None:
 
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_all_poses(ratio: Callable[..., Any], robot: str) -> None:
-    analysis = gc.analyze(load_platform(EXAMPLES / f"{robot}.yaml"))
+    analysis = analyze_legs(load_platform(EXAMPLES / f"{robot}.yaml"))
     ratio(lambda: afresh(analysis), {}, within=2, rounds=3)

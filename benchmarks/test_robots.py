@@ -41,12 +41,13 @@ def test_cold(ratio: Callable[..., Any], name: str) -> None:
     ratio(cold(name), others, within=2, rounds=3)
 
 
-def posed(name: str) -> Callable[[], float]:
+def posed(name: str) -> Callable[[], Any]:
     """The joints solved for a pose anew, and all numbers there."""
     robot = read_robot(name)
     analysis = analyze_robot(robot)
     at = dict.fromkeys(free_coordinates(linkage(robot)), 0.05)
-    return lambda: gc.pose(analysis, at).closeness
+    found: Callable[..., Any] = gc.pose
+    return lambda: found(analysis, at).closeness
 
 
 @pytest.mark.parametrize("name", IDS)

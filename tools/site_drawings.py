@@ -10,10 +10,12 @@ import sys
 from collections.abc import Callable, Sequence
 from math import dist
 from pathlib import Path
+from typing import Any
 
 from drawing_kit import BLUE, DOT, GREEN, ORANGE, Look, Space, between, caption, side_by_side, times
 
 import gcrules as gc
+from gcrules.mechanisms.analyze import analyze_legs
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.views.drawing.bsp import XYZ, Piece
 from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs, text_width
@@ -136,7 +138,7 @@ def meet() -> Drawing:
 
 def bracket() -> Drawing:
     size = (205.0, 190.0)
-    base = {"a": (0.9, -0.8, 0.0), "b": (0.5, 0.9, 0.0), "c": (-0.9, -0.3, 0.0)}
+    base: dict[str, Any] = {"a": (0.9, -0.8, 0.0), "b": (0.5, 0.9, 0.0), "c": (-0.9, -0.3, 0.0)}
     view = (25.0, 24.0)
 
     def one(d: XYZ, words: tuple[Run, ...], role: str, scale: float) -> Drawing:
@@ -310,7 +312,7 @@ def desargues() -> Drawing:
 
 
 def _analysis(name: str) -> gc.Analysis:
-    return gc.analyze(load_platform(ROOT / "examples" / f"{name}.yaml"))
+    return analyze_legs(load_platform(ROOT / "examples" / f"{name}.yaml"))
 
 
 def octahedral_graph() -> Drawing:
@@ -332,11 +334,11 @@ def four_dof() -> Drawing:
 def four_dof_limbs() -> Drawing:
     """The lines along which each limb of the robot can push."""
     platform = load_platform(ROOT / "examples" / "four-dof.yaml")
-    at = {n: tuple(map(float, c)) for n, c in platform.points.items()}
+    at: dict[str, Any] = {n: tuple(map(float, c)) for n, c in platform.points.items()}
     s = Space()
-    s.point("ink", **{n: p for n, p in at.items() if n[0] != "S"})  # type: ignore[arg-type]
-    s.point("leg", **{n: p for n, p in at.items() if n[0] == "S"})  # type: ignore[arg-type]
-    s.pieces.append(Piece(tuple(at[n] for n in ("S1", "S2", "S3")), Look("platform", fill=0.25, edge=0.9, width=1.3)))  # type: ignore[arg-type]
+    s.point("ink", **{n: p for n, p in at.items() if n[0] != "S"})
+    s.point("leg", **{n: p for n, p in at.items() if n[0] == "S"})
+    s.pieces.append(Piece(tuple(at[n] for n in ("S1", "S2", "S3")), Look("platform", fill=0.25, edge=0.9, width=1.3)))
     for end in ("A1", "B1", "C1"):
         s.line(end, "S1", BLUE, width=3.0)
     s.line("A2", "S2", GREEN, width=3.0)

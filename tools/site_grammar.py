@@ -248,7 +248,7 @@ def _expansion(parts: list[Tree[Any]]) -> Rail:
     return _sequence(rails)
 
 
-def _spelling(token: Token) -> str:
+def _spelling(token: Token | Tree[Any]) -> str:
     text = str(token)
     if text.startswith("/"):
         return text if len(text) <= 60 else text[:57] + "…"
@@ -322,7 +322,11 @@ def _code(text: str) -> str:
 
 def faults_html(part: str) -> str:
     """The table of tested faults: what is typed, and the whole message with place, caret and hint."""
-    reader = {"expressions": parse, "scripts": lambda source: parse_script(source, "file.gca")}[part]
+    readers: dict[str, Callable[[str], object]] = {
+        "expressions": parse,
+        "scripts": lambda source: parse_script(source, "file.gca"),
+    }
+    reader = readers[part]
     rows = []
     for case in yaml.safe_load(FAULTS.read_text(encoding="utf-8"))[part]:
         source = case["source"]

@@ -14,7 +14,7 @@ _GRAMMAR = Path(__file__).resolve().parent.parent / "gcrules" / "grammar.lark"
 KEYWORDS = tuple(sorted(set(re.findall(r'"([a-z]{2,})"', _GRAMMAR.read_text(encoding="utf-8")))))
 
 
-class GcaLexer(RegexLexer):
+class GcaLexer(RegexLexer):  # type: ignore[misc]
     """`.gca` scripts."""
 
     name = "gcrules script"

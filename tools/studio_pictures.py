@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from PIL import Image
+from playwright.sync_api import ViewportSize
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
@@ -16,7 +17,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 from browsing import chromium  # noqa: E402
 from studio_page import Desk, studio  # noqa: E402
 
-SIZE = {"width": 1280, "height": 800}
+SIZE: ViewportSize = {"width": 1280, "height": 800}
 
 PICTURES: dict[str, dict[str, Any]] = {
     "studio-condition.png": {
@@ -38,7 +39,8 @@ PICTURES: dict[str, dict[str, Any]] = {
 
 def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
     """One view of the page as a PNG."""
-    desk.visit().open(*wanted["open"], wanted["stage"])
+    kind, name = wanted["open"]
+    desk.visit().open(kind, name, wanted["stage"])
     for name, value in wanted.get("sliders", {}).items():
         desk.slide(name, value)
     if wanted.get("nearest"):

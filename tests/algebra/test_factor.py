@@ -549,7 +549,7 @@ def test_values_show_themselves() -> None:
     assert "\\wedge" in f.latex()
     assert f._repr_latex_().startswith("$")
     with pytest.raises(AttributeError):
-        f.coefficient = 2  # type: ignore[misc]
+        f.coefficient = 2
     every = gc.factor("[[ab,af,cb,cd,ed,ef]]", all=True)
     assert len(every.alternatives) == f.more
     assert str(every.alternatives[0].expression) == "abf /\\ ace /\\ bcd /\\ def"

@@ -150,7 +150,7 @@ def test_any_expression(case: tuple[int, Expr, str]) -> None:
 
 
 def _parts(value: object) -> tuple[int, ...]:
-    return value if isinstance(value, tuple) else (value,)  # type: ignore[return-value]
+    return value if isinstance(value, tuple) else (value,)
 
 
 # --- which weights count --------------------------------------------------------------------------------------------

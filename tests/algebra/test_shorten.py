@@ -149,7 +149,7 @@ def polynomials(draw: st.DrawFn, *, ideal: bool = False) -> BracketPolynomial:
     if not products:
         return BracketPolynomial(rank, tuple(LETTERS[: len(degrees)]), {}, at_infinity)
     chosen = draw(st.lists(st.sampled_from(products), min_size=1, max_size=4, unique=True))
-    coefficients = st.sampled_from([1, -1, 2, Fraction(-3, 2), 5])
+    coefficients: st.SearchStrategy[int | Fraction] = st.sampled_from([1, -1, 2, Fraction(-3, 2), 5])
     poly = BracketPolynomial(rank, tuple(LETTERS[: len(degrees)]), {m: draw(coefficients) for m in chosen}, at_infinity)
     return normal(poly) if draw(st.booleans()) else poly
 
@@ -352,7 +352,8 @@ def test_symmetries_and_orbits(class_id: str) -> None:
         moved = BracketPolynomial(4, tuple(names[i] for i in g), target.terms).over(names)
         assert normal(moved) == target * int(sign)
         for i, j in enumerate(action.image(g).tolist()):
-            s, rows = 1, []
+            s = 1
+            rows: list[tuple[int, ...]] = []
             for row in monomials.all[i]:
                 t, r = sorted_row(int(g[k]) for k in row)
                 s, rows = s * t, [*rows, r]

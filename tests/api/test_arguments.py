@@ -98,7 +98,7 @@ NASTY: dict[str, Callable[[], Any]] = {
     "complex array": lambda: np.ones(3) * 1j,
     "array without dimensions": lambda: np.array(3.0),
     "deep array": lambda: np.zeros((1, 2, 3)),
-    "masked array": lambda: np.ma.masked_all(3),
+    "masked array": lambda: np.ma.array([0, 0, 0], mask=True),
     "numpy truth": lambda: np.bool_(True),
     "numpy number": lambda: np.float32(2.5),
     "numpy whole number": lambda: np.int64(3),
@@ -143,7 +143,10 @@ MAP = gc.singular_map(PLATFORM, ["x -1:1:2", "y -1:1:2"], measure="value")
 LIBRARY = gc.load_rules()
 METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
     "load plugins": (lambda plugins: gc.load("3-rps", plugins=plugins), ("plugins",)),
-    "load data": (lambda **data: gc.load({"legs": "ab", **data}), ("legs", "points", "units", "limbs")),
+    "load data": (
+        lambda **data: gc.load(dict({"legs": "ab"}, **data)),
+        ("legs", "points", "units", "limbs"),
+    ),
     "pose of a robot": (
         lambda **given: gc.pose(ANALYZED, **given),
         ("at", "actuators", "quaternion", "euler", "degrees", "about", "threshold", "accuracy", "nearest"),
@@ -235,7 +238,7 @@ def test_a_wrong_keyword_is_pythons(name: str) -> None:
             "names of points as text or as a sequence.* got a set of 2",
             None,
         ),
-        (lambda: gc.pose(ROBOT, z=1), "", None),
+        (lambda: gc.pose(ROBOT, **{"z": 1}), "", None),
     ],
 )
 def test_messages(call: Callable[[], Any], message: str, hint: str | None) -> None:

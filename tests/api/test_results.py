@@ -311,7 +311,8 @@ def test_text_of_a_condition_is_its_identity() -> None:
 
 def test_polynomials_of_unlike_ranks_do_not_mix() -> None:
     plane, space = gc.expand("[abc]", rank=3), gc.expand("[abcd]")
-    for combine in (lambda: plane + space, lambda: plane - space, lambda: space * plane):
+    combined: tuple[Callable[[], object], ...] = (lambda: plane + space, lambda: plane - space, lambda: space * plane)
+    for combine in combined:
         with pytest.raises(StepError, match=r"rank \d and of rank \d"):
             combine()
 
@@ -345,7 +346,7 @@ def test_frozen_map() -> None:
     assert repr(found) == "{'a': 1, 'b': Fraction(1, 2)}"
     assert not FrozenMap()
     with pytest.raises(TypeError):
-        found["a"] = 2  # type: ignore[index]
+        found["a"] = 2
     with pytest.raises(TypeError):
         hash(FrozenMap({"a": []}))
     source = {"a": 1}

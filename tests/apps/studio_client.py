@@ -128,7 +128,7 @@ def faulty(value: Any, shape: Any) -> bool:
     return False
 
 
-DRAWING = {
+DRAWING: dict[str, Any] = {
     "title": 'My "robot": a sketch',
     "points": {
         "A": [0, 0, 0],

@@ -209,7 +209,7 @@ def test_help(run: Run, command: tuple[str, ...]) -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_the_list_of_commands_says_what_each_is_called(run: Run, name: str) -> None:
     assert f"\n  {name} " in run("--help").stdout
-    loaded = cli.get_command(None, name)  # type: ignore[arg-type]
+    loaded = cli.get_command(None, name)
     assert loaded is not None
     assert loaded.name == name
 

@@ -156,7 +156,7 @@ def test_value_of_a_robot_has_the_exact_sign(name: str) -> None:
     assert subject.structure is not None
     robot = subject.robot.robot
     exact = value_at(robot.family, subject.robot.structure, robot.values_at(), subject.structure.superbracket)
-    found = numbers(subject, HOME)["value"]  # type: ignore[arg-type]
+    found = numbers(subject, HOME)["value"]
     assert 0 < abs(found) <= 1
     assert (found > 0) == (exact > 0)
 
@@ -195,8 +195,8 @@ def test_numbers_are_those_of_the_library(name: str) -> None:
     robot = parse_platform(text.replace("'", ""))
     for shift in ([0.0, 0.0, 0.0], [0.1 * subject.size * rng.uniform(-1, 1) for _ in range(3)]):
         pose = {"translation": shift, "quaternion": [1.0, 0.1 * bool(any(shift)), 0.0, 0.05 * bool(any(shift))]}
-        mine = numbers(subject, pose)  # type: ignore[arg-type]
-        theirs = gc.pose(robot, exact_pose(pose), about="centroid", nearest=False)  # type: ignore[arg-type]
+        mine = numbers(subject, pose)
+        theirs = gc.pose(robot, exact_pose(pose), about="centroid", nearest=False)
         assert mine["verdict"] == theirs.verdict
         assert mine["reason"] == theirs.reason
         assert mine["margin"] == pytest.approx(theirs.closeness, abs=1e-12)
@@ -210,7 +210,7 @@ def test_every_class_opens_and_has_numbers() -> None:
     for entry in ("6-2", "5-2", "4-4.s", "6-5", "4-4.7"):
         subject = read_subject({"kind": "class", "id": entry})
         json.dumps(study(subject), allow_nan=False)
-        found = numbers(subject, HOME)  # type: ignore[arg-type]
+        found = numbers(subject, HOME)
         assert (found["verdict"] == "singular") == (entry in ("6-2", "5-2", "4-4.s"))
 
 
@@ -221,9 +221,9 @@ def test_far_away_there_are_numbers_or_a_reason(entry: str, away: float) -> None
     pose = {"translation": [away, -away, 0.3 * away], "quaternion": [1.0, 0.3, -0.2, 0.1]}
     if away > 1e12:
         with pytest.raises(InputError, match="times the robot's size away"):
-            numbers(subject, pose)  # type: ignore[arg-type]
+            numbers(subject, pose)
     else:
-        found = numbers(subject, pose)  # type: ignore[arg-type]
+        found = numbers(subject, pose)
         assert 0 <= found["margin"] <= 1
         assert json.dumps(found, allow_nan=False)
 

@@ -25,6 +25,7 @@ pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 from apps.studio_client import FOUR_DOF, OCTAHEDRAL, TOKEN
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
+from websockets.typing import Origin
 
 from gcrules.apps.studio import serving, theory
 from gcrules.apps.studio.app import make_app
@@ -63,11 +64,13 @@ def address_of(process: subprocess.Popen[str]) -> str:
 
 def test_browser_is_not_started_with_the_token(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Other users of the machine see what a program was started with; a ticket is worth nothing once it was used."""
-    asked, said, tickets = [], [], []
+    asked: list[str] = []
+    said: list[str] = []
+    tickets: list[str] = []
     monkeypatch.setattr(serving, "token", lambda: TOKEN)
     monkeypatch.setattr(serving, "make_app", lambda *given: tickets.extend(given[3]) or make_app(*given))
-    monkeypatch.setattr(serving.webbrowser, "open", asked.append)
-    monkeypatch.setattr(serving.uvicorn.Server, "run", lambda server, sockets: server.ready())
+    monkeypatch.setattr("webbrowser.open", asked.append)
+    monkeypatch.setattr("uvicorn.Server.run", lambda server, sockets: server.ready())
     serving.serve(port=0, say=said.append)
     while not asked:
         time.sleep(0.01)
@@ -107,7 +110,9 @@ BROKEN_FRAMES = {
 def hello(address: str) -> Any:
     """One connection to a studio that runs, of a page that knows its token."""
     host, _, token = address.removeprefix("http://").partition("/?token=")
-    return connect(f"ws://{host}/ws", origin=f"http://{host}", additional_headers={"Cookie": f"{COOKIE}={token}"})
+    return connect(
+        f"ws://{host}/ws", origin=Origin(f"http://{host}"), additional_headers={"Cookie": f"{COOKIE}={token}"}
+    )
 
 
 def survives(address: str) -> None:

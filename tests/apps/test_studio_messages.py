@@ -67,7 +67,7 @@ HOSTILE: dict[str, str | bytes] = {
     "id too long to read": '{"id": 1' + "0" * 5000 + ', "do": "hello", "args": {}}',
     "unknown method": asked("eval", {}),
     "method of a dict": asked("__class__", {}),
-    "method no text": asked([], {}),  # type: ignore[arg-type]
+    "method no text": asked([], {}),
     "channel no text": asked("hello", {}, channel=7),
     "channel long": asked("hello", {}, channel="c" * 100),
     "more keys": asked("hello", {}, token=TOKEN),

@@ -23,7 +23,7 @@ EXAMPLES = ROOT / "examples"
 
 def test_a_widget_follows_the_pose_from_both_sides() -> None:
     platform = load_platform(EXAMPLES / "octahedral.yaml")
-    shown = gc.view(platform)
+    shown: Any = gc.view(platform)
     assert shown.scene == scene(OCTAHEDRAL)
     assert shown.verdict == "regular"
     heard: list[float] = []

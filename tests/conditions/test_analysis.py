@@ -214,7 +214,7 @@ def graphs_of_few_joints() -> list[tuple[tuple[str, str], ...]]:
                 for p in permutations(joints)
                 for m in [dict(zip(joints, p, strict=True))]
             )
-            found[kind] = None  # type: ignore[index]
+            found[kind] = None
     return list(found)
 
 

@@ -122,7 +122,7 @@ def test_a_signal_at_any_line(tmp_path: Path, module: str, words: list[str]) -> 
     )
     assert done.returncode == 0, done.stderr
     assert not done.stderr.strip(), done.stderr
-    found = dict(map(int, line.split()) for line in done.stdout.splitlines())
+    found = {int(at): int(code) for at, code in map(str.split, done.stdout.splitlines())}
     assert list(found) == LINES
     interrupted = [at for at, code in found.items() if code == 130]
     assert len(interrupted) > len(LINES) // 2

@@ -134,25 +134,26 @@ def campaign(
         theirs.close()
         lanes[ours] = _Lane(process, at, stride, end, first, monotonic())
 
-    for lane in range(workers):
-        if start + lane < last:
-            begin(start + lane, workers)
+    for worker in range(workers):
+        if start + worker < last:
+            begin(start + worker, workers)
     while lanes:
         try:
             ready = wait(list(lanes), timeout=2.0)
         except KeyboardInterrupt:  # what was tried so far counts
             break
         for pipe in ready:
-            lane = lanes[pipe]  # type: ignore[index]
+            assert isinstance(pipe, Connection)
+            lane = lanes[pipe]
             try:
-                message = pipe.recv()  # type: ignore[union-attr]
+                message = pipe.recv()
             except EOFError:
                 message = None
             if message is not None:
                 _take(result, message, tell)
             else:
                 lane.process.join()
-                del lanes[pipe]  # type: ignore[arg-type]
+                del lanes[pipe]
                 if lane.process.exitcode > 0:
                     raise RuntimeError("the campaign itself is at fault; its traceback stands above")
                 if lane.process.exitcode:

@@ -190,6 +190,6 @@ def _watched(case: Case, jail: Jail, body: Callable[[], tuple[str, ...]]) -> Out
     noise = [f"{w.category.__name__}: {w.message} at {w.filename.split('/gcrules/')[-1]}" for w in caught]
     noise += [f"{t} outside the folder" for t in tried]
     noise += [f"a thread goes on: {t.name}" for t in threading.enumerate() if t not in threads]
-    shown = (b.getvalue().decode("utf-8", "replace") for b in (out, err))
+    stdout, stderr = (b.getvalue().decode("utf-8", "replace") for b in (out, err))
     left, seconds = tuple(jail.changes()), process_time() - began
-    return Outcome(code, *shown, trace, frame, left, tuple(noise), wrong, seconds)
+    return Outcome(code, stdout, stderr, trace, frame, left, tuple(noise), wrong, seconds)

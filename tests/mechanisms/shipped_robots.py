@@ -54,7 +54,11 @@ def singular_members(
     random.Random(f"{name} {seed}").shuffle(names)
     for n in range(number):
         path: MemberPath = family.path((seed, n), names[n % len(names)])
-        polynomial = interpolated(lambda t, path=path: value(path.member(t)))
+
+        def along(t: int, path: MemberPath = path) -> int:
+            return value(path.member(t))
+
+        polynomial = interpolated(along)
         for t in roots(polynomial or []):
             yield path.member(t)
 

@@ -38,7 +38,7 @@ def test_legs_are_those_at_home(name: str) -> None:
     platform = as_platform(robot)
     assert len(platform.legs) == 6
     assert {end for _, end in platform.legs} == set(robot.platform)
-    assert all(platform.points[n] == robot.home[n] for leg in platform.legs for n in leg)  # type: ignore[index]
+    assert all(platform.points[n] == robot.home[n] for leg in platform.legs for n in leg)
 
 
 @pytest.mark.parametrize("name", LEGS)

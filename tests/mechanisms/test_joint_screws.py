@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from typing import Any
 
 import pytest
@@ -61,12 +62,10 @@ def jacobian_determinant(name: str, values: Values) -> int:
     rows: list[Row] = []
     change = 1
     for limb in r.limbs:
-        screws = limb.at(values, RESIDUES).locked(RESIDUES)
+        screws: Any = limb.at(values, RESIDUES).locked(RESIDUES)
         if r.family.plane:
             screws = [[row[0], row[1], row[5]] for row in RESIDUES.basis(screws)]
-        basis, pivots = RESIDUES.echelon(screws)
-        if r.family.plane:
-            basis, pivots = planar_part(limb, values)
+        basis, pivots = planar_part(limb, values) if r.family.plane else RESIDUES.echelon(screws)
         lines = [line.row(points) for line in a.structure.lines or () if line.limb == limb.name]
         assert len(lines) == len(basis)
         change = change * RESIDUES.determinant([[line[p] for p in pivots] for line in lines]) % PRIME
@@ -76,7 +75,7 @@ def jacobian_determinant(name: str, values: Values) -> int:
     return int(RESIDUES.determinant(rows)) * change % PRIME
 
 
-def planar_part(limb: Any, values: Values) -> tuple[list[Row], tuple[int, ...]]:
+def planar_part(limb: Any, values: Values) -> tuple[Sequence[Row], tuple[int, ...]]:
     """The wrench in the plane of a planar limb with one actuator."""
     screws = limb.at(values, RESIDUES).locked(RESIDUES)
     flat = [(row[0], row[1], 0, 0, 0, row[5]) for row in screws]

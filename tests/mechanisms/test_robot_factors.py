@@ -138,7 +138,7 @@ def test_where_a_cofactor_vanishes_the_wrenches_keep_their_rank(name: str) -> No
     for words, one in [*subsets(a).items()][:2] + [*subsets(a).items()][5:9]:
         if not one.degree:
             continue
-        own = interpolated(lambda t, words=words: superbrackets(name, a, member(t), words)[words])  # type: ignore[misc]
+        own = interpolated(lambda t, words=words: superbrackets(name, a, member(t), words)[words])
         assert own
         assert all_of_them
         usual = ranks(r.family, r.limbs, member(10**9))

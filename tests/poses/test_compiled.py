@@ -111,7 +111,8 @@ def test_machine_code_gives_the_same_bits(traced: tuple[Graph, Any], seed: int) 
         with np.errstate(all="ignore"):
             run(data[:, :1], data[:, 1:], out)
         found.append(out)
-    assert np.array_equal(*found, equal_nan=True)
+    one, other = found
+    assert np.array_equal(one, other, equal_nan=True)
 
 
 @needs_numba
@@ -186,7 +187,7 @@ def test_programs_are_exactly_the_superbracket(made: tuple[Any, Joints], data: s
     shift = data.draw(st.tuples(small, small, small))
     q = data.draw(st.tuples(st.integers(1, 5), small, small, small))
     places = data.draw(st.lists(st.tuples(small, small, small), min_size=6, max_size=6))
-    turn = rotation(tuple(map(F, q)))  # type: ignore[arg-type]
+    turn = rotation(tuple(map(F, q)))
     for kind in joints.kinds:
         if kind == "joints":
             moved = dict(zip(joints.moving, places, strict=False))
@@ -211,7 +212,7 @@ def test_a_wrong_road_is_found_out() -> None:
     structure = read_legs("ab af cb cd ed ef")
     joints = Joints({}, structure.names, {})
     with pytest.raises(EngineFault, match="disagree"):
-        trace(joints, "joints", [("", lambda p: 2 * of_legs(structure.legs, p))], structure.superbracket)  # type: ignore[operator]
+        trace(joints, "joints", [("", lambda p: 2 * of_legs(structure.legs, p))], structure.superbracket)
 
 
 @pytest.mark.parametrize(

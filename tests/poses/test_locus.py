@@ -53,7 +53,7 @@ def robot(legs: str, seed: int = 1, flat: str = "") -> Platform:
     for n, p in points.items():
         if ("base" in flat and n.isupper()) or ("platform" in flat and n.islower()):
             p[2] = F(0)
-    return Platform(tuple((w[0], w[1]) for w in legs.split()), {n: tuple(p) for n, p in points.items()})  # type: ignore[misc]
+    return Platform(tuple((w[0], w[1]) for w in legs.split()), {n: tuple(p) for n, p in points.items()})
 
 
 GENERAL = "Aa Bb Cc Dd Ee Ff"
@@ -102,7 +102,7 @@ def test_slices(robots: dict[str, Any], arguments: dict[str, Any], text: str) ->
         first, turn = text.format(**values).split(";")
         q = turn.split()
         if len(q) == 4:
-            pose = Pose(tuple(map(F, first.split())), tuple(map(F, q)))  # type: ignore[arg-type]
+            pose = Pose(tuple(map(F, first.split())), tuple(map(F, q)))
         else:
             pose = parse_pose(f"{first};{turn}")
         norm = F(1)

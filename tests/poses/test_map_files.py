@@ -240,7 +240,7 @@ def test_a_full_disk(
 ) -> None:
     pytest.importorskip("h5netcdf")
     if where == "chunk":
-        monkeypatch.setattr(store.np, "savez", full)
+        monkeypatch.setattr("numpy.savez", full)
     elif where == "file":
         monkeypatch.setattr(outputs, "netcdf", full)
     else:

@@ -216,8 +216,7 @@ def test_a_robot_that_is_always_singular() -> None:
 
 
 def test_the_lower_curve_has_the_sign_of_the_superbracket(robots: dict[str, Analysis]) -> None:
-    platform = robots["octahedral"].platform
-    assert platform is not None
+    platform: Any = robots["octahedral"].platform
     turned = replace(platform, legs=(platform.legs[0][::-1], *platform.legs[1:]))
     for robot in (platform, turned):
         found = gc.path(robot, ["0 0 0", "5 5 -500; euler zyx 40 0 0 deg"], samples=50)
@@ -244,7 +243,7 @@ def test_no_change_of_sign_is_missed(robots: dict[str, Analysis], name: str, a: 
     """The number of zeros, with multiplicity, between two exact samples is even exactly if their signs agree."""
     moving = rig_of(robots[name], "centroid")
     size = F(str(round(moving.size, 3)))
-    a, b = (Pose(tuple(c * size for c in p.translation), p.quaternion) for p in (a, b))  # type: ignore[arg-type]
+    a, b = (Pose(tuple(c * size for c in p.translation), p.quaternion) for p in (a, b))
     found = segment(moving, a, b)
     assume(found.polynomial)
     listed = places([found.polynomial])
@@ -274,7 +273,7 @@ def test_the_closeness_is_nowhere_below_its_bound(
 ) -> None:
     moving = rig_of(robots[name])
     size = F(str(round(moving.size, 3))) / 3
-    a, b = (Pose(tuple(c * size for c in p.translation), p.quaternion) for p in (a, b))  # type: ignore[arg-type]
+    a, b = (Pose(tuple(c * size for c in p.translation), p.quaternion) for p in (a, b))
     report = gc.path(robots[name], [a, b], samples=samples)
     if report.zeros or report.stretches:
         assert report.least.closeness == report.least.bound == 0
@@ -290,8 +289,8 @@ def test_the_closeness_is_nowhere_below_its_bound(
 @pytest.mark.parametrize("power", [-36, 36])
 def test_sizes_of_robots(robots: dict[str, Analysis], power: int) -> None:
     """The superbracket overflows floats, or underflows; the zeros, the table and the picture are the same."""
-    small, size = robots["octahedral"].platform, F(10) ** power
-    assert small is not None
+    small: Any = robots["octahedral"].platform
+    size = F(10) ** power
     points = {n: tuple(c * size for c in p) for n, p in small.points.items()}
     ways = [[Pose((F(0), F(0), z * unit)) for z in (0, -300, -700)] for unit in (1, size)]
     one, other = (

@@ -84,7 +84,8 @@ def test_many_poses_have_the_numbers_of_each(
         for field in ("closeness", "turn", "shift", "rotation", "combined", "noise", "condition_number"):
             assert getattr(many, field)[i] == pytest.approx(getattr(one, field), rel=1e-9)
         assert many.verdict[i] == one.verdict
-        for r, s in zip(many.readings, one.readings, strict=True):
+        readings: list[tuple[Any, Any]] = list(zip(many.readings, one.readings, strict=True))
+        for r, s in readings:
             assert (r.part, r.name) == (s.part, s.name)
             assert (s.value is None and not r.valid[i]) or r.values[i] == pytest.approx(s.value, rel=1e-9)
     assert json.loads(json.dumps(many.to_json()))["verdict"] == many.verdict.tolist()

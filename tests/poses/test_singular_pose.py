@@ -204,6 +204,7 @@ def test_singular_in_floats_only(robots: dict[str, Analysis]) -> None:
     """A singular pose rounded to floats is recognised, with the same motion as the exact one beside it."""
     a = robots["octahedral"]
     best = gc.pose(a, "0 0 0; euler zyx 10 20 30 deg").nearest[0]
+    assert best.pose is not None
     found = gc.pose(a, best.pose, nearest=False)
     assert found.superbracket != 0
     assert found.verdict == "singular"

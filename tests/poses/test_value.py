@@ -29,7 +29,7 @@ def poses(draw: st.DrawFn, legs: str) -> Pose:
     return dict(zip(names, draw(st.lists(point, min_size=len(names), max_size=len(names), unique=True)), strict=True))
 
 
-def moved(pose: Pose, angles: tuple[float, float, float], shift: tuple[float, float, float], scale: float):
+def moved(pose: Pose, angles: tuple[float, float, float], shift: tuple[float, float, float], scale: float) -> Pose:
     m = np.eye(3)
     for axis, angle in enumerate(angles):
         i, j = [k for k in range(3) if k != axis]

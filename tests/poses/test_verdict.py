@@ -51,7 +51,7 @@ def widget(height: str) -> Any:
 ROADS: dict[str, Callable[[str], Any]] = {
     "pose": lambda h: gc.pose(platform(h), "0 0 0", nearest=False).verdict,
     "poses": lambda h: gc.pose(platform(h), [[0, 0, 0]] * 2).verdict.tolist()[1],
-    "the analysis of a file": lambda h: gc.analyze(platform(h)).pose.verdict,  # type: ignore[union-attr]
+    "the analysis of a file": lambda h: gc.analyze(platform(h)).pose.verdict,
     "path": lambda h: gc.path(platform(h), ["0 0 0", "0 0 0"], samples=1).verdict,
     "samples of a path": lambda h: gc.path(platform(h), ["0 0 0", "0 0 0"], samples=1).numbers.verdict.tolist()[0],
     "studio": lambda h: numbers(read_subject({"kind": "file", "text": geometry(h), "name": "x.yaml"}), HOME)["verdict"],

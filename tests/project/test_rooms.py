@@ -85,7 +85,7 @@ def test_imports_go_down(path: Path) -> None:
 
 
 def test_there_is_no_circle() -> None:
-    graph = nx.DiGraph()
+    graph: nx.DiGraph[str] = nx.DiGraph()
     for path in MODULES:
         own = name_of(path)
         graph.add_edges_from((own, m) for m, _ in imports(path) if m != own)

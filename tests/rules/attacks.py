@@ -22,7 +22,7 @@ def guessed(names: Sequence[str], seeds: Iterable[object], prime: int = MERSENNE
     """Points that a generator with a seed known beforehand would draw."""
     found = []
     for seed in seeds:
-        rng = random.Random(seed)  # type: ignore[arg-type]
+        rng = random.Random(seed)
         found.append({n: tuple(rng.randrange(prime) for _ in range(4)) for n in names})
     return found
 

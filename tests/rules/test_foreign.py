@@ -166,7 +166,7 @@ def test_the_python_api_names_the_plugin(tmp_path: Path, body: str) -> None:
 
 
 def test_a_rule_of_the_caller_is_told_with_its_place() -> None:
-    own = Incidence(id="own", sentence="Own.", degree=0, expression=lambda s: 1 / 0)  # type: ignore[arg-type, return-value]
+    own = Incidence(id="own", sentence="Own.", degree=0, expression=lambda s: 1 / 0)  # type: ignore[return-value]
     with pytest.raises(FileError, match="the rule own fails: ZeroDivisionError") as caught:
         gc.analyze(LEGS, strategy=load_rules().plus([own]).strategy(["own"]))
     assert f"{Path(__file__).name}:" in caught.value.filename

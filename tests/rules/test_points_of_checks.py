@@ -97,7 +97,7 @@ def test_points_depend_on_the_claim_and_on_the_seed() -> None:
     assert seeds.remark() == ""
     for wrong in (None, "7", 7.0, True):
         with pytest.raises(InputError, match="`seed` must be a whole number"):
-            gc.seeded(wrong)  # type: ignore[arg-type]
+            gc.seeded(wrong)
 
 
 # --- the bound -----------------------------------------------------------------------------------------------------

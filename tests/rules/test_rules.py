@@ -7,8 +7,10 @@ from collections.abc import Callable
 from dataclasses import fields, replace
 from itertools import permutations
 from pathlib import Path
+from typing import Any
 
 import pytest
+from commands import invoke
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import expressions
@@ -111,7 +113,8 @@ def test_an_entity_rule_is_tried_among_the_rules_of_its_library() -> None:
     assert not fires_on(PLANES, legs, Library((TETRAHEDRA, PLANES)))
     own = replace(PLANES, id="own-planes", owner="plugin mine")
     assert not fires_on(own, legs, ENGINE.plus([own]))
-    uses = replace(ENGINE["four-planes"], id="own-four-planes", uses=((own, 3), (LEFT_OVER_PLANE, 1)))
+    four: Any = ENGINE["four-planes"]
+    uses = replace(four, id="own-four-planes", uses=((own, 3), (LEFT_OVER_PLANE, 1)))
     assert fires_on(own, legs, ENGINE.plus([own, uses]))
 
 
@@ -530,25 +533,16 @@ def test_libraries_have_families() -> None:
 # --- the command line ----------------------------------------------------------------------------------------------
 
 
-@pytest.fixture
-def shell() -> Callable[..., object]:
-    from click.testing import CliRunner
-
-    from gcrules.apps.cli import cli
-
-    return lambda *words: CliRunner().invoke(cli, list(words))
-
-
-def test_cli(shell: Callable[..., object], tmp_path: Path) -> None:
+def test_cli(tmp_path: Path) -> None:
     path = tmp_path / "mine.gca"
     path.write_text(f"{ORDERED}\n{LINES}\n", encoding="utf-8")
-    listed = shell("rules", "list", "--rules", str(path))
+    listed = invoke("rules", "list", "--rules", str(path))
     assert listed.exit_code == 0
     assert f"({path}:1)" in listed.output
-    shown = json.loads(shell("rules", "show", "lines", "--json").output)
+    shown = json.loads(invoke("rules", "show", "lines", "--json").output)
     assert shown["family"] == "entities"
-    assert shell("rules", "show", "line").exit_code == 2
-    checked = shell("rules", "check", str(path))
+    assert invoke("rules", "show", "line").exit_code == 2
+    checked = invoke("rules", "check", str(path))
     assert checked.exit_code == 0
     assert "proved in ranks 2 to 8" in checked.output
 
@@ -556,22 +550,22 @@ def test_cli(shell: Callable[..., object], tmp_path: Path) -> None:
 def test_cli_refuses_wrong_rules(shell: Callable[..., object], tmp_path: Path) -> None:
     path = tmp_path / "mine.gca"
     path.write_text("rule x: ab /\\ cd => -[abcd]\n", encoding="utf-8")
-    assert shell("rules", "check", str(path)).exit_code == 1
-    assert json.loads(shell("rules", "check", str(path), "--json").stdout)["rules"][0]["counterexample"]
+    assert invoke("rules", "check", str(path)).exit_code == 1
+    assert json.loads(invoke("rules", "check", str(path), "--json").stdout)["rules"][0]["counterexample"]
     for words in (("rewrite", "ab /\\ cd"), ("analyze", OCTAHEDRON), ("rules", "list")):
-        result = shell(*words, "--rules", str(path))
+        result = invoke(*words, "--rules", str(path))
         assert result.exit_code == 2
         assert "the rule x is no identity: at a = (" in result.stderr
         assert f"{path}:1:1" in result.stderr
 
 
 def test_cli_strategies(shell: Callable[..., object]) -> None:
-    found = json.loads(shell("analyze", OCTAHEDRON, "--without", "four-planes", "--json").output)
+    found = json.loads(invoke("analyze", OCTAHEDRON, "--without", "four-planes", "--json").output)
     assert found["condition"]["kind"] == "two-planes-three-lines"
-    found = json.loads(shell("analyze", OCTAHEDRON, "--rules", "two-planes-three-lines,four-planes", "--json").output)
+    found = json.loads(invoke("analyze", OCTAHEDRON, "--rules", "two-planes-three-lines,four-planes", "--json").output)
     assert found["strategy"][-2:] == ["two-planes-three-lines", "four-planes"]
-    assert shell("analyze", OCTAHEDRON, "--without", "four").exit_code == 2
-    assert shell("rewrite", "ab /\\ cd").exit_code == 2
-    assert shell("rewrite", "ab /\\ cd", "--rules", "four-planes").exit_code == 2
-    rewritten = json.loads(shell("rewrite", "ab /\\ cd", "--rules", "crossing", "--json").output)
+    assert invoke("analyze", OCTAHEDRON, "--without", "four").exit_code == 2
+    assert invoke("rewrite", "ab /\\ cd").exit_code == 2
+    assert invoke("rewrite", "ab /\\ cd", "--rules", "four-planes").exit_code == 2
+    rewritten = json.loads(invoke("rewrite", "ab /\\ cd", "--rules", "crossing", "--json").output)
     assert rewritten["after"] == "[abcd]"

@@ -319,7 +319,7 @@ def test_values_show_themselves() -> None:
     assert gc.transversals("Aa Ab Ba Cc Dd Ee", every=True).latex().startswith("\\begin{aligned}")
     assert gc.transversals("Aa Bb Cc Dd Ee Ff").latex().startswith("\\text")
     with pytest.raises(AttributeError):
-        found.more = 2  # type: ignore[misc]
+        found.more = 2
     with pytest.raises(InputError):
         gc.transversals("Aa Bb")
 

@@ -139,7 +139,7 @@ def test_normalised_quaternions_of_arrays_are_noted() -> None:
 
 @given(st.tuples(small, small, small, small).filter(any))
 def test_matrices_of_quaternions_are_exactly_orthogonal(q: tuple[int, int, int, int]) -> None:
-    m = rotation(tuple(map(F, q)))  # type: ignore[arg-type]
+    m = rotation(tuple(map(F, q)))
     for i, j in itertools.product(range(3), repeat=2):
         assert sum(a * b for a, b in zip(m[i], m[j], strict=True)) == (i == j)
     assert determinant(m) == 1

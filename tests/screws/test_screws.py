@@ -93,8 +93,8 @@ def test_product_is_the_bracket_of_the_points() -> None:
         one, other = line_through(points["a"], points["b"]), line_through(points["c"], points["d"])
         assert product(one, other) == -evaluate(parse("[abcd]"), points)
     points = random_points("abcd", seed=1)
-    lines = [line_through(points[a], points[b], RESIDUES) for a, b in ("ab", "cd")]
-    assert product(*lines, RESIDUES) == -evaluate(parse("[abcd]"), points, modulus=PRIME) % PRIME
+    one, other = (line_through(points[a], points[b], RESIDUES) for a, b in ("ab", "cd"))
+    assert product(one, other, RESIDUES) == -evaluate(parse("[abcd]"), points, modulus=PRIME) % PRIME
 
 
 def test_lines_that_meet_are_reciprocal() -> None:

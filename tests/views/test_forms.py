@@ -24,7 +24,8 @@ SCRIPT = "rank 3\nclaim [abc] == [bca]\nshow ab /\\ cd\nrewrite ab /\\ cd\nrule 
 
 
 def classes(kind: type) -> list[type]:
-    return [kind, *(c for below in kind.__subclasses__() for c in classes(below))]
+    subclasses: list[type] = kind.__subclasses__()
+    return [kind, *(c for below in subclasses for c in classes(below))]
 
 
 SHOWN = [c for c in classes(Shown) if c.__module__.startswith("gcrules.")]

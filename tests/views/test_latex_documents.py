@@ -59,7 +59,7 @@ def formula(code: str) -> str:
 
 def studio(source: dict[str, str], pose: PoseJson = MOVED) -> str:
     """The TeX that the studio saves."""
-    subject = read_subject(source)  # type: ignore[arg-type]
+    subject = read_subject(source)
     return saved(subject, pose, "latex", None)["data"]
 
 

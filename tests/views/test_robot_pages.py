@@ -233,7 +233,7 @@ def test_singular_configurations(
         assert here.limbs == generic.limbs
         assert (here.constraints < generic.constraints) == (pose.part.kind == "constraint")
         modulo = {n: tuple(map(RESIDUES.number, v)) for n, v in pose.values.items()}
-        assert ranks(robot.family, robot.limbs, modulo).wrenches == here.wrenches  # type: ignore[arg-type]
+        assert ranks(robot.family, robot.limbs, modulo).wrenches == here.wrenches
 
 
 @pytest.mark.parametrize("name", CHEAP)

@@ -7,6 +7,7 @@ import math
 import re
 from collections.abc import Callable
 from html.parser import HTMLParser
+from typing import Any
 
 import pytest
 from click.testing import CliRunner
@@ -105,6 +106,8 @@ def test_planes_that_meet_have_their_point_drawn_and_the_motion() -> None:
 
 def test_named_lines_are_constructed() -> None:
     found = scene(OTHER)
+    p: Any
+    q: Any
     p, q = found["constructed"]
     assert [p["label"], q["label"]] == ["p", "q"]
     a, b = (found["points"][n] for n in "AB")
@@ -114,7 +117,7 @@ def test_named_lines_are_constructed() -> None:
 
 @pytest.mark.parametrize("options", [{"given": "coplanar(A, B, C, D)"}, {"ideal": "A"}], ids=["given", "ideal"])
 def test_what_has_no_shape_is_not_drawn(options: dict[str, str]) -> None:
-    a = gc.analyze("Aa Ab Bc Bd Ce Df", **options)  # type: ignore[arg-type]
+    a = gc.analyze("Aa Ab Bc Bd Ce Df", **options)
     assert not drawable(a)
     assert "GcrulesViewer" not in gc.report(a)
     with pytest.raises(InputError, match="no robot to draw"):

@@ -334,9 +334,9 @@ def tables(rng: Random) -> Case:
 
 @cache
 def _analyzed() -> Any:
-    from gcrules.poses import pose_inputs as moving
+    from gcrules.conditions.analysis import analyze
 
-    return lru_cache(maxsize=8)(moving.analyze)
+    return lru_cache(maxsize=8)(analyze)
 
 
 def run_table(case: Case, jail: Jail) -> Outcome:

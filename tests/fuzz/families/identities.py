@@ -249,9 +249,9 @@ def _analyze(data: Mapping[str, Any]) -> Iterator[str]:
     found = gc.analyze(data["text"], search=0)
     for c in (found.condition, *found.readings):
         if c.kind == "always-singular":
-            if not _equal(found.structure.superbracket, gc.parse("0"), data | {"rank": 4}):
+            if not _equal(found.structure.superbracket, gc.parse("0"), {**data, "rank": 4}):
                 yield "always singular, but the superbracket is not zero"
-        elif not _equal(c.identity(found.structure.superbracket), gc.parse("0"), data | {"rank": 4}):
+        elif not _equal(c.identity(found.structure.superbracket), gc.parse("0"), {**data, "rank": 4}):
             yield f"the identity of the condition does not hold: {c.kind}"
 
 

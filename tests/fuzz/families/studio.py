@@ -26,7 +26,23 @@ from .family import Family
 __all__ = ["STUDIO"]
 
 _HOME = {"translation": [0, 0, 0], "quaternion": [1, 0, 0, 0]}
-_JSON = (None, True, 0, -1, 1e308, 2**53 + 1, "", "x", "\0", "a" * 300, [], {}, [[]], {"kind": "class"}, "\ud800")
+_JSON: tuple[Any, ...] = (
+    None,
+    True,
+    0,
+    -1,
+    1e308,
+    2**53 + 1,
+    "",
+    "x",
+    "\0",
+    "a" * 300,
+    [],
+    {},
+    [[]],
+    {"kind": "class"},
+    "\ud800",
+)
 
 
 def _source(rng: Random) -> Any:
@@ -256,7 +272,7 @@ async def _talked(data: Any) -> list[str]:
     from gcrules.apps.studio.session import Session
 
     socket = _Socket(data["messages"])
-    await Session(socket, _service()).run()  # type: ignore[arg-type]
+    await Session(socket, _service()).run()
     answers = [json.loads(a, parse_constant=_never) for a in socket.answers]
     last = [a for a in answers if "progress" not in a]
     wrong = [
