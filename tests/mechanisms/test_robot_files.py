@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import random
 import re
@@ -133,8 +132,15 @@ def test_bombs_are_refused() -> None:
 @given(st.text(alphabet="RPUS*(),:%A1r xy\n-+/free", max_size=60), st.sampled_from(["joints", "A%", "r%", "mobility"]))
 def test_any_text_is_read_or_refused_with_a_place(junk: str, key: str) -> None:
     text = re.sub(rf"({re.escape(key)}:).*", lambda m: f"{m[1]} {json.dumps(junk)}", GOOD, count=1)
-    with contextlib.suppress(GcrulesError):  # anything else is a fault of gcrules
+    try:  # anything but a refusal is a fault of gcrules
         parse_robot(text)
+    except GcrulesError as refusal:
+        faults: tuple[GcrulesError, ...] = getattr(refusal, "faults", (refusal,))
+        for fault in faults:
+            assert fault.source == text
+            assert fault.span is not None, fault
+            assert 0 <= fault.span.start <= fault.span.end <= len(text)
+            assert re.fullmatch(r".+:\d+:\d+", fault.place or "")
 
 
 # --- relations and joints --------------------------------------------------------------------------------------------

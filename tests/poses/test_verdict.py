@@ -5,12 +5,14 @@ Six legs between two triangles; as the platform sinks into the plane of the base
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
+from commands import invoke
 from places import ROOT
 
 import gcrules as gc
@@ -43,6 +45,13 @@ def by_joints(height: str) -> gc.Robot:
     return parse_robot(file.read_text(encoding="utf-8").replace(", 4]", f", {height}]"))
 
 
+def command(height: str, name: str, *options: str) -> Any:
+    """What a command says in JSON; the geometry comes on standard input."""
+    done = invoke(name, "-", *options, "--json", input=geometry(height))
+    assert done.exit_code == 0, done.output
+    return json.loads(done.stdout)
+
+
 def widget(height: str) -> Any:
     pytest.importorskip("anywidget")
     return gc.view(platform(height)).verdict
@@ -57,6 +66,9 @@ ROADS: dict[str, Callable[[str], Any]] = {
     "studio": lambda h: numbers(read_subject({"kind": "file", "text": geometry(h), "name": "x.yaml"}), HOME)["verdict"],
     "widget": widget,
     "joints": lambda h: gc.pose(by_joints(h)).verdict,
+    "gcrules pose": lambda h: command(h, "pose", "--at", "0 0 0", "--no-nearest")["verdict"],
+    "gcrules analyze": lambda h: command(h, "analyze")["pose"]["verdict"],
+    "gcrules path": lambda h: command(h, "path", "--at", "0 0 0", "--at", "0 0 0", "--samples", "1")["verdict"],
 }
 
 
