@@ -45,7 +45,7 @@ test: $(READY) ## run the tests and doctests; ends with what was left out
 	$(BIN)/python -m pytest -n auto --dist worksteal
 
 .PHONY: test-fast
-test-fast: $(READY) ## of all tests those that find most in a second (tests/fast.py)
+test-fast: $(READY) ## of all tests those that find most in a second; a minute and a half on two cores (tests/fast.py)
 	$(BIN)/python -m pytest -n auto --dist worksteal --fast tests
 
 .PHONY: coverage
