@@ -61,6 +61,10 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--fast", action="store_true", help="the tests that find most in a second (tests/fast.py)")
 
 
+def pytest_report_header(config: pytest.Config) -> str | None:
+    return "--fast: a choice of the tests, tests/fast.py says which" if config.getoption("--fast") else None
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """With ``--fast`` only what :func:`fast.chosen` keeps."""

@@ -2,8 +2,8 @@
 
 Left out are
 * tests marked `browser` and `needs`,
-* the tests of SLOW, whole files or single functions: on one idle core each takes more than half a second with the cases
-  that are left, most because it starts processes, draws pages or goes through all robots, classes or documents,
+* the files and functions of `data/slow.txt`: each has a case of more than 0.3 s of processor time, most of them because
+  they start processes, draw pages or go through all robots, classes or documents,
 * of a test with many cases all but the first, the middle and the last.
 
 Properties try 10 examples where they don't say another number. `pytest --fast --durations=30` shows what to add.
@@ -12,45 +12,25 @@ Properties try 10 examples where they don't say another number. `pytest --fast -
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 import pytest
+from places import DATA
 
 __all__ = ["SLOW", "chosen"]
 
-SLOW: dict[str, tuple[str, ...]] = {
-    "algebra/test_hostile.py": (),
-    "apps/test_same_everywhere.py": (),
-    "apps/test_shell.py": (),
-    "apps/test_studio_command.py": (),
-    "core/test_interrupts.py": (),
-    "fuzz/test_cases.py": (),
-    "mechanisms/test_hostile_files.py": (),
-    "mechanisms/test_joint_screws.py": (),
-    "poses/test_map_files.py": (),
-    "project/test_documents.py": (),
-    "project/test_site.py": (),
-    "views/test_catalog_docs.py": (),
-    "views/test_catalog_pages.py": (),
-    "views/test_latex_documents.py": (),
-    "views/test_robot_pages.py": (),
-}
-"""Files under tests/, each with its slow tests; () is the whole file."""
+SLOW = tuple(line for line in (DATA / "slow.txt").read_text(encoding="utf-8").splitlines() if line[:1] != "#")
+"""`room/file.py` for all of its tests, else `room/file.py::function`."""
 
 
-def chosen(items: Iterable[pytest.Item]) -> list[pytest.Item]:
+def chosen(items: Sequence[pytest.Item]) -> list[pytest.Item]:
     """The fast ones, in their order."""
+    slow = set(SLOW)
     tests: defaultdict[str, list[pytest.Item]] = defaultdict(list)
     for item in items:
-        if not _left_out(item):
-            tests[item.nodeid.partition("[")[0]].append(item)
+        test = item.nodeid.partition("[")[0].removeprefix("tests/")
+        other = item.get_closest_marker("browser") or item.get_closest_marker("needs")
+        if not other and slow.isdisjoint((test, test.partition("::")[0])):
+            tests[test].append(item)
     kept = {item for cases in tests.values() for item in (cases[0], cases[len(cases) // 2], cases[-1])}
     return [item for item in items if item in kept]
-
-
-def _left_out(item: pytest.Item) -> bool:
-    if item.get_closest_marker("browser") or item.get_closest_marker("needs"):
-        return True
-    file, _, name = item.nodeid.partition("[")[0].partition("::")
-    slow = SLOW.get(file.removeprefix("tests/"))
-    return slow is not None and (not slow or name in slow)

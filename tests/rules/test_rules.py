@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from dataclasses import fields, replace
 from itertools import permutations
 from pathlib import Path
@@ -547,7 +546,7 @@ def test_cli(tmp_path: Path) -> None:
     assert "proved in ranks 2 to 8" in checked.output
 
 
-def test_cli_refuses_wrong_rules(shell: Callable[..., object], tmp_path: Path) -> None:
+def test_cli_refuses_wrong_rules(tmp_path: Path) -> None:
     path = tmp_path / "mine.gca"
     path.write_text("rule x: ab /\\ cd => -[abcd]\n", encoding="utf-8")
     assert invoke("rules", "check", str(path)).exit_code == 1
@@ -559,7 +558,7 @@ def test_cli_refuses_wrong_rules(shell: Callable[..., object], tmp_path: Path) -
         assert f"{path}:1:1" in result.stderr
 
 
-def test_cli_strategies(shell: Callable[..., object]) -> None:
+def test_cli_strategies() -> None:
     found = json.loads(invoke("analyze", OCTAHEDRON, "--without", "four-planes", "--json").output)
     assert found["condition"]["kind"] == "two-planes-three-lines"
     found = json.loads(invoke("analyze", OCTAHEDRON, "--rules", "two-planes-three-lines,four-planes", "--json").output)

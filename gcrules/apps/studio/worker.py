@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 import threading
 import traceback
@@ -22,6 +23,7 @@ __all__ = ["done", "serve"]
 
 _KEPT = 8
 _PACE = 0.05  # seconds between two words of progress, of which a search has thousands
+_NUMBERS = re.compile(r"[\d.,]+")
 _LOOK = 1.0  # seconds between two looks whether the server is there
 
 
@@ -80,12 +82,14 @@ def serve() -> None:
         outward.write(framed(frame))
         outward.flush()
 
-    told = 0.0
+    told, stage = 0.0, ""
 
     def tell(words: str) -> None:
-        nonlocal told
-        if monotonic() - told >= _PACE:
-            told = monotonic()
+        """What is new at once, how far it is now and then."""
+        nonlocal told, stage
+        now = _NUMBERS.sub("", words)
+        if now != stage or monotonic() - told >= _PACE:
+            told, stage = monotonic(), now
             put(("progress", words, None))
 
     while True:
