@@ -114,3 +114,17 @@ def test_a_slide_may_have_an_axis_of_its_own_name(root: Any) -> None:
     at = "z=0.2, roll=5deg"
     found = [gc.pose(source, at, nearest=False).closeness for source in (gc.load(named), one)]
     assert found[0] == pytest.approx(found[1], rel=1e-9)
+
+
+def test_a_robot_that_is_given_by_its_lines() -> None:
+    """Six lines between points that hold all six freedoms are six legs; of fewer freedoms some are constraints."""
+    lines = {
+        "title": "A platform as lines",
+        "points": dict.fromkeys("ABCabc", "free"),
+        "lines": "Aa Ab Bb Bc Cc Ca",
+        "mobility": 6,
+        "home": {"A": [0, 0, 0], "B": [3, 0, 0], "C": [0, 3, 0], "a": [1, 0, 2], "b": [2, 0, 2], "c": [1, 2, 3]},
+    }
+    assert on_six_legs(mechanism(lines), "a path").bodies == {"base": ("A", "B", "C"), "platform": ("a", "b", "c")}
+    with pytest.raises(InputError, match="it has no limbs, not six"):
+        on_six_legs(mechanism({**lines, "mobility": 4}), "a path")

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from gcrules.algebra.structure import Structure
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.limb_file import LimbText
 from gcrules.mechanisms.description.platform_file import Platform
@@ -20,15 +21,16 @@ _ENDS = (("U", "S"), ("S", "U"), ("S", "S"))  # with two joints U it would resis
 
 
 def as_platform(robot: Robot) -> Platform:
-    """The platform that the robot is at home, with a leg from the base to the platform for each limb.
+    """The platform that the robot is at home, with a leg from the base to the platform for each limb; for each line
+    where six lines between its points are all that holds the platform.
 
     Raises InputError, which says why, for robots with other limbs, and for those without a home configuration.
     """
     legs = [_leg(robot, limb) for limb in robot.limbs]
     other = next((limb for limb, leg in zip(robot.limbs, legs, strict=True) if leg is None), None)
-    found = tuple(leg for leg in legs if leg is not None)
+    found = _lines(robot) or tuple(leg for leg in legs if leg is not None)
     reason = ""
-    if len(robot.limbs) != 6:
+    if len(robot.limbs) != 6 and not _lines(robot):
         reason = f"it has {len(robot.limbs) or 'no'} limbs, not six"
     elif other is not None:
         reason = f"{other.name or 'a limb'} ({other.chain}) is no leg UP*S between two points"
@@ -48,6 +50,13 @@ def as_platform(robot: Robot) -> Platform:
         source=robot.source,
         filename=robot.filename,
     )
+
+
+def _lines(robot: Robot) -> tuple[tuple[str, str], ...]:
+    """The lines that a robot is given by, the base joint first, if they are six legs; else none."""
+    if robot.mobility != 6 or any(robot.family.sorts[n] != "point" for line in robot.lines for n in line):
+        return ()
+    return Structure(robot.lines).oriented if robot.lines else ()
 
 
 def _leg(robot: Robot, limb: LimbText) -> tuple[str, str] | None:
