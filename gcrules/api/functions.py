@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from contextlib import AbstractContextManager
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.evaluate import evaluate as _evaluate
@@ -49,9 +49,6 @@ from gcrules.rules.rewriting import rewrite as _rewrite
 from gcrules.rules.rule import RewriteRule
 from gcrules.rules.strategy import Strategy
 from gcrules.views.report.report import report as _report
-
-if TYPE_CHECKING:  # they load numpy
-    pass
 
 __all__ = [
     "Analysis",

@@ -21,103 +21,72 @@ _RESULTS = "gcrules.views.results"
 
 @dataclass(frozen=True)
 class Forms:
-    """Where the forms of a kind of result are written: "package.module:function"; None for a form it does not have.
+    """Where the forms of a kind of result are written: "package.module:function"; `latex` every kind of result has.
 
     `unicode` says whether `str` gives the signs of mathematics; ASCII text parses back. `formula` is "" where LaTeX is
     no formula.
     """
 
     text: str
-    latex: str | None = None
+    latex: str
     formula: str | None = None
     html: str | None = None
     unicode: bool = True
     others: dict[str, str] = field(default_factory=dict)
 
 
+def _result(module: str, *, text: str = "as_text", latex: str = "as_latex", **more: Any) -> Forms:
+    """The forms that a module of `views.results` writes."""
+    return Forms(text=f"{_RESULTS}.{module}:{text}", latex=f"{_RESULTS}.{module}:{latex}", **more)
+
+
+def _in_ascii(module: str, **names: str) -> Forms:
+    """The same for results whose text is the language, so that it parses back."""
+    return _result(module, unicode=False, **names)
+
+
 FORMS: dict[str, Forms] = {
-    # the algebra: text is the language, so that it parses back
     "gcrules.algebra.expr.Expr": Forms(
         text="gcrules.algebra.language.text:text", latex=f"{_VIEWS}.formulas.latex:latex", unicode=False
     ),
-    "gcrules.algebra.bracket.BracketPolynomial": Forms(
-        text=f"{_RESULTS}.polynomial:text", latex=f"{_RESULTS}.polynomial:latex", unicode=False
+    "gcrules.algebra.bracket.BracketPolynomial": _in_ascii("polynomial"),
+    "gcrules.algebra.bracket.ExtensorPolynomial": _in_ascii("polynomial"),
+    "gcrules.algebra.superbrackets.shortest.SuperbracketForm": _in_ascii(
+        "polynomial", text="form_text", latex="form_latex"
     ),
-    "gcrules.algebra.bracket.ExtensorPolynomial": Forms(
-        text=f"{_RESULTS}.polynomial:text", latex=f"{_RESULTS}.polynomial:latex", unicode=False
-    ),
-    "gcrules.algebra.superbrackets.shortest.SuperbracketForm": Forms(
-        text=f"{_RESULTS}.polynomial:form_text", latex=f"{_RESULTS}.polynomial:form_latex", unicode=False
-    ),
-    "gcrules.algebra.prove.Proof": Forms(text=f"{_RESULTS}.proof:text", latex=f"{_RESULTS}.proof:latex", unicode=False),
-    "gcrules.algebra.factoring.result.Factorization": Forms(
-        text=f"{_RESULTS}.factorization:text", latex=f"{_RESULTS}.factorization:latex", unicode=False
-    ),
-    "gcrules.algebra.shortening.result.Shortening": Forms(
-        text=f"{_RESULTS}.shortening:text", latex=f"{_RESULTS}.shortening:latex", unicode=False
-    ),
+    "gcrules.algebra.prove.Proof": _in_ascii("proof"),
+    "gcrules.algebra.factoring.result.Factorization": _in_ascii("factorization"),
+    "gcrules.algebra.shortening.result.Shortening": _in_ascii("shortening"),
     # rules
-    "gcrules.rules.condition.Condition": Forms(
-        text=f"{_RESULTS}.condition:text", latex=f"{_RESULTS}.condition:latex", unicode=False
-    ),
-    "gcrules.rules.derivation.Derivation": Forms(
-        text=f"{_RESULTS}.derivation:as_text", latex=f"{_RESULTS}.derivation:as_aligned"
-    ),
-    "gcrules.rules.rewriting.Rewriting": Forms(
-        text=f"{_RESULTS}.rewriting:text", latex=f"{_RESULTS}.rewriting:latex", unicode=False
-    ),
-    "gcrules.rules.script.ClaimResult": Forms(
-        text=f"{_RESULTS}.script:claim", latex=f"{_RESULTS}.script:formula", unicode=False
-    ),
-    "gcrules.rules.script.ShowResult": Forms(
-        text=f"{_RESULTS}.script:shown", latex=f"{_RESULTS}.script:formula", unicode=False
-    ),
-    "gcrules.rules.script.RuleResult": Forms(
-        text=f"{_RESULTS}.script:rule", latex=f"{_RESULTS}.script:formula", unicode=False
-    ),
-    "gcrules.rules.script.RewriteResult": Forms(
-        text=f"{_RESULTS}.script:rewritten", latex=f"{_RESULTS}.script:formula", unicode=False
-    ),
-    "gcrules.rules.script.ScriptResult": Forms(
-        text=f"{_RESULTS}.script:text", latex=f"{_RESULTS}.script:latex", unicode=False
-    ),
+    "gcrules.rules.condition.Condition": _in_ascii("condition"),
+    "gcrules.rules.derivation.Derivation": _result("derivation", latex="as_aligned"),
+    "gcrules.rules.rewriting.Rewriting": _in_ascii("rewriting"),
+    "gcrules.rules.script.ClaimResult": _in_ascii("script", text="claim", latex="formula"),
+    "gcrules.rules.script.ShowResult": _in_ascii("script", text="shown", latex="formula"),
+    "gcrules.rules.script.RuleResult": _in_ascii("script", text="rule", latex="formula"),
+    "gcrules.rules.script.RewriteResult": _in_ascii("script", text="rewritten", latex="formula"),
+    "gcrules.rules.script.ScriptResult": _in_ascii("script"),
     # conditions
-    "gcrules.conditions.transversals.Transversals": Forms(
-        text=f"{_RESULTS}.transversals:text", latex=f"{_RESULTS}.transversals:latex"
-    ),
+    "gcrules.conditions.transversals.Transversals": _result("transversals"),
     "gcrules.conditions.analysis.Analysis": Forms(
         text=f"{_RESULTS}.analysis:as_text",
         latex=f"{_VIEWS}.formulas.latex_document:as_latex",
         formula=f"{_RESULTS}.analysis:formula",
         html=f"{_VIEWS}.report.report:fragment",
     ),
-    "gcrules.conditions.manual.session.Session": Forms(
-        text=f"{_RESULTS}.manual:board", latex=f"{_RESULTS}.manual:latex", unicode=False
-    ),
-    "gcrules.conditions.manual.outcome.Outcome": Forms(text=f"{_RESULTS}.manual:outcome", unicode=False),
+    "gcrules.conditions.manual.session.Session": _in_ascii("manual"),
+    "gcrules.conditions.manual.outcome.Outcome": _in_ascii("manual", text="outcome", latex="outcome_latex"),
     # mechanisms
-    "gcrules.mechanisms.conditions.robot_analysis.RobotAnalysis": Forms(
-        text=f"{_RESULTS}.robot:as_text", latex=f"{_RESULTS}.robot:as_latex", formula=f"{_RESULTS}.robot:formula"
-    ),
+    "gcrules.mechanisms.conditions.robot_analysis.RobotAnalysis": _result("robot", formula=f"{_RESULTS}.robot:formula"),
     # poses: their LaTeX is a table
-    "gcrules.poses.numbers.report.PoseReport": Forms(
-        text=f"{_RESULTS}.pose:as_text", latex=f"{_RESULTS}.pose:as_latex", formula=""
+    "gcrules.poses.numbers.report.PoseReport": _result("pose", formula=""),
+    "gcrules.poses.numbers.many.PoseNumbers": _result("pose_numbers", formula=""),
+    "gcrules.poses.limbs.report.RobotPose": _result("robot_pose", formula=""),
+    "gcrules.poses.paths.report.PathReport": _result(
+        "path", formula="", others={"svg": f"{_VIEWS}.plots.path_plot:svg", "plot": f"{_VIEWS}.plots.path_plot:plot"}
     ),
-    "gcrules.poses.numbers.many.PoseNumbers": Forms(
-        text=f"{_RESULTS}.pose_numbers:text", latex=f"{_RESULTS}.pose_numbers:latex", formula=""
-    ),
-    "gcrules.poses.limbs.report.RobotPose": Forms(
-        text=f"{_RESULTS}.robot_pose:as_text", latex=f"{_RESULTS}.robot_pose:as_latex", formula=""
-    ),
-    "gcrules.poses.paths.report.PathReport": Forms(
-        text=f"{_RESULTS}.path:as_text",
-        latex=f"{_RESULTS}.path:as_latex",
-        formula="",
-        others={"svg": f"{_VIEWS}.plots.path_plot:svg", "plot": f"{_VIEWS}.plots.path_plot:plot"},
-    ),
-    "gcrules.poses.maps.report.SingularMap": Forms(
-        text=f"{_RESULTS}.map:as_text",
-        latex=f"{_RESULTS}.map:as_latex",
+    "gcrules.poses.maps.report.SingularMap": _result(
+        "map",
         formula="",
         others={
             "svg": f"{_RESULTS}.map:picture_of",
@@ -125,7 +94,7 @@ FORMS: dict[str, Forms] = {
             "xarray": f"{_VIEWS}.plots.map_data:dataset",
         },
     ),
-    "gcrules.poses.loci.report.Locus": Forms(text=f"{_RESULTS}.locus:as_text", latex=f"{_RESULTS}.locus:as_latex"),
+    "gcrules.poses.loci.report.Locus": _result("locus"),
 }
 
 
@@ -139,19 +108,10 @@ def shown(value: Any, form: str, **options: Any) -> Any:
     """A form of a result: text, str, latex, formula, html, or one of its own; None for one that it does not have."""
     kind: Any = type(value)
     forms: Forms = _forms(kind)
-    match form:
-        case "text":
-            return resolved(forms.text)(value, **options)
-        case "str":
-            return resolved(forms.text)(value, unicode=forms.unicode)
-        case "formula":
-            where = forms.latex if forms.formula is None else forms.formula
-        case "html" if forms.html is None and forms.formula == "":
-            return f"<pre>{escape(resolved(forms.text)(value, unicode=True))}</pre>"
-        case "html":
-            where = forms.html
-        case "latex":
-            where = forms.latex
-        case _:
-            where = forms.others.get(form)
+    if form in ("text", "str"):
+        return resolved(forms.text)(value, **({"unicode": forms.unicode} if form == "str" else options))
+    if form == "html" and forms.html is None and forms.formula == "":
+        return f"<pre>{escape(resolved(forms.text)(value, unicode=True))}</pre>"
+    formula = forms.latex if forms.formula is None else forms.formula
+    where = {"latex": forms.latex, "formula": formula, "html": forms.html, **forms.others}.get(form)
     return resolved(where)(value, **options) if where else None

@@ -118,7 +118,7 @@ def test_a_slide_may_have_an_axis_of_its_own_name(root: Any) -> None:
 
 def test_a_robot_that_is_given_by_its_lines() -> None:
     """Six lines between points that hold all six freedoms are six legs; of fewer freedoms some are constraints."""
-    lines = {
+    lines: dict[str, Any] = {
         "title": "A platform as lines",
         "points": dict.fromkeys("ABCabc", "free"),
         "lines": "Aa Ab Bb Bc Cc Ca",
@@ -127,4 +127,4 @@ def test_a_robot_that_is_given_by_its_lines() -> None:
     }
     assert on_six_legs(mechanism(lines), "a path").bodies == {"base": ("A", "B", "C"), "platform": ("a", "b", "c")}
     with pytest.raises(InputError, match="it has no limbs, not six"):
-        on_six_legs(mechanism({**lines, "mobility": 4}), "a path")
+        on_six_legs(mechanism(lines | {"mobility": 4}), "a path")

@@ -18,7 +18,7 @@ from gcrules.poses.numbers.report import PoseReport
 from gcrules.poses.pose import pose as report_at
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import parse_pose
-from gcrules.views.report.robot_report import on_six_legs, robot_scene
+from gcrules.views.report.robot_report import analysis_of_legs, robot_scene
 from gcrules.views.report.scene_json import Scenery
 from gcrules.views.viewer import viewer_script
 
@@ -48,7 +48,7 @@ class RobotWidget(anywidget.AnyWidget):
 
     def __init__(self, robot: Analysis | RobotAnalysis, pose: Any = None) -> None:
         if isinstance(robot, RobotAnalysis):
-            robot = on_six_legs(robot) or robot
+            robot = analysis_of_legs(robot) or robot
         self._analysis = robot if isinstance(robot, Analysis) else None
         self._scenery = Scenery.of(robot) if isinstance(robot, Analysis) else None
         shown = robot_scene(robot) if isinstance(robot, RobotAnalysis) else self._scenery.at()  # type: ignore[union-attr]

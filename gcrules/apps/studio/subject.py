@@ -228,11 +228,7 @@ def _of_limbs(source: SourceJson, robot: Robot) -> Subject:
         platform = replace(as_platform(robot), note=note)
     except InputError:  # its limbs are others
         home = {n: _vector(v) for n, v in _values(robot).items() if robot.family.sorts.get(n) == "point"}
-        legs = found.structure.legs
-        if robot.limbs or robot.mobility != 6 or not legs or not all(n in home for leg in legs for n in leg):
-            return Subject(source, robot.title, found.lines, FrozenMap(home), note, robot=found)
-        points = {n: home[n] for leg in legs for n in leg}  # a robot that is given by its lines
-        platform = Platform(legs, points, robot.title, note, filename=robot.filename)
+        return Subject(source, robot.title, found.lines, FrozenMap(home), note, robot=found)
     return _of_platform(source, platform, found)
 
 

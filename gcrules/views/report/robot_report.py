@@ -30,7 +30,7 @@ from gcrules.views.robots.robot_drawing import draw_robot
 from gcrules.views.robots.singular_poses import live_parts
 from gcrules.views.scene_data import PlaneView, SceneData
 
-__all__ = ["on_six_legs", "robot_report", "robot_scene"]
+__all__ = ["analysis_of_legs", "robot_report", "robot_scene"]
 
 Values = Mapping[str, Sequence[float]]
 
@@ -56,7 +56,7 @@ def robot_scene(a: RobotAnalysis) -> SceneData:
     """The robot at home as the 3D viewer takes it: limbs with joints and wrenches, and the equivalent lines between
     finite points. Only a platform on six legs moves: with others that takes the joints' equations.
     """
-    legged = on_six_legs(a)
+    legged = analysis_of_legs(a)
     if legged is not None:
         return scene(legged)
     values = {n: [float(c) for c in v] for n, v in a.robot.values_at().items()}
@@ -92,7 +92,7 @@ def robot_scene(a: RobotAnalysis) -> SceneData:
     }
 
 
-def on_six_legs(a: RobotAnalysis) -> Analysis | None:
+def analysis_of_legs(a: RobotAnalysis) -> Analysis | None:
     """The analysis of a platform on six legs at home; None for other robots."""
     if a.lines is None or not drawable(a.lines):
         return None

@@ -10,10 +10,10 @@ from gcrules.algebra.factoring.result import MANY, Factorization, Part, short
 from gcrules.algebra.language.text import text as expression_text
 from gcrules.views.formulas import latex as formulas
 
-__all__ = ["latex", "text"]
+__all__ = ["as_latex", "as_text"]
 
 
-def text(f: Factorization, *, unicode: bool = False) -> str:
+def as_text(f: Factorization, *, unicode: bool = False) -> str:
     """The factorization, or that there is none, with the family and the certificate."""
 
     def shown(e: Expr) -> str:
@@ -58,7 +58,7 @@ def _part(f: Factorization, part: Part, unicode: bool) -> str:
     return shown + known + (f", {part.times} times" if part.times > 1 else "")
 
 
-def latex(f: Factorization) -> str:
+def as_latex(f: Factorization) -> str:
     """Without dollar signs; what is left stands as a bracket polynomial. Where cofactors were found, the identities
     with them.
     """

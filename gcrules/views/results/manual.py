@@ -14,15 +14,16 @@ from gcrules.conditions.manual.outcome import Outcome
 from gcrules.conditions.manual.session import Session
 from gcrules.rules.condition import Entity
 from gcrules.views.formulas import latex as formulas
+from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.results import condition as conditions
 
-__all__ = ["board", "latex", "outcome"]
+__all__ = ["as_latex", "as_text", "outcome", "outcome_latex"]
 
 _MOST_TERMS, _SHOWN_TERMS = 12, 4
 _ASCII = str.maketrans({"∧": "/\\", "∨": "\\/", "−": "-", "·": "*"})
 
 
-def board(session: Session, *, unicode: bool = False) -> str:
+def as_text(session: Session, *, unicode: bool = False) -> str:
     """The form, its terms, the entities, the left-over points and the condition as lines of text."""
     return "\n".join(_lines(session, unicode))
 
@@ -57,10 +58,10 @@ def _entity(entity: Entity) -> str:
     return f"{entity.kind} {(' ' if spaced else '').join(entity.starred)}"
 
 
-def latex(session: Session) -> str:
+def as_latex(session: Session) -> str:
     """The condition once it is confirmed, before that the form on the board; without dollar signs."""
     if session.confirmed is not None:
-        return conditions.latex(session.confirmed)
+        return conditions.as_latex(session.confirmed)
     return formulas.latex(session.board.polynomial.to_expr())
 
 
@@ -71,6 +72,11 @@ def outcome(o: Outcome, *, unicode: bool = False, names: tuple[str, ...] = ()) -
     lines += [f"  {_in_style(f.name, unicode)}: {_shown(f.value, unicode, names)}" for f in o.formulas]
     lines += [f"  {n} = ({', '.join(map(str, c))})" for n, c in o.data.get("points", {}).items()]
     return "\n".join(lines)
+
+
+def outcome_latex(o: Outcome) -> str:
+    """The answer and the first of the words, without dollar signs."""
+    return f"\\text{{{latex_words(f'{o.answer}: {o.words[0]}')}}}"
 
 
 def _shown(e: Expr, unicode: bool, names: tuple[str, ...]) -> str:

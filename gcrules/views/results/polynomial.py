@@ -12,10 +12,10 @@ from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.core.budget import watched
 from gcrules.views.formulas import latex as formulas
 
-__all__ = ["form_latex", "form_text", "latex", "text"]
+__all__ = ["as_latex", "as_text", "form_latex", "form_text"]
 
 
-def text(p: BracketPolynomial | ExtensorPolynomial, *, unicode: bool = False, short: bool = False) -> str:
+def as_text(p: BracketPolynomial | ExtensorPolynomial, *, unicode: bool = False, short: bool = False) -> str:
     """The text of the language; `short` writes many equal brackets as a power (of which the language reads those up to
     64 back).
     """
@@ -38,7 +38,7 @@ def _of_brackets(p: BracketPolynomial, unicode: bool) -> str:
     return "".join(words) or "0"
 
 
-def latex(p: BracketPolynomial | ExtensorPolynomial) -> str:
+def as_latex(p: BracketPolynomial | ExtensorPolynomial) -> str:
     """Without dollar signs."""
     return formulas.latex(p.to_expr())
 
@@ -47,10 +47,10 @@ def form_text(form: SuperbracketForm, *, unicode: bool = False) -> str:
     """The form, the order of the lines (counted from 1) and the polynomial."""
     order, n = " ".join(str(i + 1) for i in form.order), len(form.polynomial)
     name = f"{form.form}-term form" if form.form else "expansion"
-    shown = text(form.polynomial, unicode=unicode)
+    shown = as_text(form.polynomial, unicode=unicode)
     return f"{name}, lines in the order {order}, {n} term{'s' * (n != 1)}:\n  {shown}"
 
 
 def form_latex(form: SuperbracketForm) -> str:
     """The polynomial, without dollar signs."""
-    return latex(form.polynomial)
+    return as_latex(form.polynomial)

@@ -11,10 +11,10 @@ from gcrules.screws.verdict import VERDICTS
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
 from gcrules.views.text_tables import ASCII, table
 
-__all__ = ["latex", "text"]
+__all__ = ["as_latex", "as_text"]
 
 
-def text(n: PoseNumbers, *, unicode: bool = False) -> str:
+def as_text(n: PoseNumbers, *, unicode: bool = False) -> str:
     """How many poses are singular, close, regular, and where the margin is least; without `unicode` in ASCII."""
     lines = "\n".join(table(list(_rows(n))))
     return lines if unicode else lines.translate(ASCII)
@@ -34,7 +34,7 @@ def counts(n: PoseNumbers) -> str:
     return ", ".join(f"{int((n.verdict == v).sum()):,} {v}" for v in VERDICTS)
 
 
-def latex(n: PoseNumbers) -> str:
+def as_latex(n: PoseNumbers) -> str:
     """A tabular of the summary; needs no package."""
     rows = [("poses", latex_quantity(len(n))), *((v, latex_quantity(int((n.verdict == v).sum()))) for v in VERDICTS)]
     if len(n):

@@ -6,12 +6,12 @@ from gcrules.algebra.language.text import text as expression_text
 from gcrules.algebra.prove import Proof, number_text
 from gcrules.views.formulas import latex as formulas
 
-__all__ = ["conditions", "latex", "text"]
+__all__ = ["as_latex", "as_text", "conditions"]
 
 _SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
 
 
-def text(proof: Proof, *, unicode: bool = False) -> str:
+def as_text(proof: Proof, *, unicode: bool = False) -> str:
     """The verdict in words, with the counterexample if there is one."""
     left, right = (expression_text(e, unicode=unicode) for e in (proof.left, proof.right))
     lines = [f"{proof.verdict}: {left} == {right}", f"  {proof.reason}"]
@@ -33,6 +33,6 @@ def conditions(proof: Proof) -> list[str]:
     return lines
 
 
-def latex(proof: Proof) -> str:
+def as_latex(proof: Proof) -> str:
     """The sides with the sign that the verdict calls for, without dollar signs."""
     return f"{formulas.latex(proof.left)} {_SIGNS[proof.verdict]} {formulas.latex(proof.right)}"

@@ -7,10 +7,10 @@ from gcrules.rules.rewriting import Rewriting
 from gcrules.views.formulas import latex as formulas
 from gcrules.views.formulas.latex_text import latex_words
 
-__all__ = ["latex", "text"]
+__all__ = ["as_latex", "as_text"]
 
 
-def text(r: Rewriting, *, unicode: bool = False) -> str:
+def as_text(r: Rewriting, *, unicode: bool = False) -> str:
     """The chain of equal expressions, with the rule that made each of them."""
     names = r.space.points
     lines = [expression_text(r.before, unicode=unicode, names=names)]
@@ -23,7 +23,7 @@ def text(r: Rewriting, *, unicode: bool = False) -> str:
     return "\n".join(lines if r.steps else [*lines, "  no rule fires"])
 
 
-def latex(r: Rewriting) -> str:
+def as_latex(r: Rewriting) -> str:
     """The chain in an `aligned` environment (package amsmath), without dollar signs."""
     lines = [f"&{formulas.latex(r.before)}"]
     lines += [f"&={{}} {formulas.latex(s.after)} && \\text{{{latex_words(s.rule)}}}" for s in r.steps]

@@ -11,7 +11,7 @@ from gcrules.views.formulas import latex as formulas
 from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.results import polynomial, proof, rewriting
 
-__all__ = ["claim", "formula", "latex", "rewritten", "rule", "shown", "text", "totals"]
+__all__ = ["as_latex", "as_text", "claim", "formula", "rewritten", "rule", "shown", "totals"]
 
 _LABEL = 100  # characters of a label that the text shows
 
@@ -24,7 +24,7 @@ def claim(r: ClaimResult, *, unicode: bool = False) -> str:
     elif r.verdict == "proved":
         details = proof.conditions(r.proof)
     else:
-        details = proof.text(r.proof, unicode=unicode).splitlines()[1:]
+        details = proof.as_text(r.proof, unicode=unicode).splitlines()[1:]
     return "\n".join([*lines, *("  " + line for line in details)])
 
 
@@ -46,11 +46,11 @@ def rewritten(r: RewriteResult, *, unicode: bool = False) -> str:
     """The chain of equal expressions."""
     if r.rewriting is None:
         return f"line {r.line}: undecided: {_shortened(r.label)}\n    {r.reason}"
-    first, *rest = rewriting.text(r.rewriting, unicode=unicode).splitlines()
+    first, *rest = rewriting.as_text(r.rewriting, unicode=unicode).splitlines()
     return "\n".join([f"line {r.line}: {first}", *(f"  {line}" for line in rest)])
 
 
-def text(r: ScriptResult, *, unicode: bool = False) -> str:
+def as_text(r: ScriptResult, *, unicode: bool = False) -> str:
     """A line or more for each result, and how many claims came out which way."""
     return "\n".join([*(one.text(unicode=unicode) for one in r.results), *totals(r)])
 
@@ -72,7 +72,7 @@ def _shortened(label: str) -> str:
     return label if len(label) <= _LABEL else f"{label[:_LABEL]}…"
 
 
-def latex(r: ScriptResult) -> str:
+def as_latex(r: ScriptResult) -> str:
     """One row for each result in an `aligned` environment (package amsmath), without dollar signs."""
     rows = " \\\\\n".join(f"&{formula(one)}" for one in r.results)
     return f"\\begin{{aligned}}\n{rows}\n\\end{{aligned}}"
@@ -82,9 +82,9 @@ def formula(r: Result) -> str:
     """One result, without dollar signs."""
     match r:
         case ClaimResult(proof=p) if p is not None:
-            return f"{proof.latex(p)} && \\text{{{r.verdict}}}"
+            return f"{proof.as_latex(p)} && \\text{{{r.verdict}}}"
         case ShowResult(polynomial=p) if p is not None:
-            return f"\\text{{{latex_words(_shortened(r.label))}}} = {polynomial.latex(p)}"
+            return f"\\text{{{latex_words(_shortened(r.label))}}} = {polynomial.as_latex(p)}"
         case RewriteResult(rewriting=w) if w is not None:
             return f"{formulas.latex(w.before)} = {formulas.latex(w.after)}"
     return f"\\text{{{latex_words(_shortened(r.label))}: {r.verdict}}}"

@@ -5,16 +5,16 @@ from __future__ import annotations
 from gcrules.algebra.shortening.result import Shortening
 from gcrules.views.results import polynomial
 
-__all__ = ["latex", "text"]
+__all__ = ["as_latex", "as_text"]
 
 
-def text(s: Shortening, *, unicode: bool = False, short: bool = False) -> str:
+def as_text(s: Shortening, *, unicode: bool = False, short: bool = False) -> str:
     """The polynomial (`short`: with powers), its number of terms, whether fewer are possible and why, and the
     certificate.
     """
     sure = "proved minimal" if s.minimal else f"best found; at least {s.lower} are needed"
     lines = [
-        polynomial.text(s.polynomial, unicode=unicode, short=short),
+        polynomial.as_text(s.polynomial, unicode=unicode, short=short),
         f"  terms        {s.terms} of {s.given}: {sure}",
         f"  lower bound  {s.bound.method}: {s.bound.detail}",
         f"  certificate  {s.certificate.method}: {s.certificate.detail}",
@@ -25,6 +25,6 @@ def text(s: Shortening, *, unicode: bool = False, short: bool = False) -> str:
     return "\n".join([*lines, *(f"  note         {note}" for note in s.notes)])
 
 
-def latex(s: Shortening) -> str:
+def as_latex(s: Shortening) -> str:
     """The polynomial, without dollar signs."""
-    return polynomial.latex(s.polynomial)
+    return polynomial.as_latex(s.polynomial)

@@ -9,15 +9,15 @@ from gcrules.conditions.transversals import Transversals
 from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.results import condition
 
-__all__ = ["latex", "text"]
+__all__ = ["as_latex", "as_text"]
 
 
-def text(t: Transversals, *, unicode: bool = False) -> str:
+def as_text(t: Transversals, *, unicode: bool = False) -> str:
     """For each reading the identity, the sentence, p and q, and the certificate."""
     names = t.structure.names
     lines = []
     for r in t.readings:
-        identity, *sentence = condition.text(r.condition, unicode=unicode, names=names).splitlines()
+        identity, *sentence = condition.as_text(r.condition, unicode=unicode, names=names).splitlines()
         lines += [identity, *(line for part in sentence for line in wrap(part, 100))]
         for name, line in zip("pq", r.lines, strict=True):
             lines.append(f"  {name:<12} {expression_text(line.expression, unicode=unicode, names=names)}, {line.words}")
@@ -32,9 +32,9 @@ def text(t: Transversals, *, unicode: bool = False) -> str:
     return "\n".join(lines).rstrip()
 
 
-def latex(t: Transversals) -> str:
+def as_latex(t: Transversals) -> str:
     """The identities without dollar signs, one on each line where there are several."""
-    identities = [condition.latex(r.condition) for r in t.readings]
+    identities = [condition.as_latex(r.condition) for r in t.readings]
     if len(identities) < 2:
         return identities[0] if identities else rf"\text{{none: {latex_words(t.reason)}}}"
     rows = " \\\\\n".join(i.replace(" = ", " &= ", 1) for i in identities)
