@@ -19,15 +19,11 @@ if TYPE_CHECKING:
 
 __all__ = ["deferred", "resolved"]
 
-_resolved: dict[str, Any] = {}
-
 
 def resolved(where: str) -> Any:
     """What `package.module:name` names."""
-    if where not in _resolved:
-        module, _, name = where.partition(":")
-        _resolved[where] = getattr(import_module(module), name)
-    return _resolved[where]
+    module, _, name = where.partition(":")
+    return getattr(import_module(module), name)
 
 
 def deferred(where: str) -> Callable[..., Any]:

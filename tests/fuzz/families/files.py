@@ -334,17 +334,17 @@ def tables(rng: Random) -> Case:
 
 @cache
 def _analyzed() -> Any:
-    from gcrules.conditions.analysis import analyze
+    from gcrules.mechanisms.analyze import analyze_legs
 
-    return lru_cache(maxsize=8)(analyze)
+    return lru_cache(maxsize=8)(analyze_legs)
 
 
 def run_table(case: Case, jail: Jail) -> Outcome:
     """The platform is nearly always the same one, and is analysed once."""
-    from gcrules.poses import pose_inputs as moving
+    from gcrules.mechanisms import six_legs
 
     analyzed = _analyzed()
-    with patch.object(moving, "analyze", analyzed):
+    with patch.object(six_legs, "analyze_legs", analyzed):
         return run_command(case, jail)
 
 
