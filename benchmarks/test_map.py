@@ -1,7 +1,7 @@
 """Maps beside what one writes without them.
 
 The superbracket over a grid: a loop over the poses that takes `numpy.linalg.det` of each Jacobian, and the stack of all
-Jacobians at once. Proving cells free: marching over signs only is no proof, so the peer is the closeness at the middle
+Jacobians at once. Proving cells free: marching over signs only is no proof, so the peer is the margin at the middle
 of each cell, which proves it too.
 """
 
@@ -76,10 +76,10 @@ def test_values_of_a_map(ratio: Callable[..., Any]) -> None:
 
 @pytest.mark.parametrize("robot", ["octahedral", "platform-6-6"])
 def test_proofs_of_cells(ratio: Callable[..., Any], robot: str) -> None:
-    """Bernstein coefficients beside the closeness at the middles of cells: both prove, the latter less."""
+    """Bernstein coefficients beside the margin at the middles of cells: both prove, the latter less."""
     over = OVER if robot == "octahedral" else ["x -2:2:160", "z -2:2:250"]
     exact = task(robot, over, "value")
-    by_closeness = replace(exact, factors=None, measure="closeness")
+    by_margin = replace(exact, factors=None, measure="margin")
 
     def cells(t: Any) -> Any:
         return np.concatenate([t._cells(t.span(n)[0], t._superbracket(*reached(t, n))) for n in range(t.number)])
@@ -89,6 +89,6 @@ def test_proofs_of_cells(ratio: Callable[..., Any], robot: str) -> None:
         return first, min(last + 1, t.grid.shape[0])
 
     def agree(one: Any, other: Any) -> bool:
-        return bool((one[other == 0] == 0).all())  # what closeness proves free is free
+        return bool((one[other == 0] == 0).all())  # what margin proves free is free
 
-    ratio(lambda: cells(exact), {"closeness": lambda: cells(by_closeness)}, agree=agree, rounds=3, others_rounds=1)
+    ratio(lambda: cells(exact), {"margin": lambda: cells(by_margin)}, agree=agree, rounds=3, others_rounds=1)

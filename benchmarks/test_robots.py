@@ -47,7 +47,7 @@ def posed(name: str) -> Callable[[], Any]:
     analysis = analyze_robot(robot)
     at = dict.fromkeys(free_coordinates(linkage(robot)), 0.05)
     found: Callable[..., Any] = gc.pose
-    return lambda: found(analysis, at).closeness
+    return lambda: found(analysis, at).margin
 
 
 @pytest.mark.parametrize("name", IDS)

@@ -168,7 +168,7 @@ def singular_map(
     about: str | Sequence[Any] = "centroid",
     limits: str | None = None,
     threshold: str = "0.5 deg",
-    measure: str = "closeness",
+    measure: str = "margin",
     work: str | PathLike[str] | None = None,
     restart: bool = False,
 ) -> SingularMap:
@@ -177,7 +177,7 @@ def singular_map(
 
     `source`, `at` (one pose, for the other coordinates) and `about` are those of `pose`, for platforms on six legs.
     `over` lists coordinates with start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"].
-    `limits` is text such as "leg lengths 1..3"; `threshold` is an angle. `measure` is "closeness", or "value" for the
+    `limits` is text such as "leg lengths 1..3"; `threshold` is an angle. `measure` is "margin", or "value" for the
     superbracket alone, which is quick. `work` names a folder for the chunks of a large map: a run that was interrupted
     goes on from there, unless `restart` throws them away; `.store.close()` removes it. Raises InputError for what makes
     no sense and for degenerate robots, LimitReached for maps that are too large.

@@ -1,4 +1,4 @@
-r"""Numbers for a robot in a given pose: the exact value of the condition and a dimensionless measure of closeness."""
+r"""Numbers for a robot in a given pose: the exact value of the condition and a dimensionless measure of margin."""
 
 from __future__ import annotations
 
@@ -59,24 +59,24 @@ class PoseValue:
     """Numbers in one pose. `superbracket`, `condition` (coefficient · expression) and `cofactor` are exact, with
     cofactor · superbracket = condition; each bracket is a length³, so the superbracket is a length⁹, in `unit`s.
 
-    `measure` is dimensionless in [0, 1] and independent of frame and unit; `verdict` is singular | close | regular and
+    `margin` is dimensionless in [0, 1] and independent of frame and unit; `verdict` is singular | close | regular and
     comes from the superbracket, never from the condition alone.
     """
 
     superbracket: Fraction
     condition: Fraction
     cofactor: Fraction
-    measure: float
+    margin: float
     verdict: str
     unit: str = ""
 
     def to_json(self) -> dict[str, Any]:
-        """Exact numbers as text, the measure as a float."""
+        """Exact numbers as text, the margin as a float."""
         return {
             "superbracket": str(self.superbracket),
             "condition": str(self.condition),
             "cofactor": str(self.cofactor),
-            "measure": self.measure,
+            "margin": self.margin,
             "verdict": self.verdict,
             "unit": self.unit,
         }

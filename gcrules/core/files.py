@@ -112,6 +112,8 @@ def held() -> Iterator[None]:
             _held.reset(token)
         for write in waiting.devices:
             write()
+        if waiting.finished:
+            interrupts.settle()  # either the files appear and the answer is given, or neither
         with interrupts.deferred():
             for one in waiting.finished:
                 _put(*one)

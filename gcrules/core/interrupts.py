@@ -21,7 +21,18 @@ if TYPE_CHECKING:
     from types import FrameType
     from typing import Any
 
-__all__ = ["Terminated", "deferred", "go_on", "hearing", "ignore", "in_program", "interruptible", "pending", "run"]
+__all__ = [
+    "Terminated",
+    "deferred",
+    "go_on",
+    "hearing",
+    "ignore",
+    "in_program",
+    "interruptible",
+    "pending",
+    "run",
+    "settle",
+]
 
 
 class Terminated(KeyboardInterrupt):
@@ -50,6 +61,10 @@ class _Signals:
     """What was raised has so long to reach those who wait for it."""
     reminding = False
     program = False
+    settled = False
+    """Whether the program's answer is given, so that no signal changes it."""
+    ended = False
+    """Whether signals have no handlers any more."""
 
 
 _heard = _Signals()
@@ -61,6 +76,8 @@ def pending() -> int | None:
 
 
 def _hear(number: int, frame: FrameType | None) -> None:
+    if _heard.settled:
+        return
     if _heard.number in (None, signal.SIGINT):  # a request to end counts even where Ctrl-C would be forgiven
         _heard.number = number
     if not _heard.armed:
@@ -100,6 +117,8 @@ def _unraisable(ignored: UnraisableHookArgs, /) -> None:
     """An interrupt where Python only prints exceptions is raised again soon."""
     if issubclass(ignored.exc_type, KeyboardInterrupt) and _heard.number is not None:
         _heard.silent_until = 0.0
+    elif _heard.ended and ignored.exc_type is OSError and ignored.object is None:
+        pass  # Python says that a signal came in the moment in which its handler was taken away
     else:
         sys.__unraisablehook__(ignored)
 
@@ -129,6 +148,7 @@ def run(program: Callable[[], int]) -> int:
             _listen(_KINDS)
             sys.unraisablehook = _unraisable
             _heard.armed = _heard.program = True
+            _heard.settled = False
             _raise()  # what came since the handlers are there
             code = program()
         finally:
@@ -138,8 +158,19 @@ def run(program: Callable[[], int]) -> int:
     return code if _heard.number is None else 128 + _heard.number
 
 
+def settle() -> None:
+    """From here on the program's answer stands: a signal that comes later is too late. Raises for one that came before.
+
+    Without effect in the process of somebody who imports gcrules.
+    """
+    if _heard.program:
+        _heard.settled = _heard.number is None
+        _raise()
+
+
 def ignore() -> None:
     """The answer is given and nothing can be interrupted any more, not the end of the interpreter either."""
+    _heard.ended = True
     for number in _KINDS:
         signal.signal(number, signal.SIG_IGN)
 

@@ -11,7 +11,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
-from gcrules.mechanisms.kinematics.margin import closeness
+from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.kinematics.targets import read_pose, wanted_coordinates, wanted_pose
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian, wrench_jacobian
@@ -80,7 +80,7 @@ class Limbs:
             here = solve(m, read_pose(m, at)).configuration
         else:
             here = solve(m, wanted_pose(m, at) if isinstance(at, Pose) else wanted_coordinates(m, at)).configuration
-        return wrench_jacobian(m, here, closeness(m, here))
+        return wrench_jacobian(m, here, margin(m, here))
 
 
 def feet_of(robot: Robot) -> tuple[str, ...]:

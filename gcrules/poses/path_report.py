@@ -1,4 +1,4 @@
-r"""A robot along a path: every singular place on it, proved complete; numbers at samples; the least closeness.
+r"""A robot along a path: every singular place on it, proved complete; numbers at samples; the least margin.
 
 >>> from gcrules.mechanisms.description.platform_file import parse_platform
 >>> robot = parse_platform('''
@@ -6,7 +6,7 @@ r"""A robot along a path: every singular place on it, proved complete; numbers a
 ... points: {a: [0, -3, 0], c: [3, 2, 0], e: [-3, 2, 0], b: [1, -1, 4], d: [0, 1, 4], f: [-1, -1, 4]}
 ... ''')
 >>> path(robot, ["0 0 0", "0 0 -6"])
-<PathReport singular: 1 zeros, closeness at least 0, 0°>
+<PathReport singular: 1 zeros, margin at least 0, 0°>
 >>> [(str(z.lower), z.kind, z.multiplicity) for z in path(robot, ["0 0 0", "0 0 -6"]).zeros]
 [('2/3', 'crosses', 3)]
 """
@@ -39,7 +39,7 @@ from gcrules.poses.pose_inputs import moving_robot
 from gcrules.poses.pose_report import report
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.pose import Pose
-from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, closeness_of, degrees
+from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of
 from gcrules.screws.verdict import decide
 
 __all__ = ["MAX_SAMPLES", "SAMPLES", "path"]
@@ -171,11 +171,11 @@ def _verdict(zeros: Sequence[Zero], still: Sequence[Stretch], lowest: Least, lim
         found += [f"along {len(still)} whole stretch{'es' * (len(still) > 1)}"] if still else []
         return "singular", f"The path is singular {' and '.join(found)}, and nowhere else."
     assert limit.angle is not None
-    if decide(lowest.closeness, lowest.rounding) == "singular":
-        return "singular", f"σ = {lowest.closeness:.2g} is 0 within rounding (to 1e-12 of the robot's size)."
+    if decide(lowest.margin, lowest.rounding) == "singular":
+        return "singular", f"σ = {lowest.margin:.2g} is 0 within rounding (to 1e-12 of the robot's size)."
     turn = 2 * float(np.arcsin(lowest.bound / 2))
     words = f"some leg has to turn by {degrees(turn)} relative to the platform before one is (threshold {limit.text})."
-    word = decide(lowest.bound, close=closeness_of(limit.angle))
+    word = decide(lowest.bound, close=margin_of(limit.angle))
     if word == "regular":
         return word, f"No pose of the path is singular, and from each of them {words}"
     return "close", f"No pose of the path is singular, but it is only certain that {words}"
@@ -235,7 +235,7 @@ def _settled(n: PoseNumbers, singular: Any) -> PoseNumbers:
     return replace(
         n,
         value=zero(n.value),
-        closeness=zero(n.closeness),
+        margin=zero(n.margin),
         turn=zero(n.turn),
         shift=zero(n.shift),
         rotation=zero(n.rotation),

@@ -1,7 +1,7 @@
 r"""Numbers at a pose of any mechanism, and the first singular pose on a way; each by the method for its kind.
 
 >>> here = pose("3-rps", "z=0.2, roll=5deg, pitch=0deg")
->>> here.verdict, round(here.closeness, 3), [round(v, 3) for v in here.actuator_values.values()]
+>>> here.verdict, round(here.margin, 3), [round(v, 3) for v in here.actuator_values.values()]
 ('regular', 0.591, [0.18, 0.256, 0.101])
 >>> pose("octahedral", "z=0.2, roll=5deg").verdict
 'regular'

@@ -23,7 +23,7 @@ from gcrules.poses.numbers.pose_arguments import read_one
 from gcrules.poses.numbers.reason import verdict as verdict_of
 from gcrules.poses.numbers.report import PoseReading, PoseReport
 from gcrules.rules.condition import Condition
-from gcrules.screws.guarantees import ROUNDING, closeness, noise
+from gcrules.screws.guarantees import ROUNDING, guarantees, noise
 from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import Threshold
@@ -66,7 +66,7 @@ def report(
     """All numbers of one pose. Raises InputError for a leg of no length."""
     points = moving.exact(at)
     j = jacobian(moving.base, moving.ends(*from_poses([at])))
-    bounds = closeness(j)
+    bounds = guarantees(j)
     value = superbracket_at(moving.structure.legs, points)
     _two_roads(value, analysis, points)
     conditions = (analysis.condition, *analysis.readings)
@@ -84,9 +84,9 @@ def report(
         depends = exact_dependence(moving.legs, moving.names, points, j.centroid[0])
     elif singular:
         depends = dependence(j, moving.names)
-    guarantees = {name: number for name, number in bounds.at(0).items() if name != "sigma"}
+    held = {name: number for name, number in bounds.at(0).items() if name != "sigma"}
     if value == 0:
-        guarantees = dict.fromkeys(guarantees, 0.0)
+        held = dict.fromkeys(held, 0.0)
     return PoseReport(
         rig=moving,
         pose=at,
@@ -95,7 +95,7 @@ def report(
         reason=reason,
         causes=() if verdict == "regular" else _causes(conditions, moving, at, singular=singular),
         superbracket=value,
-        closeness=0.0 if value == 0 else float(j.sigma[0]),
+        margin=0.0 if value == 0 else float(j.sigma[0]),
         accuracy=accuracy,
         noise=spread,
         threshold=threshold,
@@ -108,7 +108,7 @@ def report(
         stress=scaled(j.stress[0].tolist()),
         dependence=depends,
         notes=at.notes,
-        **guarantees,
+        **held,
     )
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from gcrules.screws.margin import Jacobian
 
-__all__ = ["DIGITS", "ROUNDING", "Closeness", "closeness", "noise"]
+__all__ = ["DIGITS", "ROUNDING", "Guarantees", "guarantees", "noise"]
 
 Floats = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ _LESS = 1 - 1e-12  # rounding of the bounds themselves, to the safe side
 
 
 @dataclass(frozen=True, eq=False)
-class Closeness:
+class Guarantees:
     """For N poses, shape (N,) each: no singular pose before some leg has turned by `turn` (rad) relative to the
     platform, none within the translation `shift` at the same orientation, none within the rotation `rotation` (rad)
     about the centroid of the legs' platform ends, none within the distance `combined`.
@@ -50,7 +50,7 @@ class Closeness:
         return {name: float(getattr(self, name)[n]) for name in ("sigma", "turn", "shift", "rotation", "combined")}
 
 
-def closeness(j: Jacobian) -> Closeness:
+def guarantees(j: Jacobian) -> Guarantees:
     """The guarantees of σ.
 
     A leg of length l whose end moves by x < l turns by at most asin(x/l); turning the platform by φ adds φ. asin is
@@ -62,7 +62,7 @@ def closeness(j: Jacobian) -> Closeness:
     per_shift = kappa / j.lengths  # turn of each leg for each unit of translation
     per_angle = 1 + per_shift * j.reach  # and for each radian of rotation
     rate = np.sqrt(per_shift**2 + (per_angle / j.radius) ** 2)
-    return Closeness(
+    return Guarantees(
         sigma=j.sigma,
         turn=turn * _LESS,
         shift=j.lengths.min(axis=1) * np.sin(turn) * _LESS,

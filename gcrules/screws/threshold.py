@@ -14,8 +14,8 @@ __all__ = [
     "DEFAULT",
     "Threshold",
     "angle_threshold",
-    "closeness_of",
     "degrees",
+    "margin_of",
     "parse_length",
     "parse_threshold",
     "threshold_of",
@@ -35,8 +35,8 @@ class Threshold:
     text: str = ""
 
 
-def closeness_of(angle: float) -> float:
-    """The closeness σ that guarantees this turn of a leg (radians): turn = 2 asin(σ/2)."""
+def margin_of(angle: float) -> float:
+    """The margin σ that guarantees this turn of a leg (radians): turn = 2 asin(σ/2)."""
     return 2 * math.sin(min(angle, math.pi) / 2)
 
 

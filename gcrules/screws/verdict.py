@@ -1,4 +1,4 @@
-r"""regular | close | singular: the one place where a closeness becomes a word, nothing else decides it.
+r"""regular | close | singular: the one place where a margin becomes a word, nothing else decides it.
 
 >>> decide(0.3), decide(0.00872), decide(0.00873), decide(3e-10), decide(1e-13)
 ('regular', 'close', 'regular', 'close', 'singular')
@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from gcrules.screws.threshold import DEFAULT, closeness_of
+from gcrules.screws.threshold import DEFAULT, margin_of
 
 __all__ = ["CLOSE", "FLOOR", "VERDICTS", "decide", "rank"]
 
 assert DEFAULT.angle is not None
-CLOSE = closeness_of(DEFAULT.angle)
+CLOSE = margin_of(DEFAULT.angle)
 """Below this σ a pose is called close to singular: a leg's turn by half a degree may lead to a singular pose (an
 example; choose your own for a real robot, `gcrules pose --threshold`)."""
 
@@ -24,7 +24,7 @@ VERDICTS = ("singular", "close", "regular")
 
 
 def rank(sigma: Any, floor: Any = FLOOR, spread: Any = 0.0, close: float = CLOSE) -> Any:
-    """The number in `VERDICTS` of a closeness σ, or of each of an array.
+    """The number in `VERDICTS` of a margin σ, or of each of an array.
 
     Singular up to `floor`, which is what rounding may do to σ; regular from `close` on, even if σ is wrong by `spread`.
     """

@@ -227,7 +227,7 @@ def test_what_the_public_functions_return_is_in_the_tables() -> None:
 def test_arrays_in_results_cannot_be_written_to() -> None:
     for value in (poses := gc.pose(PLATFORM, [[0, 0, 0]] * 2), pickle.loads(pickle.dumps(poses))):
         with pytest.raises(ValueError, match="read-only"):
-            value.closeness[0] = 1.0
+            value.margin[0] = 1.0
 
 
 @table(RESULTS)

@@ -199,7 +199,7 @@ def test_numbers_are_those_of_the_library(name: str) -> None:
         theirs = gc.pose(robot, exact_pose(pose), about="centroid", nearest=False)
         assert mine["verdict"] == theirs.verdict
         assert mine["reason"] == theirs.reason
-        assert mine["margin"] == pytest.approx(theirs.closeness, abs=1e-12)
+        assert mine["margin"] == pytest.approx(theirs.margin, abs=1e-12)
         assert (mine["value"] > 0) == (theirs.value > 0)
         assert mine["causes"] == list(theirs.causes)
         values = [r.value for r in theirs.readings[: len(mine["readings"])]]

@@ -32,8 +32,8 @@ def test_a_widget_follows_the_pose_from_both_sides() -> None:
     assert shown.pose["translation"] == [1, 2, 10]
     assert heard == [shown.margin]
     there = gc.pose(platform, "1 2 10; euler zyx 30 0 0 deg", about="centroid", nearest=False)
-    assert shown.margin == pytest.approx(there.closeness)
-    assert shown.numbers(nearest=False).closeness == pytest.approx(there.closeness)
+    assert shown.margin == pytest.approx(there.margin)
+    assert shown.numbers(nearest=False).margin == pytest.approx(there.margin)
     shown.set_state({"pose": {"translation": [0, 0, 5], "quaternion": [2, 0, 0, 0]}})  # what the page sends
     assert shown.pose == {"translation": [0, 0, 5], "quaternion": [1, 0, 0, 0]}
 
@@ -65,7 +65,6 @@ def test_a_widget_of_a_robot_stays_at_home() -> None:
 def test_without_the_extra_a_widget_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "anywidget", None)
     monkeypatch.delitem(sys.modules, "gcrules.apps.notebook.widget", raising=False)
-    monkeypatch.setattr("gcrules.core.deferred._resolved", {})
     with pytest.raises(InputError, match="needs the package anywidget") as fault:
         gc.view("ab af cb cd ed ef")
     assert fault.value.hint == 'pip install "gcrules[widget]"'

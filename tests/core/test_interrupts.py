@@ -178,6 +178,26 @@ def test_a_signal_that_is_ignored_stays_so() -> None:
     assert done.returncode == 0
 
 
+@pytest.mark.parametrize(("moment", "code", "there"), [("before", 130, []), ("between", 0, ["a.txt", "b.txt"])])
+def test_the_files_and_the_exit_code_agree(tmp_path: Path, moment: str, code: int, there: list[str]) -> None:
+    """A signal that comes when the files take their places comes too late."""
+    done = program(
+        "import atexit, os\nfrom gcrules.core.files import held, remove_unfinished, write_file\n"
+        "atexit.register(remove_unfinished)\n"
+        f"os.chdir({str(tmp_path)!r})\n"
+        "interrupt = lambda: signal.raise_signal(signal.SIGINT)\n"
+        "replace = os.replace\n"
+        f"if {moment!r} == 'between': os.replace = lambda a, b: (interrupt(), replace(a, b), interrupt())\n"
+        "def program():\n"
+        "    with held():\n"
+        "        write_file('a.txt', 'a'); write_file('b.txt', 'b')\n"
+        f"        if {moment!r} == 'before': interrupt()\n"
+        "    interrupt(); return 0"
+    )
+    assert (done.returncode, done.stderr) == (code, "")
+    assert sorted(os.listdir(tmp_path)) == there
+
+
 def test_a_prompt_goes_on_after_an_interrupt_and_ends_when_asked() -> None:
     code = (
         "def program():\n"

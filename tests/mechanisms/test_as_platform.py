@@ -47,7 +47,7 @@ def test_both_ways_to_a_pose_agree(name: str) -> None:
     at = "0.3 0.2 0.5; euler zyx 20 0 10 deg"
     robot = read_robot(name)
     one, other = gc.pose(robot, at), gc.pose(as_platform(robot), at, nearest=False)
-    assert one.closeness == pytest.approx(other.closeness, rel=1e-9)
+    assert one.margin == pytest.approx(other.margin, rel=1e-9)
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -112,7 +112,7 @@ def test_a_slide_may_have_an_axis_of_its_own_name(root: Any) -> None:
     assert subject.moving is not None
     assert subject.moving.legs == one.legs
     at = "z=0.2, roll=5deg"
-    found = [gc.pose(source, at, nearest=False).closeness for source in (gc.load(named), one)]
+    found = [gc.pose(source, at, nearest=False).margin for source in (gc.load(named), one)]
     assert found[0] == pytest.approx(found[1], rel=1e-9)
 
 

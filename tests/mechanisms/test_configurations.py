@@ -1,4 +1,4 @@
-"""Robots in configurations: closeness and its guarantee, singular places, faults, Python and shell."""
+"""Robots in configurations: margin and its guarantee, singular places, faults, Python and shell."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkage
-from gcrules.mechanisms.kinematics.margin import Closeness, _locked, closeness, limb_closeness
+from gcrules.mechanisms.kinematics.margin import LimbMargin, _locked, limb_margins, margin
 from gcrules.mechanisms.kinematics.rigid_motions import cross_matrix
 from gcrules.mechanisms.kinematics.solve import Course, Solution, goal, solve
 from gcrules.mechanisms.kinematics.targets import (
@@ -38,11 +38,11 @@ from gcrules.screws.pose_text import parse_pose
 IDS = tuple(one.id for one in robots())
 
 
-# --- closeness -------------------------------------------------------------------------------------------------------
+# --- margin -------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", ["gough-stewart", "gough-stewart-63", "octahedral"])
-def test_closeness_is_that_of_platforms(name: str) -> None:
+def test_margin_is_that_of_platforms(name: str) -> None:
     m = machine(name)
     names = [(limb.joints[0].points[0], limb.joints[-1].points[0]) for limb in m.robot.limbs]
     points = {n: [float(c) for c in m.home.values[n]] for pair in names for n in pair}
@@ -52,8 +52,8 @@ def test_closeness_is_that_of_platforms(name: str) -> None:
         about = tuple(float(c) for c in m.centre)
         expected = gc.pose(platform, text, about=about, nearest=False)
         s = solve(m, wanted_pose(m, parse_pose(text)))
-        assert closeness(m, s.configuration).sigma == pytest.approx(expected.closeness, abs=1e-9)
-        j = wrench_jacobian(m, s.configuration, closeness(m, s.configuration))
+        assert margin(m, s.configuration).sigma == pytest.approx(expected.margin, abs=1e-9)
+        j = wrench_jacobian(m, s.configuration, margin(m, s.configuration))
         assert j.smallest_singular_value == pytest.approx(expected.smallest_singular_value, abs=1e-9)
 
 
@@ -80,25 +80,25 @@ FREE = [n for n in IDS if not names_the_frame(read_robot(n))]
 
 
 @pytest.mark.parametrize("name", FREE)
-def test_closeness_knows_neither_frame_nor_unit(name: str) -> None:
+def test_margin_knows_neither_frame_nor_unit(name: str) -> None:
     m = machine(name)
     other = elsewhere(m, Fraction(1000))
     assert other.size == pytest.approx(1000 * m.size) or name == "3-rrr-spherical"
-    assert closeness(other, other.home).sigma == pytest.approx(closeness(m, m.home).sigma, abs=1e-9)
+    assert margin(other, other.home).sigma == pytest.approx(margin(m, m.home).sigma, abs=1e-9)
     if name != "3-rrr-spherical":  # has no length of its own
-        assert limb_closeness(other, other.home) == pytest.approx(limb_closeness(m, m.home), abs=1e-9)
+        assert limb_margins(other, other.home) == pytest.approx(limb_margins(m, m.home), abs=1e-9)
 
 
 @pytest.mark.parametrize("name", IDS)
-def test_closeness_is_at_most_one_and_takes_its_motion(name: str) -> None:
+def test_margin_is_at_most_one_and_takes_its_motion(name: str) -> None:
     m, c = machine(name), there(name, 0.6).configuration
-    found = closeness(m, c)
+    found = margin(m, c)
     assert 0 <= found.sigma <= 1
     assert found.singular_values[0] <= 1 + 1e-12  # of no motion more is noticed than there is
     assert power(m, c, found, -1) == pytest.approx(found.sigma, abs=1e-9)
 
 
-def power(m: Linkage, c: Configuration, found: Closeness, place: int) -> float:
+def power(m: Linkage, c: Configuration, found: LimbMargin, place: int) -> float:
     """√(Σ |P ξ|² / Σ (|v|² + ε ρ²|ω|²)) from the limbs, one by one."""
     v, w = found.motions[place][:3], found.motions[place][3:]
     above = below = 0.0
@@ -146,7 +146,7 @@ def singular(name: str) -> Any:
 def test_singular_configurations_are_found_and_true(name: str) -> None:
     found = singular(name)
     assert found.verdict == "singular"
-    assert found.closeness < 1e-9
+    assert found.margin < 1e-9
     assert found.causes
     assert len(found.motions) == 1
     assert any(abs(f.value) < 1e-9 for f in found.factors if f.live)
@@ -160,7 +160,7 @@ def test_singular_configurations_are_found_and_true(name: str) -> None:
     part = float(found.wanted.partition("%")[0]) / 100
     way = Course(m, read_pose(m, SINGULAR[name]))
     s = goal(way, Solution(m.home, way.wanted), 0.0, part)
-    assert largest_turn(m, m.home, s.configuration) >= np.arcsin(closeness(m, m.home).sigma) - 1e-6
+    assert largest_turn(m, m.home, s.configuration) >= np.arcsin(margin(m, m.home).sigma) - 1e-6
 
 
 def test_determinants_change_their_sign_where_it_is_singular() -> None:
@@ -227,7 +227,7 @@ def test_a_robot_that_is_singular_at_home() -> None:
     assert r.home is not None
     r = replace(r, home={**r.home, **{n: tuple(map(Fraction, v)) for n, v in CONCURRENT.items()}})
     here = gc.pose(r)
-    assert (here.verdict, here.closeness, len(here.motions)) == ("singular", pytest.approx(0, abs=1e-12), 1)
+    assert (here.verdict, here.margin, len(here.motions)) == ("singular", pytest.approx(0, abs=1e-12), 1)
     assert here.motions[0].point == pytest.approx((3, 1.5, 0))  # where the legs meet
     with pytest.raises(gc.InputError, match="singular at home"):
         gc.pose(r, actuators=[0.1, 0, 0])
@@ -254,21 +254,21 @@ def test_ways_to_ask() -> None:
         gc.pose(r, actuators=list(here.actuator_values.values())),
         gc.pose(r, actuators=here.actuator_values),
     ):
-        assert same.closeness == pytest.approx(here.closeness, abs=1e-9)
+        assert same.margin == pytest.approx(here.margin, abs=1e-9)
         assert same.coordinates == pytest.approx(here.coordinates, abs=1e-9)
-    assert gc.pose(r, (0, 0, 0.2)).closeness == pytest.approx(gc.pose(r, "0 0 0.2").closeness)
+    assert gc.pose(r, (0, 0, 0.2)).margin == pytest.approx(gc.pose(r, "0 0 0.2").margin)
     assert gc.pose(r).wanted == "home"
-    assert [one.closeness for one in gc.pose(r, ["0 0 0.2", {"z": 0.2, "roll": 0, "pitch": 0}])] == pytest.approx(
+    assert [one.margin for one in gc.pose(r, ["0 0 0.2", {"z": 0.2, "roll": 0, "pitch": 0}])] == pytest.approx(
         [0.609] * 2, abs=1e-3
     )
-    assert repr(here) == "<RobotPose 3-rps: regular, closeness 0.5913, 36.3°>"
+    assert repr(here) == "<RobotPose 3-rps: regular, margin 0.5913, 36.3°>"
 
 
 def test_json_is_complete() -> None:
     found = gc.pose(analysed("delta"), "x=0.1, y=0, z=0.3").to_json()
     assert json.loads(json.dumps(found, allow_nan=False))["points"] == found["points"]
     assert [len(found["jacobian"]["rows"]), len(found["actuators"]), len(found["limbs"])] == [6, 3, 3]
-    assert found["guarantees"]["turn"] == pytest.approx(np.arcsin(found["closeness"]))
+    assert found["guarantees"]["turn"] == pytest.approx(np.arcsin(found["margin"]))
     assert {f["kind"] for f in found["factors"]} == {"actuation", "constraint"}
 
 
@@ -343,11 +343,11 @@ def test_any_mechanism_turns_about_any_centre() -> None:
     at = "x=0.1, yaw=10deg, roll=5deg"
     for source in ("gough-stewart", gc.analyze(as_platform(read_robot("gough-stewart")))):
         ends = [gc.pose(source, at, about=about, nearest=False) for about in ((1, 2, 3), "1, 2, 3", "origin")]
-        assert ends[0].closeness == ends[1].closeness != ends[2].closeness
+        assert ends[0].margin == ends[1].margin != ends[2].margin
     one, two = (
         gc.pose(source, at, about="1,2,3", nearest=n) for source, n in (("gough-stewart", False), (source, False))
     )
-    assert one.closeness == pytest.approx(two.closeness, rel=1e-9)
+    assert one.margin == pytest.approx(two.margin, rel=1e-9)
 
 
 def test_pose_reads_robots_and_platforms() -> None:
@@ -358,7 +358,7 @@ def test_pose_reads_robots_and_platforms() -> None:
     answers.append(CliRunner().invoke(cli, ["robot", "pose", "3-rps", "--json"]).stdout)
     with open(path, encoding="utf-8") as file:
         answers.append(CliRunner().invoke(cli, ["pose", "-", "--json"], input=file.read()).stdout)
-    found = [json.loads(a)["closeness"] for a in answers]
+    found = [json.loads(a)["margin"] for a in answers]
     assert found == [found[0]] * 4
     refused = CliRunner().invoke(cli, ["pose", "examples/octahedral.yaml", "--actuators", "q1=0"])
     assert (refused.exit_code, "actuators are for robots" in refused.stderr) == (2, True)

@@ -230,7 +230,7 @@ def test_a_base_far_away() -> None:
     near, far = (gc.analyze(parse_platform(t)).pose for t in (GEOMETRY, NUMBERS["base far away"]))
     assert near is not None
     assert far is not None
-    assert 0 < far.measure < near.measure
+    assert 0 < far.margin < near.margin
 
 
 @pytest.mark.parametrize("thin", [1e-3, 1e-5, 1e-7, 1e-9])

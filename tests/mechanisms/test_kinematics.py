@@ -20,7 +20,7 @@ from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.kinematics.chains import SHAPES, chain_of
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
-from gcrules.mechanisms.kinematics.margin import closeness
+from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.rigid_motions import exponential, inverse, logarithm, rotations
 from gcrules.mechanisms.kinematics.solve import free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import (
@@ -131,7 +131,7 @@ def test_actuators_lead_back_to_the_pose(name: str) -> None:
 def test_rates_are_those_of_the_jacobian(name: str) -> None:
     """Finite differences of solutions: constraints do no work, actuations have the rates of their actuators."""
     m, s = machine(name), there(name, 0.6)
-    j = wrench_jacobian(m, s.configuration, closeness(m, s.configuration))
+    j = wrench_jacobian(m, s.configuration, margin(m, s.configuration))
     step = 1e-5
     for n in free_coordinates(m):
         ends = [
@@ -254,7 +254,7 @@ def test_ends_on_a_line() -> None:
     points = {"A1": (2, 0, 0), "A2": (0, 2, 0), "A3": (-2, 0, 0), "S1": (1, 0, 2), "S2": (0, 0, 2), "S3": (-1, 0, 2)}
     axes = {"r1": (0, 1, 0), "r2": (1, 0, 0), "r3": (0, 1, 0)}
     here = gc.pose(replace(r, home={n: tuple(map(Fraction, v)) for n, v in {**points, **axes}.items()}))
-    assert (here.verdict, here.closeness) == ("singular", pytest.approx(0, abs=1e-12))
+    assert (here.verdict, here.margin) == ("singular", pytest.approx(0, abs=1e-12))
     assert any(abs(abs(t.axis[0]) - 1) < 1e-9 and t.pitch == pytest.approx(0, abs=1e-9) for t in here.motions)
 
 
@@ -274,7 +274,7 @@ home: {A1: [0, 0, 0], A2: [10, 0, 0], A3: [5, 9, 0], B1: [1, 4, 0], B2: [9, 1, 0
 def test_driven_ends_pass_on_moments() -> None:
     m = linkage(parse_robot(DRIVEN_AT_THE_PLATFORM))
     assert m.firm == (False, False, False)
-    assert closeness(m, m.home).singular_values[0] <= 1
+    assert margin(m, m.home).singular_values[0] <= 1
 
 
 ELBOWS = """
@@ -383,7 +383,7 @@ def test_planar_joints_keep_their_distance() -> None:
 def test_limbs_by_themselves_are_left_out_of_the_guarantee() -> None:
     """Close to the reach of an arm of a Delta robot it is singular by itself long before asin σ is used up."""
     here = gc.pose(analysed("delta"), "x=0, y=0, z=-2.4")
-    assert here.limbs[0].closeness < 0.1
+    assert here.limbs[0].margin < 0.1
     assert here.turn > 0.15
     assert here.reason.startswith("The limbs' own singularities apart, there is no singular configuration before")
 

@@ -43,7 +43,7 @@ NEARLY_FLAT = {n: place.replace("0]", "0.001]") for n, place in FLAT.items()}
 
 HOMES = {
     "flat": ("3-rps", FLAT, "home is singular: the planes of leg 1", "the platform gains 3 independent motions"),
-    "nearly": ("3-rps", NEARLY_FLAT, "home is close to singular (closeness 0.0006", "nearly: the planes of leg 1"),
+    "nearly": ("3-rps", NEARLY_FLAT, "home is close to singular (margin 0.0006", "nearly: the planes of leg 1"),
     "one leg": (
         "3-rrr",
         {n: STRAIGHT[n] for n in ("B1",)},

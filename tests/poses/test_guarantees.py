@@ -18,7 +18,7 @@ from gcrules.poses.nearest.multistart import Determinant, best_zero
 from gcrules.poses.nearest.zero import nearest_zero
 from gcrules.poses.numbers.arrays import from_vectors, matrices
 from gcrules.poses.numbers.cubic import translation_polynomial
-from gcrules.screws.guarantees import closeness, noise
+from gcrules.screws.guarantees import guarantees, noise
 from gcrules.screws.margin import Jacobian, jacobian
 
 F = Fraction
@@ -50,9 +50,9 @@ def test_sigma_knows_neither_frame_nor_unit(seed: int, scale: float) -> None:
     assert np.allclose(j.sigma, k.sigma, rtol=1e-6, atol=1e-10)
     assert np.allclose(j.singular_values, k.singular_values, rtol=1e-6, atol=1e-10)
     for name in ("turn", "rotation"):
-        assert np.allclose(getattr(closeness(j), name), getattr(closeness(k), name), rtol=1e-6, atol=1e-9)
+        assert np.allclose(getattr(guarantees(j), name), getattr(guarantees(k), name), rtol=1e-6, atol=1e-9)
     for name in ("shift", "combined"):
-        assert np.allclose(scale * getattr(closeness(j), name), getattr(closeness(k), name), rtol=1e-6, atol=1e-9)
+        assert np.allclose(scale * getattr(guarantees(j), name), getattr(guarantees(k), name), rtol=1e-6, atol=1e-9)
 
 
 @settings(max_examples=40)
@@ -109,7 +109,7 @@ def displaced(j: Jacobian, x: np.ndarray) -> np.ndarray:
 def test_no_singular_pose_where_the_guarantees_say_so(seed: int) -> None:
     base, ends = random_robot(seed)
     j = jacobian(base, ends)
-    c = closeness(j)
+    c = guarantees(j)
     for dimension, bound in ((3, c.rotation[0]), (6, c.combined[0])):
         reach = 2.0 if dimension == 3 else 4 * j.radius
         for x in singular_poses(base, j, dimension, reach, seed):
@@ -134,13 +134,13 @@ def test_no_singular_translation_where_the_guarantee_says_so(seed: int) -> None:
     f = translation_polynomial(LEGS, as_points(base, ends[0]), "abcdef", F(1))
     zero = nearest_zero(f, 1.0)
     sigma, shortest = j.sigma[0], j.lengths.min()
-    bound = closeness(j).shift[0]
+    bound = guarantees(j).shift[0]
     assert zero.certified
     assert bound >= 2 * sigma * shortest / (2 + sigma) * (1 - 1e-9)  # the simpler bound follows
     assert zero.distance >= bound
     if zero.point is not None:
         other = ends[0] + np.array([float(c) for c in zero.point])
-        assert leg_turns(base, ends[0], other) >= closeness(j).turn[0] * (1 - 1e-9)
+        assert leg_turns(base, ends[0], other) >= guarantees(j).turn[0] * (1 - 1e-9)
 
 
 def test_the_guarantees_are_not_vacuous(robots: dict[str, Analysis]) -> None:
@@ -148,7 +148,7 @@ def test_the_guarantees_are_not_vacuous(robots: dict[str, Analysis]) -> None:
     ends = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], float)
     along = np.array([[0, 1, 0], [0, 1, 0], [0, 0, 1], [0, 0, 1], [1, 0, 0], [1, 0, 0]], float)
     j = jacobian(ends - along, ends[None])
-    c = closeness(j)
+    c = guarantees(j)
     assert c.sigma[0] == pytest.approx(math.sqrt(1 / 3))
     x = best_zero(Determinant.of(ends - along, j), 3, math.pi)
     assert x is not None

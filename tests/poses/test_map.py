@@ -324,7 +324,7 @@ def test_a_curve_that_crosses_itself() -> None:
 
 
 @pytest.mark.parametrize(("name", "over", "at"), TURNING, ids=str)
-def test_cells_that_closeness_guards(robots: dict[str, Analysis], name: str, over: list[str], at: Any) -> None:
+def test_cells_that_margin_guards(robots: dict[str, Analysis], name: str, over: list[str], at: Any) -> None:
     m = singular_map(robots[name], over, at)
     status = m.values("cell_status")
     free = np.argwhere(status == FREE)
@@ -334,7 +334,7 @@ def test_cells_that_closeness_guards(robots: dict[str, Analysis], name: str, ove
     for _ in range(40):
         places = free + rng.random(free.shape)
         assert (np.sign(m.task.value(places)) == sign[tuple(free.T)]).all()
-    assert "closeness" in m.guarantee
+    assert "margin" in m.guarantee
 
 
 # --- numbers --------------------------------------------------------------------------------------------------------
@@ -351,7 +351,7 @@ def test_values_are_those_of_a_pose(robots: dict[str, Analysis], name: str, over
         pose = m.grid.pose([a.start + k * a.step for a, k in zip(m.grid.axes, node, strict=True)])
         one = gc.pose(robots[name], pose, nearest=False)
         assert m.values("superbracket")[node] == pytest.approx(float(one.superbracket), rel=1e-9, abs=1e-12)
-        assert m.values("closeness")[node] == pytest.approx(one.closeness, rel=1e-6, abs=1e-7)
+        assert m.values("margin")[node] == pytest.approx(one.margin, rel=1e-6, abs=1e-7)
         points = m.grid.rig.exact(pose)
         lengths = [math.dist(*(map(float, points[n][:3]) for n in leg)) for leg in m.grid.rig.legs]
         assert m.values("leg_length")[node].tolist() == pytest.approx(lengths, rel=1e-6)
@@ -360,10 +360,10 @@ def test_values_are_those_of_a_pose(robots: dict[str, Analysis], name: str, over
     assert sum(m.summary.cells) == m.values("cell_status").size
     inside = m.values("allowed").astype(bool)
     if inside.any():
-        assert m.summary.closeness == pytest.approx(float(m.values("closeness")[inside].min()))
+        assert m.summary.margin == pytest.approx(float(m.values("margin")[inside].min()))
 
 
 def test_a_leg_of_no_length(robots: dict[str, Analysis]) -> None:
     m = singular_map(robots["octahedral"], ["x -300:0:3", "y -400:0:3"], "0 0 -350", about="origin")  # b comes to a
-    assert m.values("closeness")[1, 1] == m.values("superbracket")[1, 1] == 0
-    assert np.isfinite(m.values("closeness")).all()
+    assert m.values("margin")[1, 1] == m.values("superbracket")[1, 1] == 0
+    assert np.isfinite(m.values("margin")).all()

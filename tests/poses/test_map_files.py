@@ -44,12 +44,12 @@ def test_data_are_read_back(robots: dict[str, Analysis], tmp_path: Path, monkeyp
         assert found.identical(m.to_xarray())
         assert found.x.units == "mm"
         assert found.superbracket.units == "mm9"
-        assert found.closeness.dims == ("x", "z")
+        assert found.margin.dims == ("x", "z")
         assert found.leg_length.sel(leg="af").shape == (15, 16)
         assert found.cell_status.attrs["flag_meanings"] == "free crossed undecided"
         assert found.attrs["Conventions"].startswith("CF")
         assert set(found.data_vars) >= set(m.arrays)
-        assert float(found.closeness.sel(x=0, z=-20, method="nearest")) == m.values("closeness")[7, 12]
+        assert float(found.margin.sel(x=0, z=-20, method="nearest")) == m.values("margin")[7, 12]
         assert len(found.curve_x) == sum(len(c.points) for c in m.curves)
     turned = singular_map(robots["octahedral"], ["rx -9:9:3 deg", "ry -9:9:4 deg", "z 0:1:2"]).to_xarray()
     assert turned.rx.units == "degree"
@@ -392,4 +392,4 @@ def test_python_tells_faults(robots: dict[str, Analysis], monkeypatch: pytest.Mo
         _ = m.mesh
     monkeypatch.setattr(report, "MAX_IN_MEMORY", 10)
     with pytest.raises(LimitReached, match="too large to be in memory"):
-        m.values("closeness")
+        m.values("margin")

@@ -143,7 +143,7 @@ def test_a_path_through_a_singular_pose(robots: dict[str, Analysis]) -> None:
     assert zero.dependence == there.dependence
     assert found.verdict == "singular"
     at = found.parameters.tolist().index(0.5)
-    assert found.numbers.value[at] == found.numbers.closeness[at] == 0
+    assert found.numbers.value[at] == found.numbers.margin[at] == 0
     assert found.numbers.verdict[at] == "singular"
 
 
@@ -162,7 +162,7 @@ def test_a_path_that_touches_the_singular_surface(robots: dict[str, Analysis]) -
     poses = [Pose((F(x), F(y), F(z))) for x, y, z in (p.split() for p in tangent(a))]
     found = gc.path(a, poses, samples=7)
     assert zeros(found) == [(F(1, 2), "touches", 2)]
-    assert (found.numbers.value[found.numbers.closeness > 0] > 0).all() or (found.numbers.value <= 0).all()
+    assert (found.numbers.value[found.numbers.margin > 0] > 0).all() or (found.numbers.value <= 0).all()
     assert "touches: the superbracket keeps its sign, a zero of multiplicity 2" in found.text()
 
 
@@ -260,7 +260,7 @@ def test_no_change_of_sign_is_missed(robots: dict[str, Analysis], name: str, a: 
         assert sum(p.multiplicity for p in listed if s < p.middle < t) % 2 == (before != after)
 
 
-# --- the least closeness --------------------------------------------------------------------------------------------
+# --- the least margin --------------------------------------------------------------------------------------------
 
 
 near_poses = st.builds(lambda t, q: Pose(t, (F(20), *q)), translations, st.tuples(*[st.integers(-4, 4).map(F)] * 3))
@@ -268,7 +268,7 @@ near_poses = st.builds(lambda t, q: Pose(t, (F(20), *q)), translations, st.tuple
 
 @settings(max_examples=20, deadline=None)
 @given(name=st.sampled_from(PLATFORMS), a=near_poses, b=near_poses, samples=st.sampled_from([1, 10]))
-def test_the_closeness_is_nowhere_below_its_bound(
+def test_the_margin_is_nowhere_below_its_bound(
     robots: dict[str, Analysis], name: str, a: Pose, b: Pose, samples: int
 ) -> None:
     moving = rig_of(robots[name])
@@ -276,14 +276,14 @@ def test_the_closeness_is_nowhere_below_its_bound(
     a, b = (Pose(tuple(c * size for c in p.translation), p.quaternion) for p in (a, b))
     report = gc.path(robots[name], [a, b], samples=samples)
     if report.zeros or report.stretches:
-        assert report.least.closeness == report.least.bound == 0
+        assert report.least.margin == report.least.bound == 0
         return
     shift, turn = segment(moving, a, b).arrays(np.linspace(0, 1, 500))
-    sigma = gc.pose(robots[name], shift, quaternion=turn / np.linalg.norm(turn, axis=1, keepdims=True)).closeness
+    sigma = gc.pose(robots[name], shift, quaternion=turn / np.linalg.norm(turn, axis=1, keepdims=True)).margin
     assert report.least.bound <= sigma.min() + 1e-12
-    assert report.least.closeness <= sigma.min() * 1.02 + 1e-9
-    if report.least.closeness > 1e-3:
-        assert report.least.bound >= 0.98 * report.least.closeness
+    assert report.least.margin <= sigma.min() * 1.02 + 1e-9
+    if report.least.margin > 1e-3:
+        assert report.least.bound >= 0.98 * report.least.margin
 
 
 @pytest.mark.parametrize("power", [-36, 36])
@@ -297,7 +297,7 @@ def test_sizes_of_robots(robots: dict[str, Analysis], power: int) -> None:
         gc.path(robot, way, samples=10) for robot, way in zip((small, replace(small, points=points)), ways, strict=True)
     )
     assert zeros(other) == zeros(one)
-    assert np.allclose(other.numbers.closeness, one.numbers.closeness, atol=1e-9)
+    assert np.allclose(other.numbers.margin, one.numbers.margin, atol=1e-9)
     json.dumps(other.to_json(), allow_nan=False)
     assert other.plot().svg() == one.plot().svg()
     assert len(other.csv()) > 0
@@ -408,10 +408,10 @@ def test_values_are_read_back(robots: dict[str, Analysis], name: str, tmp_path: 
     again = gc.path(robots[name], tmp_path / "values.csv", samples=1)
     assert len(again.poses) == len(first)
     given_poses = np.isin(again.parameters, np.arange(len(first)))
-    assert np.allclose(again.numbers.closeness[given_poses], first.numbers.closeness, atol=1e-9)
+    assert np.allclose(again.numbers.margin[given_poses], first.numbers.margin, atol=1e-9)
     table = [line.split(",") for line in first.csv().splitlines()]
     assert len({len(row) for row in table}) == 1
-    assert [float(row[table[0].index("closeness")]) for row in table[1:]] == first.numbers.closeness.tolist()
+    assert [float(row[table[0].index("margin")]) for row in table[1:]] == first.numbers.margin.tolist()
 
 
 # --- the command ----------------------------------------------------------------------------------------------------
@@ -430,9 +430,9 @@ def test_the_command_writes_values_and_a_picture(robot: str, tmp_path: Path) -> 
     assert done.exit_code == 0, done.output
     answer = json.loads(done.stdout)
     assert answer["verdict"] == "singular"
-    assert len(answer["samples"]["closeness"]) == len(Path(values).read_text().splitlines()) - 1
+    assert len(answer["samples"]["margin"]) == len(Path(values).read_text().splitlines()) - 1
     picture = Path(svg).read_text()
-    assert "closeness" in picture
+    assert "margin" in picture
     assert "crosses" in picture
     ElementTree.fromstring(picture)
     pytest.importorskip("matplotlib")

@@ -81,7 +81,7 @@ def test_many_poses_have_the_numbers_of_each(
     for i in range(5):
         one = gc.pose(a, shifts[i], rotation_vector=turns[i], about="centroid", nearest=False)
         assert many.value[i] == pytest.approx(one.value, rel=1e-9)
-        for field in ("closeness", "turn", "shift", "rotation", "combined", "noise", "condition_number"):
+        for field in ("margin", "turn", "shift", "rotation", "combined", "noise", "condition_number"):
             assert getattr(many, field)[i] == pytest.approx(getattr(one, field), rel=1e-9)
         assert many.verdict[i] == one.verdict
         readings: list[tuple[Any, Any]] = list(zip(many.readings, one.readings, strict=True))
@@ -92,12 +92,12 @@ def test_many_poses_have_the_numbers_of_each(
     monkeypatch.setattr("gcrules.poses.numbers.many.CHUNK", 2)
     parts = gc.pose(a, shifts, rotation_vector=turns, about="centroid")
     assert parts.verdict.tolist() == many.verdict.tolist()
-    assert np.allclose(parts.closeness, many.closeness, rtol=1e-12)
+    assert np.allclose(parts.margin, many.margin, rtol=1e-12)
     assert np.allclose(
         parts.readings[0].values if parts.readings else [], many.readings[0].values if many.readings else []
     )
     listed = gc.pose(a, [Pose(), parse_pose("0 0 0; euler XYZ 3 4 5 deg")])
-    assert listed.closeness[0] == pytest.approx(gc.pose(a, nearest=False).closeness)
+    assert listed.margin[0] == pytest.approx(gc.pose(a, nearest=False).margin)
 
 
 def test_a_centre_moves_the_same_robot(robots: dict[str, Analysis]) -> None:
@@ -200,7 +200,7 @@ def test_sizes_of_robots(here: Any, power: int) -> None:
             gc.pose(scaled)
         return
     found = gc.pose(scaled)
-    assert found.closeness == pytest.approx(here.closeness)
+    assert found.margin == pytest.approx(here.margin)
     for there, same, unit in zip(found.nearest, here.nearest, (size, 1, size), strict=True):
         assert there.distance == pytest.approx(float(unit) * same.distance, rel=1e-6, abs=0)
     json.dumps(found.to_json(), allow_nan=False)
@@ -222,9 +222,9 @@ def test_json_of_the_command(root: Any) -> None:
     done = run(str(root / "examples" / "octahedral.yaml"), "--at", "1 2 3; euler zyx 5 0 0 deg", "--json")
     assert done.exit_code == 0
     found = json.loads(done.stdout)
-    assert {"schema", "value", "closeness", "verdict", "reason", "pose", "readings", "nearest"} <= set(found)
+    assert {"schema", "value", "margin", "verdict", "reason", "pose", "readings", "nearest"} <= set(found)
     assert found["verdict"] == "regular"
-    assert 0 < found["closeness"] < 1
+    assert 0 < found["margin"] < 1
     assert found["pose"]["translation"] == [1, 2, 3]
     assert found["nearest"]["translation"]["certified"]
     assert all(r["valid"] for r in found["readings"])

@@ -116,7 +116,7 @@ def test_signatures(rows: list[list[int]]) -> None:
 def test_causes_motion_and_legs(robots: dict[str, Analysis]) -> None:
     found = gc.pose(robots["octahedral-singular"])
     assert found.verdict == "singular"
-    assert found.value == found.closeness == found.turn == 0
+    assert found.value == found.margin == found.turn == 0
     assert found.causes[0] == "The planes abc, aef, bdf and cde meet in a point: (453.488, -9.30233, 418.605) mm."
     assert all(n.distance == 0 and n.exact for n in found.nearest)
     d = found.dependence

@@ -77,10 +77,10 @@ def test_zero_exactly_where_singular(legs: str, data: st.DataObject) -> None:
     points = exact(pose)
     assert found.superbracket == evaluate(a.structure.superbracket, points)
     assert found.cofactor * found.superbracket == found.condition
-    assert (found.verdict == "singular") == (found.superbracket == 0) == (found.measure == 0)
-    assert (found.verdict == "close") == (0 < found.measure < CLOSE)
+    assert (found.verdict == "singular") == (found.superbracket == 0) == (found.margin == 0)
+    assert (found.verdict == "close") == (0 < found.margin < CLOSE)
     if found.superbracket:
-        assert found.measure == pytest.approx(measure(a.structure, pose))
+        assert found.margin == pytest.approx(measure(a.structure, pose))
 
 
 def test_all_verdicts_occur() -> None:

@@ -20,7 +20,7 @@ from gcrules.apps.studio.numbers import numbers
 from gcrules.apps.studio.subject import read_subject
 from gcrules.mechanisms.description.platform_file import Platform, parse_platform
 from gcrules.mechanisms.description.robot_file import parse_robot
-from gcrules.screws.threshold import DEFAULT, closeness_of
+from gcrules.screws.threshold import DEFAULT, margin_of
 from gcrules.screws.verdict import CLOSE, VERDICTS, decide, rank
 from gcrules.views.report.scene_json import Scenery
 
@@ -72,7 +72,7 @@ ROADS: dict[str, Callable[[str], Any]] = {
 }
 
 
-# The height, its closeness, and the verdict. A length of 1e-14 is 0 within the rounding of the coordinates. The joints
+# The height, its margin, and the verdict. A length of 1e-14 is 0 within the rounding of the coordinates. The joints
 # of a robot are solved for to 1e-9 of its size, so that less is 0 there (`kinematics.posed.SINGULAR`).
 HEIGHTS = {
     "above half a degree": ("0.0271", 0.0087993, "regular", "regular"),
@@ -87,7 +87,7 @@ HEIGHTS = {
 @pytest.mark.parametrize("road", ROADS)
 @pytest.mark.parametrize(("height", "sigma", "verdict", "of_joints"), HEIGHTS.values(), ids=HEIGHTS.keys())
 def test_every_road_says_the_same(road: str, height: str, sigma: float, verdict: str, of_joints: str) -> None:
-    assert gc.pose(platform(height), [[0, 0, 0]]).closeness[0] == pytest.approx(sigma, rel=1e-4, abs=1e-15)
+    assert gc.pose(platform(height), [[0, 0, 0]]).margin[0] == pytest.approx(sigma, rel=1e-4, abs=1e-15)
     assert ROADS[road](height) == (of_joints if road == "joints" else verdict)
 
 
@@ -101,7 +101,7 @@ def test_the_page_without_a_server_has_its_bound_from_here(height: str) -> None:
 
 def test_the_default_threshold_is_the_bound() -> None:
     assert DEFAULT.angle is not None
-    assert closeness_of(DEFAULT.angle) == CLOSE
+    assert margin_of(DEFAULT.angle) == CLOSE
     assert 2 * math.asin(CLOSE / 2) == pytest.approx(math.radians(0.5))
 
 

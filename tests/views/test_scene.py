@@ -77,7 +77,7 @@ def test_robots_on_six_legs_move_as_platforms() -> None:
     assert "recipe" not in robot_scene(analyze_robot(read_robot("3-rps")))
     shown = gc.view(read_robot("gough-stewart"))
     assert shown.verdict == "regular"
-    assert shown.numbers(nearest=False).closeness == pytest.approx(shown.margin)
+    assert shown.numbers(nearest=False).margin == pytest.approx(shown.margin)
 
 
 def test_a_pose_moves_the_platform_rigidly() -> None:

@@ -45,10 +45,10 @@ __all__ = ["map_"]
 )
 @click.option(
     "--measure",
-    default="closeness",
+    default="margin",
     show_default=True,
     type=click.Choice(MEASURES),
-    help="closeness σ and leg lengths too, or the superbracket only, which is quick.",
+    help="margin σ and leg lengths too, or the superbracket only, which is quick.",
 )
 @time_limit(None)
 @click.option("--restart", is_flag=True, help="Throw away finished chunks of an earlier run and begin anew.")

@@ -37,7 +37,7 @@ __all__ = ["path"]
     "--plot",
     type=OutputFile(".svg", ".pdf"),
     metavar="FILE.svg|FILE.pdf",
-    help="Draw closeness and superbracket along the path.",
+    help="Draw margin and superbracket along the path.",
 )
 @time_limit(None)
 @output_options(latex=False)

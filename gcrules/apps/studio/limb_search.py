@@ -35,7 +35,7 @@ def first_around(subject: Subject, pose: PoseJson) -> Nearest:
     words. Raises InputError where the robot does not assemble at the pose.
     """
     assert subject.robot is not None
-    if configuration(subject, pose).closeness <= SINGULAR:
+    if configuration(subject, pose).margin <= SINGULAR:
         return {"found": [], "note": "The robot is singular at this pose: move it away to search from there."}
     m = subject.linkage
     given = pose.get("coordinates") or [0.0] * len(m.actuators)
@@ -85,7 +85,7 @@ def _view(subject: Subject, at: Linkage, one: Met, now: list[float], pose: PoseJ
     shown = degrees(one.distance) if one.way.angle else f"{one.distance:.4g} {subject.unit}".strip()
     words = f"{shown} along {one.way}, the platform's other free coordinates kept; {_NO_PROOF}"
     if short:
-        words += f"; the actuators stop just short of it, at σ = {reached.closeness:.1g}"
+        words += f"; the actuators stop just short of it, at σ = {reached.margin:.1g}"
     return {
         "kind": f"along {one.way}",
         "distance": to_degrees(one.distance) if one.way.angle else one.distance,

@@ -86,8 +86,8 @@ def robot_numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> Nu
     return {
         "pose": pose,
         "points": {n: values[n] for n in names},
-        "value": _value(subject, values, found.closeness),
-        "margin": found.closeness,
+        "value": _value(subject, values, found.margin),
+        "margin": found.margin,
         "close": close_margin(found.threshold),
         "verdict": found.verdict,
         "reason": found.reason,

@@ -34,7 +34,7 @@ from gcrules.poses.numbers.motion import scaled, softest_twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.poses.numbers.reason import verdict
 from gcrules.rules.condition import Condition
-from gcrules.screws.guarantees import ROUNDING, closeness, noise
+from gcrules.screws.guarantees import ROUNDING, guarantees, noise
 from gcrules.screws.margin import Jacobian, jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold
@@ -80,7 +80,7 @@ def _of_rig(subject: Subject, moving: Rig, pose: PoseJson, limit: Threshold) -> 
     assert subject.scenery is not None
     at = arrays([pose])
     j = jacobian(moving.base, moving.ends(*at))
-    bounds = closeness(j)
+    bounds = guarantees(j)
     sigma = float(j.sigma[0])
     floor, spread = float(noise(j, ROUNDING * moving.size)[0]), 0.0
     value = _scaled_value(j, moving)
@@ -200,7 +200,7 @@ def along(subject: Subject, poses: Sequence[PoseJson], threshold: str | None = N
     many = numbers_of(moving, (), at, limit, ROUNDING * moving.size)
     j = jacobian(moving.base, moving.ends(*at))
     return {
-        "margin": many.closeness.tolist(),
+        "margin": many.margin.tolist(),
         "value": _scaled_value(j, moving).tolist(),
         "verdicts": many.verdict.tolist(),
     }

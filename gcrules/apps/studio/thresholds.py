@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gcrules.screws.threshold import DEFAULT, Threshold, closeness_of, parse_threshold
+from gcrules.screws.threshold import DEFAULT, Threshold, margin_of, parse_threshold
 
 __all__ = ["close_margin", "threshold_of"]
 
@@ -14,4 +14,4 @@ def threshold_of(text: str | None, unit: str) -> Threshold:
 
 def close_margin(limit: Threshold) -> float | None:
     """The singularity margin below which a pose is close; None for a length, which no margin stands for."""
-    return None if limit.angle is None else closeness_of(limit.angle)
+    return None if limit.angle is None else margin_of(limit.angle)

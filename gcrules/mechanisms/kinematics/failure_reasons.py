@@ -6,7 +6,7 @@ from gcrules.core.english import agreeing
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.margin import closeness, limb_closeness
+from gcrules.mechanisms.kinematics.margin import limb_margins, margin
 from gcrules.mechanisms.kinematics.targets import Wanted
 from gcrules.screws.pose_text import SHIFTS
 
@@ -47,14 +47,14 @@ def _amount(name: str, value: float, size: float) -> str:
 def _reason(m: Linkage, here: Configuration, wanted: Wanted, told: float, why: str) -> str:
     """What has become small, compared with home."""
     lost = {}
-    pairs = zip(limb_closeness(m, here), limb_closeness(m, m.home), m.robot.limbs, strict=True)
+    pairs = zip(limb_margins(m, here), limb_margins(m, m.home), m.robot.limbs, strict=True)
     for now, then, limb in pairs:
         lost[f"{limb.name} is near its reach, or another singularity of its own"] = now / then if then else 1.0
-    then = closeness(m, m.home).sigma
-    lost["the robot is near a singularity"] = closeness(m, here).sigma / then if then else 1.0
+    then = margin(m, m.home).sigma
+    lost["the robot is near a singularity"] = margin(m, here).sigma / then if then else 1.0
     words, part = min(lost.items(), key=lambda item: item[1])
     if part <= _LOST:
-        return f"{words}: closeness {100 * part:.1g}% of that at home"
+        return f"{words}: margin {100 * part:.1g}% of that at home"
     if told <= _LOST:
         return f"{agreeing(wanted.names, 'hardly determines', 'hardly determine')} the pose any more"
     return why

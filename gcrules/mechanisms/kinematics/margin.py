@@ -1,4 +1,4 @@
-r"""How close a configuration is to a singular one: the measure σ for any limbs, and each limb's own closeness.
+r"""How close a configuration is to a singular one: the measure σ for any limbs, and each limb's own margin.
 
 Limb i meets the platform at the point p_i; W_i are its wrenches with the actuators locked, in the inner product
 |f|² + |m|²/ρ² with moments m about p_i and ρ the robot's size. |P_i ξ|² is the power of W_i on the twist ξ of the
@@ -27,14 +27,14 @@ from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
 
-__all__ = ["Closeness", "closeness", "limb_closeness"]
+__all__ = ["LimbMargin", "limb_margins", "margin"]
 
 _PLANE = (0, 1, 5)  # of (v; ω): a planar robot's twists
 _ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Closeness:
+class LimbMargin:
     """`sigma` with all singular values of the balanced wrenches, least last; `motions` the twists (v; ω) at the
     `centre` of the limbs' ends that take them, in that order, with ω in rad for each unit of v; `shares` (wrenches,) of
     the balance that the softest motion leaves, `owners` the limb of each wrench.
@@ -70,7 +70,7 @@ class Closeness:
         return np.asarray(np.linalg.svd(self.rows, compute_uv=False))
 
 
-def closeness(m: Linkage, here: Configuration) -> Closeness:
+def margin(m: Linkage, here: Configuration) -> LimbMargin:
     """The measure at a configuration."""
     platform = here.platform
     ends = m.ends @ platform[:3, :3].T + platform[:3, 3]
@@ -98,7 +98,7 @@ def closeness(m: Linkage, here: Configuration) -> Closeness:
     largest = np.take_along_axis(motions, np.abs(motions).argmax(axis=1)[:, None], axis=1)
     motions *= np.where(largest < 0, -1.0, 1.0)  # the sign of a motion is free
     motions[:, 3:] /= m.size
-    return Closeness(every[:, keep], sizes[: len(keep)], motions, left[:, len(keep) - 1], tuple(owners), centre)
+    return LimbMargin(every[:, keep], sizes[: len(keep)], motions, left[:, len(keep) - 1], tuple(owners), centre)
 
 
 def _locked(m: Linkage, place: int, chain: Chain, end: Floats) -> Floats:
@@ -119,7 +119,7 @@ def _at(chain: Chain, end: Floats, size: float) -> Floats:
     return np.asarray(rows * np.where(chain.turns, 1.0, size)[:, None])
 
 
-def limb_closeness(m: Linkage, here: Configuration) -> tuple[float, ...]:
+def limb_margins(m: Linkage, here: Configuration) -> tuple[float, ...]:
     """For each limb the least singular value of its twists that is not 0 in all configurations: turns by 1 rad, slides
     by ρ, measured in |ω|² + |v|²/ρ², v at the limb's end on the platform. It is 0 where the limb itself is singular, or
     its passive joints are.

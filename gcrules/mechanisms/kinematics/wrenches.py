@@ -12,7 +12,7 @@ from gcrules.core.floats import without_noise
 from gcrules.core.frozen import HoldsArrays
 from gcrules.mechanisms.kinematics.chains import geometry_of
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.margin import Closeness
+from gcrules.mechanisms.kinematics.margin import LimbMargin
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.screws import JOINTS, Joint, Limb, jacobian
 from gcrules.screws.floats import Floats as FloatField
@@ -27,7 +27,7 @@ class WrenchJacobian(HoldsArrays):
     an actuation with a twist (ω; v at the centre) of the platform is the rate of its actuator, that of a constraint 0.
     Where a limb is singular an actuation may not exist: nan there.
 
-    `smallest_singular_value` and `condition_number` are those of the same wrenches as `Closeness.rows` has them, with
+    `smallest_singular_value` and `condition_number` are those of the same wrenches as `LimbMargin.rows` has them, with
     `length` as the characteristic length.
     """
 
@@ -54,8 +54,8 @@ def _finite(x: float) -> float | None:
     return without_noise(x) if np.isfinite(x) else None
 
 
-def wrench_jacobian(m: Linkage, here: Configuration, near: Closeness) -> WrenchJacobian:
-    """The Jacobian at a configuration, whose closeness is known, about the centroid of the limbs' ends."""
+def wrench_jacobian(m: Linkage, here: Configuration, near: LimbMargin) -> WrenchJacobian:
+    """The Jacobian at a configuration, whose margin is known, about the centroid of the limbs' ends."""
     platform = here.platform
     centre = platform[:3, :3] @ m.centre + platform[:3, 3]
     points = {d.name for d in m.robot.family.definitions if d.sort == "point"}

@@ -10,7 +10,7 @@ import numpy as np
 
 from gcrules.core.floats import without_noise
 from gcrules.mechanisms.kinematics.linkage import Linkage
-from gcrules.mechanisms.kinematics.margin import Closeness
+from gcrules.mechanisms.kinematics.margin import LimbMargin
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
 __all__ = ["LimbNumbers", "limb_numbers"]
@@ -22,14 +22,14 @@ _NONE = 1e-9
 
 @dataclass(frozen=True)
 class LimbNumbers:
-    """A limb by itself: `closeness` to its own singularities (0 there), and its part in the balance of wrenches that
+    """A limb by itself: `margin` to its own singularities (0 there), and its part in the balance of wrenches that
     resists the softest motion least: the wrenches of all limbs sum up to 0 where the robot is singular, and nearly so
     close to that. `share` is the size of its wrench (largest 1), `force` and `moment` (about the Jacobian's centre) are
     the wrench itself.
     """
 
     name: str
-    closeness: float
+    margin: float
     share: float
     force: XYZ
     moment: XYZ
@@ -37,7 +37,7 @@ class LimbNumbers:
     def to_json(self) -> dict[str, Any]:
         return {
             "name": self.name,
-            "closeness": self.closeness,
+            "margin": self.margin,
             "share": self.share,
             "force": [without_noise(c) for c in self.force],
             "moment": [without_noise(c) for c in self.moment],
@@ -61,8 +61,8 @@ def _shown(v: Floats) -> str:
     return "(" + ", ".join(f"{c:.4g}" for c in np.round(v, 9) + 0.0) + ")"
 
 
-def limb_numbers(m: Linkage, near: Closeness, own: Sequence[float]) -> tuple[LimbNumbers, ...]:
-    """The numbers of all limbs from the closeness of the robot and of each limb."""
+def limb_numbers(m: Linkage, near: LimbMargin, own: Sequence[float]) -> tuple[LimbNumbers, ...]:
+    """The numbers of all limbs from the margin of the robot and of each limb."""
     owners = np.array(near.owners)
     places = [0, 1, 5] if m.robot.family.plane else list(range(6))
     wrenches = np.zeros((len(own), 6))

@@ -16,7 +16,7 @@ from gcrules.core.floats import without_noise
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Linkage
-from gcrules.mechanisms.kinematics.margin import Closeness, closeness, limb_closeness
+from gcrules.mechanisms.kinematics.margin import LimbMargin, limb_margins, margin
 from gcrules.mechanisms.kinematics.solve import Solution, check_wanted, solve
 from gcrules.mechanisms.kinematics.targets import (
     Wanted,
@@ -142,9 +142,9 @@ def _amount(value: Any, name: str, in_degrees: bool) -> Any:
 def here(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Threshold) -> RobotPose:
     """All numbers at a solution."""
     c = solution.configuration
-    near = closeness(m, c)
+    near = margin(m, c)
     values = factors(analysis, c.values)
-    own = limb_closeness(m, c)
+    own = limb_margins(m, c)
     verdict, reason = _verdict(m, near, own, limit)
     motions = _twists(m, near)
     numbers = zip(COORDINATES, coordinates(COORDINATES, c.platform, m.centre), strict=True)
@@ -165,7 +165,7 @@ def here(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Thresho
         steps=solution.steps,
         iterations=solution.iterations,
         mode=_mode(m, analysis, values, solution),
-        closeness=near.sigma,
+        margin=near.sigma,
         turn=math.asin(near.sigma),
         threshold=limit,
         jacobian=wrench_jacobian(m, c, near),
@@ -182,7 +182,7 @@ def here(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Thresho
     )
 
 
-def _verdict(m: Linkage, near: Closeness, own: Sequence[float], limit: Threshold) -> tuple[str, str]:
+def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshold) -> tuple[str, str]:
     sigma, turn = near.sigma, math.asin(near.sigma)
     assert limit.angle is not None
     # Here σ guarantees a turn of asin σ, which is at most 90°.
@@ -219,7 +219,7 @@ def _capital(words: str) -> str:
     return words[0].upper() + words[1:]
 
 
-def _twists(m: Linkage, near: Closeness) -> tuple[Twist, ...]:
+def _twists(m: Linkage, near: LimbMargin) -> tuple[Twist, ...]:
     return tuple(twist_of(row[:3], row[3:], near.centre, m.size) for row in near.motions)
 
 

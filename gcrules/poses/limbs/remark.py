@@ -30,7 +30,7 @@ def remark(home: RobotPose) -> str:
     causes = home.causes or (home.reason,)
     why = "; ".join(cause[:1].lower() + cause[1:].removesuffix(".") for cause in causes)
     if home.verdict == "close":
-        return f"home is close to singular (closeness {home.closeness:.2g}): {why}"
+        return f"home is close to singular (margin {home.margin:.2g}): {why}"
     if len(home.motions) > 1:
         return f"home is singular: {why}; the platform gains {len(home.motions)} independent motions"
     ways = "".join(f"; the platform can {motion.text()}, which no limb resists" for motion in home.motions)

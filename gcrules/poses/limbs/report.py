@@ -27,7 +27,7 @@ class RobotPose(HoldsArrays, Shown):
     `coordinates` are x, y, z of the platform's `centre`, roll, pitch, yaw and the rotation vector; `actuators` holds
     each driven freedom with its amount. `residual` is how far the loops are open and `off` how far names are from their
     relations, in parts of the robot's size; `steps` and `iterations` are those of the solution, `mode` says on which
-    assembly mode it lies. `closeness` is σ in [0, 1] and `turn` = asin σ its guarantee (see docs/robot-numbers.md).
+    assembly mode it lies. `margin` is σ in [0, 1] and `turn` = asin σ its guarantee (see docs/robot-numbers.md).
     `factors` are those of the condition; `motions` what the platform gains where it is singular, `softest` the motion
     that the limbs notice least, `points` the places of all points and directions.
     """
@@ -46,7 +46,7 @@ class RobotPose(HoldsArrays, Shown):
     steps: int
     iterations: int
     mode: str
-    closeness: float
+    margin: float
     turn: float
     threshold: Threshold
     jacobian: WrenchJacobian
@@ -97,7 +97,7 @@ class RobotPose(HoldsArrays, Shown):
                 "iterations": self.iterations,
                 "mode": self.mode,
             },
-            "closeness": self.closeness,
+            "margin": self.margin,
             "guarantees": {"turn": self.turn},
             "threshold": {"angle": self.threshold.angle},
             "jacobian": self.jacobian.to_json(),
@@ -110,6 +110,4 @@ class RobotPose(HoldsArrays, Shown):
         }
 
     def __repr__(self) -> str:
-        return (
-            f"<RobotPose {self.robot}: {self.verdict}, closeness {self.closeness:.4g}, {math.degrees(self.turn):.3g}°>"
-        )
+        return f"<RobotPose {self.robot}: {self.verdict}, margin {self.margin:.4g}, {math.degrees(self.turn):.3g}°>"

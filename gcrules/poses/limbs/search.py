@@ -1,7 +1,7 @@
 r"""The first singular configuration along a straight course of coordinates or actuators, from home.
 
 Samples are taken along the course. Where a factor of the condition changes its sign between two of them, or the
-closeness σ has a least value, the place is narrowed down, solving the loops anew each time. What lies
+margin σ has a least value, the place is narrowed down, solving the loops anew each time. What lies
 between two samples without showing is not found: this is a search, not a proof of absence.
 """
 
@@ -14,7 +14,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.linkage import Linkage
-from gcrules.mechanisms.kinematics.margin import closeness
+from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.solve import Course, Solution, goal
 from gcrules.mechanisms.kinematics.targets import Wanted
 from gcrules.poses.limbs.factors import factors
@@ -49,7 +49,7 @@ def first_singular(m: Linkage, analysis: RobotAnalysis, wanted: Wanted, samples:
         return [f.value for f in factors(analysis, s.configuration.values) if f.live]
 
     def sigma(s: Solution) -> float:
-        return closeness(m, s.configuration).sigma
+        return margin(m, s.configuration).sigma
 
     signs, sizes = [signed(way[0])], [sigma(way[0])]
     for k in range(1, samples + 1):

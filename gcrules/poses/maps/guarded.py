@@ -1,4 +1,4 @@
-r"""Cells of any slice that are free of singular poses, proved by the closeness σ at their middles.
+r"""Cells of any slice that are free of singular poses, proved by the margin σ at their middles.
 
 Within a cell the platform shifts by at most d and turns by at most φ from the pose in the middle; then the end of leg i
 moves by at most x = d + 2 r_i sin(φ/2), r_i its distance from the centre, and the leg turns by at most asin(x/l_i) + φ
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.poses.maps.grid import Grid
-from gcrules.screws.guarantees import closeness
+from gcrules.screws.guarantees import guarantees
 from gcrules.screws.margin import jacobian
 
 __all__ = ["guarded"]
@@ -62,7 +62,7 @@ def _free(g: Grid, middle: Floats, half: float) -> Booleans:
     possible = (lengths > moved).all(axis=1)
     found = np.zeros(len(middle), dtype=bool)
     if possible.any():
-        bound = closeness(jacobian(g.rig.base, ends[possible])).turn
+        bound = guarantees(jacobian(g.rig.base, ends[possible])).turn
         turned = np.arcsin(np.minimum(moved / lengths[possible], 1.0)).max(axis=1) + turn
         found[possible] = turned * (1 + 1e-12) < bound
     return found

@@ -41,11 +41,11 @@ from gcrules.poses.maps.summary import Summary, summed, together
 from gcrules.poses.maps.tracing import polished, traced
 from gcrules.poses.maps.values import KINDS, Task
 from gcrules.poses.pose_inputs import moving_robot
-from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, closeness_of
+from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of
 
 __all__ = ["MEASURES", "bytes_of", "done", "planned", "singular_map"]
 
-MEASURES = ("closeness", "value")
+MEASURES = ("margin", "value")
 _BAR = 24
 MAX_HELD = 8_000_000
 """Poses whose numbers are kept in memory; more need a folder for the work."""
@@ -59,7 +59,7 @@ def singular_map(
     about: str | Sequence[Any] = "centroid",
     limits: str | None = None,
     threshold: str | Threshold = DEFAULT,
-    measure: str = "closeness",
+    measure: str = "margin",
     work: str | PathLike[str] | None = None,
     restart: bool = False,
 ) -> SingularMap:
@@ -139,7 +139,7 @@ def _manifest(task: Task) -> dict[str, Any]:
 
 def _computed(task: Task, store: Store, limit: Threshold) -> Summary:
     assert limit.angle is not None
-    sigma = closeness_of(limit.angle)
+    sigma = margin_of(limit.angle)
     parts: list[Summary] = []
     kept: list[int] = []
     poses = 0

@@ -24,7 +24,7 @@ from gcrules.poses.maps.summary import Summary
 from gcrules.poses.maps.surface import Sheet, of_factor, sheet
 from gcrules.poses.maps.values import Chunk, Task
 from gcrules.rules.condition import Condition
-from gcrules.screws.threshold import Threshold, closeness_of
+from gcrules.screws.threshold import Threshold, margin_of
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -96,14 +96,14 @@ class SingularMap(HoldsArrays, Shown):
 
     @property
     def arrays(self) -> tuple[str, ...]:
-        """superbracket, and as asked for closeness, leg_length, allowed; cell_status has an entry for each cell."""
+        """superbracket, and as asked for margin, leg_length, allowed; cell_status has an entry for each cell."""
         return self.task.names
 
     @property
     def sigma(self) -> float:
-        """The closeness that the threshold stands for."""
+        """The margin that the threshold stands for."""
         assert self.threshold.angle is not None
-        return closeness_of(self.threshold.angle)
+        return margin_of(self.threshold.angle)
 
     def chunks(self) -> Iterator[tuple[int, Chunk]]:
         """The first layer of each chunk, and its arrays."""
@@ -212,11 +212,11 @@ class SingularMap(HoldsArrays, Shown):
         if self.everywhere:
             return "the superbracket is the zero polynomial on this slice, exactly: every pose is singular"
         if self.factors is None and self.task.measure == "value":
-            return f"none: {crossed:,} cells are crossed by a change of sign; --measure closeness proves others free"
+            return f"none: {crossed:,} cells are crossed by a change of sign; --measure margin proves others free"
         if self.factors is not None:
             how = "the superbracket is an exact polynomial there, its Bernstein coefficients show its signs"
         else:
-            how = "by the closeness at their middles"
+            how = "by the margin at their middles"
         left = f"{crossed:,} crossed, {undecided:,} undecided"
         return (
             f"every singular pose of the slice lies in the {crossed + undecided:,} cells that are not free ({left}); "

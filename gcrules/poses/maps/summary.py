@@ -17,7 +17,7 @@ __all__ = ["Summary", "summed", "together"]
 @dataclass(frozen=True)
 class Summary:
     """Counts over the whole map: `cells` by status (free, crossed, undecided), poses, those within the limits, and
-    those of the latter below the threshold; the least closeness among them, and where (None where it was not asked for
+    those of the latter below the threshold; the least margin among them, and where (None where it was not asked for
     or no pose keeps to the limits).
     """
 
@@ -25,7 +25,7 @@ class Summary:
     poses: int
     allowed: int
     close: int
-    closeness: float | None = None
+    margin: float | None = None
     place: tuple[float, ...] | None = None
 
     def to_json(self) -> dict[str, Any]:
@@ -34,21 +34,21 @@ class Summary:
             "poses": self.poses,
             "allowed": self.allowed,
             "close": self.close,
-            "least_closeness": self.closeness,
+            "least_margin": self.margin,
             "at": list(self.place) if self.place else None,
         }
 
 
 def summed(chunk: Chunk, task: Task, number: int, sigma: float) -> Summary:
-    """The summary of one chunk; poses are close below the closeness `sigma`."""
+    """The summary of one chunk; poses are close below the margin `sigma`."""
     first, _ = task.span(number)
     counts = np.bincount(chunk["cell_status"].ravel(), minlength=3)
     poses = chunk["superbracket"].size
     inside = chunk["allowed"].astype(bool) if "allowed" in chunk else np.ones(chunk["superbracket"].shape, bool)
     cells = (int(counts[FREE]), int(counts[CROSSED]), int(counts[UNDECIDED]))
-    if "closeness" not in chunk or not inside.any():
+    if "margin" not in chunk or not inside.any():
         return Summary(cells, poses, int(inside.sum()), 0)
-    values = np.where(inside, chunk["closeness"], np.inf)
+    values = np.where(inside, chunk["margin"], np.inf)
     k = np.unravel_index(int(values.argmin()), values.shape)
     place = task.grid.coordinates(np.array([[k[0] + first, *k[1:]]], dtype=np.float64))[0]
     close = int((values < sigma).sum())
@@ -59,14 +59,14 @@ def together(parts: Iterable[Summary]) -> Summary:
     """Summaries of chunks as one."""
     total = Summary((0, 0, 0), 0, 0, 0)
     for p in parts:
-        least = min((s for s in (total, p) if s.closeness is not None), key=lambda s: s.closeness or 0.0, default=p)
+        least = min((s for s in (total, p) if s.margin is not None), key=lambda s: s.margin or 0.0, default=p)
         a, b, c = (x + y for x, y in zip(total.cells, p.cells, strict=True))
         total = Summary(
             (a, b, c),
             total.poses + p.poses,
             total.allowed + p.allowed,
             total.close + p.close,
-            least.closeness,
+            least.margin,
             least.place,
         )
     return total

@@ -1,7 +1,7 @@
 r"""The numbers of a map, chunk by chunk: chunks know nothing of each other, and may be computed anywhere.
 
 A chunk is a number of whole layers along the first axis. It holds, with the axes of the map first:
-superbracket (length⁹), closeness σ, leg_length (six of them), allowed (1 where the limits are kept), and cell_status
+superbracket (length⁹), margin σ, leg_length (six of them), allowed (1 where the limits are kept), and cell_status
 for the cells between its layers and up to the next one.
 """
 
@@ -33,7 +33,7 @@ Chunk = Mapping[str, NDArray[Any]]
 
 KINDS: Mapping[str, Any] = {
     "superbracket": np.float64,
-    "closeness": np.float32,
+    "margin": np.float32,
     "leg_length": np.float32,
     "allowed": np.uint8,
     "cell_status": np.uint8,
@@ -47,7 +47,7 @@ _BATCH = 20_000  # poses whose Jacobians are in memory at once
 
 @dataclass(frozen=True, eq=False)
 class Task(HoldsArrays):
-    """What is computed: `measure` is closeness (everything) or value (the superbracket, and what the limits need).
+    """What is computed: `measure` is margin (everything) or value (the superbracket, and what the limits need).
 
     `factors` are those of the superbracket where all axes are translations, else None; `everywhere` says that it is
     exactly 0 in all poses of the slice.
@@ -63,13 +63,13 @@ class Task(HoldsArrays):
     @property
     def names(self) -> tuple[str, ...]:
         """The arrays of each chunk."""
-        full = ("closeness", "leg_length") if self.measure == "closeness" else ()
+        full = ("margin", "leg_length") if self.measure == "margin" else ()
         return ("superbracket", *full, *(("allowed",) if self.limits else ()), "cell_status")
 
     @property
     def layers(self) -> int:
-        """Layers of a chunk; the closeness takes long, so its chunks are smaller."""
-        poses = _POSES // 4 if self.measure == "closeness" else _POSES
+        """Layers of a chunk; the margin takes long, so its chunks are smaller."""
+        poses = _POSES // 4 if self.measure == "margin" else _POSES
         return max(1, poses // math.prod(self.grid.shape[1:]))
 
     @property
@@ -92,13 +92,13 @@ class Task(HoldsArrays):
         stop = min(last + 1, self.grid.shape[0])  # one layer more: the cells between it and the chunk belong here
         values = self._superbracket(first, stop)
         found: dict[str, NDArray[Any]] = {"superbracket": values[: last - first]}
-        if self.measure == "closeness" or self.limits:
+        if self.measure == "margin" or self.limits:
             lengths, sigma = self._legs(first, last)
             if self.limits:
                 found["allowed"] = self.limits.allow(lengths).astype(np.uint8).reshape(-1, *inner)
-            if self.measure == "closeness":
+            if self.measure == "margin":
                 found["leg_length"] = lengths.astype(np.float32).reshape(-1, *inner, 6)
-                found["closeness"] = sigma.astype(np.float32).reshape(-1, *inner)
+                found["margin"] = sigma.astype(np.float32).reshape(-1, *inner)
         found["cell_status"] = self._cells(first, values)
         return {name: found[name] for name in self.names}
 
@@ -126,7 +126,7 @@ class Task(HoldsArrays):
             ends = g.ends(g.coordinates(self._places(first * inner + start, part.stop - start)))
             lengths[part] = np.linalg.norm(ends - g.rig.base, axis=2)
             whole = (lengths[part] > ROUNDING * g.rig.size).all(axis=1)
-            if self.measure == "closeness" and whole.any():
+            if self.measure == "margin" and whole.any():
                 sigma[part][whole] = jacobian(g.rig.base, ends[whole]).sigma
         sigma[sigma < _ROUNDING] = 0.0
         return lengths, sigma

@@ -2,7 +2,7 @@ r"""Proofs that a robot has no singular pose nearby, in rotation and in both, fr
 
 Rotation vectors are halved into cubes. The distance of two rotations is at most that of their vectors, so within a cube
 of half width h every rotation is within √3 h of the one at the centre. There σ guarantees that no leg's turn below θ
-leads to a singular pose; legs turn by at most κ(|d| + √3 h r_i)/l_i + √3 h (see `closeness`). So all rotations of a
+leads to a singular pose; legs turn by at most κ(|d| + √3 h r_i)/l_i + √3 h (see `margin`). So all rotations of a
 cube are free if that stays below θ with d = 0, and all shifts |d| below some δ are free with them. Derived here.
 """
 
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.poses.numbers.arrays import from_vectors, matrices
-from gcrules.screws.guarantees import closeness
+from gcrules.screws.guarantees import guarantees
 from gcrules.screws.margin import Jacobian, jacobian
 
 __all__ = ["MAX_POSES", "free_angle", "free_distance"]
@@ -53,7 +53,7 @@ def free_angle(base: Floats, j: Jacobian, target: float, limit: int = MAX_POSES)
 
 
 def free_distance(base: Floats, j: Jacobian, target: float, limit: int = MAX_POSES) -> float:
-    """A distance ≤ target such that no nearer pose is singular, in the metric of `Closeness.combined`.
+    """A distance ≤ target such that no nearer pose is singular, in the metric of `Guarantees.combined`.
 
     A singular pose in a cube has a shift of at least δ and a rotation of at least the cube's least φ, so its distance
     is at least the root of δ² + (ρφ)².
@@ -81,7 +81,7 @@ def _free_shift(base: Floats, j: Jacobian, cubes: Floats, half: float) -> tuple[
     ends = np.einsum("nij,kj->nki", matrices(from_vectors(cubes)), j.arms[0]) + j.centroid[0]
     gone = (np.linalg.norm(ends - base, axis=2) <= 1e-12 * j.radius).any(axis=1)
     ends[gone] = j.arms[0] + j.centroid[0]  # legs of no length: their bounds are set to 0 below
-    bounds = closeness(jacobian(base, ends))
+    bounds = guarantees(jacobian(base, ends))
     spare = 1 - np.sqrt(3) * half / np.maximum(bounds.rotation, 1e-300)  # of θ, at the leg that is worst in rotation
     shift: Floats = bounds.shift * spare
     return np.where(gone, -1.0, shift), np.where(gone, 0.0, bounds.shift)

@@ -17,7 +17,7 @@ from gcrules.poses.nearest.zero import nearest_zero
 from gcrules.poses.numbers.arrays import from_poses
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
 from gcrules.poses.numbers.nearest_pose import NearestPose
-from gcrules.screws.guarantees import closeness
+from gcrules.screws.guarantees import guarantees
 from gcrules.screws.margin import Jacobian, jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import from_vector, product, rotation, short
@@ -39,7 +39,7 @@ def nearest_poses(rig: Rig, pose: Pose, j: Jacobian, *, singular: bool) -> tuple
     if translation.pose is not None:
         shift = [float(c - d) for c, d in zip(translation.pose.translation, pose.translation, strict=True)]
         seeds = np.array([[*shift, 0.0, 0.0, 0.0]])
-    bounds = closeness(j)
+    bounds = guarantees(j)
     f = Determinant.of(rig.base, j)
     vector = best_zero(f, 3, math.pi)
     target = math.pi if vector is None else (1 - _COVERED) * float(np.linalg.norm(vector))

@@ -15,9 +15,9 @@ from gcrules.core.shown import Shown
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.numbers.incidence_measures import Reading, readings
 from gcrules.rules.condition import Condition
-from gcrules.screws.guarantees import ROUNDING, closeness, noise
+from gcrules.screws.guarantees import ROUNDING, guarantees, noise
 from gcrules.screws.margin import jacobian
-from gcrules.screws.threshold import Threshold, closeness_of
+from gcrules.screws.threshold import Threshold, margin_of
 from gcrules.screws.verdict import VERDICTS, rank
 
 __all__ = ["PoseNumbers", "homogeneous", "numbers"]
@@ -35,11 +35,11 @@ class PoseNumbers(HoldsArrays, Shown):
     """Arrays over N poses, shape (N,); the names and units are those of `PoseReport`. `readings` hold arrays too;
     `notes` say what was changed on reading.
 
-    These are floats: a pose is called singular where `closeness` is 0 within their rounding.
+    These are floats: a pose is called singular where `margin` is 0 within their rounding.
     """
 
     value: Floats
-    closeness: Floats
+    margin: Floats
     turn: Floats
     shift: Floats
     rotation: Floats
@@ -58,7 +58,7 @@ class PoseNumbers(HoldsArrays, Shown):
 
     def to_json(self) -> dict[str, Any]:
         """Lists of numbers, null for those that are infinite or not valid."""
-        names = ["value", "closeness", "turn", "shift", "rotation", "combined", "noise"]
+        names = ["value", "margin", "turn", "shift", "rotation", "combined", "noise"]
         names += ["smallest_singular_value", "condition_number"]
         return {
             "unit": self.unit,
@@ -140,14 +140,14 @@ def _numbers(
     """The numbers of one chunk, that begins with pose `first`."""
     ends = rig.ends(*poses, first)
     j = jacobian(rig.base, ends)
-    bounds = closeness(j)
+    bounds = guarantees(j)
     spread, floor = noise(j, accuracy), noise(j, ROUNDING * rig.size)
     turned = sum(leg != typed for leg, typed in zip(rig.legs, rig.structure.legs, strict=True))
     with np.errstate(over="ignore", under="ignore"):
         value = -np.linalg.det(j.rows) * j.radius**3 * j.lengths.prod(axis=1) * (-1) ** turned
     return PoseNumbers(
         value=value,
-        closeness=j.sigma,
+        margin=j.sigma,
         turn=bounds.turn,
         shift=bounds.shift,
         rotation=bounds.rotation,
@@ -155,7 +155,7 @@ def _numbers(
         noise=spread,
         smallest_singular_value=j.singular_values[:, 5],
         condition_number=j.condition_number,
-        verdict=np.array(VERDICTS)[rank(j.sigma, floor, spread, closeness_of(angle))],
+        verdict=np.array(VERDICTS)[rank(j.sigma, floor, spread, margin_of(angle))],
         readings=readings(conditions, homogeneous(rig, *poses)),
         radius=j.radius,
         unit=rig.unit,

@@ -16,7 +16,7 @@ class NearestPose:
     """The nearest singular pose of one `kind`: translation (orientation fixed), rotation (about the centroid of the
     legs' platform ends, which stays) or combined.
 
-    `distance` is a length for translation and combined (`closeness.Closeness` has the metric), an angle in radians for
+    `distance` is a length for translation and combined (`Guarantees` has the metric), an angle in radians for
     rotation; infinite with `pose` None where none was found. There is proved to be none nearer than `lower`, and, if
     `upper` is not None, one within `upper`, for the determinant changes its sign up to there. `sigma` is the measure at
     the pose that is returned, in floats; `exact` says that its superbracket is exactly 0,

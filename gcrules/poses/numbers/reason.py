@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from gcrules.poses.numbers.nearest_pose import NearestPose
-from gcrules.screws.guarantees import Closeness
+from gcrules.screws.guarantees import Guarantees
 from gcrules.screws.margin import Jacobian
-from gcrules.screws.threshold import Threshold, closeness_of, degrees
+from gcrules.screws.threshold import Threshold, degrees, margin_of
 from gcrules.screws.verdict import CLOSE, decide
 
 __all__ = ["verdict"]
@@ -17,7 +17,7 @@ __all__ = ["verdict"]
 
 def verdict(
     j: Jacobian,
-    bounds: Closeness,
+    bounds: Guarantees,
     value: Fraction,
     floor: float,
     spread: float,
@@ -33,7 +33,7 @@ def verdict(
     sigma, turn = float(j.sigma[0]), float(bounds.turn[0])
     if value == 0:
         return "singular", "The superbracket is exactly 0: the legs do not control the platform."
-    close = CLOSE if threshold.angle is None else closeness_of(threshold.angle)
+    close = CLOSE if threshold.angle is None else margin_of(threshold.angle)
     word = decide(sigma, floor, spread, close)
     if word == "singular":
         return word, f"σ = {sigma:.2g} is 0 within rounding (to 1e-12 of the robot's size)."

@@ -51,8 +51,8 @@ class PoseReport(Shown):
     """A robot in one pose. Lengths are in the robot's unit, angles in radians.
 
     `verdict` is regular | close | singular, `reason` the sentence with it and `causes` the incidences that make the
-    pose singular. `superbracket` is exact (a length⁹; singular exactly where it is 0). `closeness` is the measure σ in
-    [0, 1]; `turn`, `shift`, `rotation` and `combined` are what it guarantees (see `Closeness`), for the
+    pose singular. `superbracket` is exact (a length⁹; singular exactly where it is 0). `margin` is the measure σ in
+    [0, 1]; `turn`, `shift`, `rotation` and `combined` are what it guarantees (see `Guarantees`), for the
     joints' places as they are given; `noise` is how much σ
     can change for joints that are known up to `accuracy`. `smallest_singular_value` and `condition_number` are those
     of the Jacobian with the characteristic length `radius`. `nearest` holds the nearest singular poses (empty if they
@@ -68,7 +68,7 @@ class PoseReport(Shown):
     reason: str
     causes: tuple[str, ...]
     superbracket: Fraction
-    closeness: float
+    margin: float
     turn: float
     shift: float
     rotation: float
@@ -104,7 +104,7 @@ class PoseReport(Shown):
             "pose": self.pose.to_json(),
             "value": self.value if math.isfinite(self.value) and (self.value or not self.superbracket) else None,
             "exact": exact if len(exact) <= _LONGEST else None,
-            "closeness": self.closeness,
+            "margin": self.margin,
             "verdict": self.verdict,
             "reason": self.reason,
             "causes": list(self.causes),
@@ -132,4 +132,4 @@ class PoseReport(Shown):
         }
 
     def __repr__(self) -> str:
-        return f"<PoseReport {self.verdict}: closeness {self.closeness:.4g}, {degrees(self.turn)}>"
+        return f"<PoseReport {self.verdict}: margin {self.margin:.4g}, {degrees(self.turn)}>"

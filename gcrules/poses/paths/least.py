@@ -1,4 +1,4 @@
-r"""The least closeness along a path with a lower bound that holds in between too: branch and bound in the parameter.
+r"""The least margin along a path with a lower bound that holds in between too: branch and bound in the parameter.
 
 Seen from the platform a leg's direction w changes when the leg turns against it; σ, the least length of (w_i·v_i) over
 twists with Σ |v_i|² = 1, changes by no more than the largest |w_i − w′_i| = 2 sin(turn/2). A leg of length l whose end
@@ -30,18 +30,18 @@ Floats = NDArray[np.float64]
 MOST = 40_000
 """Poses that are looked at, at most, to prove the bound."""
 
-_NEAR = 0.99  # the bound is driven up to this times the least closeness that was met
+_NEAR = 0.99  # the bound is driven up to this times the least margin that was met
 _ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
 class Least:
-    """The least closeness σ that was met, at `parameter`; nowhere on the path is it below `bound`, which is proved.
+    """The least margin σ that was met, at `parameter`; nowhere on the path is it below `bound`, which is proved.
 
     `rounding` is how much σ may be wrong there by errors of the arithmetic.
     """
 
-    closeness: float
+    margin: float
     parameter: float
     bound: float
     rounding: float = 0.0
@@ -58,17 +58,17 @@ def least(path: Sequence[Segment], samples: int, most: int = MOST) -> Least:
         checkpoint()
         sigma, low, wrong = _bounds(rig, path, cells)
         n = int(np.argmin(sigma))
-        if sigma[n] < best.closeness:
+        if sigma[n] < best.margin:
             best = Least(float(sigma[n]), float(cells[n, 0] + cells[n, 1:].mean()), 0.0, float(wrong[n]))
         seen += len(cells)
-        done = (low >= _NEAR * best.closeness) | (best.closeness <= best.rounding)
+        done = (low >= _NEAR * best.margin) | (best.margin <= best.rounding)
         if seen + 2 * int((~done).sum()) > most:
             done[:] = True
         proved = min(proved, float(low[done].min(initial=np.inf)))
         k, a, b = cells[~done].T
         middle = (a + b) / 2
         cells = np.concatenate([np.stack([k, a, middle], axis=1), np.stack([k, middle, b], axis=1)])
-    return Least(best.closeness, best.parameter, max(0.0, min(proved, best.closeness)), best.rounding)
+    return Least(best.margin, best.parameter, max(0.0, min(proved, best.margin)), best.rounding)
 
 
 def _bounds(rig: Rig, path: Sequence[Segment], cells: Floats) -> tuple[Floats, Floats, Floats]:

@@ -1,4 +1,4 @@
-r"""The answer for a path: numbers at samples as arrays, every singular place, the least closeness."""
+r"""The answer for a path: numbers at samples as arrays, every singular place, the least margin."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class PathReport(HoldsArrays, Shown):
 
     `zeros` are all singular places, but for the `stretches` that are singular throughout: both are proved complete, as
     the superbracket along each segment is an exact polynomial (`degrees`: of what degree; −1 where it is zero).
-    `least` is the least closeness with a bound that holds everywhere. `parameters` (N,), `translations` (N, 3) and unit
+    `least` is the least margin with a bound that holds everywhere. `parameters` (N,), `translations` (N, 3) and unit
     `quaternions` (N, 4; w, x, y, z) are the samples, the zeros among them, and `numbers` what `gc.pose` says of these.
     """
 
@@ -119,7 +119,7 @@ class PathReport(HoldsArrays, Shown):
             "zeros": [z.to_json() for z in self.zeros],
             "stretches": [s.to_json() for s in self.stretches],
             "least": {
-                "closeness": self.least.closeness,
+                "margin": self.least.margin,
                 "parameter": self.least.parameter,
                 "bound": self.least.bound,
             },
@@ -144,12 +144,12 @@ class PathReport(HoldsArrays, Shown):
         n = self.numbers
         yield [
             *("parameter", f"x{u}", f"y{u}", f"z{u}", "qw", "qx", "qy", "qz"),
-            *(f"superbracket{f' [{self.rig.unit}^9]' if u else ''}", "closeness", "free turn [rad]", f"free shift{u}"),
+            *(f"superbracket{f' [{self.rig.unit}^9]' if u else ''}", "margin", "free turn [rad]", f"free shift{u}"),
             *("smallest singular value", "condition number"),
             *(f"{r.name} of {r.part}{u if r.power else ''}" for r in n.readings),
             *("verdict", "zero"),
         ]
-        columns: list[Floats] = [n.value, n.closeness, n.turn, n.shift, n.smallest_singular_value, n.condition_number]
+        columns: list[Floats] = [n.value, n.margin, n.turn, n.shift, n.smallest_singular_value, n.condition_number]
         columns += [np.where(r.valid, r.values, np.nan) for r in n.readings]
         numbers = np.column_stack([self.parameters, self.translations, self.quaternions, *columns])
         for row, verdict, kind in zip(numbers.tolist(), n.verdict.tolist(), self.kinds(), strict=True):
@@ -167,4 +167,4 @@ class PathReport(HoldsArrays, Shown):
     def __repr__(self) -> str:
         angle = degrees(2 * float(np.arcsin(self.least.bound / 2)))
         found = f"{len(self.zeros)} zeros" + (f", {len(self.stretches)} stretches" if self.stretches else "")
-        return f"<PathReport {self.verdict}: {found}, closeness at least {self.least.bound:.4g}, {angle}>"
+        return f"<PathReport {self.verdict}: {found}, margin at least {self.least.bound:.4g}, {angle}>"

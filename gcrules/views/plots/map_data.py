@@ -111,8 +111,8 @@ def _variables(m: SingularMap) -> dict[str, Variable]:
             "long_name": "superbracket of the six legs, 0 in singular poses",
             **({"units": f"{unit}9"} if unit else {}),
         },
-        "closeness": {
-            "long_name": "closeness sigma, 0 in singular poses, at most 1",
+        "margin": {
+            "long_name": "margin sigma, 0 in singular poses, at most 1",
             "units": "1",
             "comment": "no pose is singular before some leg has turned by 2 asin(sigma/2) relative to the platform",
             "threshold": m.sigma,

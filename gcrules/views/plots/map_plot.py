@@ -1,6 +1,6 @@
-r"""Pictures of maps through matplotlib: closeness with singular curves, or singular surfaces from several sides.
+r"""Pictures of maps through matplotlib: margin with singular curves, or singular surfaces from several sides.
 
-Colours are told apart by colour-blind readers and in grey: closeness from dark blue (near a singularity) to nearly
+Colours are told apart by colour-blind readers and in grey: margin from dark blue (near a singularity) to nearly
 white, curves in vermilion with a white rim. Equal maps give equal bytes: no dates, no installed fonts.
 """
 
@@ -44,7 +44,7 @@ _SETTINGS: Any = {
 _SETTING = Lock()  # the settings of matplotlib are global
 
 _CURVE, _INK, _YELLOW, _AMBER = LIGHT["entity2"], LIGHT["ink"], "#F0E442", "#E69F00"
-_SIGMA = LinearSegmentedColormap.from_list("closeness", ["#08306B", "#2F74B5", "#7FB2D8", "#C6DCEE", "#F4F8FC"])
+_SIGMA = LinearSegmentedColormap.from_list("margin", ["#08306B", "#2F74B5", "#7FB2D8", "#C6DCEE", "#F4F8FC"])
 _BELOW, _ABOVE = "#F6E3D3", "#D8E6F2"
 _WIDTH = 6.3  # inches
 _MOST = 500  # nodes of each axis that are drawn
@@ -81,8 +81,8 @@ def _flat(m: SingularMap) -> Figure:
     x, y, step = _places(m)
     extent = (float(first.start), float(first.stop), float(second.start), float(second.stop))
     handles: list[Any] = []
-    if "closeness" in m.arrays:
-        _closeness(m, made, axes, x, y, m.values("closeness")[:: step[0], :: step[1]].astype(np.float64), handles)
+    if "margin" in m.arrays:
+        _margin(m, made, axes, x, y, m.values("margin")[:: step[0], :: step[1]].astype(np.float64), handles)
     else:
         values = m.values("superbracket")[:: step[0], :: step[1]]
         axes.pcolormesh(
@@ -141,9 +141,7 @@ def _places(m: SingularMap) -> tuple[Floats, Floats, list[int]]:
     return x, y, step
 
 
-def _closeness(
-    m: SingularMap, made: Figure, axes: Any, x: Floats, y: Floats, sigma: Floats, handles: list[Any]
-) -> None:
+def _margin(m: SingularMap, made: Figure, axes: Any, x: Floats, y: Floats, sigma: Floats, handles: list[Any]) -> None:
     top = float(sigma.max())
     bounds = _bounds(top)
     norm = BoundaryNorm(bounds, _SIGMA.N)
@@ -166,7 +164,7 @@ def _closeness(
         lines.set(**rim)
         handles.append(Line2D([], [], color=_YELLOW, lw=1.0, label=f"threshold {m.threshold.text}", **rim))
     bar = made.colorbar(image, ax=axes, pad=0.02, fraction=0.05, aspect=28, ticks=bounds, format="%g")
-    bar.set_label("closeness σ (0 is singular)")
+    bar.set_label("margin σ (0 is singular)")
     bar.outline.set_linewidth(0.6)
     bar.ax.tick_params(length=2.5, width=0.6)
 

@@ -1,4 +1,4 @@
-r"""The plot of a path: closeness and superbracket over the parameter, singular places marked by shape and colour."""
+r"""The plot of a path: margin and superbracket over the parameter, singular places marked by shape and colour."""
 
 from __future__ import annotations
 
@@ -49,9 +49,9 @@ class _Axis:
 
 
 def plot(r: PathReport) -> Drawing:
-    """Above the closeness σ with the threshold, below the superbracket; the x axis is the parameter of the path."""
+    """Above the margin σ with the threshold, below the superbracket; the x axis is the parameter of the path."""
     x = _Axis(0, len(r.poses) - 1, LEFT, WIDTH - RIGHT)
-    sigma = _Axis(0, _up(max(float(r.numbers.closeness.max(initial=0)), 1e-9)), _TOP + _UPPER, _TOP)
+    sigma = _Axis(0, _up(max(float(r.numbers.margin.max(initial=0)), 1e-9)), _TOP + _UPPER, _TOP)
     value = _determinant(r)
     low, high = (math.copysign(_up(abs(v)), v) if v else 0.0 for v in (value.min(initial=0), value.max(initial=0)))
     floor = _TOP + _UPPER + _GAP + _LOWER
@@ -61,7 +61,7 @@ def plot(r: PathReport) -> Drawing:
         for axis in (sigma, det):
             corners = ((x(s.start), axis.start), (x(s.end), axis.start), (x(s.end), axis.end), (x(s.start), axis.end))
             shapes.append(Polygon(corners, fill="mark", fill_opacity=0.16))
-    shapes += _frame(x, sigma, "closeness σ (no unit; 0 is singular)", last=False)
+    shapes += _frame(x, sigma, "margin σ (no unit; 0 is singular)", last=False)
     shapes += _frame(x, det, "superbracket / (leg lengths · ρ³) (no unit)", last=True)
     assert r.threshold.angle is not None
     limit = 2 * math.sin(min(r.threshold.angle, math.pi) / 2)
@@ -72,13 +72,13 @@ def plot(r: PathReport) -> Drawing:
     for z in r.zeros:
         for axis in (sigma, det):
             shapes.append(Line((x(z.parameter), axis.end), (x(z.parameter), axis.start), "mark", 0.8, 0.6, dash=(2, 3)))
-    shapes += _curve(x, sigma, r.parameters, r.numbers.closeness, "entity1")
+    shapes += _curve(x, sigma, r.parameters, r.numbers.margin, "entity1")
     shapes += _curve(x, det, r.parameters, value, "entity2")
     for z in r.zeros:
         shapes += [_marker(z, (x(z.parameter), axis(0))) for axis in (sigma, det)]
     shapes += _numbers(r.zeros, x, sigma.end - 6)
     shapes += _legend(r, floor + 58)
-    title = f"{r.rig.title}: closeness and superbracket along a path through {len(r.poses)} poses, {r.verdict}"
+    title = f"{r.rig.title}: margin and superbracket along a path through {len(r.poses)} poses, {r.verdict}"
     return Drawing(WIDTH, floor + _BOTTOM, tuple(shapes), title)
 
 
@@ -87,7 +87,7 @@ def _determinant(r: PathReport) -> Floats:
     j = jacobian(r.rig.base, r.rig.ends(r.translations, matrices(r.quaternions)))
     typed = zip(r.rig.legs, r.rig.structure.legs, strict=True)
     sign = -((-1) ** sum(leg != other for leg, other in typed))  # each leg that the user wrote from platform to base
-    found: Floats = np.where(r.numbers.closeness == 0, 0.0, sign * np.linalg.det(j.rows))
+    found: Floats = np.where(r.numbers.margin == 0, 0.0, sign * np.linalg.det(j.rows))
     return found
 
 

@@ -94,7 +94,7 @@ def _numbers(pose: PoseValue) -> str:
         rows.append(("Cofactor", f"{float(pose.cofactor):.6g}", "where it is 0 the condition says nothing"))
         rows.append(("Condition", f"{float(pose.condition):.6g}", "cofactor times superbracket"))
     meaning = "dimensionless, 0 (singular) to 1, the same in every frame and unit"
-    rows.append(("Closeness", f"{pose.measure:.4g}", meaning))
+    rows.append(("Margin", f"{pose.margin:.4g}", meaning))
     body = "".join(f"<tr><th>{n}</th><td>{v}</td><td>{escape(w)}</td></tr>" for n, v, w in rows)
     head = f'<h2>In this pose</h2><p class="verdict">{verdict_of(pose)}</p>'
     return f'<section class="numbers {pose.verdict}">{head}<table>{body}</table></section>'

@@ -241,7 +241,7 @@ def verdict_of(pose: PoseValue) -> str:
 
 _VERDICTS = {
     "singular": "Singular: the superbracket is zero here within rounding.",
-    "close": f"Warning: close to singular (closeness below {CLOSE:.2g}).",
+    "close": f"Warning: close to singular (margin below {CLOSE:.2g}).",
     "regular": "Regular: the six legs control the platform here.",
 }
 
@@ -252,7 +252,7 @@ def _pose(pose: PoseValue) -> list[Item]:
     if pose.cofactor != 1:
         items.append(Fact("cofactor", f"{decimal(pose.cofactor)} (where it is 0 the condition says nothing)"))
         items.append(Fact("condition", f"{decimal(pose.condition)} (cofactor times superbracket)"))
-    items.append(Fact("closeness", f"{pose.measure:.4g} (dimensionless, 0 singular to 1)"))
+    items.append(Fact("margin", f"{pose.margin:.4g} (dimensionless, 0 singular to 1)"))
     return items
 
 

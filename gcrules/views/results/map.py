@@ -32,10 +32,10 @@ def _lines(m: SingularMap) -> Iterator[str]:
     if m.limits:
         rows.append(("limits", m.limits.text))
         rows.append(("reached", f"{_share(m.summary.allowed, m.summary.poses)} of the poses"))
-    if m.summary.closeness is not None and m.summary.place is not None:
+    if m.summary.margin is not None and m.summary.place is not None:
         at = ", ".join(f"{a.name} = {c:.6g}" for a, c in zip(g.axes, m.summary.place, strict=True))
         rows.append(("close", f"{_share(m.summary.close, m.summary.allowed)} of them (threshold {m.threshold.text})"))
-        rows.append(("least", f"closeness σ = {m.summary.closeness:.4g} at the node {at}"))
+        rows.append(("least", f"margin σ = {m.summary.margin:.4g} at the node {at}"))
     rows += list(_found(m))
     rows.append(("proof", m.guarantee + "."))
     rows += [("note", note) for note in m.notes]
@@ -73,8 +73,8 @@ def as_latex(m: SingularMap) -> str:
     for a in m.grid.axes:
         ends = (latex_quantity(float(c), a.unit) for c in (a.start, a.stop))
         rows.append((latex_words(a.name), " to ".join(ends)))
-    if m.summary.closeness is not None:
-        rows.append(("least margin $\\sigma$ at a node", latex_quantity(m.summary.closeness)))
+    if m.summary.margin is not None:
+        rows.append(("least margin $\\sigma$ at a node", latex_quantity(m.summary.margin)))
     if len(m.grid.axes) == 2:
         rows.append(("singular curves", str(len(m.curves))))
     return latex_table(rows)

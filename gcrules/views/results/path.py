@@ -82,7 +82,7 @@ def _gained(d: Dependence, unit: str) -> Iterator[str]:
 def _least(r: PathReport) -> Iterator[tuple[str, str]]:
     if r.zeros or r.stretches:
         return
-    at = f"σ = {r.least.closeness:.4g} at parameter {r.least.parameter:.4g} (0 singular, at most 1)"
+    at = f"σ = {r.least.margin:.4g} at parameter {r.least.parameter:.4g} (0 singular, at most 1)"
     turn = degrees(2 * math.asin(r.least.bound / 2))
     yield "closest", at
     yield "free of", f"singular poses, proved: σ ≥ {r.least.bound:.4g} on the whole path, any leg's turn by {turn}"

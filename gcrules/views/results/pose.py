@@ -33,7 +33,7 @@ def _lines(r: PoseReport) -> Iterator[str]:
     yield from table(
         [
             ("pose", f"{_pose(r.pose)}, about {_about(r)}"),
-            ("closeness", f"σ = {r.closeness:.4g} (0 singular, at most 1; knows neither frame nor unit)"),
+            ("margin", f"σ = {r.margin:.4g} (0 singular, at most 1; knows neither frame nor unit)"),
             *_meaning(r),
             ("superbracket", f"{decimal(r.superbracket)}{f' {u}⁹' if u else ''}"),
             (
@@ -67,7 +67,7 @@ def _meaning(r: PoseReport) -> Iterator[tuple[str, str]]:
         return
     yield (
         "that is",
-        f"errors of the leg lengths move the platform's joints by up to {1 / r.closeness:.3g} times as much (root mean "
+        f"errors of the leg lengths move the platform's joints by up to {1 / r.margin:.3g} times as much (root mean "
         "squares)",
     )
     yield (
@@ -139,7 +139,7 @@ def _motion(r: PoseReport) -> Iterator[str]:
     if d is None:
         yield from wrapped(
             f"Softest motion: the platform can {r.softest.text(u)}. The legs' lengths then "
-            f"change only {r.closeness:.3g} times as fast as the platform's joints move (root mean squares)."
+            f"change only {r.margin:.3g} times as fast as the platform's joints move (root mean squares)."
         )
         return
     for m in d.motions:
@@ -192,7 +192,7 @@ def as_latex(r: PoseReport) -> str:
     u = r.rig.unit
     rows = [
         ("verdict", r.verdict),
-        ("closeness $\\sigma$", latex_quantity(r.closeness)),
+        ("margin $\\sigma$", latex_quantity(r.margin)),
         ("superbracket", latex_quantity(r.superbracket, u, 9)),
         ("smallest singular value", latex_quantity(r.smallest_singular_value)),
         ("condition number", latex_quantity(r.condition_number)),

@@ -23,9 +23,9 @@ def as_text(n: PoseNumbers, *, unicode: bool = False) -> str:
 def _rows(n: PoseNumbers) -> Iterator[tuple[str, str]]:
     yield "poses", f"{len(n):,}: {counts(n)}"
     if len(n):
-        least = int(np.argmin(n.closeness))
-        yield "least", f"σ = {n.closeness[least]:.4g} at pose {least} (counted from 0)"
-        yield "median", f"σ = {float(np.median(n.closeness)):.4g}"
+        least = int(np.argmin(n.margin))
+        yield "least", f"σ = {n.margin[least]:.4g} at pose {least} (counted from 0)"
+        yield "median", f"σ = {float(np.median(n.margin)):.4g}"
     yield from (("note", note) for note in n.notes)
 
 
@@ -38,5 +38,5 @@ def as_latex(n: PoseNumbers) -> str:
     """A tabular of the summary; needs no package."""
     rows = [("poses", latex_quantity(len(n))), *((v, latex_quantity(int((n.verdict == v).sum()))) for v in VERDICTS)]
     if len(n):
-        rows.append(("least margin $\\sigma$", latex_quantity(float(n.closeness.min()))))
+        rows.append(("least margin $\\sigma$", latex_quantity(float(n.margin.min()))))
     return latex_table(rows)

@@ -33,7 +33,7 @@ def _lines(r: RobotPose) -> Iterator[str]:
         [
             ("robot", f"{r.title} ({r.robot}), at {r.wanted}"),
             ("pose", _pose(r)),
-            ("closeness", f"σ = {_small(r.closeness)} (0 singular, at most 1; knows neither frame nor unit)"),
+            ("margin", f"σ = {_small(r.margin)} (0 singular, at most 1; knows neither frame nor unit)"),
             (
                 "Jacobian",
                 f"{len(j.labels)} wrenches, smallest singular value {_small(j.smallest_singular_value)}, condition "
@@ -58,8 +58,8 @@ def _lines(r: RobotPose) -> Iterator[str]:
             yield from wrapped(f"{_sign(f.expression)}", "  ", "      ")
             yield from wrapped(f"{_small(f.value)}, {_meaning(f.kind, f.statement)}", "    ", "      ")
     yield ""
-    yield "Limbs by themselves: closeness to their own singularities (0 singular)"
-    yield from columns([(limb.name, _small(limb.closeness), "") for limb in r.limbs], "  ")
+    yield "Limbs by themselves: margin to their own singularities (0 singular)"
+    yield from columns([(limb.name, _small(limb.margin), "") for limb in r.limbs], "  ")
     if r.verdict != "regular":
         yield ""
         yield f"{'Nearly d' if r.verdict == 'close' else 'D'}ependent wrenches, which balance in these ratios"
@@ -75,7 +75,7 @@ def _motion(r: RobotPose) -> Iterator[str]:
             yield from wrapped(f"Gained motion: the platform can {motion.text()}; to first order no limb resists.")
         return
     yield from wrapped(
-        f"Softest motion: the platform can {r.softest.text()}. The limbs' wrenches notice only {r.closeness:.3g} times"
+        f"Softest motion: the platform can {r.softest.text()}. The limbs' wrenches notice only {r.margin:.3g} times"
         " as much of it as the platform's joints move (root mean squares)."
     )
 
@@ -123,7 +123,7 @@ def as_latex(r: RobotPose) -> str:
     """A tabular of the numbers; needs no package."""
     rows = [
         ("verdict", r.verdict),
-        ("closeness $\\sigma$", latex_quantity(r.closeness)),
+        ("margin $\\sigma$", latex_quantity(r.margin)),
         ("smallest singular value", latex_quantity(r.jacobian.smallest_singular_value)),
         ("condition number", latex_quantity(r.jacobian.condition_number)),
         ("characteristic length", latex_quantity(r.jacobian.length)),

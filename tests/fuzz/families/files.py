@@ -204,7 +204,7 @@ def geometry(rng: Random) -> Case:
                 *(w for r in ranges for w in ("--over", r)),
                 *at,
                 "--measure",
-                rng.choice(("value", "closeness")),
+                rng.choice(("value", "margin")),
             )
             argv += ("-o", rng.choice(("m.json", "m.svg", "m.stl", "m.png"))) if rng.random() < 0.3 else _form(rng)
         case "figure":

@@ -102,7 +102,7 @@ def _values(rng: Random) -> dict[str, str]:
         "--rotation": rng.choice(("quaternion", "rodrigues", "zyx", "x")),
         "--export": rng.choice(("sympy", "maple", "singular", "x")),
         "--limits": rng.choice(("leg lengths 1..3", "ab 1..3", "x", "legs 0..1e9")),
-        "--measure": rng.choice(("value", "closeness", "x")),
+        "--measure": rng.choice(("value", "margin", "x")),
         "--rules": rng.choice(("m.gca", "expansion", "planes,four-planes", "no.gca", "x", "")),
         "--without": rng.choice(("four-planes", "x", "")),
         "--plugins": rng.choice(("plugins", "folder", "no", "p.yaml", "")),
