@@ -59,7 +59,7 @@ def fault(repl: Interpreter, text: str) -> GcrulesError:
         (":steps [aefg][bcdh]", "shown", "[aefg][bcdh] = "),
         (r":latex ab /\ cde", "shown", r"ab \wedge cde"),
         (f":analyze {OCTAHEDRON}", "shown", "the four planes abc, aef, bdf and cde meet in a point"),
-        (":analyze examples/octahedral.yaml", "shown", "margin    0.4307"),
+        (":analyze examples/octahedral.yaml", "shown", "margin       0.4307"),
         (":context", "done", "rank        4"),
         (":rules", "done", "no rules yet"),
         (":unicode", "done", "Unicode on"),
