@@ -8,7 +8,7 @@ from itertools import pairwise
 from math import log10
 from typing import Any
 
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, text_width
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, text_width
 
 __all__ = ["curve", "factoring_curve"]
 
@@ -107,14 +107,14 @@ class _Panel:
         right = self.left + _WIDTH
         for decade in range(low, high + 1):
             y = self.at(self.first, 10.0**decade)[1]
-            yield Line((self.left, y), (right, y), "muted", 0.6, opacity=0.35)
+            yield Stroke((self.left, y), (right, y), "muted", 0.6, opacity=0.35)
             if named:
                 yield _words((self.left - 8, y + 4), _TICKS[decade], 12, "end", "muted")
         foot = _TOP + _HEIGHT
-        yield Line((self.left, foot), (right, foot), "ink", 1.0)
+        yield Stroke((self.left, foot), (right, foot), "ink", 1.0)
         for points in range(self.first, self.last + 1):
             x = self.at(points, 1)[0]
-            yield Line((x, foot), (x, foot + 4), "ink", 1.0)
+            yield Stroke((x, foot), (x, foot + 4), "ink", 1.0)
             yield _words((x, foot + 18), str(points), 12, "middle", "muted")
         yield _words((self.left + _WIDTH / 2, _TOP - 14), title, 14, "middle")
         yield _words((self.left + _WIDTH / 2, foot + 36), "points", 12, "middle", "muted")
@@ -123,7 +123,7 @@ class _Panel:
         found = [(run["points"], series.value(run)) for run in runs]
         places = [self.at(points, max(value, 1e-4)) for points, value in found if value is not None]
         for a, b in pairwise(places):
-            yield Line(a, b, series.role, 2.0, dash=series.dash)
+            yield Stroke(a, b, series.role, 2.0, dash=series.dash)
         for place in places:
             yield _mark(series, place)
 
@@ -166,7 +166,7 @@ def _square(place: XY, r: float) -> tuple[XY, ...]:
 def _legend(kinds: Sequence[_Series]) -> Iterator[Shape]:
     x, y = _LEFT, _TOP + _HEIGHT + 60
     for series in kinds:
-        yield Line((x, y), (x + 26, y), series.role, 2.0, dash=series.dash)
+        yield Stroke((x, y), (x + 26, y), series.role, 2.0, dash=series.dash)
         yield _mark(series, (x + 13, y))
         name = _words((x + 33, y + 4), series.name, 12)
         yield name

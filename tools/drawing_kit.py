@@ -7,8 +7,8 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from math import cos, dist, hypot, pi, sin
 
-from gcrules.views.drawing.bsp import XYZ, Piece, cross, dot, minus, painted
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs
+from gcrules.views.drawing.bsp import XYZ, CutPolygon, cross, dot, minus, painted
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, name_runs
 from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.solids import center, flat_normal, patch, stretched, tetrahedron
 from gcrules.views.drawing.viewpoint import View
@@ -33,7 +33,7 @@ class Space:
     """What there is to see in space; `draw` projects it orthographically, the z axis upright."""
 
     points: dict[str, tuple[XYZ, str]] = field(default_factory=dict)
-    pieces: list[Piece[Look]] = field(default_factory=list)
+    pieces: list[CutPolygon[Look]] = field(default_factory=list)
     heads: list[tuple[XYZ, XYZ, str]] = field(default_factory=list)
     names: list[tuple[str, XYZ, XY, str]] = field(default_factory=list)
 
@@ -55,16 +55,16 @@ class Space:
         dashed: bool = False,
     ) -> None:
         ends = stretched([self._xyz(a), self._xyz(b)], beyond)
-        self.pieces.append(Piece(ends, Look(role, width=width, dash=(6, 4) if dashed else None)))
+        self.pieces.append(CutPolygon(ends, Look(role, width=width, dash=(6, 4) if dashed else None)))
 
     def plane(self, *names: str | XYZ, role: str = BLUE, margin: float = 0.3, also: Sequence[XYZ] = ()) -> None:
         polygon = patch([self._xyz(n) for n in names], margin, also)
         if polygon:
-            self.pieces.append(Piece(polygon, Look(role, fill=0.22, edge=0.9, width=1.3)))
+            self.pieces.append(CutPolygon(polygon, Look(role, fill=0.22, edge=0.9, width=1.3)))
 
     def tetrahedron(self, *names: str, role: str = BLUE) -> None:
         for face in tetrahedron([self.at(n) for n in names]):
-            self.pieces.append(Piece(face, Look(role, fill=0.15, edge=0.9, width=1.6)))
+            self.pieces.append(CutPolygon(face, Look(role, fill=0.15, edge=0.9, width=1.6)))
 
     def turn(self, *names: str, role: str = BLUE, radius: float = 0.25) -> None:
         """A round arrow in the plane of three points, the way round that the points have."""
@@ -81,7 +81,7 @@ class Space:
             for t in (2 * pi * k / 40 for k in range(33))
         ]
         for a, b in pairwise(ring):
-            self.pieces.append(Piece((a, b), Look(role, width=2.0)))  # type: ignore[arg-type]
+            self.pieces.append(CutPolygon((a, b), Look(role, width=2.0)))  # type: ignore[arg-type]
         self.heads.append((ring[-2], ring[-1], role))  # type: ignore[arg-type]
 
     def head(self, a: str | XYZ, b: str | XYZ, role: str = BLUE) -> None:
@@ -155,14 +155,14 @@ def between(a: XYZ, b: XYZ, t: float) -> XYZ:
     return tuple(x + t * (y - x) for x, y in zip(a, b, strict=True))  # type: ignore[return-value]
 
 
-def _shapes(piece: Piece[Look], at: list[XY]) -> list[Shape]:
+def _shapes(piece: CutPolygon[Look], at: list[XY]) -> list[Shape]:
     look = piece.tag
     if len(at) == 2:
-        return [Line(at[0], at[1], look.role, look.width, dash=look.dash)]
+        return [Stroke(at[0], at[1], look.role, look.width, dash=look.dash)]
     edges = zip(at, [*at[1:], at[0]], piece.edges, strict=True)
     return [
         Polygon(tuple(at), look.role, fill_opacity=look.fill),
-        *(Line(a, b, look.role, look.width, look.edge) for a, b, original in edges if original),
+        *(Stroke(a, b, look.role, look.width, look.edge) for a, b, original in edges if original),
     ]
 
 
@@ -179,7 +179,7 @@ def _moved(shape: Shape, dx: float, dy: float) -> Shape:
     match shape:
         case Polygon():
             return replace(shape, points=tuple((x + dx, y + dy) for x, y in shape.points))
-        case Line():
+        case Stroke():
             (a, b), (c, d) = shape.start, shape.end
             return replace(shape, start=(a + dx, b + dy), end=(c + dx, d + dy))
         case Circle():

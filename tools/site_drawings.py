@@ -17,8 +17,8 @@ from drawing_kit import BLUE, DOT, GREEN, ORANGE, Look, Space, between, caption,
 import gcrules as gc
 from gcrules.mechanisms.analyze import analyze_legs
 from gcrules.mechanisms.description.platform_file import load_platform
-from gcrules.views.drawing.bsp import XYZ, Piece
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs, text_width
+from gcrules.views.drawing.bsp import XYZ, CutPolygon
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, name_runs, text_width
 from gcrules.views.drawing.figures import graph_figure, robot_figure
 from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.solids import stretched
@@ -179,8 +179,8 @@ def crossing_legs() -> Drawing:
     s = Space()
     for name, p in at.items():
         s.point("ink" if name in "ace" else "leg", **{name: p})
-    s.pieces.append(Piece(tuple(at[n] for n in "ace"), Look("base", fill=0.2, edge=0.9, width=1.3)))
-    s.pieces.append(Piece(tuple(at[n] for n in "bdf"), Look("platform", fill=0.3, edge=0.9, width=1.3)))
+    s.pieces.append(CutPolygon(tuple(at[n] for n in "ace"), Look("base", fill=0.2, edge=0.9, width=1.3)))
+    s.pieces.append(CutPolygon(tuple(at[n] for n in "bdf"), Look("platform", fill=0.3, edge=0.9, width=1.3)))
     for leg in ("ab", "af", "cb", "cd", "ed", "ef"):
         role = BLUE if "f" in leg else "leg"
         s.line(leg[0], leg[1], role, width=3.2)
@@ -279,7 +279,7 @@ def desargues() -> Drawing:
     strokes: list[tuple[XY, XY]] = []
 
     def draw(ends: tuple[XY, XY], role: str, w: float, dash: tuple[float, float] | None = None) -> None:
-        shapes.append(Line(*ends, role, w, dash=dash))
+        shapes.append(Stroke(*ends, role, w, dash=dash))
         strokes.append(ends)
 
     for p, q in zip(first, second, strict=True):
@@ -338,7 +338,9 @@ def four_dof_limbs() -> Drawing:
     s = Space()
     s.point("ink", **{n: p for n, p in at.items() if n[0] != "S"})
     s.point("leg", **{n: p for n, p in at.items() if n[0] == "S"})
-    s.pieces.append(Piece(tuple(at[n] for n in ("S1", "S2", "S3")), Look("platform", fill=0.25, edge=0.9, width=1.3)))
+    s.pieces.append(
+        CutPolygon(tuple(at[n] for n in ("S1", "S2", "S3")), Look("platform", fill=0.25, edge=0.9, width=1.3))
+    )
     for end in ("A1", "B1", "C1"):
         s.line(end, "S1", BLUE, width=3.0)
     s.line("A2", "S2", GREEN, width=3.0)
@@ -356,7 +358,7 @@ def four_dof_limbs() -> Drawing:
     for i, (role, words, index) in enumerate(rows):
         y = 20.0 + 22 * i
         runs = (Run(words[:-1]), Run("S", "italic"), Run(index, "subscript")) if index else (Run(words),)
-        shapes += [Line((438, y), (460, y), role, 3.0), Text((468, y + 4.5), runs, 14)]
+        shapes += [Stroke((438, y), (460, y), role, 3.0), Text((468, y + 4.5), runs, 14)]
     shapes.append(Text((468, 20.0 + 22 * 2 + 22.5), (Run("in the plane with its axis"),), 14))
     width = 468 + max(text_width(Text((0, 0), (Run(words),), 14)) for _, words, _ in rows)
     return Drawing(width, d.height, tuple(shapes), d.title)

@@ -17,7 +17,7 @@ from typing import Any
 
 from gcrules.apps.studio.protocol import answer_views, requests, study_views
 from gcrules.apps.studio.protocol.methods import METHODS
-from gcrules.core.shapes import Size, Words
+from gcrules.core.shapes import EntryCount, OneOf
 from gcrules.views import scene_data
 from gcrules.views.report import stage_ids
 
@@ -115,9 +115,9 @@ def _type(e: ast.expr, module: ModuleType, known: Mapping[str, ast.expr]) -> str
             return of(inner)
         case ast.Subscript(value=ast.Name(id="Annotated"), slice=ast.Tuple(elts=[inner, *marks])):
             for mark in (eval(ast.unparse(m), vars(module)) for m in marks):
-                if isinstance(mark, Words):
+                if isinstance(mark, OneOf):
                     return " | ".join(map(_json, mark.words))
-                if isinstance(mark, Size) and mark.least == mark.most:
+                if isinstance(mark, EntryCount) and mark.least == mark.most:
                     return f"[{', '.join([of(inner).removesuffix('[]')] * mark.most)}]"
             return of(inner)
     raise TypeError(f"no type of the protocol: {ast.unparse(e)}")

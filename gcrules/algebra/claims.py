@@ -4,7 +4,7 @@ r"""What an identity claims, as a digest, and how sure it is that it holds if it
 >>> digest(parse("[abcd]")) == digest(parse("[a b c d]")), digest(parse("[abcd]")) == digest(parse("[abce]"))
 (True, False)
 >>> size(parse("3 [abcd][efgh]"))
-Size(degree=8, bits=11)
+PolynomialSize(degree=8, bits=11)
 >>> error_below(parse("[[ab, cd, ef, gh, ij, kl]]"), 2)
 'error below 1e-33'
 """
@@ -21,11 +21,11 @@ from gcrules.algebra.expr import Bracket, Dotted, Expr, Join, Meet, Number, Poin
 from gcrules.algebra.scalars import written_out
 from gcrules.core import seeds
 
-__all__ = ["Size", "digest", "error_below", "size"]
+__all__ = ["PolynomialSize", "digest", "error_below", "size"]
 
 
 @dataclass(frozen=True)
-class Size:
+class PolynomialSize:
     """The degree in all coordinates together, and the bits of a number which no coefficient exceeds."""
 
     degree: int
@@ -63,7 +63,7 @@ def digest(e: Expr) -> str:
 _Parts = tuple[int, float, float]  # degree, log₂ of the sum of the sizes of all coefficients, log₂ of the denominator
 
 
-def size(e: Expr, points: Mapping[str, Size] | None = None, *, rank: int = 4) -> Size:
+def size(e: Expr, points: Mapping[str, PolynomialSize] | None = None, *, rank: int = 4) -> PolynomialSize:
     """The size of an expression; points that are polynomials themselves have the sizes given."""
     given = points or {}
     known: dict[int, tuple[Expr, _Parts]] = {}  # the expressions are kept, so that no other one gets their ids
@@ -82,7 +82,7 @@ def size(e: Expr, points: Mapping[str, Size] | None = None, *, rank: int = 4) ->
                 exact = Fraction(value)
                 return 0, log2(max(1, abs(exact.numerator))), log2(exact.denominator)
             case Point(name=name):
-                here = given.get(name, Size(1, 0))
+                here = given.get(name, PolynomialSize(1, 0))
                 return here.degree, here.bits, 0.0
             case Join(args=args) | Bracket(args=args):
                 terms, step = 1, 0
@@ -111,10 +111,10 @@ def size(e: Expr, points: Mapping[str, Size] | None = None, *, rank: int = 4) ->
         raise TypeError(f"not an expression: {x!r}")
 
     degree, norm, denominator = of(e)
-    return Size(degree, ceil(norm + denominator))
+    return PolynomialSize(degree, ceil(norm + denominator))
 
 
-def error_below(e: Expr, samples: int, points: Mapping[str, Size] | None = None) -> str:
+def error_below(e: Expr, samples: int, points: Mapping[str, PolynomialSize] | None = None) -> str:
     """In words, the chance at most that an expression which is not zero vanishes at so many random points."""
     found = size(e, points)
     return seeds.error_below(found.degree, found.bits, samples)

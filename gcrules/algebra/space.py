@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from gcrules.algebra.expr import Expr
 from gcrules.core.errors import InputError, Span
 
-__all__ = ["MAX_NAMES", "NAME", "NAMES_HINT", "RANKS", "Assumption", "Place", "Space", "shortened"]
+__all__ = ["MAX_NAMES", "NAME", "NAMES_HINT", "RANKS", "Assumption", "SourcePlace", "Space", "shortened"]
 
 RANKS = range(2, 9)
 MAX_NAMES = 500
@@ -23,7 +23,7 @@ def shortened(word: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class SourcePlace:
     """Where something stands: `span` of the text `source`, which came from the file `filename`."""
 
     span: Span
@@ -41,7 +41,7 @@ class Assumption:
     kind: str
     args: tuple[Expr, ...]
     text: str
-    place: Place | None = field(default=None, compare=False, repr=False)
+    place: SourcePlace | None = field(default=None, compare=False, repr=False)
 
     def __str__(self) -> str:
         return self.text

@@ -22,7 +22,7 @@ from gcrules.core.arguments import (
     TEXT,
     TEXTS,
     WHOLE,
-    Kind,
+    ArgumentKind,
     Unfit,
     checked,
     either,
@@ -92,7 +92,9 @@ _POSES = either(
 _ACTUATORS = either("amounts of the actuators: text, a mapping or numbers", TEXT, _NAMED, ROW)
 _PATH = either("the name of a table, or a sequence of poses", FILE, listed("", _POSE))
 _AXES = listed(
-    "a sequence of two or three coordinates with their ranges, as text", either("", TEXT, Kind("", _axis)), alone=True
+    "a sequence of two or three coordinates with their ranges, as text",
+    either("", TEXT, ArgumentKind("", _axis)),
+    alone=True,
 )
 _VARIABLES = either("names of variables as text or as a sequence of texts", TEXT, listed("", TEXT))
 _VALUES = mapping("", ANYTHING)
@@ -106,7 +108,7 @@ _THRESHOLD = ANYTHING  # whoever reads it says what is missing: the unit
 _SPACE = {"rank": optional(WHOLE), "points": NAMES, "ideal": NAMES}
 _LIMITED = {**_SPACE, "limit": COUNT}
 
-SIGNATURES: dict[str, dict[str, Kind]] = {
+SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
     "analyze": {
         "source": _SOURCE,
         "order": optional(_ORDER),

@@ -30,7 +30,7 @@ from gcrules.core.shown import Shown
 from gcrules.rules.catalog.catalog import Match
 from gcrules.rules.catalog.file import load
 from gcrules.rules.condition import Condition, Entity, starred
-from gcrules.rules.condition_rule import Claim
+from gcrules.rules.condition_rule import ConditionClaim
 from gcrules.rules.degenerate import Degeneracy, explain
 from gcrules.rules.derivation import Derivation
 from gcrules.rules.deriving import derived, derived_zero
@@ -60,7 +60,7 @@ class Analysis(Shown):
     readings: tuple[Condition, ...]
     derivation: Derivation
     strategy: Strategy
-    claim: Claim | None = None
+    claim: ConditionClaim | None = None
     degeneracy: Degeneracy | None = None
     notes: tuple[str, ...] = ()
     platform: Coordinates | None = None

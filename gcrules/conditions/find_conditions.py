@@ -19,7 +19,7 @@ from gcrules.rules.catalog.catalog import Catalog, Match
 from gcrules.rules.catalog.entries import SHIPPED
 from gcrules.rules.claims import best_first, certify, describe, in_special_position
 from gcrules.rules.condition import Condition
-from gcrules.rules.condition_rule import Claim
+from gcrules.rules.condition_rule import ConditionClaim
 from gcrules.rules.couples import COUPLES
 from gcrules.rules.factorization import factored
 from gcrules.rules.generic_lines import alive, said_of_lines, written_back
@@ -45,7 +45,7 @@ class Readings:
     form: SuperbracketForm
     forms: tuple[SuperbracketForm, ...]
     oracle: Oracle
-    claim: Claim | None = None
+    claim: ConditionClaim | None = None
     notes: tuple[str, ...] = ()
 
 

@@ -21,7 +21,7 @@ from gcrules.rules.condition import Condition
 from gcrules.rules.degenerate import explain
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.transversals import readings
-from gcrules.rules.two_transversals import Reading
+from gcrules.rules.two_transversals import TransversalCondition
 
 __all__ = ["Transversals", "transversals"]
 
@@ -35,7 +35,7 @@ class Transversals(Shown):
     """
 
     structure: Structure
-    readings: tuple[Reading, ...]
+    readings: tuple[TransversalCondition, ...]
     more: int = 0
     reason: str = ""
     definite: bool = True
@@ -64,7 +64,7 @@ class Transversals(Shown):
         }
 
 
-def _reading(r: Reading, names: tuple[str, ...]) -> dict[str, Any]:
+def _reading(r: TransversalCondition, names: tuple[str, ...]) -> dict[str, Any]:
     lines = {
         name: {"expression": text(line.expression, names=names), "words": line.words}
         for name, line in zip("pq", r.lines, strict=True)

@@ -41,7 +41,7 @@ __all__ = [
     "TEXT",
     "TEXTS",
     "WHOLE",
-    "Kind",
+    "ArgumentKind",
     "Unfit",
     "checked",
     "described",
@@ -61,11 +61,11 @@ T = TypeVar("T")
 
 
 class Unfit(Exception):
-    """Raised by `Kind.read` for a value that is not of the kind; with the value inside it that does not fit, if any."""
+    """Raised by `ArgumentKind.read` for a value that is not of the kind, with the value in it that does not fit."""
 
 
 @dataclass(frozen=True)
-class Kind:
+class ArgumentKind:
     """`words` say after "must be" what is expected; `read` gives the value as the engine takes it, or raises Unfit.
     `hints` say, by the name of its class, what to do with a value of another kind. `several` is for *arguments and
     **arguments, of which each is read by itself.
@@ -76,12 +76,12 @@ class Kind:
     hints: Mapping[str, str] = field(default_factory=dict)
     several: bool = False
 
-    def hinting(self, words: str = "", **hints: str) -> Kind:
+    def hinting(self, words: str = "", **hints: str) -> ArgumentKind:
         """With more hints, and other words if they are given."""
         return replace(self, words=words or self.words, hints={**self.hints, **hints})
 
 
-def read(kind: Kind, value: Any, what: str) -> Any:
+def read(kind: ArgumentKind, value: Any, what: str) -> Any:
     """The value as the engine takes it. Raises InputError that begins with `what`."""
     try:
         return kind.read(tuple(value) if isinstance(value, Iterator) else value)
@@ -91,7 +91,7 @@ def read(kind: Kind, value: Any, what: str) -> Any:
         raise InputError(f"{what} must be {kind.words}, got {described(value)}{inside}", hint=hint) from None
 
 
-def checked(called: str, /, **kinds: Kind) -> Callable[[Callable[P, T]], Callable[P, T]]:
+def checked(called: str, /, **kinds: ArgumentKind) -> Callable[[Callable[P, T]], Callable[P, T]]:
     """A function whose arguments are read by their kinds; `called` is how users write it."""
 
     def decorate(function: Callable[P, T]) -> Callable[P, T]:
@@ -116,7 +116,7 @@ def checked(called: str, /, **kinds: Kind) -> Callable[[Callable[P, T]], Callabl
     return decorate
 
 
-def _argument(kind: Kind, value: Any, called: str, key: str) -> Any:
+def _argument(kind: ArgumentKind, value: Any, called: str, key: str) -> Any:
     if not kind.several:
         return read(kind, value, f"{called}: `{key}`")
     if isinstance(value, dict):
@@ -149,7 +149,7 @@ _UNORDERED = (str, bytes, bytearray, memoryview, Mapping, set, frozenset)
 # --- kinds ---------------------------------------------------------------------------------------------------------
 
 
-def instance(words: str, *classes: type) -> Kind:
+def instance(words: str, *classes: type) -> ArgumentKind:
     """Values of these classes."""
 
     def fits(value: Any) -> Any:
@@ -157,10 +157,10 @@ def instance(words: str, *classes: type) -> Kind:
             raise Unfit
         return value
 
-    return Kind(words, fits)
+    return ArgumentKind(words, fits)
 
 
-def either(words: str, *kinds: Kind) -> Kind:
+def either(words: str, *kinds: ArgumentKind) -> ArgumentKind:
     """The first of the kinds that fits."""
 
     def first(value: Any) -> Any:
@@ -171,15 +171,15 @@ def either(words: str, *kinds: Kind) -> Kind:
                 continue
         raise Unfit
 
-    return Kind(words, first, {k: v for kind in kinds for k, v in kind.hints.items()})
+    return ArgumentKind(words, first, {k: v for kind in kinds for k, v in kind.hints.items()})
 
 
-def optional(kind: Kind) -> Kind:
+def optional(kind: ArgumentKind) -> ArgumentKind:
     """None too."""
-    return Kind(kind.words, lambda value: None if value is None else kind.read(value), kind.hints)
+    return ArgumentKind(kind.words, lambda value: None if value is None else kind.read(value), kind.hints)
 
 
-def listed(words: str, item: Kind, *, alone: bool = False, ordered: bool = True) -> Kind:
+def listed(words: str, item: ArgumentKind, *, alone: bool = False, ordered: bool = True) -> ArgumentKind:
     """An iterable of values of one kind, as a tuple; with `alone` one of these by itself, too. Sets are refused unless
     the order makes no difference.
     """
@@ -200,12 +200,12 @@ def listed(words: str, item: Kind, *, alone: bool = False, ordered: bool = True)
             raise Unfit from None
         return tuple(_item(item, one) for one in values)
 
-    return Kind(words, read_all, item.hints)
+    return ArgumentKind(words, read_all, item.hints)
 
 
-def row(words: str, *items: Kind) -> Kind:
+def row(words: str, *items: ArgumentKind) -> ArgumentKind:
     """As many values as there are kinds, one of each in order, as a tuple."""
-    some = listed(words, Kind("", lambda value: value))
+    some = listed(words, ArgumentKind("", lambda value: value))
 
     def read_each(value: Any) -> Any:
         values = some.read(value)
@@ -213,17 +213,17 @@ def row(words: str, *items: Kind) -> Kind:
             raise Unfit
         return tuple(item.read(v) for item, v in zip(items, values, strict=True))
 
-    return Kind(words, read_each)
+    return ArgumentKind(words, read_each)
 
 
-def _item(kind: Kind, value: Any) -> Any:
+def _item(kind: ArgumentKind, value: Any) -> Any:
     try:
         return kind.read(value)
     except Unfit:
         raise Unfit(value) from None
 
 
-def mapping(words: str, item: Kind) -> Kind:
+def mapping(words: str, item: ArgumentKind) -> ArgumentKind:
     """A mapping from texts to values of one kind, as a dict."""
 
     def read_all(value: Any) -> Any:
@@ -231,10 +231,10 @@ def mapping(words: str, item: Kind) -> Kind:
             raise Unfit
         return {TEXT.read(k): item.read(v) for k, v in value.items()}
 
-    return Kind(words, read_all)
+    return ArgumentKind(words, read_all)
 
 
-def each(kind: Kind) -> Kind:
+def each(kind: ArgumentKind) -> ArgumentKind:
     """For the values of *arguments and **arguments."""
 
     return replace(kind, several=True)
@@ -294,16 +294,16 @@ def _file(value: Any) -> Any:
     return value
 
 
-ANYTHING = Kind("anything", lambda value: value)
+ANYTHING = ArgumentKind("anything", lambda value: value)
 TEXT = instance("text", str)
 TEXTS = listed("text or a sequence of texts", TEXT, alone=True)
 NAMES = either("names of points as text or as a sequence of texts", TEXT, listed("", TEXT))
-FILE = Kind("the name of a file", _file)
-FLAG = Kind("True or False", _flag)
-WHOLE = Kind("a whole number", _whole)
-COUNT = Kind("a whole number from 1 on", _positive)
-NUMBER = Kind("a number", _number)
-DURATION = Kind("a number of seconds, 0 or more", _duration)
+FILE = ArgumentKind("the name of a file", _file)
+FLAG = ArgumentKind("True or False", _flag)
+WHOLE = ArgumentKind("a whole number", _whole)
+COUNT = ArgumentKind("a whole number from 1 on", _positive)
+NUMBER = ArgumentKind("a number", _number)
+DURATION = ArgumentKind("a number of seconds, 0 or more", _duration)
 
 
 def _numbers(value: Any) -> Any:
@@ -328,5 +328,5 @@ def _row(value: Any) -> Any:
     return entries
 
 
-NUMBERS = Kind("numbers or an array of them", _numbers)
-ROW = Kind("numbers in a row", _row)
+NUMBERS = ArgumentKind("numbers or an array of them", _numbers)
+ROW = ArgumentKind("numbers in a row", _row)

@@ -19,6 +19,7 @@ __all__ = [
     "StepError",
     "SyntaxFault",
     "join_faults",
+    "printable",
 ]
 
 
@@ -85,7 +86,7 @@ class GcrulesError(Exception):
             lines += _caret(self.source, self.span)
         if self.hint:
             lines.append(f"hint: {self.hint}")
-        return _printable("\n".join(lines))
+        return printable("\n".join(lines))
 
     def __str__(self) -> str:
         return f"{self.place}: {self.message}" if self.place else self.message
@@ -142,7 +143,7 @@ def join_faults(faults: list[GcrulesError]) -> GcrulesError:
 _WINDOW = 100
 
 
-def _printable(text: str) -> str:
+def printable(text: str) -> str:
     """Words of the input are quoted in messages: what is no character of a line of text is shown as one that is."""
     return "".join(c if c.isprintable() or c == "\n" else "�" for c in text)
 
@@ -158,6 +159,6 @@ def _caret(source: str, span: Span) -> list[str]:
     shown = line[first : first + _WINDOW]
     prefix = "…" if first else ""
     suffix = "…" if first + _WINDOW < len(line) else ""
-    shown = _printable(shown)
+    shown = printable(shown)
     marks = "^" * max(1, min(width, _WINDOW - (column - first)))
     return [f"  {prefix}{shown}{suffix}", "  " + " " * (len(prefix) + column - first) + marks]

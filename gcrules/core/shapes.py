@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-__all__ = ["Size", "Words"]
+__all__ = ["EntryCount", "OneOf"]
 
 
 @dataclass(frozen=True)
-class Size:
+class EntryCount:
     """How many entries a list or an object has: `least` to `most`."""
 
     least: int
@@ -16,7 +16,7 @@ class Size:
 
 
 @dataclass(frozen=True)
-class Words:
+class OneOf:
     """A text that is one of these, where the type checker takes any."""
 
     words: tuple[str, ...]

@@ -14,7 +14,7 @@ from gcrules.mechanisms.description.limb_file import LimbText
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.screws import RATIONALS, Limb
 
-__all__ = ["Fact", "Robot"]
+__all__ = ["Consequence", "Robot"]
 
 _TOLERANCE = Fraction(1, 10**6)
 
@@ -22,7 +22,7 @@ Vector = tuple[Fraction, Fraction, Fraction]
 
 
 @dataclass(frozen=True)
-class Fact:
+class Consequence:
     """What the file says follows from the relations, as a relation of a name, and as written."""
 
     said: Definition
@@ -49,7 +49,7 @@ class Robot:
     condition: str = ""
     source: str = ""
     note: str = ""
-    facts: tuple[Fact, ...] = ()
+    facts: tuple[Consequence, ...] = ()
     filename: str = "<input>"
     owner: str = ""
 

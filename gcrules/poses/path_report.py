@@ -34,7 +34,7 @@ from gcrules.poses.paths.least import Least, least
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.poses.paths.segment import Segment, segments
 from gcrules.poses.paths.table import load_poses
-from gcrules.poses.paths.zeros import Place, Stretch, places, stretches
+from gcrules.poses.paths.zeros import SingularPlace, Stretch, places, stretches
 from gcrules.poses.pose_inputs import moving_robot
 from gcrules.poses.pose_report import report
 from gcrules.screws.guarantees import ROUNDING
@@ -127,7 +127,7 @@ def _per_segment(samples: Any, number: int) -> int:
     return found
 
 
-def _zero(analysis: Analysis, moving: Rig, way: Sequence[Segment], p: Place, limit: Threshold) -> Zero:
+def _zero(analysis: Analysis, moving: Rig, way: Sequence[Segment], p: SingularPlace, limit: Threshold) -> Zero:
     pose = _at(way, p.middle)
     causes, dependence = _why(analysis, moving, pose, limit)
     return Zero(p.lower, p.upper, p.kind, p.multiplicity, pose, causes, dependence)

@@ -23,8 +23,8 @@ from gcrules.rules.foreign import place_of
 from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.plugins import load_rules, packs
 from gcrules.rules.random_witness import Oracle
-from gcrules.rules.recognition_state import State
-from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, RewriteRule, Rule, StructureRule
+from gcrules.rules.recognition_state import RecognitionState
+from gcrules.rules.rule import SHIPPED, ConditionRule, EntityRule, RewriteRule, Rule, StructureRule
 from gcrules.rules.rule_file import RuleCheck, check_rule, check_script, identities
 from gcrules.rules.strategy import Strategy, recognise
 
@@ -97,7 +97,7 @@ def check_cases(rule: Rule, library: Library | None = None) -> CaseCheck:
     for case, expected in cases:
         if fires_on(rule, case, library) != expected:
             what = "stays silent on" if expected else "fires on"
-            refuted = _refuted_claim(rule, case) if expected and isinstance(rule, Incidence) else ""
+            refuted = _refuted_claim(rule, case) if expected and isinstance(rule, ConditionRule) else ""
             place = place_of(getattr(rule, "expression", None), rule.owner)
             fault = InputError(f"the rule {rule.id} {what} {case}{refuted}", filename=place)
             return CaseCheck(rule, len(cases), fault)
@@ -106,11 +106,11 @@ def check_cases(rule: Rule, library: Library | None = None) -> CaseCheck:
     return CaseCheck(rule, len(cases))
 
 
-def _refuted_claim(rule: Incidence, case: str) -> str:
+def _refuted_claim(rule: ConditionRule, case: str) -> str:
     """The first claim that a rule makes on six legs and that is wrong, with exact points that refute it."""
     structure = read_legs(case)
     forms = shortest_forms(structure.neutral, points=structure.points, ideal=structure.ideal)
-    states = [s for form in forms for s in TETRAHEDRA.applied(State.start(form, structure))]
+    states = [s for form in forms for s in TETRAHEDRA.applied(RecognitionState.start(form, structure))]
     for state in (reached for s in states for reached in rule.reached(s)):
         e = rule.expression(state)
         if e is None or e.step:
@@ -143,7 +143,7 @@ def fires_on(rule: Rule, case: str, library: Library | None = None) -> bool:
     if isinstance(rule, StructureRule):
         return bool(rule.find(structure, oracle))
     forms = shortest_forms(structure.neutral, points=structure.points, ideal=structure.ideal)
-    if isinstance(rule, Incidence):
+    if isinstance(rule, ConditionRule):
         alone = Strategy((TETRAHEDRA, *(used for used, _ in rule.uses), rule))
         return bool(recognise(forms, structure, oracle, alone))
     assert isinstance(rule, EntityRule)

@@ -14,7 +14,7 @@ from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.core.frozen import FrozenMap
 from gcrules.rules.condition import Condition, Entity, starred
-from gcrules.rules.condition_rule import Claim
+from gcrules.rules.condition_rule import ConditionClaim
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.recognition_state import extensor
 from gcrules.rules.sentences import sentence
@@ -28,19 +28,19 @@ PROVED_HERE = Certificate(
 _TESTED = Certificate("random-points", "holds at exact random points")
 
 
-def best_first(claims: Sequence[Claim], structure: Structure, oracle: Oracle) -> list[Claim]:
+def best_first(claims: Sequence[ConditionClaim], structure: Structure, oracle: Oracle) -> list[ConditionClaim]:
     """Claims by how much they tell: lines that all other legs meet, planes of legs and of the two bodies, then text.
 
     Neither signs nor the way the legs are written play a part.
     """
 
-    def key(claim: Claim) -> tuple[int, int, str]:
+    def key(claim: ConditionClaim) -> tuple[int, int, str]:
         planes = [claim.state.named(row) for row in claim.state.planes]
         planes += [claim.state.named(row) for row in claim.state.taken if len(row) == 3]
         legs = -sum(_legs_in(plane, structure) for plane in planes)
         return (-turns(claim, structure, oracle), legs, "/".join(sorted(map(str, claim.expression.children))))
 
-    distinct: dict[str, Claim] = {}
+    distinct: dict[str, ConditionClaim] = {}
     for claim in sorted(claims, key=key):
         distinct.setdefault(str(claim.expression), claim)
     return list(distinct.values())
@@ -51,7 +51,7 @@ def _legs_in(plane: tuple[str, ...], structure: Structure) -> int:
     return sum(set(leg) <= set(plane) for leg in structure.legs)
 
 
-def turns(claim: Claim, structure: Structure, oracle: Oracle) -> bool:
+def turns(claim: ConditionClaim, structure: Structure, oracle: Oracle) -> bool:
     """Whether g and h are legs and p and q meet all the others, so that the platform could turn about p and q."""
     if claim.pencils is None or claim.single is None:
         return False
@@ -63,7 +63,7 @@ def turns(claim: Claim, structure: Structure, oracle: Oracle) -> bool:
     return all(oracle.zero(ex.meet(line, leg)) for line in claim.pencils for leg in others)
 
 
-def entities_of(claim: Claim) -> tuple[Entity, ...]:
+def entities_of(claim: ConditionClaim) -> tuple[Entity, ...]:
     """The entities of a claim: tetrahedra, planes, lines, and what the left-over points make."""
     named = claim.state.named
     found = [("tetrahedron", named(row)) for row in claim.state.tetrahedra]
@@ -74,7 +74,7 @@ def entities_of(claim: Claim) -> tuple[Entity, ...]:
 
 
 def describe(
-    claim: Claim,
+    claim: ConditionClaim,
     structure: Structure,
     oracle: Oracle,
     statements: Mapping[str, str],

@@ -17,14 +17,14 @@ from gcrules.core.errors import StepError
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES
 from gcrules.rules.foreign import foreign, place_of
 from gcrules.rules.random_witness import Oracle
-from gcrules.rules.recognition_state import State, extensor
-from gcrules.rules.rule import Incidence
+from gcrules.rules.recognition_state import RecognitionState, extensor
+from gcrules.rules.rule import ConditionRule
 
-__all__ = ["INCIDENCES", "Claim", "claims"]
+__all__ = ["INCIDENCES", "ConditionClaim", "claims"]
 
 
 @dataclass(frozen=True)
-class Claim:
+class ConditionClaim:
     """cofactor · superbracket = coefficient · expression, with the state that shows the entities and how they were
     found. `kind`, `sentence`, `statement` and `group` are the rule's; `pencils` are the lines p and q of a transversal
     reading. `source` names a rule that comes from outside.
@@ -32,7 +32,7 @@ class Claim:
 
     kind: str
     sentence: str
-    state: State
+    state: RecognitionState
     expression: Expr
     coefficient: int
     cofactor: Expr = ONE
@@ -50,7 +50,7 @@ class Claim:
         return (a, b), (c, d)
 
 
-def claims(incidence: Incidence, states: Sequence[State], oracle: Oracle) -> Iterator[Claim]:
+def claims(incidence: ConditionRule, states: Sequence[RecognitionState], oracle: Oracle) -> Iterator[ConditionClaim]:
     """The claims of one rule that hold, in any of the states.
 
     Raises PluginFault, with the plugin's file and line, where the code of a plugin's rule fails.
@@ -63,7 +63,7 @@ def claims(incidence: Incidence, states: Sequence[State], oracle: Oracle) -> Ite
     yield from found
 
 
-def _claims(incidence: Incidence, states: Sequence[State], oracle: Oracle) -> Iterator[Claim]:
+def _claims(incidence: ConditionRule, states: Sequence[RecognitionState], oracle: Oracle) -> Iterator[ConditionClaim]:
     for state in states:
         for reached in incidence.reached(state):
             expression = incidence.expression(reached)
@@ -77,7 +77,7 @@ def _claims(incidence: Incidence, states: Sequence[State], oracle: Oracle) -> It
             if coefficient == -1 and isinstance(expression, Meet) and len(expression.args) == 4:
                 expression, coefficient = _last_two_exchanged(expression), 1
             if coefficient is not None:
-                yield Claim(
+                yield ConditionClaim(
                     kind=incidence.id,
                     sentence=incidence.sentence,
                     state=reached,
@@ -96,29 +96,29 @@ def _last_two_exchanged(e: Meet) -> Expr:
     return meet(*e.args[:2], e.args[3], e.args[2])
 
 
-def _extensors(state: State, *rows: Row) -> list[Expr]:
+def _extensors(state: RecognitionState, *rows: Row) -> list[Expr]:
     return [extensor(state.named(row)) for row in rows]
 
 
-def _ratio(state: State, pencils: tuple[Expr, Expr]) -> Expr:
+def _ratio(state: RecognitionState, pencils: tuple[Expr, Expr]) -> Expr:
     """Tetrahedra times (p ∧ g)(q ∧ h) − (p ∧ h)(q ∧ g)."""
     p, q = pencils
     g, h = _extensors(state, *state.taken)
     return ex.mul(*state.brackets, ex.sub(ex.mul(meet(p, g), meet(q, h)), ex.mul(meet(p, h), meet(q, g))))
 
 
-def _two_lines(state: State) -> tuple[Expr, Expr]:
+def _two_lines(state: RecognitionState) -> tuple[Expr, Expr]:
     p, q = _extensors(state, *state.lines)
     return p, q
 
 
-def _line_and_meet(state: State) -> tuple[Expr, Expr]:
+def _line_and_meet(state: RecognitionState) -> tuple[Expr, Expr]:
     (p,) = _extensors(state, *state.lines)
     return p, meet(*_extensors(state, *state.planes))
 
 
 INCIDENCES = (
-    Incidence(
+    ConditionRule(
         id="three-tetrahedra",
         sentence="Three common brackets: the superbracket is their product.",
         source="SinguLab2008",
@@ -128,7 +128,7 @@ INCIDENCES = (
         degree=0,
         expression=lambda s: ex.mul(*s.brackets),
     ),
-    Incidence(
+    ConditionRule(
         id="tetrahedron-planes-line",
         sentence="A tetrahedron, two planes X, Y and a left-over line l: the tetrahedron times X ∧ Y ∧ l.",
         source="SinguLab2008",
@@ -139,7 +139,7 @@ INCIDENCES = (
         uses=((PLANES, 2), (LEFT_OVER_LINE, 1)),
         expression=lambda s: ex.mul(*s.brackets, meet(*_extensors(s, *s.planes, *s.taken))),
     ),
-    Incidence(
+    ConditionRule(
         id="tetrahedron-four-lines",
         sentence="A tetrahedron, two lines p, q and left-over lines g, h: it times (p ∧ g)(q ∧ h) − (p ∧ h)(q ∧ g).",
         source="SinguLab2008",
@@ -151,7 +151,7 @@ INCIDENCES = (
         expression=lambda s: _ratio(s, _two_lines(s)),
         pencils=_two_lines,
     ),
-    Incidence(
+    ConditionRule(
         id="four-planes",
         sentence="Three planes X, Y, Z and a left-over plane W: X ∧ Y ∧ Z ∧ W.",
         source="SinguLab2008",
@@ -162,7 +162,7 @@ INCIDENCES = (
         uses=((PLANES, 3), (LEFT_OVER_PLANE, 1)),
         expression=lambda s: meet(*sorted(_extensors(s, *s.planes, *s.taken), key=str)),
     ),
-    Incidence(
+    ConditionRule(
         id="two-planes-three-lines",
         sentence="Two planes with common line q, a line p, left-over lines g, h: (p ∧ g)(q ∧ h) − (p ∧ h)(q ∧ g).",
         source="SinguLab2008",

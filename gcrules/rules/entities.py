@@ -14,7 +14,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
 from gcrules.algebra.expr import Expr
 from gcrules.rules.random_witness import Oracle
-from gcrules.rules.recognition_state import State
+from gcrules.rules.recognition_state import RecognitionState
 from gcrules.rules.rule import EntityRule
 
 __all__ = ["ENTITY_RULES", "LEFT_OVER_LINE", "LEFT_OVER_LINES", "LEFT_OVER_PLANE", "LINES", "PLANES", "TETRAHEDRA"]
@@ -25,7 +25,7 @@ _SOURCE = "SinguLab2008"
 # --- tetrahedra ----------------------------------------------------------------------------------------------------
 
 
-def _tetrahedra(state: State, _: int) -> Iterator[State]:
+def _tetrahedra(state: RecognitionState, _: int) -> Iterator[RecognitionState]:
     monomials = list(state.rest.terms)
     common = Counter(monomials[0])
     for m in monomials[1:]:
@@ -41,7 +41,7 @@ def _tetrahedra(state: State, _: int) -> Iterator[State]:
     yield replace(state, rest=rest, tetrahedra=found, homes=((),) * len(rest))
 
 
-def _factored(state: State, _: Oracle) -> Expr | None:
+def _factored(state: RecognitionState, _: Oracle) -> Expr | None:
     if not state.tetrahedra:
         return None
     return ex.mul(ex.Number(state.sign), *state.brackets, state.rest.to_expr())
@@ -62,7 +62,7 @@ TETRAHEDRA = EntityRule(
 # --- planes and lines ----------------------------------------------------------------------------------------------
 
 
-def _together(state: State, size: int, number: int) -> Iterator[State]:
+def _together(state: RecognitionState, size: int, number: int) -> Iterator[RecognitionState]:
     """Sets of `size` points that some bracket of every term holds, `number` of them in brackets of their own."""
     common: set[Row] | None = None
     for monomial, taken in zip(state.rest.terms, state.homes, strict=True):
@@ -71,7 +71,7 @@ def _together(state: State, size: int, number: int) -> Iterator[State]:
     yield from _chosen(state, sorted(common or ()), number)
 
 
-def _chosen(state: State, candidates: list[Row], number: int) -> Iterator[State]:
+def _chosen(state: RecognitionState, candidates: list[Row], number: int) -> Iterator[RecognitionState]:
     if number == 0:
         yield state
         return
@@ -80,7 +80,7 @@ def _chosen(state: State, candidates: list[Row], number: int) -> Iterator[State]
             yield from _chosen(grown, candidates[n:], number - 1)
 
 
-def _collected(state: State, _: Oracle) -> Expr:
+def _collected(state: RecognitionState, _: Oracle) -> Expr:
     return ex.signed(state.sign, state.collected())
 
 
@@ -104,12 +104,12 @@ LINES = _together_rule("lines", "Pairs", 2, "Aa Ab Ba Bb Cc Dd")
 # --- left-over points ----------------------------------------------------------------------------------------------
 
 
-def _left_over(state: State, size: int) -> Iterator[State]:
+def _left_over(state: RecognitionState, size: int) -> Iterator[RecognitionState]:
     if len(set(state.left)) == len(state.left) == size:
         yield replace(state, taken=(state.left,))
 
 
-def _dotted(state: State, oracle: Oracle) -> Expr | None:
+def _dotted(state: RecognitionState, oracle: Oracle) -> Expr | None:
     dotted = state.dotted()
     factor = oracle.coefficient(dotted)
     return None if factor is None else ex.mul(ex.Number(factor), dotted)
@@ -132,7 +132,7 @@ LEFT_OVER_PLANE = _left_over_rule("plane", "three", 3, fires="ab af cb cd ed ef"
 LEFT_OVER_LINE = _left_over_rule("line", "two", 2, fires="Aa Ab Ac Bd Ce Df", silent="ab af cb cd ed ef")
 
 
-def _pairs(state: State, _: int) -> Iterator[State]:
+def _pairs(state: RecognitionState, _: int) -> Iterator[RecognitionState]:
     """The test decides when no point is repeated; a repeated point can hide a vanished term, so that every pairing
     stays a candidate (a claim made from it is proved or dropped).
     """
@@ -148,7 +148,7 @@ def _pairs(state: State, _: int) -> Iterator[State]:
     yield from (replace(state, taken=pairs) for _, pairs in sorted(set(found)))
 
 
-def _why_pairs(state: State) -> str:
+def _why_pairs(state: RecognitionState) -> str:
     tests = [state.swapped_sum(*pair) for pair in state.taken]
     shown = "P(x,y) + P(y,x) = 0" if all(tests) else "found by trial, as repeated points hide terms"
     return (

@@ -24,7 +24,7 @@ from gcrules.rules.random_witness import Oracle
 from gcrules.rules.sentences import sentence
 from gcrules.rules.strategy import FACTORIZATION
 
-__all__ = ["BRACKETS_ONLY", "SECONDS", "Outcome", "factored"]
+__all__ = ["BRACKETS_ONLY", "SECONDS", "FactorizationOutcome", "factored"]
 
 factor = deferred("gcrules.algebra.factoring.factorize:factor")
 
@@ -40,7 +40,7 @@ _TESTED = Certificate("random-points", "holds at exact random points")
 
 
 @dataclass(frozen=True)
-class Outcome:
+class FactorizationOutcome:
     """The condition found, if any, and in words what was searched in vain."""
 
     condition: Condition | None = None
@@ -54,7 +54,7 @@ def factored(
     *,
     seconds: float = SECONDS,
     cofactor: bool = True,
-) -> Outcome:
+) -> FactorizationOutcome:
     """A condition from a factorization of the first of the polynomials that has one; else, with a `cofactor`, of the
     first that has one with a cofactor; else at least the brackets that divide. The polynomials equal the superbracket
     up to sign where the assumptions hold; which of them are given and in what order does not matter.
@@ -62,7 +62,9 @@ def factored(
     end = monotonic() + seconds
     candidates = [p for p in _in_order(polynomials) if len(p) <= _MANY_TERMS or seconds > SECONDS]
     if not candidates:
-        return Outcome(note=f"no factorization was sought: the polynomial has more than {_MANY_TERMS} terms; {_MORE}")
+        return FactorizationOutcome(
+            note=f"no factorization was sought: the polynomial has more than {_MANY_TERMS} terms; {_MORE}"
+        )
     rounds = (False, True) if cofactor and len(candidates) > 1 else (cofactor,)
     partial: Condition | None = None
     family, sought = "", False
@@ -70,25 +72,25 @@ def factored(
         for poly in candidates if not with_cofactor or len(candidates) == 1 else candidates[:1]:
             left = end - monotonic()
             if left <= 0:
-                return Outcome(partial, _out_of_time(seconds))
+                return FactorizationOutcome(partial, _out_of_time(seconds))
             try:
                 sought = with_cofactor and (len(poly) <= _FEW_TERMS or seconds > SECONDS)
                 found = factor(poly, seconds=left, cofactor=sought)
             except LimitReached as limited:
                 late = monotonic() >= end
                 reason = f"no factorization was found: {limited.message}"
-                return Outcome(partial, _out_of_time(seconds) if late else reason)
+                return FactorizationOutcome(partial, _out_of_time(seconds) if late else reason)
             except GcrulesError:  # not homogeneous in the points: terms that cancel elsewhere
                 continue
             for expression, factor_in_front in _expressions(found):
                 condition = _condition(expression, factor_in_front, structure, oracle)
                 if condition is not None:
-                    return Outcome(condition)
+                    return FactorizationOutcome(condition)
             family = found.family.name
             if partial is None and found.factors:
                 product = ex.mul(*found.factors, _rest(poly, found).to_expr())
                 partial = _condition(product, ONE, structure, oracle, BRACKETS_ONLY)
-    return Outcome(partial, _in_vain(family, len(candidates), structure, sought, cofactor))
+    return FactorizationOutcome(partial, _in_vain(family, len(candidates), structure, sought, cofactor))
 
 
 def _in_vain(family: str, number: int, structure: Structure, sought: bool, wanted: bool) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 from gcrules.algebra.expr import Expr, Power
 from gcrules.rules.condition import Condition
 from gcrules.rules.foreign import Misfit
-from gcrules.rules.recognition_state import State
+from gcrules.rules.recognition_state import RecognitionState
 
 __all__ = ["FIELDS", "MAX_WEIGHT", "RESULTS", "expression_or_none", "is_text"]
 
@@ -66,8 +66,8 @@ def _all(kind: type, values: Any) -> list[Any]:
     return found
 
 
-def _states(values: Any) -> Iterator[State]:
-    return iter(_all(State, values))
+def _states(values: Any) -> Iterator[RecognitionState]:
+    return iter(_all(RecognitionState, values))
 
 
 def _conditions(values: Any) -> list[Condition]:

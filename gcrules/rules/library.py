@@ -12,7 +12,7 @@ from gcrules.rules.condition_rule import INCIDENCES
 from gcrules.rules.couples import FORCES_AND_COUPLES
 from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.entities import ENTITY_RULES, TETRAHEDRA
-from gcrules.rules.rule import SHIPPED, Incidence, Rule
+from gcrules.rules.rule import SHIPPED, ConditionRule, Rule
 from gcrules.rules.strategy import CATALOG, FACTORIZATION, FORMS, SHORTEST, Strategy
 from gcrules.rules.transversals import TRANSVERSALS
 
@@ -74,8 +74,8 @@ class Library:
             recognising = [r for r in self.rules if r.family != "rewriting"]
             return Strategy((*first, *recognising, *last)).without(without)
         named = [self[i] for i in dict.fromkeys(ids)]
-        used = {rule.id for r in named if isinstance(r, Incidence) for rule, _ in r.uses}
-        if any(isinstance(r, Incidence) for r in named):
+        used = {rule.id for r in named if isinstance(r, ConditionRule) for rule, _ in r.uses}
+        if any(isinstance(r, ConditionRule) for r in named):
             used.add(TETRAHEDRA.id)
         brought = [r for r in self.rules if r.id in used and r not in named]
         return Strategy(tuple(dict.fromkeys((*first, *brought, *named)))).without(without)

@@ -31,8 +31,8 @@ from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PL
 from gcrules.rules.foreign import foreign
 from gcrules.rules.identity import Identity
 from gcrules.rules.library import ENGINE, Library
-from gcrules.rules.recognition_state import State, extensor
-from gcrules.rules.rule import Elementary, EntityRule, Incidence, Rule
+from gcrules.rules.recognition_state import RecognitionState, extensor
+from gcrules.rules.rule import ConditionRule, Elementary, EntityRule, Rule
 
 __all__ = [
     "GROUP",
@@ -42,13 +42,13 @@ __all__ = [
     "LINES",
     "PLANES",
     "TETRAHEDRA",
+    "ConditionRule",
     "EntityRule",
     "Expr",
     "Identity",
-    "Incidence",
     "Plugin",
+    "RecognitionState",
     "Rule",
-    "State",
     "add",
     "bracket",
     "extensor",
@@ -185,7 +185,7 @@ def _owned(plugin: Plugin, owner: str, place: str, *, outside: bool) -> Plugin:
 
 def _of(owner: str, rule: _R, outside: bool) -> _R:
     """A rule with its owner, which the entity rules that it brings along have too."""
-    if not isinstance(rule, Incidence):
+    if not isinstance(rule, ConditionRule):
         return replace(rule, owner=owner, outside=outside)
     uses = tuple((_of(owner, u, outside) if u.foreign else u, n) for u, n in rule.uses)
     return replace(rule, owner=owner, outside=outside, uses=uses)
@@ -225,5 +225,5 @@ def _by_name(rule: Rule) -> Any:
     return object.__reduce_ex__(rule, 4)
 
 
-for _kind in (Elementary, EntityRule, Incidence):
+for _kind in (Elementary, EntityRule, ConditionRule):
     copyreg.pickle(_kind, _by_name)

@@ -17,7 +17,7 @@ from gcrules.algebra.scalars import bracket
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.core.budget import checkpoint
 
-__all__ = ["State", "extensor"]
+__all__ = ["RecognitionState", "extensor"]
 
 Names = tuple[str, ...]
 
@@ -28,7 +28,7 @@ def extensor(names: Names) -> Expr:
 
 
 @dataclass(frozen=True)
-class State:
+class RecognitionState:
     """The form's polynomial is Π tetrahedra · rest; planes and lines are entities of the rest.
 
     A plane is three points, a line two, that stay together in one bracket of every monomial of the rest; different
@@ -46,15 +46,15 @@ class State:
     homes: tuple[tuple[int, ...], ...] = ()
     taken: tuple[Row, ...] = ()
     sign: int = 1
-    trail: tuple[tuple[Any, State], ...] = field(default=(), compare=False, repr=False)
+    trail: tuple[tuple[Any, RecognitionState], ...] = field(default=(), compare=False, repr=False)
 
     @classmethod
-    def start(cls, form: SuperbracketForm, structure: Structure) -> State:
+    def start(cls, form: SuperbracketForm, structure: Structure) -> RecognitionState:
         """Nothing recognised yet in a form of the structure's neutral legs."""
         homes = ((),) * len(form.polynomial)
         return cls(structure, form, form.polynomial, homes=homes, sign=form.sign * structure.sign)
 
-    def after(self, rule: Any, before: State) -> State:
+    def after(self, rule: Any, before: RecognitionState) -> RecognitionState:
         """This state with one more rule on the trail, which led here."""
         return replace(self, trail=(*before.trail, (rule, self)))
 
@@ -86,7 +86,7 @@ class State:
         """Points as text: "a, b"."""
         return ", ".join(self.named(row))
 
-    def with_entity(self, row: Row) -> Iterator[State]:
+    def with_entity(self, row: Row) -> Iterator[RecognitionState]:
         """The states in which `row` (three or two points) is one more entity, in a bracket of its own everywhere."""
         homes = []
         for monomial, taken in zip(self.rest.terms, self.homes, strict=True):

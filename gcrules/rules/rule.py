@@ -21,9 +21,9 @@ from gcrules.rules.condition import Condition
 from gcrules.rules.fields import FIELDS, RESULTS, expression_or_none, is_text
 from gcrules.rules.foreign import Guarded, PluginFault, foreign, is_foreign, place_of
 from gcrules.rules.random_witness import Oracle
-from gcrules.rules.recognition_state import State
+from gcrules.rules.recognition_state import RecognitionState
 
-__all__ = ["SHIPPED", "Elementary", "EntityRule", "Incidence", "RewriteRule", "Rule", "StructureRule", "reductions"]
+__all__ = ["SHIPPED", "ConditionRule", "Elementary", "EntityRule", "RewriteRule", "Rule", "StructureRule", "reductions"]
 
 SHIPPED = "gcrules"
 _PARTS = {"tetrahedra", "planes", "lines", "expression"}
@@ -141,22 +141,22 @@ class EntityRule(Rule):
 
     family: ClassVar[str] = "entities"
 
-    find: Callable[[State, int], Iterator[State]]
-    after: Callable[[State, Oracle], Expr | None]
-    why: Callable[[State], str]
+    find: Callable[[RecognitionState, int], Iterator[RecognitionState]]
+    after: Callable[[RecognitionState, Oracle], Expr | None]
+    why: Callable[[RecognitionState], str]
 
-    def applied(self, state: State, number: int = 1) -> Iterator[State]:
+    def applied(self, state: RecognitionState, number: int = 1) -> Iterator[RecognitionState]:
         """The states that the rule leads to, each with the rule on its trail."""
         for found in self.find(state, number):
             yield found.after(self, found)
 
 
-def _no_cofactor(_: State) -> Expr:
+def _no_cofactor(_: RecognitionState) -> Expr:
     return ONE
 
 
 @dataclass(frozen=True, kw_only=True)
-class Incidence(Rule):
+class ConditionRule(Rule):
     """A kind of condition, named by the rule's id: the entities it needs and the expression it makes of them.
 
     `uses` lists entity rules with numbers of entities, applied one after the other to a rest of `degree` brackets (any
@@ -171,10 +171,10 @@ class Incidence(Rule):
 
     degree: int | None = None
     uses: tuple[tuple[EntityRule, int], ...] = ()
-    expression: Callable[[State], Expr | None]
-    cofactor: Callable[[State], Expr] = _no_cofactor
-    pencils: Callable[[State], tuple[Expr, Expr]] | None = None
-    statement: str | Callable[[State], str] = ""
+    expression: Callable[[RecognitionState], Expr | None]
+    cofactor: Callable[[RecognitionState], Expr] = _no_cofactor
+    pencils: Callable[[RecognitionState], tuple[Expr, Expr]] | None = None
+    statement: str | Callable[[RecognitionState], str] = ""
     group: str | None = None
 
     def __post_init__(self) -> None:
@@ -185,19 +185,19 @@ class Incidence(Rule):
                 hint = f"it is filled with {', '.join(f'{{{p}}}' for p in sorted(_PARTS))}"
                 raise InputError(f"{{{min(unknown)}}} cannot be filled into the statement of {self.id}", hint=hint)
 
-    def sentence_for(self, state: State) -> str:
+    def sentence_for(self, state: RecognitionState) -> str:
         """The statement as a text to fill in."""
         if isinstance(self.statement, str):
             return self.statement
         return self.statement(state).replace("{", "{{").replace("}", "}}")
 
-    def reached(self, state: State) -> Iterator[State]:
+    def reached(self, state: RecognitionState) -> Iterator[RecognitionState]:
         """The states that the rules it uses lead to, one after the other."""
         if self.degree is None or state.degree == self.degree:
             yield from _reach(self.uses, state)
 
 
-def _reach(uses: tuple[tuple[EntityRule, int], ...], state: State) -> Iterator[State]:
+def _reach(uses: tuple[tuple[EntityRule, int], ...], state: RecognitionState) -> Iterator[RecognitionState]:
     if not uses:
         yield state
         return

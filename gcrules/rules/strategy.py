@@ -11,12 +11,12 @@ from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.core.arguments import TEXT, instance, listed, read
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.rules.condition_rule import Claim, claims
+from gcrules.rules.condition_rule import ConditionClaim, claims
 from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.identity import Identity, rewritten
 from gcrules.rules.random_witness import Oracle
-from gcrules.rules.recognition_state import State
-from gcrules.rules.rule import SHIPPED, EntityRule, Incidence, Rule, StructureRule
+from gcrules.rules.recognition_state import RecognitionState
+from gcrules.rules.rule import SHIPPED, ConditionRule, EntityRule, Rule, StructureRule
 
 __all__ = ["CATALOG", "FACTORIZATION", "FORMS", "MAX_TERMS", "SHORTEST", "Strategy", "of_plugins", "recognise"]
 
@@ -62,10 +62,12 @@ class Strategy:
         return tuple(r for r in self.rules if isinstance(r, Identity))
 
     @property
-    def incidences(self) -> tuple[Incidence, ...]:
+    def incidences(self) -> tuple[ConditionRule, ...]:
         """Those whose entity rules are all there."""
         known = {r.id for r in self.rules if isinstance(r, EntityRule)}
-        return tuple(r for r in self.rules if isinstance(r, Incidence) and all(rule.id in known for rule, _ in r.uses))
+        return tuple(
+            r for r in self.rules if isinstance(r, ConditionRule) and all(rule.id in known for rule, _ in r.uses)
+        )
 
     @property
     def structural(self) -> tuple[StructureRule, ...]:
@@ -89,32 +91,36 @@ class Strategy:
 
 def recognise(
     forms: Sequence[SuperbracketForm], structure: Structure, oracle: Oracle, strategy: Strategy
-) -> list[Claim]:
+) -> list[ConditionClaim]:
     """All claims that hold for the first incidence rule of the strategy that finds any.
 
     Rewritten forms are tried where the forms given show nothing.
     """
-    short = [State.start(form, structure) for form in forms if len(form.polynomial) <= MAX_TERMS]
+    short = [RecognitionState.start(form, structure) for form in forms if len(form.polynomial) <= MAX_TERMS]
     return _first(short, oracle, strategy) or _first(_rewritten(forms, structure, strategy), oracle, strategy)
 
 
 def of_plugins(
     forms: Sequence[SuperbracketForm], structure: Structure, oracle: Oracle, strategy: Strategy, found: str
-) -> list[list[Claim]]:
+) -> list[list[ConditionClaim]]:
     """The claims of each incidence rule that a plugin brought, the rule that `found` the condition left out."""
     brought = [r for r in strategy.incidences if r.owner != SHIPPED and r.id != found]
-    short = [State.start(form, structure) for form in forms if len(form.polynomial) <= MAX_TERMS] if brought else []
+    short = (
+        [RecognitionState.start(form, structure) for form in forms if len(form.polynomial) <= MAX_TERMS]
+        if brought
+        else []
+    )
     states = _with_tetrahedra(short, strategy)
     return [list(claims(incidence, states, oracle)) for incidence in brought]
 
 
-def _with_tetrahedra(states: Sequence[State], strategy: Strategy) -> list[State]:
+def _with_tetrahedra(states: Sequence[RecognitionState], strategy: Strategy) -> list[RecognitionState]:
     if any(r.id == TETRAHEDRA.id for r in strategy.rules):
         return [s for state in states for s in TETRAHEDRA.applied(state)]
     return list(states)
 
 
-def _first(states: Sequence[State], oracle: Oracle, strategy: Strategy) -> list[Claim]:
+def _first(states: Sequence[RecognitionState], oracle: Oracle, strategy: Strategy) -> list[ConditionClaim]:
     states = _with_tetrahedra(states, strategy)
     for incidence in strategy.incidences:
         checkpoint()
@@ -124,12 +130,12 @@ def _first(states: Sequence[State], oracle: Oracle, strategy: Strategy) -> list[
     return []
 
 
-def _rewritten(forms: Sequence[SuperbracketForm], structure: Structure, strategy: Strategy) -> list[State]:
+def _rewritten(forms: Sequence[SuperbracketForm], structure: Structure, strategy: Strategy) -> list[RecognitionState]:
     """The states after each identity in turn."""
     found = []
     space = Space(4, structure.points, structure.ideal)
     for form in forms if strategy.identities else ():
-        state = State.start(form, structure)
+        state = RecognitionState.start(form, structure)
         for identity in strategy.identities:
             try:
                 rest = rewritten(state.rest, identity, space)

@@ -29,7 +29,7 @@ from gcrules.rules.condition import Condition
 from gcrules.rules.line_cofactors import balance
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.rule import StructureRule
-from gcrules.rules.two_transversals import KIND, Reading, reading_of, written_into
+from gcrules.rules.two_transversals import KIND, TransversalCondition, reading_of, written_into
 
 __all__ = ["TRANSVERSALS", "find", "readings"]
 
@@ -39,13 +39,13 @@ def find(structure: Structure, oracle: Oracle) -> list[Condition]:
     return [reading.condition for reading in readings(structure, oracle)]
 
 
-def readings(structure: Structure, oracle: Oracle) -> list[Reading]:
+def readings(structure: Structure, oracle: Oracle) -> list[TransversalCondition]:
     """All transversal conditions, not yet proved: those with the smallest cofactor first, then those with the fewest
     operations, then those whose lines p and q are alike.
 
     None where the robot is always singular, where no two legs share a joint, and outside rank 4.
     """
-    found: dict[tuple[str, str], Reading] = {}
+    found: dict[tuple[str, str], TransversalCondition] = {}
     for r in _of_lines(structure, oracle) if structure.stand_ins else _of_joints(structure, oracle):
         found.setdefault((str(r.condition.expression), str(r.condition.cofactor)), r)
     return sorted(found.values(), key=lambda r: _key(r.condition, structure.names))
@@ -72,7 +72,7 @@ def _shape(e: Expr) -> str:
     return "." if not e.children else f"{type(e).__name__}({' '.join(map(_shape, e.children))})"
 
 
-def _of_lines(structure: Structure, oracle: Oracle) -> Iterator[Reading]:
+def _of_lines(structure: Structure, oracle: Oracle) -> Iterator[TransversalCondition]:
     """Those of general lines in the place of legs that are lines built from points, with these written back."""
     for r in readings(structure.lifted, Oracle(structure.lifted)):
         found = written_into(r, structure, oracle)
@@ -80,7 +80,7 @@ def _of_lines(structure: Structure, oracle: Oracle) -> Iterator[Reading]:
             yield found
 
 
-def _of_joints(structure: Structure, oracle: Oracle) -> Iterator[Reading]:
+def _of_joints(structure: Structure, oracle: Oracle) -> Iterator[TransversalCondition]:
     names = structure.names
     legs = sorted(structure.neutral, key=lambda leg: [names.index(n) for n in leg])
     if structure.rank != 4 or oracle.zero(structure.superbracket):

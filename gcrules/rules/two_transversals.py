@@ -23,14 +23,14 @@ from gcrules.rules.random_witness import Oracle
 from gcrules.rules.recognition_state import extensor
 from gcrules.rules.sentences import sentence
 
-__all__ = ["KIND", "Reading", "reading_of", "written_into"]
+__all__ = ["KIND", "TransversalCondition", "reading_of", "written_into"]
 
 KIND = "transversals"
 _TESTED = Certificate("random-points", "holds at exact random points")
 
 
 @dataclass(frozen=True)
-class Reading:
+class TransversalCondition:
     """A transversal condition, with the legs g and h and the lines p and q that it compares."""
 
     condition: Condition
@@ -44,7 +44,7 @@ def reading_of(
     lines: tuple[CommonLine, CommonLine],
     factors: Balance,
     oracle: Oracle,
-) -> Reading | None:
+) -> TransversalCondition | None:
     """The condition for the single legs g, h and the lines p, q, not yet proved; None where both sides vanish."""
     p, q = (line.expression for line in lines)
     found = _Comparison.made(structure, single, (p, q), factors, oracle)
@@ -63,10 +63,10 @@ def reading_of(
         certificate=_TESTED,
         lines=(("p", p), ("q", q)),
     )
-    return Reading(condition, single, lines)
+    return TransversalCondition(condition, single, lines)
 
 
-def written_into(reading: Reading, structure: Structure, oracle: Oracle) -> Reading | None:
+def written_into(reading: TransversalCondition, structure: Structure, oracle: Oracle) -> TransversalCondition | None:
     """A reading of the lifted structure with the lines in the place of their stand-ins; None where these occur apart or
     both sides vanish.
     """
@@ -95,7 +95,7 @@ def written_into(reading: Reading, structure: Structure, oracle: Oracle) -> Read
         else sentence(expression, structure, oracle, cofactor),
         lines=(("p", p.expression), ("q", q.expression)),
     )
-    return Reading(condition, reading.single, (p, q))
+    return TransversalCondition(condition, reading.single, (p, q))
 
 
 def _with_words(text: str, structure: Structure) -> str:

@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING, Any
 
 from gcrules.core.deferred import resolved
 from gcrules.screws.fields import RATIONALS, RESIDUES, Field, Rationals, Residues
-from gcrules.screws.jacobians import Jacobian, RowLabel, jacobian
+from gcrules.screws.jacobians import LimbJacobian, RowLabel, jacobian
 from gcrules.screws.joints import JOINTS, Joint, JointKind, joint
 from gcrules.screws.kinds import KINDS, Classification
 from gcrules.screws.limbs import Limb, limb
 from gcrules.screws.lines import LineFamily
 from gcrules.screws.platforms import Mobility, mobility
 from gcrules.screws.screw import (
-    Axis,
+    ScrewAxis,
     axis,
     from_plucker,
     helix,
@@ -46,19 +46,19 @@ __all__ = [
     "KINDS",
     "RATIONALS",
     "RESIDUES",
-    "Axis",
     "Classification",
     "Field",
     "Floats",
-    "Jacobian",
     "Joint",
     "JointKind",
     "Limb",
+    "LimbJacobian",
     "LineFamily",
     "Mobility",
     "Rationals",
     "Residues",
     "RowLabel",
+    "ScrewAxis",
     "ScrewSystem",
     "axis",
     "from_plucker",

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.screws.margin import Jacobian
+from gcrules.screws.margin import LegJacobians
 
 __all__ = ["DIGITS", "ROUNDING", "Guarantees", "guarantees", "noise"]
 
@@ -50,7 +50,7 @@ class Guarantees:
         return {name: float(getattr(self, name)[n]) for name in ("sigma", "turn", "shift", "rotation", "combined")}
 
 
-def guarantees(j: Jacobian) -> Guarantees:
+def guarantees(j: LegJacobians) -> Guarantees:
     """The guarantees of σ.
 
     A leg of length l whose end moves by x < l turns by at most asin(x/l); turning the platform by φ adds φ. asin is
@@ -71,7 +71,7 @@ def guarantees(j: Jacobian) -> Guarantees:
     )
 
 
-def noise(j: Jacobian, accuracy: float) -> Floats:
+def noise(j: LegJacobians, accuracy: float) -> Floats:
     """How much σ can change when each joint is elsewhere by up to `accuracy` (a length) or by the rounding of its
     coordinates, shape (N,); at most 1.
 

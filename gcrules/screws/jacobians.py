@@ -24,7 +24,7 @@ from gcrules.core.errors import InputError
 from gcrules.screws.fields import Field, Matrix, field_of
 from gcrules.screws.limbs import Limb
 
-__all__ = ["Jacobian", "RowLabel", "common_field", "jacobian"]
+__all__ = ["LimbJacobian", "RowLabel", "common_field", "jacobian"]
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class RowLabel:
 
 
 @dataclass(frozen=True)
-class Jacobian:
+class LimbJacobian:
     """Rows (f; m), first the actuations of all limbs, then the constraints; for floats `matrix` is (..., rows, 6).
 
     The reciprocal products of the rows with a twist of the platform are the rates of the actuators, and 0 for the
@@ -69,7 +69,7 @@ class Jacobian:
         return self.field.determinant(self.matrix)
 
 
-def jacobian(limbs: Iterable[Limb], field: Field | None = None) -> Jacobian:
+def jacobian(limbs: Iterable[Limb], field: Field | None = None) -> LimbJacobian:
     """The actuations and constraints of all limbs at one configuration, or at all for which they hold floats.
 
     The construction is known as that of Joshi and Tsai, cited in SinguLab2008 and not read; derived here.
@@ -85,7 +85,7 @@ def jacobian(limbs: Iterable[Limb], field: Field | None = None) -> Jacobian:
             if field.height(rows):
                 parts.append(rows)
                 labels += [RowLabel(name, kind, place) for place in range(field.height(rows))]
-    return Jacobian(field, field.joined(parts) if parts else field.matrix(()), tuple(labels))
+    return LimbJacobian(field, field.joined(parts) if parts else field.matrix(()), tuple(labels))
 
 
 def common_field(limbs: Iterable[Limb]) -> Field:

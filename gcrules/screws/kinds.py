@@ -24,7 +24,7 @@ from typing import Any
 from gcrules.core.frozen import FrozenMap
 from gcrules.screws.field import Field, Row
 from gcrules.screws.lines import LineFamily, family, number_text, undecided, vector_text
-from gcrules.screws.screw import Axis, axis, join_of, meet_of, product
+from gcrules.screws.screw import ScrewAxis, axis, join_of, meet_of, product
 
 __all__ = ["KINDS", "Classification", "classify"]
 
@@ -113,7 +113,7 @@ class Classification:
     dimension: int
     families: tuple[LineFamily, ...] = ()
     axes: tuple[LineFamily, ...] = ()
-    screw: Axis | None = None
+    screw: ScrewAxis | None = None
     irrational: bool = False
 
     def stretched(self, length: Any) -> Classification:
@@ -242,10 +242,10 @@ def _through_or_in(field: Field, pencil: LineFamily) -> tuple[LineFamily, ...]:
     return tuple(family(field, field.rows(basis)) for basis in bases)
 
 
-def _screw(field: Field, row: Row) -> Axis:
+def _screw(field: Field, row: Row) -> ScrewAxis:
     found = axis(row, field)
     x, y, z = field.simplest(found.direction)
-    return Axis(found.point, (x, y, z), found.pitch)
+    return ScrewAxis(found.point, (x, y, z), found.pitch)
 
 
 def _combined(field: Field, coefficients: Any, rows: Sequence[Row]) -> tuple[Row, ...]:

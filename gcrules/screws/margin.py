@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 
 from gcrules.core.errors import InputError
 
-__all__ = ["Jacobian", "jacobian", "on_one_line"]
+__all__ = ["LegJacobians", "jacobian", "on_one_line"]
 
 Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Jacobian:
+class LegJacobians:
     """Arrays for N poses; twists are (v, ρω) with v the velocity of the centroid of the legs' platform ends.
 
     `centroid` (N, 3); `arms` (N, 6, 3) are the ends less the centroid; `radius` ρ, their root-mean-square length, is
@@ -105,7 +105,7 @@ _RESOLVED = 1000 * _ROUNDED  # of the coordinates: a platform that is smaller or
 _THIN = 1e-6
 
 
-def jacobian(base: Floats, ends: Floats) -> Jacobian:
+def jacobian(base: Floats, ends: Floats) -> LegJacobians:
     """The Jacobian of legs from base points (6, 3) to platform points (N, 6, 3) that move as one body.
 
     The legs have lengths other than 0. Raises InputError where the platform's points are all on one line, but for the
@@ -135,7 +135,7 @@ def jacobian(base: Floats, ends: Floats) -> Jacobian:
         raise _too_far()
     turn = np.einsum("nij,nj,nkj->nik", vectors, 1 / np.sqrt(values), vectors)
     far = np.maximum(far_ends, np.abs(base).max())
-    return Jacobian(centroid, arms, radius, rows, lengths, directions, spread, far, far_ends, turn)
+    return LegJacobians(centroid, arms, radius, rows, lengths, directions, spread, far, far_ends, turn)
 
 
 def _too_far() -> InputError:

@@ -23,7 +23,7 @@ from gcrules.core.errors import InputError
 from gcrules.screws.fields import Field, Matrix, Row, Vector, field_of
 
 __all__ = [
-    "Axis",
+    "ScrewAxis",
     "axis",
     "direction",
     "from_plucker",
@@ -113,7 +113,7 @@ def pitch(screw: Any, field: Field | None = None) -> Any:
 
 
 @dataclass(frozen=True)
-class Axis:
+class ScrewAxis:
     """Where a screw is: its axis passes through `point`, the one nearest to the origin, along `direction`; `pitch` as
     above. A couple or translation has no axis: its point is None, its pitch inf.
     """
@@ -122,25 +122,25 @@ class Axis:
     direction: Vector
     pitch: Any
 
-    def stretched(self, length: Any) -> Axis:
+    def stretched(self, length: Any) -> ScrewAxis:
         """The axis so much further from the origin."""
         if self.point is None:
             return self
         x, y, z = (c * length for c in self.point)
-        return Axis((x, y, z), self.direction, self.pitch * length)
+        return ScrewAxis((x, y, z), self.direction, self.pitch * length)
 
 
-def axis(screw: Any, field: Field | None = None) -> Axis:
+def axis(screw: Any, field: Field | None = None) -> ScrewAxis:
     """The axis of one screw: the point is f × m / f·f. Raises InputError for no screw."""
     field, (f, m) = _halves(screw, field)
     h = pitch(screw, field)
     if getattr(h, "shape", ()):
         raise InputError("the axis of one screw is asked for, not of an array", hint="take the screws one by one")
     if h == math.inf:
-        return Axis(None, m, h)
+        return ScrewAxis(None, m, h)
     square = field.dot(f, f)
     x, y, z = (field.quotient(c, square) for c in field.cross(f, m))
-    return Axis((x, y, z), f, h)
+    return ScrewAxis((x, y, z), f, h)
 
 
 def plucker(wrench: Any, field: Field | None = None) -> Any:

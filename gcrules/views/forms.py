@@ -74,8 +74,8 @@ FORMS: dict[str, Forms] = {
         formula=f"{_RESULTS}.analysis:formula",
         html=f"{_VIEWS}.report.report:fragment",
     ),
-    "gcrules.conditions.manual.session.Session": _in_ascii("manual"),
-    "gcrules.conditions.manual.outcome.Outcome": _in_ascii("manual", text="outcome", latex="outcome_latex"),
+    "gcrules.conditions.manual.session.ManualSession": _in_ascii("manual"),
+    "gcrules.conditions.manual.outcome.ProposalOutcome": _in_ascii("manual", text="outcome", latex="outcome_latex"),
     # mechanisms
     "gcrules.mechanisms.conditions.robot_analysis.RobotAnalysis": _result("robot", formula=f"{_RESULTS}.robot:formula"),
     # poses: their LaTeX is a table

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, NotRequired, TypedDict
 
-from gcrules.core.shapes import Size, Words
+from gcrules.core.shapes import EntryCount, OneOf
 from gcrules.screws.verdict import VERDICTS
 
 __all__ = [
@@ -33,10 +33,10 @@ __all__ = [
     "Verdict",
 ]
 
-Vec3 = Annotated[list[float], Size(3, 3)]
-LegEnds = Annotated[list[str], Size(2, 2)]
-Verdict = Annotated[str, Words(VERDICTS)]
-EntityKind = Annotated[str, Words(("tetrahedron", "plane", "line", "point"))]
+Vec3 = Annotated[list[float], EntryCount(3, 3)]
+LegEnds = Annotated[list[str], EntryCount(2, 2)]
+Verdict = Annotated[str, OneOf(VERDICTS)]
+EntityKind = Annotated[str, OneOf(("tetrahedron", "plane", "line", "point"))]
 Construction = str | list["Construction"]
 """A joint, or a list of "join" or "meet" and two constructions or more."""
 

@@ -2,17 +2,17 @@
 
 from itertools import combinations
 
-from gcrules.rules.plugins import Incidence, State, bracket, extensor, leg_text, meet, mul, points
+from gcrules.rules.plugins import ConditionRule, RecognitionState, bracket, extensor, leg_text, meet, mul, points
 
 
-def crossing(state: State, row: tuple[int, ...]) -> tuple[tuple[str, str], tuple[str, str]] | None:
+def crossing(state: RecognitionState, row: tuple[int, ...]) -> tuple[tuple[str, str], tuple[str, str]] | None:
     """Two legs without a common joint among the four points of a tetrahedron."""
     names = set(state.named(row))
     legs = [leg for leg in state.structure.oriented if set(leg) <= names]
     return next(((g, h) for g, h in combinations(legs, 2) if not set(g) & set(h)), None)
 
 
-def expression(state: State):
+def expression(state: RecognitionState):
     """The tetrahedra, each that stands on two legs as the meet of these; None where none does."""
     pairs = [crossing(state, row) for row in state.tetrahedra]
     if not any(pairs):
@@ -25,7 +25,7 @@ def expression(state: State):
     )
 
 
-def statement(state: State) -> str:
+def statement(state: RecognitionState) -> str:
     meeting, flat = [], []
     for row in state.tetrahedra:
         pair = crossing(state, row)
@@ -37,7 +37,7 @@ def statement(state: State) -> str:
 
 
 RULES = (
-    Incidence(
+    ConditionRule(
         id="legs-meet",
         sentence="A tetrahedron that stands on two legs without a common joint is flat just when the two legs meet.",
         source="derived here",

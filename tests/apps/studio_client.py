@@ -19,7 +19,7 @@ from typing import (
 
 from gcrules.apps.studio.guard import COOKIE
 from gcrules.apps.studio.protocol.methods import METHODS
-from gcrules.core.shapes import Size, Words
+from gcrules.core.shapes import EntryCount, OneOf
 
 __all__ = [
     "DRAWING",
@@ -114,9 +114,9 @@ def assert_fits(value: Any, shape: Any, where: str = "") -> None:
     elif inner is not Any and not isinstance(inner, ForwardRef):
         assert type(value) is (NoneType if inner is None else inner), where
     for mark in marks:
-        if isinstance(mark, Words):
+        if isinstance(mark, OneOf):
             assert value in mark.words, where
-        if isinstance(mark, Size):
+        if isinstance(mark, EntryCount):
             assert mark.least <= len(value) <= mark.most, where
 
 

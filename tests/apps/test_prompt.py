@@ -21,7 +21,7 @@ from commands import Run, invoke
 from gcrules.apps.repl.answers import worst, wrapped
 from gcrules.apps.repl.history import history_path, private_file
 from gcrules.apps.repl.interpreter import Interpreter
-from gcrules.apps.repl.state import State
+from gcrules.apps.repl.state import PromptState
 
 # --- without a terminal --------------------------------------------------------------------------------------------
 
@@ -226,7 +226,7 @@ def test_no_fault_ends_the_session(
         assert out == ""
         assert words in err
         assert "Traceback" not in err
-    assert repl.state == State()
+    assert repl.state == PromptState()
 
 
 class Interrupted:

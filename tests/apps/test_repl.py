@@ -18,7 +18,7 @@ from gcrules.apps.repl.answers import Answer
 from gcrules.apps.repl.commands import HANDLERS
 from gcrules.apps.repl.help import TOPICS, help_text
 from gcrules.apps.repl.interpreter import Interpreter
-from gcrules.apps.repl.state import Settings, State
+from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.apps.repl.tables import COMMANDS, KEYS, RELATIONS, RULE_WORDS, STATEMENTS, SYMBOLS
 from gcrules.core.errors import GcrulesError
 from gcrules.rules.script import run_script
@@ -250,7 +250,7 @@ def test_what_stands_before_a_fault_holds(repl: Interpreter) -> None:
     assert verdicts(repl, r"let p = [abcd] show p let q = ab /\ c let r = p") == ["done", "shown", "fault"]
     assert list(repl.state.context.bound) == ["p"]
     said(repl, ":undo")
-    assert repl.state == State()
+    assert repl.state == PromptState()
 
 
 def test_limits_are_answers(repl: Interpreter) -> None:
@@ -332,7 +332,7 @@ def test_undo_leads_back_to_the_beginning(inputs: list[str]) -> None:
         said(repl, line)
     for _ in inputs:
         said(repl, ":undo")
-    assert repl.state.kept == State().kept
+    assert repl.state.kept == PromptState().kept
     assert fault(repl, ":undo").message == "there is nothing to take back"
 
 
@@ -378,7 +378,7 @@ def test_a_file_that_cannot_be_written(repl: Interpreter, tmp_path: Path) -> Non
 def test_a_script_that_is_too_long_is_not_saved(repl: Interpreter, tmp_path: Path) -> None:
     path = tmp_path / "x.gca"
     path.write_text("as before", encoding="utf-8")
-    repl.state = State(statements=(f"show {'[abcd]' * 9_000}",) * 2)
+    repl.state = PromptState(statements=(f"show {'[abcd]' * 9_000}",) * 2)
     assert "the limit is 100,000" in fault(repl, f":save {path}").message
     assert path.read_text(encoding="utf-8") == "as before"
 
@@ -392,7 +392,7 @@ def test_load_is_one_step_and_names_lines(repl: Interpreter, tmp_path: Path) -> 
     assert last.fault.place == f"{path}:5:6"
     assert repl.state.statements == ("let p = ab", "claim p == -ba")
     assert said(repl, ":undo") == ["taken back: 2 statements"]
-    assert repl.state == State()
+    assert repl.state == PromptState()
 
 
 def test_reset_and_back(repl: Interpreter) -> None:

@@ -14,7 +14,7 @@ from gcrules.apps.repl.completion import candidates
 from gcrules.apps.repl.highlight import KINDS, tokens
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.reading import Source, pieces, statements, unfinished
-from gcrules.apps.repl.state import State
+from gcrules.apps.repl.state import PromptState
 from gcrules.apps.repl.tables import COMMANDS, STATEMENTS
 
 # --- where inputs end ----------------------------------------------------------------------------------------------
@@ -136,7 +136,7 @@ def test_statements_stand_in_their_place() -> None:
 
 
 @pytest.fixture
-def declared(repl: Interpreter) -> State:
+def declared(repl: Interpreter) -> PromptState:
     said(repl, f"points left right\nideal infinity\nlet pencil = left right\n{MEET}")
     return repl.state
 
@@ -173,12 +173,12 @@ def declared(repl: Interpreter) -> State:
         ("xyz", []),
     ],
 )
-def test_completion(declared: State, before: str, expected: list[str]) -> None:
+def test_completion(declared: PromptState, before: str, expected: list[str]) -> None:
     assert [c.text for c in candidates(before, declared)] == expected
 
 
 def test_completion_of_nothing_offers_everything() -> None:
-    assert {c.text for c in candidates("", State())} == {*STATEMENTS, *(f":{n}" for n in COMMANDS)}
+    assert {c.text for c in candidates("", PromptState())} == {*STATEMENTS, *(f":{n}" for n in COMMANDS)}
 
 
 def test_completion_of_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -186,7 +186,7 @@ def test_completion_of_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     (tmp_path / "folder").mkdir()
     for name in ("plane.gca", "robot.yaml", ".hidden.gca", "folder/two words.gca"):
         (tmp_path / name).write_text("", encoding="utf-8")
-    offered: Callable[[str], list[str]] = lambda text: [c.text for c in candidates(text, State())]  # noqa: E731
+    offered: Callable[[str], list[str]] = lambda text: [c.text for c in candidates(text, PromptState())]  # noqa: E731
     assert offered(":load ") == ["folder/", "plane.gca"]
     assert offered(":load pl") == ["plane.gca"]
     assert offered(":save folder/t") == ["two words.gca"]
@@ -202,7 +202,7 @@ def test_any_text_has_colours_and_completions(text: str) -> None:
     runs = list(tokens(text, ("p",)))
     assert "".join(t for _, t in runs) == text
     assert {k for k, _ in runs} <= {"", *KINDS}
-    candidates(text, State())
+    candidates(text, PromptState())
     unfinished(text)
 
 

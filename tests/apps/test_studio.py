@@ -20,7 +20,7 @@ import pytest
 import gcrules as gc
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.core.errors import InputError
-from gcrules.core.shapes import Words
+from gcrules.core.shapes import OneOf
 from gcrules.mechanisms.description.discovery import examples
 from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.screws.verdict import VERDICTS
@@ -49,7 +49,7 @@ def test_the_page_has_the_protocol_of_the_server(root: Path) -> None:
 
 
 def test_words_of_the_protocol_are_those_of_the_engine() -> None:
-    assert set(get_args(scene_data.Verdict)[1:]) == {Words(VERDICTS)}
+    assert set(get_args(scene_data.Verdict)[1:]) == {OneOf(VERDICTS)}
     assert set(theory.THEORY) == set(STAGE_IDS)
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from platform_classes import REGULAR
 
-from gcrules.conditions.manual import Session
+from gcrules.conditions.manual import ManualSession
 
 __all__ = ["EACH", "fits", "legs_of", "played"]
 
@@ -18,8 +18,8 @@ def legs_of(facts: dict[str, Any]) -> str:
     return " ".join(facts["legs"])
 
 
-def played(legs: str, *commands: str, **options: Any) -> Session:
-    session = Session.start(legs, **options)
+def played(legs: str, *commands: str, **options: Any) -> ManualSession:
+    session = ManualSession.start(legs, **options)
     for command in commands:
         session = session.do(command)
     return session

@@ -11,7 +11,7 @@ from platform_classes import REGULAR
 
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, vanishes
-from gcrules.conditions.manual import Session, analysis_of
+from gcrules.conditions.manual import ManualSession, analysis_of
 from gcrules.conditions.manual.board import Board
 from gcrules.conditions.manual.file import parse_session, session_yaml
 from gcrules.core.errors import InputError
@@ -21,7 +21,7 @@ LINES = "Aa Ab Ba Bb Cc Dd"
 PYRAMID = "Aa Ab Ac Bd Ce Df"
 
 
-def reached(session: Session) -> Session:
+def reached(session: ManualSession) -> ManualSession:
     """The session after following the hints one by one to their end."""
     for _ in range(20):
         hint = session.hint()
@@ -38,7 +38,7 @@ def reached(session: Session) -> Session:
 
 @EACH
 def test_hints_lead_to_the_condition_of_the_automatic_mode(facts: dict[str, Any]) -> None:
-    session = reached(Session.start(legs_of(facts)))
+    session = reached(ManualSession.start(legs_of(facts)))
     expected = gc.analyze(legs_of(facts)).condition
     found = session.confirmed
     assert found is not None
@@ -50,7 +50,7 @@ def test_hints_lead_to_the_condition_of_the_automatic_mode(facts: dict[str, Any]
 
 @EACH
 def test_what_is_confirmed_holds_on_the_oracle(facts: dict[str, Any]) -> None:
-    session = reached(Session.start(legs_of(facts)))
+    session = reached(ManualSession.start(legs_of(facts)))
     structure = session.structure
     assert session.confirmed is not None
     assert vanishes(session.confirmed.identity(structure.superbracket), seed=77)
@@ -77,7 +77,7 @@ def zero_where_flat(e: gc.Expr, flat: tuple[str, ...], names: tuple[str, ...]) -
 
 @EACH
 def test_auto_finishes_from_anywhere_on_the_way(facts: dict[str, Any]) -> None:
-    whole = Session.start(legs_of(facts)).auto()
+    whole = ManualSession.start(legs_of(facts)).auto()
     commands = [r.command for r in whole.history]
     for n in range(len(commands)):
         assert played(legs_of(facts), *commands[:n]).auto() == whole
@@ -85,13 +85,13 @@ def test_auto_finishes_from_anywhere_on_the_way(facts: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("legs", [OCTAHEDRON, LINES, "Aa Ab Bc Bd Ce Df", PYRAMID])
 def test_entities_may_be_proposed_in_any_order(legs: str) -> None:
-    commands = [r.command for r in Session.start(legs).auto().history]
+    commands = [r.command for r in ManualSession.start(legs).auto().history]
     first = [c for c in commands if c == "shortest"]
     entities = [c for c in commands if c.split()[0] in ("tetrahedron", "plane", "line")]
     left_over = [c for c in commands if c not in first and c not in entities]
     if left_over[0].startswith("plane"):  # the left-over plane stands among the planes
         entities.remove(left_over.pop(0))
-    expected = Session.start(legs).auto().confirmed
+    expected = ManualSession.start(legs).auto().confirmed
     plane_last = [entities.pop()] if legs == OCTAHEDRON else []
     for order in permutations(entities):
         session = played(legs, *first, *order, *plane_last, *left_over)
@@ -101,7 +101,7 @@ def test_entities_may_be_proposed_in_any_order(legs: str) -> None:
 
 @EACH
 def test_the_sequence_of_two_proposals_does_not_matter(facts: dict[str, Any]) -> None:
-    start = Session.start(legs_of(facts)).shortest().board
+    start = ManualSession.start(legs_of(facts)).shortest().board
     names = start.structure.names
     rows = [row for n in (2, 3) for row in combinations(range(len(names)), n) if start.broken(row) is None]
     for one, other in combinations(rows[:25], 2):
@@ -120,7 +120,7 @@ def test_an_earlier_entity_moves_to_another_bracket() -> None:
     """A line that both of two brackets hold does not stand in the way of a plane that only one of them holds."""
     found = 0
     for facts in REGULAR:
-        board = Session.start(legs_of(facts)).shortest().board
+        board = ManualSession.start(legs_of(facts)).shortest().board
         for size in (2, 3):
             for row in combinations(range(len(board.structure.names)), size):
                 homes = [[b for b in m if set(row) <= set(b)] for m, _ in board.terms]
@@ -189,7 +189,7 @@ def test_faults(before: tuple[str, ...], command: str, column: int, message: str
 
 def test_long_names() -> None:
     legs = "left top, left base, right top, right front, back front, back base"
-    session = Session.start(legs, points="left right back top base front")
+    session = ManualSession.start(legs, points="left right back top base front")
     with pytest.raises(InputError) as caught:
         session.plane("left topp base")
     assert caught.value.hint == "did you mean top?"
@@ -199,7 +199,7 @@ def test_long_names() -> None:
 
 
 def test_always_singular() -> None:
-    session = Session.start("Aa Ba Ca Ab Bb Cb")
+    session = ManualSession.start("Aa Ba Ca Ab Bb Cb")
     assert "singular in every pose" in session.statement
     assert session.hint().command is None
     with pytest.raises(InputError, match="nothing can be proposed"):
@@ -229,7 +229,7 @@ def test_changing_the_form_gives_entities_up() -> None:
 
 
 def test_numbers_of_terms_over_all_orders() -> None:
-    session = Session.start(OCTAHEDRON)
+    session = ManualSession.start(OCTAHEDRON)
     fewest = {24: 2, 16: 2}
     for form, table in session.orders().items():
         assert sum(table.values()) == 720

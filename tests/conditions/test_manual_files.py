@@ -10,7 +10,7 @@ from conditions.by_hand import played
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gcrules.conditions.manual import MOVES, Session, load_session, save_session
+from gcrules.conditions.manual import MOVES, ManualSession, load_session, save_session
 from gcrules.conditions.manual.file import parse_session, session_yaml
 from gcrules.core.errors import FileError, InputError
 
@@ -27,7 +27,7 @@ COMMANDS = [
 ]  # fmt: skip
 
 
-def tried(session: Session, command: str) -> Session:
+def tried(session: ManualSession, command: str) -> ManualSession:
     try:
         return session.do(command)
     except InputError:
@@ -37,7 +37,7 @@ def tried(session: Session, command: str) -> Session:
 @settings(max_examples=60)
 @given(st.lists(st.sampled_from(COMMANDS), max_size=12))
 def test_undo_redo_and_files(commands: list[str]) -> None:
-    session = Session.start(OCTAHEDRON)
+    session = ManualSession.start(OCTAHEDRON)
     for command in commands:
         before, session = session, tried(session, command)
         if command not in MOVES and session != before:
@@ -48,7 +48,7 @@ def test_undo_redo_and_files(commands: list[str]) -> None:
     for _ in range(steps):
         assert back.undo().redo() == back
         back = back.undo()
-    assert back.board == Session.start(OCTAHEDRON).board
+    assert back.board == ManualSession.start(OCTAHEDRON).board
     with pytest.raises(InputError, match="nothing to undo"):
         back.undo()
     for _ in range(steps):
@@ -71,7 +71,7 @@ def test_save_and_load(tmp_path: Path) -> None:
     save_session(session, path)
     assert load_session(path) == session
     assert [p.name for p in tmp_path.iterdir()] == ["session.yaml"]
-    assert load_session(path).auto().confirmed == Session.start(OCTAHEDRON).auto().confirmed
+    assert load_session(path).auto().confirmed == ManualSession.start(OCTAHEDRON).auto().confirmed
     with pytest.raises(FileError, match="there is no such file"):
         load_session(tmp_path / "missing.yaml")
     with pytest.raises(FileError, match="no such directory"):
@@ -80,9 +80,9 @@ def test_save_and_load(tmp_path: Path) -> None:
 
 def test_sessions_with_order_form_and_points_at_infinity(tmp_path: Path) -> None:
     for session in (
-        Session.start("ij ik ab cd ef gh", ideal="i", order="6 5 4 3 2 1"),
-        Session.start(OCTAHEDRON, form=16).plane("abc"),
-        Session.start("A'a A'b B'c B'd Ce Cf").auto(),
+        ManualSession.start("ij ik ab cd ef gh", ideal="i", order="6 5 4 3 2 1"),
+        ManualSession.start(OCTAHEDRON, form=16).plane("abc"),
+        ManualSession.start("A'a A'b B'c B'd Ce Cf").auto(),
     ):
         assert parse_session(session_yaml(session)) == session
 

@@ -15,7 +15,7 @@ from platform_classes import REGULAR
 import gcrules as gc
 from gcrules.algebra.evaluate import evaluate, vanishes
 from gcrules.algebra.expr import mul
-from gcrules.conditions.manual import REASONS, Session
+from gcrules.conditions.manual import REASONS, ManualSession
 from gcrules.conditions.manual.evidence import bracket_divides, dividing_brackets, relation
 from gcrules.core.errors import InputError
 
@@ -28,7 +28,7 @@ LINES = "Aa Ab Ba Bb Cc Dd"
 
 @EACH
 def test_refused_proposals_name_the_first_term_that_breaks_them(facts: dict[str, Any]) -> None:
-    session = Session.start(legs_of(facts)).shortest()
+    session = ManualSession.start(legs_of(facts)).shortest()
     entity = next((r.command for r in session.auto().history if r.command.split()[0] in ("plane", "line")), None)
     for start in (session, session.do(entity)) if entity else (session,):
         for size, verb in ((2, "line"), (3, "plane")):
@@ -36,7 +36,7 @@ def test_refused_proposals_name_the_first_term_that_breaks_them(facts: dict[str,
                 check_entity(start, verb, names)
 
 
-def check_entity(start: Session, verb: str, names: tuple[str, ...]) -> None:
+def check_entity(start: ManualSession, verb: str, names: tuple[str, ...]) -> None:
     row = start.board.row(names)
     if row in start.board.entities:
         return
@@ -59,7 +59,7 @@ def check_entity(start: Session, verb: str, names: tuple[str, ...]) -> None:
 @EACH
 def test_tetrahedra_are_the_factors(facts: dict[str, Any]) -> None:
     """All factors of the table can be proposed, visible or not; what is refused is no factor, shown by exact points."""
-    session = Session.start(legs_of(facts))
+    session = ManualSession.start(legs_of(facts))
     structure = session.structure
     factors = {tuple(sorted(f)) for f in facts["factors"]}
     assert {tuple(sorted(n)) for n in dividing_brackets(structure)} == factors
@@ -187,7 +187,7 @@ def test_refusals(legs: str, before: tuple[str, ...], command: str, reason: str,
         check_evidence(start, command, outcome.data)
 
 
-def check_evidence(session: Session, command: str, data: Any) -> None:
+def check_evidence(session: ManualSession, command: str, data: Any) -> None:
     """The values are right, by the oracle, and tell the two apart."""
     expression = command.removeprefix("condition ").partition(" cofactor ")[0]
     values = [
@@ -207,7 +207,7 @@ CHANGES = [(c, how) for c in REGULAR for how in ("sign", "points", "factor") if 
 @pytest.mark.parametrize(("facts", "change"), CHANGES, ids=[f"{c['id']}-{how}" for c, how in CHANGES])
 def test_wrong_conditions_are_refused_with_points(facts: dict[str, Any], change: str) -> None:
     """The condition with one term's sign turned, with two points exchanged, with a factor more."""
-    session = Session.start(legs_of(facts))
+    session = ManualSession.start(legs_of(facts))
     condition = gc.analyze(legs_of(facts)).condition
     text = str(condition.expression)
     if change == "sign":
@@ -238,7 +238,7 @@ CONSTANTS = ["1", "-1", "2", "-3", "1/2", "7/3"]
 @EACH
 @pytest.mark.parametrize("constant", CONSTANTS)
 def test_constants_do_not_matter(facts: dict[str, Any], constant: str) -> None:
-    session = Session.start(legs_of(facts))
+    session = ManualSession.start(legs_of(facts))
     condition = gc.analyze(legs_of(facts)).condition
     e = mul(gc.parse(f"({constant})"), condition.expression)
     after = session.condition(e, condition.cofactor)
@@ -257,21 +257,21 @@ def test_every_reading_is_confirmed_with_its_kind() -> None:
     for facts in REGULAR:
         analysis = gc.analyze(legs_of(facts))
         for reading in (analysis.condition, *analysis.readings):
-            found = Session.start(legs_of(facts)).condition(reading.expression, reading.cofactor).confirmed
+            found = ManualSession.start(legs_of(facts)).condition(reading.expression, reading.cofactor).confirmed
             assert found is not None
             assert (found.kind, found.statement) == (reading.kind, reading.statement)
 
 
 def test_kinds_by_shape() -> None:
-    session = Session.start("Aa Ab Ac Bd Be Cf").condition("[ABCf]([ABde] [Aabc])")
+    session = ManualSession.start("Aa Ab Ac Bd Be Cf").condition("[ABCf]([ABde] [Aabc])")
     assert session.confirmed is not None
     assert session.confirmed.kind == "three-tetrahedra"
-    cube = Session.start("ab ac ad bc bd cd").condition("[abcd]**3")
+    cube = ManualSession.start("ab ac ad bc bd cd").condition("[abcd]**3")
     assert (
         cube.statement
         == "The robot is singular exactly when the tetrahedron abcd is flat (its four points lie in one plane)."
     )
-    other = Session.start(OCTAHEDRON).condition("[abce][abdf][cdef] - [abcf][acde][bdef]")
+    other = ManualSession.start(OCTAHEDRON).condition("[abce][abdf][cdef] - [abcf][acde][bdef]")
     assert other.confirmed is not None
     assert other.confirmed.kind == "expression"
     assert other.statement.startswith("The robot is singular exactly when [abce][abdf][cdef] - ")
@@ -286,7 +286,7 @@ def test_a_tetrahedron_as_often_as_it_occurs() -> None:
 
 
 def test_how_one_divides_the_other() -> None:
-    structure = Session.start(LINES).structure
+    structure = ManualSession.start(LINES).structure
     one = gc.parse("1")
     cases = {
         "[ABab]": ("factor", 4),
@@ -300,7 +300,7 @@ def test_how_one_divides_the_other() -> None:
 
 
 def refusal(legs: str, command: str) -> tuple[str, dict[str, Any]]:
-    outcome = Session.start(legs).do(command).outcome
+    outcome = ManualSession.start(legs).do(command).outcome
     assert outcome is not None
     assert outcome.refused
     return "\n".join(outcome.words), dict(outcome.data)
@@ -316,7 +316,7 @@ def test_a_divisor_with_the_same_zeros(expression: str) -> None:
     assert data["relation"] == "factor"
     assert "a constant times its cube: the robot is singular exactly when it is zero" in words
     proposed = words.partition("propose: ")[2].partition("\n")[0]
-    found = Session.start(K4).do(proposed)
+    found = ManualSession.start(K4).do(proposed)
     assert found.confirmed is not None, proposed
     assert data["evidence"] == "ratio"  # no singular pose and no zero tells them apart
 
@@ -359,7 +359,7 @@ def test_degrees_are_those_of_the_normal_form() -> None:
     assert "degree" not in words
     assert "degrees" not in data
     right = "[abce][abdf][cdef] - [abcf][acde][bdef]"
-    assert Session.start(OCTAHEDRON).condition(f"{right} + {NOTHING}").confirmed is not None
+    assert ManualSession.start(OCTAHEDRON).condition(f"{right} + {NOTHING}").confirmed is not None
     words, _ = refusal(OCTAHEDRON, "condition [abce][abdf][cdef] + [abcd][abef]")
     assert "its terms have unlike degrees in the points" in words
     words, data = refusal(OCTAHEDRON, f"condition [abcd] cofactor [abcd] + {NOTHING}")
@@ -373,7 +373,7 @@ def test_degrees_are_those_of_the_normal_form() -> None:
 
 
 def test_points_at_infinity() -> None:
-    session = Session.start("ij ik ab cd ef gh", ideal="i")
+    session = ManualSession.start("ij ik ab cd ef gh", ideal="i")
     refused = session.tetrahedron("iabc").outcome
     assert refused is not None
     assert refused.data["points"]["i"][3] == 0

@@ -125,7 +125,7 @@ def _asks_json(case: Case) -> bool:
         return False
     at = argv.index("--json")
     before = argv[at - 1] if at else ""
-    flag = before in ("--full", "--recheck", "--all", "--cofactor", "--steps", "--ascii", "--unicode", "--search")
+    flag = before in ("--full", "--recheck", "--all", "--cofactor", "--steps", "--ascii", "--unicode")
     if _TAKES_VALUE.fullmatch(before) and not flag:
         return False
     return not _redirected(case)

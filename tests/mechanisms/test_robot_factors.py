@@ -20,7 +20,7 @@ from gcrules.apps.cli import cli
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.common_factor import Subset
-from gcrules.mechanisms.conditions.factor_causes import ASIDE, Part, at_member, ranks
+from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member, ranks
 from gcrules.mechanisms.conditions.overlaps import of_several_kinds
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
@@ -205,7 +205,7 @@ def test_no_two_factors_say_the_same(name: str) -> None:
     for p, q in combinations(stated, 2):
         member = r.family.across(("same", str(p.expression)))
 
-        def zeros(part: Part, member: Callable[[int], Values] = member) -> list[int]:
+        def zeros(part: FactorCause, member: Callable[[int], Values] = member) -> list[int]:
             value = lambda t: at_member(r.family, a.structure, member(t)).value(part.expression)[0]  # noqa: E731
             return radical(interpolated(value) or [])
 

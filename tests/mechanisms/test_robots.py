@@ -21,7 +21,7 @@ from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.analyze_robot import _statement
 from gcrules.mechanisms.conditions.checks import notes
 from gcrules.mechanisms.conditions.factor_causes import ranks
-from gcrules.mechanisms.conditions.words import Words
+from gcrules.mechanisms.conditions.words import RobotWords
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.relations import Values
 from gcrules.mechanisms.description.robot_file import parse_robot
@@ -246,7 +246,7 @@ points: {A1: free, B1: in plane A1 perpendicular to z, C1: in plane A1 perpendic
 lines: A1B1 B1C1 A1D1 B1E1 C1F1 D1E1
 mobility: 6
 """).family
-    said = Words(family, (), (), (), frozenset("xyz")).clause
+    said = RobotWords(family, (), (), (), frozenset("xyz")).clause
 
     def bracket(names: str) -> Expr:
         return Bracket(tuple(map(Point, names.split())))

@@ -29,7 +29,7 @@ from gcrules.poses.compiling import engines
 from gcrules.poses.compiling.compiled import CompiledCondition, compiled
 from gcrules.poses.compiling.native import native
 from gcrules.poses.compiling.scalars import Graph, Scalar
-from gcrules.poses.compiling.tape import Line, Program, allocated, lower
+from gcrules.poses.compiling.tape import Operation, Program, allocated, lower
 from gcrules.poses.compiling.tracing import Joints, trace
 from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
 from gcrules.poses.numbers.arrays import matrices
@@ -117,9 +117,14 @@ def test_machine_code_gives_the_same_bits(traced: tuple[Graph, Any], seed: int) 
 
 @needs_numba
 def test_every_operation_has_its_instruction() -> None:
-    lines = [Line("input", (k,)) for k in range(4)]
-    lines += [Line("mul", (0, 1)), Line("scale", (2,), F(3)), Line("inv", (3,)), Line("shift", (4,), F(-1, 2))]
-    lines += [Line("add", (5, 6)), Line("sub", (7, 8))]
+    lines = [Operation("input", (k,)) for k in range(4)]
+    lines += [
+        Operation("mul", (0, 1)),
+        Operation("scale", (2,), F(3)),
+        Operation("inv", (3,)),
+        Operation("shift", (4,), F(-1, 2)),
+    ]
+    lines += [Operation("add", (5, 6)), Operation("sub", (7, 8))]
     data = np.array([[2.0, 3, 4, 8], [1, -2, 0.5, 2]])
     for k in range(1, len(lines) + 1):
         out = np.empty(2)
@@ -131,7 +136,9 @@ def test_every_operation_has_its_instruction() -> None:
 @pytest.mark.parametrize("layout", ["rows", "columns", "gaps", "backwards", "one row", "not aligned"])
 def test_machine_code_takes_any_memory(layout: str) -> None:
     """Every number of poses about the width of a vector, and nothing written beside the values."""
-    program = Program(3, (*(Line("input", (k,)) for k in range(3)), Line("sub", (0, 1)), Line("mul", (2, 3))))
+    program = Program(
+        3, (*(Operation("input", (k,)) for k in range(3)), Operation("sub", (0, 1)), Operation("mul", (2, 3)))
+    )
     run = native(program)
     for n in (1, 2, 7, 8, 9, 15, 16, 17, 24, 25):
         x = np.random.default_rng(n).normal(size=(n, 3))

@@ -19,7 +19,7 @@ from gcrules.poses.nearest.zero import nearest_zero
 from gcrules.poses.numbers.arrays import from_vectors, matrices
 from gcrules.poses.numbers.cubic import translation_polynomial
 from gcrules.screws.guarantees import guarantees, noise
-from gcrules.screws.margin import Jacobian, jacobian
+from gcrules.screws.margin import LegJacobians, jacobian
 
 F = Fraction
 seeds = st.integers(0, 2**32 - 1)
@@ -80,7 +80,7 @@ def leg_turns(base: np.ndarray, ends: np.ndarray, other: np.ndarray) -> float:
     return float(np.arccos(np.clip(cosine, -1, 1)).max())
 
 
-def singular_poses(base: np.ndarray, j: Jacobian, dimension: int, reach: float, seed: int) -> np.ndarray:
+def singular_poses(base: np.ndarray, j: LegJacobians, dimension: int, reach: float, seed: int) -> np.ndarray:
     """Singular displacements along random rays, the nearest one last."""
     f = Determinant.of(base, j)
     rng = np.random.default_rng(seed)
@@ -99,7 +99,7 @@ def singular_poses(base: np.ndarray, j: Jacobian, dimension: int, reach: float, 
     return np.array([*found, *([] if best is None else [best])]).reshape(-1, dimension)
 
 
-def displaced(j: Jacobian, x: np.ndarray) -> np.ndarray:
+def displaced(j: LegJacobians, x: np.ndarray) -> np.ndarray:
     shift, vector = (np.zeros(3), x) if len(x) == 3 else (x[:3], x[3:] / j.radius)
     return j.arms[0] @ matrices(from_vectors(vector[None, :]))[0].T + j.centroid[0] + shift
 

@@ -24,8 +24,8 @@ from gcrules.mechanisms.description.platform_file import Platform, load_platform
 from gcrules.mechanisms.moving_platform import rig
 from gcrules.poses.loci import locus as module
 from gcrules.poses.loci.expansion import expansion
-from gcrules.poses.loci.factors import Candidate, factored, primitive
-from gcrules.poses.loci.form import Form
+from gcrules.poses.loci.factors import PossibleFactor, factored, primitive
+from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.known import rational_ring, whole_ring
 from gcrules.poses.loci.locus import locus
 from gcrules.poses.loci.variables import question
@@ -323,7 +323,7 @@ def test_powers_of_the_norm_are_told_apart(robots: dict[str, Any]) -> None:
 def test_factors(text: str, factors: list[tuple[str, int]]) -> None:
     ring = rational_ring(["x", "y"])
     p = primitive(ring.from_expr(sympy.sympify(text)))[1]
-    assert sorted((str(Form.of(f)), n) for _, _, f, n in factored(p, [])) == sorted(factors)
+    assert sorted((str(PolynomialForm.of(f)), n) for _, _, f, n in factored(p, [])) == sorted(factors)
 
 
 def test_search_has_a_limit() -> None:
@@ -333,14 +333,14 @@ def test_search_has_a_limit() -> None:
     with pytest.raises(LimitReached, match=r"degrees 2, 2") as fault:
         factored(p, [], limit=5)
     assert "--limit 6" in str(fault.value.hint)
-    assert len(factored(p, [Candidate("bracket", "[a b c d]", x * y - 7)], limit=5)) == 2
+    assert len(factored(p, [PossibleFactor("bracket", "[a b c d]", x * y - 7)], limit=5)) == 2
 
 
 def test_primitive() -> None:
     ring = rational_ring(["x"])
     (x,) = ring.gens
     c, q = primitive(ring.domain(2, 3) * (2 - 4 * x) / 5)
-    assert (str(c), str(Form.of(q))) == ("-4/15", "2*x - 1")
+    assert (str(c), str(PolynomialForm.of(q))) == ("-4/15", "2*x - 1")
 
 
 # --- the value -----------------------------------------------------------------------------------------------------
@@ -371,7 +371,7 @@ def test_forms_are_read_back(robots: dict[str, Any]) -> None:
     ],
 )
 def test_texts(terms: Any, text: str, latex: str) -> None:
-    form = Form(("x", "e0"), terms)
+    form = PolynomialForm(("x", "e0"), terms)
     assert (str(form), form_latex(form)) == (text, latex)
     assert sympy.sympify(form.written("sympy")) == form.poly.as_expr()
 

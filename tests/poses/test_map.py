@@ -26,7 +26,7 @@ from gcrules.poses.maps.grid import Grid, grid
 from gcrules.poses.maps.joining import joined
 from gcrules.poses.maps.limits import parse_limits
 from gcrules.poses.maps.maps import singular_map
-from gcrules.poses.maps.slices import Factor, factors, middle, slice_polynomial
+from gcrules.poses.maps.slices import SliceFactor, factors, middle, slice_polynomial
 from gcrules.poses.maps.tracing import traced
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import parse_pose
@@ -233,7 +233,7 @@ cubics = st.dictionaries(
     axis=st.integers(0, 2),
 )
 def test_bernstein_coefficients(p: Any, corner: Any, inside: Any, axis: int) -> None:
-    f = Factor({k: F(c) for k, c in p.items()}, 1)
+    f = SliceFactor({k: F(c) for k, c in p.items()}, 1)
     scale = float(max(map(abs, f.polynomial.values())))
     error = tolerance(f.tensor, (21, 21, 21))
     b = coefficients(f.tensor, np.array([corner]))
@@ -273,8 +273,8 @@ def test_free_cells_hold_no_singular_pose(robots: dict[str, Analysis], name: str
         assert (status[tuple(inside.T)] == CROSSED).all()
 
 
-def factor_of(p: dict[tuple[int, int], Any]) -> Factor:
-    return Factor({k: F(c) for k, c in p.items()}, 1)
+def factor_of(p: dict[tuple[int, int], Any]) -> SliceFactor:
+    return SliceFactor({k: F(c) for k, c in p.items()}, 1)
 
 
 CIRCLE = {(2, 0): 1, (0, 2): 1, (1, 0): F(-3, 5), (0, 1): F(-4, 5), (0, 0): F(1, 4) - F(1, 100)}  # radius 0.1, one cell

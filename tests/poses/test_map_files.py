@@ -105,16 +105,16 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """The chunks that are computed; they are small."""
     monkeypatch.setattr(values, "_POSES", 40)
     found: list[int] = []
-    compute = values.Task.compute
+    compute = values.MapTask.compute
 
-    def count(self: values.Task, chunk: int) -> Any:
+    def count(self: values.MapTask, chunk: int) -> Any:
         if -1 in found and len(found) > 3:
             found.remove(-1)
             raise KeyboardInterrupt
         found.append(chunk)
         return compute(self, chunk)
 
-    monkeypatch.setattr(values.Task, "compute", count)
+    monkeypatch.setattr(values.MapTask, "compute", count)
     return found
 
 

@@ -34,7 +34,7 @@ from gcrules.rules.deriving import derived_zero, from_catalog
 from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.library import ENGINE
 from gcrules.rules.plugins import load_rules
-from gcrules.rules.rule import Elementary, Incidence
+from gcrules.rules.rule import ConditionRule, Elementary
 from gcrules.rules.strategy import Strategy
 from gcrules.rules.unfold import MAX_STEPS, follows, unfold
 from gcrules.views.formulas.latex_text import latex_words
@@ -183,7 +183,7 @@ def test_readings_of_the_catalog() -> None:
 
 def test_a_claim_with_a_cofactor() -> None:
     """A rule of the user's own that multiplies by a bracket: the whole chain is multiplied, and the bracket assumed."""
-    rule = Incidence(
+    rule = ConditionRule(
         id="twice",
         sentence="One more tetrahedron.",
         degree=0,

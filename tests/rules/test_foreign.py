@@ -14,13 +14,13 @@ import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.core.errors import FileError, LimitReached
 from gcrules.rules import foreign
-from gcrules.rules.plugins import Incidence, load_rules
+from gcrules.rules.plugins import ConditionRule, load_rules
 
 LEGS = "Aa Ab Ac Bd Be Cf"
 
 RULE = """
 {imports}
-from gcrules.rules.plugins import Incidence, add, bracket, mul, points
+from gcrules.rules.plugins import ConditionRule, add, bracket, mul, points
 
 def expression(s):
     {body}
@@ -29,7 +29,7 @@ def whole(s):
     return mul(*(bracket(*points(s.named(row))) for row in s.tetrahedra))
 
 RULES = (
-    Incidence(
+    ConditionRule(
         id="mine", sentence="Mine.", fires=("Aa Ab Ac Bd Be Cf",), silent=("ab af cb cd ed ef",), degree=0,
         expression=expression, statement="Mine: {{tetrahedra}}.",{fields}
     ),
@@ -166,7 +166,7 @@ def test_the_python_api_names_the_plugin(tmp_path: Path, body: str) -> None:
 
 
 def test_a_rule_of_the_caller_is_told_with_its_place() -> None:
-    own = Incidence(id="own", sentence="Own.", degree=0, expression=lambda s: 1 / 0)  # type: ignore[return-value]
+    own = ConditionRule(id="own", sentence="Own.", degree=0, expression=lambda s: 1 / 0)  # type: ignore[return-value]
     with pytest.raises(FileError, match="the rule own fails: ZeroDivisionError") as caught:
         gc.analyze(LEGS, strategy=load_rules().plus([own]).strategy(["own"]))
     assert f"{Path(__file__).name}:" in caught.value.filename
@@ -177,7 +177,7 @@ PRINTS = "import os, sys\nprint('loud'); sys.__stdout__.write('loud'); "
 
 WRONG = """
 from dataclasses import replace
-from gcrules.rules.plugins import Incidence, EntityRule, add, bracket, mul, points
+from gcrules.rules.plugins import ConditionRule, EntityRule, add, bracket, mul, points
 
 def find(state, number):
     yield state
@@ -188,7 +188,7 @@ ENTITIES = EntityRule(
 )
 RULES = (
     ENTITIES,
-    Incidence(
+    ConditionRule(
         id="mine", sentence="Mine.", uses=((ENTITIES, 1),), statement="Mine.",
         expression=lambda s: mul(*(bracket(*points(s.named(row))) for row in s.tetrahedra)),
     ),

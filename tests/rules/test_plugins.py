@@ -20,10 +20,10 @@ from gcrules.rules.check import check_rules
 from gcrules.rules.plugins import load_rules, plugins_in, shipped_folder
 
 RULE = """
-from gcrules.rules.plugins import Incidence, bracket, mul, points
+from gcrules.rules.plugins import ConditionRule, bracket, mul, points
 
 RULES = (
-    Incidence(
+    ConditionRule(
         id="mine",
         sentence="Three tetrahedra, in words of my own.",
         fires=("Aa Ab Ac Bd Be Cf",),

@@ -32,7 +32,7 @@ from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.matching import match_monomial, trials
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.rewriting import rewrite
-from gcrules.rules.rule import Incidence, RewriteRule, Rule
+from gcrules.rules.rule import ConditionRule, RewriteRule, Rule
 from gcrules.rules.rule_file import check_script, identities, load_rule_file
 from gcrules.rules.script import run_script
 from gcrules.views.results.script import totals
@@ -77,13 +77,13 @@ def test_case(rule: Rule, case: str, fires: bool) -> None:
 
 def test_a_failing_case_is_told() -> None:
     rule = next(r for r in RULES if r.id == "four-planes")
-    wrong = Incidence(**{**vars_of(rule), "fires": ("Aa Ab Ac Bd Ce Df",)})
+    wrong = ConditionRule(**{**vars_of(rule), "fires": ("Aa Ab Ac Bd Ce Df",)})
     found = check_cases(wrong)
     assert not found.ok
     assert found.reason == "the rule four-planes stays silent on Aa Ab Ac Bd Ce Df"
-    wrong = Incidence(**{**vars_of(rule), "silent": (OCTAHEDRON,)})
+    wrong = ConditionRule(**{**vars_of(rule), "silent": (OCTAHEDRON,)})
     assert check_cases(wrong).reason == f"the rule four-planes fires on {OCTAHEDRON}"
-    assert "no case" in check_cases(Incidence(**{**vars_of(rule), "fires": ()})).reason
+    assert "no case" in check_cases(ConditionRule(**{**vars_of(rule), "fires": ()})).reason
 
 
 def vars_of(rule: Rule) -> dict[str, object]:

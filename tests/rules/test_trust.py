@@ -19,7 +19,7 @@ from gcrules.algebra.parts import substitute
 from gcrules.algebra.prove import Proof, prove
 from gcrules.conditions.catalog_check import check_digests, check_entry
 from gcrules.conditions.manual.file import load_session
-from gcrules.conditions.manual.session import Session
+from gcrules.conditions.manual.session import ManualSession
 from gcrules.core import proof_memory
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.mechanisms.analyze import analyze_robot
@@ -29,7 +29,7 @@ from gcrules.rules import rule_file
 from gcrules.rules.catalog import proofs as catalog_proofs
 from gcrules.rules.catalog.file import load, load_file
 from gcrules.rules.plugins import load_rules
-from gcrules.rules.rule import Incidence
+from gcrules.rules.rule import ConditionRule
 
 STATEMENT = "Singular exactly when the attacker says so."
 
@@ -316,10 +316,10 @@ def test_a_false_rule_file_is_refused(own: Any) -> None:
 
 PLUGIN = """
 from gcrules.algebra.language.syntax import parse
-from gcrules.rules.plugins import Incidence
+from gcrules.rules.plugins import ConditionRule
 
 RULES = (
-    Incidence(
+    ConditionRule(
         id="mine",
         sentence="Mine.",
         fires=("{legs}",),
@@ -363,7 +363,7 @@ def test_a_true_rule_of_a_plugin_is_proved_and_marked(own: Any, monkeypatch: pyt
 
 @EACH_ATTACK
 def test_a_false_condition_is_refused_by_hand_and_when_resumed(own: Any, false: Expr) -> None:
-    session = Session.start(read_legs(LEGS)).do(f"condition {false}")
+    session = ManualSession.start(read_legs(LEGS)).do(f"condition {false}")
     assert session.outcome is not None
     assert session.outcome.refused
     forged = {"do": f"condition {false}", "answer": "confirmed", "reason": "proved"}
@@ -437,7 +437,7 @@ def test_a_rule_file_is_proved_once(own: Any, tmp_path: Path, monkeypatch: pytes
 
 
 def test_the_words_of_a_rule_made_in_python_are_marked() -> None:
-    rule = Incidence(
+    rule = ConditionRule(
         id="mine",
         sentence="Mine.",
         expression=lambda s: gc.parse(str(s.structure.superbracket)),

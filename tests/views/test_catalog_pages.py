@@ -22,7 +22,7 @@ from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load
-from gcrules.views.drawing.drawing import Circle, Drawing, Line, Polygon, Text
+from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Stroke, Text
 from gcrules.views.drawing.figures import graph_figure, named_lines, robot_figure, shown_entities, thumbnail
 from gcrules.views.drawing.labels import label_box, overlap
 from gcrules.views.pages.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages, neighbours
@@ -204,7 +204,7 @@ def painted_outside_legend(drawing: Drawing) -> set[str]:
         match s:
             case Polygon() if s.points[0][0] < edge - 30:
                 roles.add(s.fill)
-            case Line() if s.start[0] < edge - 30:
+            case Stroke() if s.start[0] < edge - 30:
                 roles.add(s.stroke)
             case Circle() if s.center[0] < edge - 30:
                 roles |= {s.fill, s.stroke}

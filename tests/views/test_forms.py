@@ -12,7 +12,7 @@ from places import EXAMPLES
 
 import gcrules as gc
 from gcrules.algebra.language.statements import parse_script
-from gcrules.conditions.manual import Session
+from gcrules.conditions.manual import ManualSession
 from gcrules.conditions.transversals import transversals
 from gcrules.core.deferred import resolved
 from gcrules.core.shown import Shown
@@ -63,7 +63,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "ScriptResult": lambda: run_script(parse_script(SCRIPT)),
     "Transversals": lambda: transversals("Aa Ab Bc Bd Ce Df"),
     "Analysis": lambda: gc.analyze("ab af cb cd ed ef"),
-    "Session": lambda: Session.start("ab af cb cd ed ef").plane("abc"),
+    "ManualSession": lambda: ManualSession.start("ab af cb cd ed ef").plane("abc"),
     "RobotAnalysis": lambda: gc.analyze("3-rps"),
     "PoseReport": lambda: gc.pose(OCTAHEDRAL, nearest=False),
     "PoseNumbers": lambda: gc.pose(OCTAHEDRAL, [(0, 0, 0), (0, 0, 10)]),

@@ -26,7 +26,7 @@ from gcrules.mechanisms.description.platform_file import Platform, load_platform
 from gcrules.mechanisms.platform_analysis import analyze
 from gcrules.rules.catalog.file import load
 from gcrules.rules.condition import Condition
-from gcrules.views.drawing.drawing import Circle, Drawing, Line, Polygon, Run, Text, name_runs, text_width
+from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Run, Stroke, Text, name_runs, text_width
 from gcrules.views.drawing.drawing_files import save
 from gcrules.views.drawing.figures import graph_figure, incidence_in_words, robot_figure, thumbnail
 from gcrules.views.drawing.graph import count_crossings, draw_graph, layered_order
@@ -414,7 +414,7 @@ SMALL = Drawing(
     40,
     (
         Polygon(((5, 5), (50, 5), (30, 30)), "entity1", "ink", 0.3),
-        Line((0, 0), (60, 40), dash=(4, 2)),
+        Stroke((0, 0), (60, 40), dash=(4, 2)),
         Circle((20, 20), 5),
         Text((10, 30), name_runs("S1'", "a"), halo=True),
     ),

@@ -40,7 +40,7 @@ from gcrules.views.robots import picture as robot_picture
 from gcrules.views.robots import robot_drawing
 from gcrules.views.robots import scene as robot_scene
 from gcrules.views.robots import symbols as robot_symbols
-from gcrules.views.robots.joint_chain import Place
+from gcrules.views.robots.joint_chain import DrawnJoint
 from gcrules.views.robots.rational_roots import polynomial, rational_roots
 from gcrules.views.robots.robot_drawing import draw_robot, draw_singular, robot_thumbnail
 from gcrules.views.robots.singular_poses import SingularPose, home_parameters, live_parts, singular_pose
@@ -168,7 +168,7 @@ def test_signs_of_joints(kind: str, eye: tuple[int, int]) -> None:
     axes = ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
     page = frame.Frame(view.View.at(*eye), 100.0, (50.0, 50.0))
     for driven in (False, True):
-        shapes = sign(Place(kind, (0.0, 0.0, 0.0), axes, driven), page, "entity1")
+        shapes = sign(DrawnJoint(kind, (0.0, 0.0, 0.0), axes, driven), page, "entity1")
         assert shapes
         svg = Drawing(100, 100, tuple(shapes)).svg()
         assert ("drive" in svg) == driven

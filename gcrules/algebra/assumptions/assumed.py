@@ -19,11 +19,11 @@ from functools import lru_cache
 
 from gcrules.algebra.assumptions.building import collapsed, constructed, merged
 from gcrules.algebra.assumptions.construction import Construction
-from gcrules.algebra.assumptions.images import Kind, with_images
+from gcrules.algebra.assumptions.images import PositionKind, with_images
 from gcrules.algebra.assumptions.incidences import equations, fault
 from gcrules.algebra.assumptions.nondegeneracy import fewest
 from gcrules.algebra.assumptions.placing import Aim
-from gcrules.algebra.assumptions.position_kinds import Alternative, Task, alternatives, flats
+from gcrules.algebra.assumptions.position_kinds import Alternative, ConstructionTask, alternatives, flats
 from gcrules.algebra.assumptions.strategies import understood
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.canonical import Canonical, renamings
@@ -34,13 +34,13 @@ from gcrules.algebra.spelling import normal
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
 
-__all__ = ["Kind", "equations", "holds", "kinds", "resolve"]
+__all__ = ["PositionKind", "equations", "holds", "kinds", "resolve"]
 
 _SMALL = 20_000  # terms of an assumption that may hold always
 _APART = "the kinds of positions that are allowed cannot be told apart"
 
 
-def kinds(space: Space, names: Iterable[str] = (), claim: Sequence[Expr] = ()) -> tuple[Kind, ...]:
+def kinds(space: Space, names: Iterable[str] = (), claim: Sequence[Expr] = ()) -> tuple[PositionKind, ...]:
     """The kinds of positions that the assumptions allow, each with a construction of all points (those named, and
     those of the assumptions). A position that satisfies the assumptions is of one of these kinds, or an extensor of
     the `nonzero` of one of the constructions vanishes there.
@@ -54,9 +54,9 @@ def kinds(space: Space, names: Iterable[str] = (), claim: Sequence[Expr] = ()) -
     order = tableau_order(used, space.points, space.ideal)
     ideal = tuple(n for n in order if n in space.ideal)
     if not space.given:
-        return (Kind((), Construction(space.rank, order, ideal, points=order)),)
+        return (PositionKind((), Construction(space.rank, order, ideal, points=order)),)
     failure: InputError | None = None
-    best: tuple[int, tuple[Kind, ...], Canonical] | None = None
+    best: tuple[int, tuple[PositionKind, ...], Canonical] | None = None
     for found in renamings(space.rank, order, ideal, space.given, claim):
         try:
             told = _kinds(_canonical_space(found, space.rank, ideal), found.symmetries)
@@ -82,7 +82,7 @@ def _canonical_space(found: Canonical, rank: int, ideal: Sequence[str]) -> Space
     return Space(rank, order, order[: len(ideal)], found.given)
 
 
-def _renamed(told: Iterable[Kind], found: Canonical, order: tuple[str, ...]) -> tuple[Kind, ...]:
+def _renamed(told: Iterable[PositionKind], found: Canonical, order: tuple[str, ...]) -> tuple[PositionKind, ...]:
     """In the names of the user."""
     place = {n: i for i, n in enumerate(order)}
 
@@ -93,7 +93,7 @@ def _renamed(told: Iterable[Kind], found: Canonical, order: tuple[str, ...]) -> 
     for k in told:
         c = k.construction.renamed(found.name_back, order)
         where = shown((found.back(e, c.rank) for e in k.where), c.rank)
-        made.append(Kind(where, replace(c, nonzero=shown(c.nonzero, c.rank)), k.image))
+        made.append(PositionKind(where, replace(c, nonzero=shown(c.nonzero, c.rank)), k.image))
     return tuple(sorted(made, key=lambda k: [str(e) for e in k.where]))
 
 
@@ -112,16 +112,18 @@ def resolve(space: Space, names: Iterable[str] = (), claim: Sequence[Expr] = ())
 
 
 @lru_cache(maxsize=64)
-def _kinds(space: Space, symmetries: tuple[FrozenMap[str, str], ...] = ()) -> tuple[Kind, ...]:
+def _kinds(space: Space, symmetries: tuple[FrozenMap[str, str], ...] = ()) -> tuple[PositionKind, ...]:
     """The kinds of positions in a space whose points are in tableau order."""
     rank, points = space.rank, space.points
     free = Construction(rank, points, space.ideal, points=points)
     given = tuple(a for a in space.given if not _always(a, free))
     if not given:
-        return (Kind((), free),)
+        return (PositionKind((), free),)
     wanted = tuple(e for a in given for e in understood(a, lambda a: equations(a, rank)))
     extensors = _lines_and_planes(given)
-    task = Task(replace(space, given=given), lambda some: constructed(Aim(replace(space, given=some), wanted)))
+    task = ConstructionTask(
+        replace(space, given=given), lambda some: constructed(Aim(replace(space, given=some), wanted))
+    )
     ways = alternatives(task)
     meets = _meets(given, free)
     failed: dict[Alternative, InputError] = {}
@@ -150,7 +152,7 @@ def _kinds(space: Space, symmetries: tuple[FrozenMap[str, str], ...] = ()) -> tu
         left = _without(replace(found[way], nonzero=nonzero), missed)
         if left is None:
             raise next((failed[w] for w in ways if w in failed), fault(given[-1], _APART))
-        told.append(Kind(way.where if len(made) > 1 else (), replace(found[way], nonzero=left)))
+        told.append(PositionKind(way.where if len(made) > 1 else (), replace(found[way], nonzero=left)))
     return with_images(told, symmetries)
 
 

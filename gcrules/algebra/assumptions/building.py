@@ -9,7 +9,7 @@ from itertools import combinations, islice
 
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.assumptions.elimination import Turn, orders
-from gcrules.algebra.assumptions.incidences import Condition, Facts, fault
+from gcrules.algebra.assumptions.incidences import Facts, IncidenceCondition, fault
 from gcrules.algebra.assumptions.placing import Aim, Failure, Placement, parallel
 from gcrules.algebra.assumptions.position_kinds import flats
 from gcrules.algebra.assumptions.strategies import ROADS, on_pascal_line
@@ -107,7 +107,7 @@ class _Builder:
             key=lambda c: (c.equation.step, sorted(place[n] for n in c.names), str(c.equation)),
         )
 
-    def _always(self, c: Condition) -> bool:
+    def _always(self, c: IncidenceCondition) -> bool:
         """At exact points, since coefficients may be multiples of any prime."""
         space, names = self.space, [*self.space.points, *self.helpers]
         at = seed("always", str(c.equation))

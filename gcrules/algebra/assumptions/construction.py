@@ -29,7 +29,7 @@ from gcrules.core.errors import LimitReached
 from gcrules.core.linear_algebra import content
 from gcrules.core.seeds import DRAWN, drawn
 
-__all__ = ["Construction", "Step", "Within", "coordinates", "step_on"]
+__all__ = ["Construction", "ConstructionStep", "Within", "coordinates", "step_on"]
 
 
 _FACTORS = (1, 1, -1, 2, -2, 3)
@@ -37,7 +37,7 @@ _SCALED = 30  # seeds beyond which coordinates have common factors: some claims 
 
 
 @dataclass(frozen=True)
-class Step:
+class ConstructionStep:
     """The point `name` on the extensor `within`: Σ parameter · part over `parts`, or the one part itself if `exact`.
 
     `fresh` are free points that occur in the step only. Every point of `within` is reached where the extensors of
@@ -56,7 +56,7 @@ class Step:
         return not self.exact and not any(n in self.fresh for n in points_of(part))
 
 
-def step_on(within: Within, rank: int, *, exact: bool = False) -> Step:
+def step_on(within: Within, rank: int, *, exact: bool = False) -> ConstructionStep:
     """The point in general position on an extensor of step 1 to rank.
 
     A join is taken apart; any other extensor of step k > 1 is met with the join of rank − k + 1 fresh points.
@@ -69,7 +69,7 @@ def step_on(within: Within, rank: int, *, exact: bool = False) -> Step:
             fresh += new
             part = ex.meet(part, ex.join(*map(Point, new), rank=rank), rank=rank)
         parts.append(part)
-    return Step(within.name, within.extensor, tuple(parts), tuple(fresh), exact, within.nonzero)
+    return ConstructionStep(within.name, within.extensor, tuple(parts), tuple(fresh), exact, within.nonzero)
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ class Construction:
     rank: int
     free: tuple[str, ...]
     ideal: tuple[str, ...]
-    steps: tuple[Step, ...] = ()
+    steps: tuple[ConstructionStep, ...] = ()
     nonzero: tuple[Expr, ...] = ()
     equations: tuple[Expr, ...] = ()
     points: tuple[str, ...] = ()
@@ -140,9 +140,11 @@ class Construction:
         def of(es: Iterable[Expr]) -> tuple[Expr, ...]:
             return tuple(substitute(e, {n: Point(name(n)) for n in points_of(e)}, self.rank) for e in es)
 
-        def step(s: Step) -> Step:
+        def step(s: ConstructionStep) -> ConstructionStep:
             (within,) = of([s.within])
-            return Step(name(s.name), within, of(s.parts), tuple(map(name, s.fresh)), s.exact, of(s.nonzero))
+            return ConstructionStep(
+                name(s.name), within, of(s.parts), tuple(map(name, s.fresh)), s.exact, of(s.nonzero)
+            )
 
         return Construction(
             self.rank,
@@ -209,14 +211,16 @@ class Construction:
         return claims.error_below(e, samples, self._sizes)
 
     @cached_property
-    def _sizes(self) -> dict[str, claims.Size]:
+    def _sizes(self) -> dict[str, claims.PolynomialSize]:
         """Of the constructed points, as polynomials in what is drawn."""
-        found: dict[str, claims.Size] = {}
+        found: dict[str, claims.PolynomialSize] = {}
         for step in self.steps:
             parts = [(claims.size(part, found), step.scaled(part)) for part in step.parts]
             degree = max(size.degree + scaled for size, scaled in parts)
             # Each part may have denominators, which the others are multiplied by.
-            found[step.name] = claims.Size(degree, sum(size.bits for size, _ in parts) + len(parts).bit_length())
+            found[step.name] = claims.PolynomialSize(
+                degree, sum(size.bits for size, _ in parts) + len(parts).bit_length()
+            )
         return found
 
     def is_zero(self, e: Expr, *, limit: int = MAX_TERMS) -> bool:
@@ -265,7 +269,7 @@ class Construction:
 
 
 def coordinates(
-    step: Step, points: Mapping[str, Any], rank: int, draw: Callable[[], int], modulus: int | None
+    step: ConstructionStep, points: Mapping[str, Any], rank: int, draw: Callable[[], int], modulus: int | None
 ) -> list[Any]:
     """The value of a step at given points, with drawn parameters."""
     evaluator = Evaluator(points, rank, modulus)

@@ -8,18 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
 
-from gcrules.algebra.assumptions.incidences import Condition
+from gcrules.algebra.assumptions.incidences import IncidenceCondition
 from gcrules.core.budget import checkpoint
 
 __all__ = ["MAX_WORK", "Turn", "orders"]
 
 MAX_WORK = 200_000  # conditions of points that are looked at
 
-Turn = tuple[str, tuple[Condition, ...]]
+Turn = tuple[str, tuple[IncidenceCondition, ...]]
 
 
 def orders(
-    conditions: Sequence[Condition],
+    conditions: Sequence[IncidenceCondition],
     points: Sequence[str],
     late: Sequence[str],
     rank: int,
@@ -43,7 +43,7 @@ def orders(
 class _Search:
     def __init__(
         self,
-        conditions: Sequence[Condition],
+        conditions: Sequence[IncidenceCondition],
         points: Sequence[str],
         late: Sequence[str],
         rank: int,
@@ -88,7 +88,7 @@ class _Search:
         if not fruitful:
             self.dead.add((remaining, excess))
 
-    def _asked(self, name: str, turn: tuple[Condition, ...]) -> tuple[int, int]:
+    def _asked(self, name: str, turn: tuple[IncidenceCondition, ...]) -> tuple[int, int]:
         """How many linear conditions are solved for a point, and how much that is beyond general position.
 
         Those of one assumption count once: most often they follow from each other.

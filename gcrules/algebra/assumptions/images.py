@@ -16,14 +16,14 @@ from gcrules.algebra.parts import substitute
 from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
 
-__all__ = ["MAX_KINDS", "Kind", "with_images"]
+__all__ = ["MAX_KINDS", "PositionKind", "with_images"]
 
 MAX_KINDS = 64
 _MAX_SETS = 5_000  # sets of points of which it is asked whether they are dependent
 
 
 @dataclass(frozen=True)
-class Kind:
+class PositionKind:
     """The positions at which the scalars of `where` vanish beside what is given, by their construction.
 
     A kind that is an `image` of another one comes of it by a symmetry of the assumptions. The construction of the other
@@ -35,7 +35,7 @@ class Kind:
     image: bool = False
 
 
-def with_images(told: Sequence[Kind], symmetries: Sequence[Mapping[str, str]]) -> tuple[Kind, ...]:
+def with_images(told: Sequence[PositionKind], symmetries: Sequence[Mapping[str, str]]) -> tuple[PositionKind, ...]:
     """With the kinds that come of these by symmetries of the assumptions, and are others.
 
     Constructions are dense in what they reach, and these are as large as those that they come of; so where other points
@@ -55,7 +55,7 @@ def with_images(told: Sequence[Kind], symmetries: Sequence[Mapping[str, str]]) -
             if len(found) < MAX_KINDS and _dependent(c) not in found:
                 names: dict[str, Expr] = {old: Point(new) for old, new in s.items()}
                 where = tuple(substitute(e, names, c.rank) for e in kind.where)
-                waiting.append(Kind(where, c, image=True))
+                waiting.append(PositionKind(where, c, image=True))
                 found[_dependent(c)] = waiting[-1]
     if len(found) == len(told):
         return tuple(told)
@@ -84,7 +84,7 @@ def _dependent(c: Construction) -> frozenset[tuple[str, ...]]:
 
 
 def _only_there(
-    dependent: frozenset[tuple[str, ...]], others: Iterable[frozenset[tuple[str, ...]]], kind: Kind
+    dependent: frozenset[tuple[str, ...]], others: Iterable[frozenset[tuple[str, ...]]], kind: PositionKind
 ) -> tuple[Expr, ...]:
     """What vanishes there and at no other kind, or else what tells it from each of the others."""
     rank = kind.construction.rank

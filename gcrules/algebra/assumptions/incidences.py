@@ -28,9 +28,9 @@ from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 
 __all__ = [
-    "Condition",
     "Facts",
     "Helper",
+    "IncidenceCondition",
     "all_of",
     "dependent",
     "equal",
@@ -47,7 +47,7 @@ MAX_CONDITIONS = 500
 
 
 @dataclass(frozen=True, eq=False)
-class Condition:
+class IncidenceCondition:
     """`equation` vanishes; `within[p]` is the extensor on which p then lies (`exact`: the value that p then has).
 
     Conditions are compared by identity.
@@ -77,7 +77,7 @@ class Helper:
 class Facts:
     """The conditions of an assumption; they are equivalent to it wherever the extensors of `nonzero` do not vanish."""
 
-    conditions: tuple[Condition, ...] = ()
+    conditions: tuple[IncidenceCondition, ...] = ()
     nonzero: tuple[Expr, ...] = ()
     helpers: tuple[Helper, ...] = ()
 
@@ -118,7 +118,7 @@ def equations(assumption: Assumption, rank: int) -> tuple[Expr, ...]:
 # --- one condition -------------------------------------------------------------------------------------------------
 
 
-def _vanishing(cause: Assumption, e: Expr, rank: int) -> Condition:
+def _vanishing(cause: Assumption, e: Expr, rank: int) -> IncidenceCondition:
     """The condition that a scalar, or a join, is zero."""
     e = _sorted(e, rank)
     within: dict[str, Expr] = {}
@@ -133,7 +133,7 @@ def _vanishing(cause: Assumption, e: Expr, rank: int) -> Condition:
             rest = ex.join(*e.args[:i], *e.args[i + 1 :], rank=rank)
             if isinstance(a, Point) and a.name not in points_of(rest) and is_extensor(rest, rank):
                 within[a.name] = rest
-    return Condition(e, within, cause)
+    return IncidenceCondition(e, within, cause)
 
 
 def _sorted(e: Expr, rank: int) -> Expr:
@@ -156,7 +156,7 @@ def name_key(e: Expr) -> tuple[tuple[str, int, int], str]:
     return point_key(e.name if isinstance(e, Point) else ""), str(e)
 
 
-def on(cause: Assumption, p: Expr, X: Expr, rank: int) -> Condition:
+def on(cause: Assumption, p: Expr, X: Expr, rank: int) -> IncidenceCondition:
     return _vanishing(cause, ex.join(p, X, rank=rank), rank)
 
 
@@ -309,7 +309,7 @@ def equal(cause: Assumption, row: Mapping[Expr, Fraction], rank: int) -> Facts:
         known = all(k.denominator % PRIME for k in rest.values())
         if isinstance(e, Point) and known and not any(e.name in points_of(other) for other in rest):
             within[e.name] = weighted(rest, rank)
-    return Facts((Condition(weighted(row, rank), within, cause, exact=True),))
+    return Facts((IncidenceCondition(weighted(row, rank), within, cause, exact=True),))
 
 
 def _no_meet(cause: Assumption, args: Sequence[Expr], rank: int) -> Facts:

@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.assumptions.construction import Step
+from gcrules.algebra.assumptions.construction import ConstructionStep
 from gcrules.algebra.assumptions.incidences import Helper
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
 from gcrules.algebra.language.text import text
@@ -22,7 +22,7 @@ __all__ = ["assumed", "fewest", "words"]
 
 
 def assumed(
-    steps: Sequence[Step],
+    steps: Sequence[ConstructionStep],
     more: Sequence[Expr],
     free: tuple[str, ...],
     ideal: tuple[str, ...],
@@ -57,7 +57,7 @@ def _point(e: Expr, helpers: Mapping[str, Helper]) -> bool:
     return isinstance(e, Point) and (e.name not in helpers or helpers[e.name].meet is None)
 
 
-def _determinantal(s: Step, seen: set[str], free: tuple[str, ...], ideal: tuple[str, ...]) -> bool:
+def _determinantal(s: ConstructionStep, seen: set[str], free: tuple[str, ...], ideal: tuple[str, ...]) -> bool:
     """Whether the step says no more than that free points and the new one, none of them used before, are dependent.
 
     Such matrices of less than full rank form an irreducible variety, and so do the positions of independent groups of

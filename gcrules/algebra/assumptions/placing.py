@@ -6,8 +6,8 @@ import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from gcrules.algebra.assumptions.construction import Construction, Step, Within, coordinates, step_on
-from gcrules.algebra.assumptions.incidences import Condition, Helper
+from gcrules.algebra.assumptions.construction import Construction, ConstructionStep, Within, coordinates, step_on
+from gcrules.algebra.assumptions.incidences import Helper, IncidenceCondition
 from gcrules.algebra.assumptions.nondegeneracy import assumed, fewest
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, Point, join, points_of
@@ -46,18 +46,18 @@ class Placement:
     aim: Aim
     helpers: Mapping[str, Helper]
     values: dict[str, tuple[int, ...]]
-    steps: list[Step] = field(default_factory=list)
-    causes: list[tuple[Condition, ...]] = field(default_factory=list)
+    steps: list[ConstructionStep] = field(default_factory=list)
+    causes: list[tuple[IncidenceCondition, ...]] = field(default_factory=list)
     rng: random.Random = field(default_factory=lambda: drawn("construction"))
 
     def zero(self, e: Expr) -> bool:
         return not any(Evaluator(self.values, self.aim.space.rank, PRIME).value(e))
 
-    def place(self, depth: int, name: str, conditions: tuple[Condition, ...]) -> None:
+    def place(self, depth: int, name: str, conditions: tuple[IncidenceCondition, ...]) -> None:
         rank = self.aim.space.rank
         usable = sorted((c for c in conditions if name in c.within), key=lambda c: (not c.exact, c.within[name].step))
         within: Within | None = None
-        used: list[Condition] = []
+        used: list[IncidenceCondition] = []
         for c in usable:
             if within is not None:
                 self.put(step_on(within, rank, exact=used[0].exact))
@@ -86,7 +86,7 @@ class Placement:
         self.steps.append(step)
         self.causes.append(tuple(used))
 
-    def smaller(self, within: Within, c: Condition, exact: bool) -> Within | None:
+    def smaller(self, within: Within, c: IncidenceCondition, exact: bool) -> Within | None:
         """Where a point lies that satisfies one more condition, if that can be told and is not nothing."""
         rank, s = self.aim.space.rank, c.within[within.name]
         if exact or c.exact:
@@ -102,13 +102,13 @@ class Placement:
                     return found
         return None
 
-    def put(self, step: Step) -> None:
+    def put(self, step: ConstructionStep) -> None:
         rank = self.aim.space.rank
         points = {**self.values, **random_points(step.fresh, rank=rank, seed=("fresh", len(self.steps)))}
         value = coordinates(step, points, rank, lambda: self.rng.randrange(DRAWN), PRIME)
         self.values[step.name] = tuple(value)
 
-    def check(self, depth: int, step: Step, used: list[Condition]) -> None:
+    def check(self, depth: int, step: ConstructionStep, used: list[IncidenceCondition]) -> None:
         """Points stay what they are: not zero, at infinity or not as declared, and different from the others."""
         space, value, cause = self.aim.space, self.values[step.name], used[-1].cause
         if not any(value):

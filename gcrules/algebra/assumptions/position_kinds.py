@@ -35,7 +35,7 @@ from gcrules.core.budget import checkpoint, watched
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError, LimitReached
 
-__all__ = ["Alternative", "Task", "alternatives", "flats"]
+__all__ = ["Alternative", "ConstructionTask", "alternatives", "flats"]
 
 bracket_factors = deferred("gcrules.algebra.factoring.brackets:bracket_factors")
 
@@ -46,7 +46,7 @@ _MAX_BRACKETS = 300  # of the points of a scalar
 
 
 @dataclass(frozen=True)
-class Task:
+class ConstructionTask:
     """What is given of the points of a space, in tableau order, and how to construct points of which some is given."""
 
     space: Space
@@ -79,7 +79,7 @@ class _Open:
     nonzero: tuple[Expr, ...] = ()
 
 
-def alternatives(task: Task) -> list[Alternative]:
+def alternatives(task: ConstructionTask) -> list[Alternative]:
     """The alternatives that together are all that is given allows. Raises InputError where there are too many."""
     given, rank = task.space.given, task.space.rank
     plain = tuple(a for a in given if _plain(a, rank))
@@ -153,7 +153,7 @@ def _of_points(e: Expr) -> bool:
     return isinstance(e, Bracket) and all(isinstance(a, Point) for a in e.args)
 
 
-def _next(at: _Open, task: Task) -> Iterator[_Open]:
+def _next(at: _Open, task: ConstructionTask) -> Iterator[_Open]:
     """What comes of the first scalar that can be taken apart; the same again if there is none.
 
     Raises InputError where the plain assumptions alone cannot be satisfied.
@@ -222,7 +222,9 @@ def _with(at: _Open, scalar: Expr, cause: Assumption) -> _Open:
     return replace(at, scalars=(*at.scalars, more))
 
 
-def _parts(a: Assumption, base: Construction, task: Task) -> tuple[tuple[Expr, ...], tuple[Expr, ...]] | None:
+def _parts(
+    a: Assumption, base: Construction, task: ConstructionTask
+) -> tuple[tuple[Expr, ...], tuple[Expr, ...]] | None:
     """The different scalars of which one vanishes where the assumption holds, and what must not vanish for that.
 
     None where nothing is gained: the assumption is one scalar that is no product.
@@ -263,14 +265,14 @@ def _factors(e: Expr) -> Iterator[Expr]:
             yield e
 
 
-def _polynomial(e: Expr, task: Task) -> BracketPolynomial:
+def _polynomial(e: Expr, task: ConstructionTask) -> BracketPolynomial:
     """The normal form. Raises LimitReached for one of many terms."""
     found = straighten(e, points=task.space.points, ideal=task.space.ideal, rank=task.space.rank, limit=_MAX_TERMS)
     assert isinstance(found, BracketPolynomial)
     return found
 
 
-def _without_zeros(e: Expr, base: Construction, task: Task) -> BracketPolynomial:
+def _without_zeros(e: Expr, base: Construction, task: ConstructionTask) -> BracketPolynomial:
     """What is left of a scalar, in normal form, without the brackets that vanish by other assumptions: without terms
     that hold one, in whichever order of the points there are most of them.
     """
@@ -314,7 +316,7 @@ def _normal(poly: BracketPolynomial) -> BracketPolynomial:
 # --- several scalars -----------------------------------------------------------------------------------------------
 
 
-def _solved(at: _Open, task: Task) -> _Open | None:
+def _solved(at: _Open, task: ConstructionTask) -> _Open | None:
     """Scalars solved together as linear equations between their monomials, where that leaves fewer terms."""
 
     rows: dict[int, Terms] = {}
@@ -337,7 +339,7 @@ def _solved(at: _Open, task: Task) -> _Open | None:
     return found
 
 
-def _order(task: Task) -> tuple[str, ...]:
+def _order(task: ConstructionTask) -> tuple[str, ...]:
     return (*task.space.ideal, *(n for n in task.space.points if n not in task.space.ideal))
 
 

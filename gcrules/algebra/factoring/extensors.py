@@ -26,7 +26,7 @@ from gcrules.algebra.evaluate import Evaluator, Table, join_table, meet_table
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.modular import Ints
-from gcrules.algebra.factoring.residues import Floats, Residues, random_positions, residues
+from gcrules.algebra.factoring.residues import Floats, PrimeField, random_positions, residues
 from gcrules.core.errors import LimitReached
 
 __all__ = [
@@ -176,7 +176,7 @@ class Extensors:
     ) -> None:
         self.letters = letters
         self.rank = letters.rank
-        self.field: Residues = residues(letters.rank)
+        self.field: PrimeField = residues(letters.rank)
         self.effort = effort or Effort()
         self.positions = random_positions(
             POSITIONS, len(letters.names), letters.rank, self.field.p, ideal=ideal, seed=seed

@@ -25,7 +25,7 @@ from gcrules.algebra.factoring.once import each_once
 from gcrules.algebra.factoring.pieces import Pieces, taken_apart
 from gcrules.algebra.factoring.products import Groups
 from gcrules.algebra.factoring.rational import with_cofactor
-from gcrules.algebra.factoring.result import Factorization, Family, brackets_of
+from gcrules.algebra.factoring.result import ExpressionFamily, Factorization, brackets_of
 from gcrules.algebra.factoring.whole import Whole
 from gcrules.core.budget import checkpoint, within
 
@@ -83,12 +83,12 @@ def _in_groups(pieces: Pieces, effort: Effort, terms: int, every: bool) -> Facto
     if not whole.parts:
         rows = brackets_of(whole.rows.elements(), pieces.points)
         return Factorization(
-            pieces.rank, pieces.points, whole.number, rows, ex.Number(1), Family(BRACKETS), _EQUAL_FORMS
+            pieces.rank, pieces.points, whole.number, rows, ex.Number(1), ExpressionFamily(BRACKETS), _EQUAL_FORMS
         )
     groups = Groups(whole.rows, whole.parts, whole.times, effort)
     cover = groups.cover()
     name = ONE_EXPRESSION if sum(whole.times) == 1 else SEVERAL
-    family = Family(name, effort.products, groups.built, monotonic() - start)
+    family = ExpressionFamily(name, effort.products, groups.built, monotonic() - start)
     if cover is None:
         alone = [next((w.expression for w in groups.alone(i)), None) for i in range(len(whole.parts))]
         return whole.none(family, _exhausted(whole), alone, terms)

@@ -15,7 +15,7 @@ from gcrules.algebra.factoring.extensors import extensor
 from gcrules.algebra.factoring.multilinear import Multilinear, factor_multilinear, seems_zero
 from gcrules.algebra.factoring.normal import normal
 from gcrules.algebra.factoring.pieces import Pieces
-from gcrules.algebra.factoring.result import Factorization, Family, brackets_of
+from gcrules.algebra.factoring.result import ExpressionFamily, Factorization, brackets_of
 from gcrules.algebra.factoring.trees import simplest
 from gcrules.algebra.factoring.whole import Whole, together
 from gcrules.algebra.language.text import text
@@ -36,7 +36,7 @@ def each_once(pieces: Pieces, terms: int) -> Factorization:
     if incomplete:
         whole = Whole.of(pieces, terms, patient=False)
         alone = [_alone(factor_multilinear(part), part) for part in whole.parts]
-        family = Family(MULTILINEAR, size, 0, monotonic() - start)
+        family = ExpressionFamily(MULTILINEAR, size, 0, monotonic() - start)
         return whole.none(family, _no_factor(incomplete, pieces), alone, terms)
     number, certificates = pieces.number, []
     scalars: list[Expr] = list(brackets_of(pieces.rows, pieces.points))
@@ -52,7 +52,7 @@ def each_once(pieces: Pieces, terms: int) -> Factorization:
     certificate = together(certificates)
     if certificate.method == PROVED.method:
         certificate = Certificate(PROVED.method, f"{certificate.detail}; there is no other expression")
-    family = Family(MULTILINEAR, size, 0, monotonic() - start)
+    family = ExpressionFamily(MULTILINEAR, size, 0, monotonic() - start)
     return Factorization(pieces.rank, pieces.points, number, tuple(factors), ex.mul(*others), family, certificate)
 
 

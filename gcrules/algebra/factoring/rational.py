@@ -16,7 +16,7 @@ from gcrules.algebra.factoring.cofactor import Rational, bracket_cofactors, line
 from gcrules.algebra.factoring.irreducible import irreducible
 from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.normal import normal
-from gcrules.algebra.factoring.result import Factorization, Form, brackets_of
+from gcrules.algebra.factoring.result import FactoredForm, Factorization, brackets_of
 from gcrules.algebra.factoring.splitting import split
 from gcrules.algebra.factoring.symmetry import Symmetries
 from gcrules.core.errors import LimitReached
@@ -44,7 +44,7 @@ class _Search:
     effort: Effort
     terms: int
     every: bool
-    rational: list[Form] = field(default_factory=list)
+    rational: list[FactoredForm] = field(default_factory=list)
     excluded: list[str] = field(default_factory=list)
     undecided: list[str] = field(default_factory=list)
     images: int = 0
@@ -89,7 +89,7 @@ class _Search:
         for e in outcome.expressions if self.every else outcome.expressions[:1]:
             coefficient, _ = certified(outcome.polynomial, e, self.terms)
             value = Number(self.found.coefficient * coefficient).value
-            self.rational.append(Form(value, factors, e, outcome.cofactor))
+            self.rational.append(FactoredForm(value, factors, e, outcome.cofactor))
 
     def in_vain(self) -> tuple[str, ...]:
         if not self.excluded:

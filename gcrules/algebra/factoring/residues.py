@@ -18,7 +18,7 @@ from gcrules.algebra.factoring.modular import Ints, determinants
 from gcrules.core import seeds
 from gcrules.core.budget import checkpoint
 
-__all__ = ["Floats", "Ints", "Residues", "random_positions", "residues", "values"]
+__all__ = ["Floats", "Ints", "PrimeField", "random_positions", "residues", "values"]
 
 Floats = NDArray[np.float64]
 
@@ -26,7 +26,7 @@ _EXACT = 2**53
 
 
 @dataclass(frozen=True)
-class Residues:
+class PrimeField:
     """Arithmetic modulo the prime `p`."""
 
     p: int
@@ -59,7 +59,7 @@ class Residues:
 
 
 @cache
-def residues(rank: int) -> Residues:
+def residues(rank: int) -> PrimeField:
     """The arithmetic for extensors of this rank: the largest prime for which sums of 2·C(rank, rank/2) products, the
     longest that occur, are exact.
     """
@@ -67,7 +67,7 @@ def residues(rank: int) -> Residues:
     p = isqrt(4 * _EXACT // most) - 4
     while any(p % q == 0 for q in range(2, isqrt(p) + 1)):
         p -= 1
-    return Residues(p)
+    return PrimeField(p)
 
 
 def random_positions(number: int, points: int, rank: int, p: int, *, ideal: int = 0, seed: int = 0) -> Ints:

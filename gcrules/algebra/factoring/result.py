@@ -16,14 +16,14 @@ from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.text import text
 from gcrules.core.shown import Shown
 
-__all__ = ["Factorization", "Family", "Form", "Part", "brackets_of"]
+__all__ = ["ExpressionFamily", "FactoredForm", "FactoredPart", "Factorization", "brackets_of"]
 
 MANY = 10
 """Equal factors that a text for people shows as a power."""
 
 
 @dataclass(frozen=True)
-class Family:
+class ExpressionFamily:
     """The expressions among which one was sought.
 
     `size` counts the expressions tested, `extensors` the different extensors that they were made of (different: not
@@ -48,7 +48,7 @@ class Family:
 
 
 @dataclass(frozen=True)
-class Form:
+class FactoredForm:
     """cofactor · input = coefficient · Π factors · expression."""
 
     coefficient: int | Fraction
@@ -69,7 +69,7 @@ def brackets_of(rows: Iterable[Row], names: tuple[str, ...]) -> tuple[Expr, ...]
 
 
 @dataclass(frozen=True)
-class Part:
+class FactoredPart:
     """A factor that is no bracket, and how often it occurs; `expression` is a multiple of it, if one was found.
 
     `irreducible` says whether it is known that it does not split further.
@@ -98,15 +98,15 @@ class Factorization(Shown):
     coefficient: int | Fraction
     factors: tuple[Expr, ...]
     expression: Expr | None
-    family: Family
+    family: ExpressionFamily
     certificate: Certificate
-    alternatives: tuple[Form, ...] = ()
+    alternatives: tuple[FactoredForm, ...] = ()
     more: int = 0
     remainder: BracketPolynomial | None = None
-    rational: tuple[Form, ...] = ()
+    rational: tuple[FactoredForm, ...] = ()
     excluded: tuple[str, ...] = ()
     undecided: tuple[str, ...] = ()
-    parts: tuple[Part, ...] = ()
+    parts: tuple[FactoredPart, ...] = ()
 
     @property
     def found(self) -> bool:
@@ -122,7 +122,7 @@ class Factorization(Shown):
         """coefficient · Π factors · expression, equal to the input; None if no expression exists in the family."""
         if self.expression is None:
             return None
-        return Form(self.coefficient, self.factors, self.expression).product()
+        return FactoredForm(self.coefficient, self.factors, self.expression).product()
 
     def to_json(self) -> dict[str, Any]:
         """`{coefficient, factors, expression, alternatives, more, family, certificate}`, text of the language.
@@ -160,14 +160,14 @@ class Factorization(Shown):
     def whole(self) -> Expr:
         """The input as it was factored; what has no expression stands as a bracket polynomial."""
         if self.expression is not None:
-            return Form(self.coefficient, self.factors, self.expression).product()
+            return FactoredForm(self.coefficient, self.factors, self.expression).product()
         assert self.remainder is not None
         if self.parts:
             left = (p.polynomial.to_expr() for p in self.parts for _ in range(p.times))
-            return Form(self.coefficient, self.factors, ex.mul(*left)).product()
-        return Form(self.coefficient, self.factors, self.remainder.to_expr()).product()
+            return FactoredForm(self.coefficient, self.factors, ex.mul(*left)).product()
+        return FactoredForm(self.coefficient, self.factors, self.remainder.to_expr()).product()
 
-    def _form(self, form: Form) -> dict[str, Any]:
+    def _form(self, form: FactoredForm) -> dict[str, Any]:
         return {
             "coefficient": _number(form.coefficient),
             "factors": [self._text(f) for f in form.factors],

@@ -20,7 +20,7 @@ from gcrules.algebra.factoring.decomposition import Decomposition, decomposed
 from gcrules.algebra.factoring.pieces import Pieces
 from gcrules.algebra.factoring.powers import number_power
 from gcrules.algebra.factoring.products import Cover, Group
-from gcrules.algebra.factoring.result import Factorization, Family, Form, Part, brackets_of
+from gcrules.algebra.factoring.result import ExpressionFamily, FactoredForm, FactoredPart, Factorization, brackets_of
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.budget import checkpoint, seconds_left, within
 from gcrules.core.errors import LimitReached
@@ -59,7 +59,7 @@ class Whole:
             known &= found.irreducible
         return cls(pieces, number, rows, tuple(parts), tuple(parts.values()), known)
 
-    def found(self, cover: Cover, family: Family, terms: int, *, every: bool) -> Factorization:
+    def found(self, cover: Cover, family: ExpressionFamily, terms: int, *, every: bool) -> Factorization:
         """The answer for groups that are expressions; each is certified by itself."""
         names = self.pieces.points
         factors = brackets_of(cover.outside.elements(), names)
@@ -76,7 +76,7 @@ class Whole:
             for group, (e, c, _) in zip(cover.groups, choice, strict=True):
                 number = Number(number * number_power(c, group.times)).value
                 expressions += repeat(e, group.times)
-            forms.append(Form(number, factors, ex.mul(*expressions)))
+            forms.append(FactoredForm(number, factors, ex.mul(*expressions)))
         first, *others = forms
         return Factorization(
             self.pieces.rank,
@@ -90,7 +90,9 @@ class Whole:
             more=prod(len(group.expressions) for group in cover.groups) - len(forms),
         )
 
-    def none(self, family: Family, certificate: Certificate, alone: Iterable[Expr | None], terms: int) -> Factorization:
+    def none(
+        self, family: ExpressionFamily, certificate: Certificate, alone: Iterable[Expr | None], terms: int
+    ) -> Factorization:
         """The answer that there is none; `alone` are expressions of single parts."""
         names = self.pieces.points
         number, parts = self.number, []
@@ -98,7 +100,7 @@ class Whole:
             shown = e if e is not None and _certain(part, e, terms) else None
             content, written = primitive(in_given_order(part))
             number = Number(number * number_power(content, n)).value
-            parts.append(Part(written, n, shown, self.irreducible))
+            parts.append(FactoredPart(written, n, shown, self.irreducible))
         remainder = self._product(parts, terms)
         return Factorization(
             self.pieces.rank,
@@ -116,7 +118,7 @@ class Whole:
         target = reduce(mul, (self.parts[i] for i in group.parts))
         return target * target.with_terms({group.inside: 1})
 
-    def _product(self, parts: Sequence[Part], terms: int) -> BracketPolynomial:
+    def _product(self, parts: Sequence[FactoredPart], terms: int) -> BracketPolynomial:
         """The product of the parts, in normal form where that is not long."""
         if prod(len(part.polynomial) ** min(part.times, 64) for part in parts) > terms:
             raise LimitReached(f"there is no such expression, but what is left has more than {terms:,} terms")

@@ -8,13 +8,13 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax import Builder, Node, span_of
 from gcrules.algebra.names import step_name
-from gcrules.algebra.space import Assumption, Place
+from gcrules.algebra.space import Assumption, SourcePlace
 from gcrules.core.errors import InputError, StepError
 
 __all__ = ["read_assumption"]
 
 
-def read_assumption(tree: Node, builder: Builder, text: str, place: Place | None = None) -> Assumption:
+def read_assumption(tree: Node, builder: Builder, text: str, place: SourcePlace | None = None) -> Assumption:
     """The assumption of a parse tree; `text` is how it was written, `place` where. Raises StepError, InputError."""
     if tree.data == "equal":
         left, right = builder.equation(tree.children[0])

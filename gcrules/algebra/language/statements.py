@@ -14,7 +14,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.assumption_text import read_assumption
 from gcrules.algebra.language.rule_text import Case, RuleText, instances
 from gcrules.algebra.language.syntax import Builder, Context, Node, read, span_of, whole
-from gcrules.algebra.space import NAME, NAMES_HINT, Place, shortened
+from gcrules.algebra.space import NAME, NAMES_HINT, SourcePlace, shortened
 from gcrules.core.errors import GcrulesError, InputError
 
 __all__ = [
@@ -186,7 +186,7 @@ class _Reader:
             self._check_points(tree)
             self.context = replace(self.context, ideal=self._declared(self.context.ideal, tree.children))
         else:
-            place = Place(span_of(tree), self.text, self.filename)
+            place = SourcePlace(span_of(tree), self.text, self.filename)
             found = read_assumption(tree, Builder(self.context), self._source(tree), place)
             self.context = replace(self.context, given=(*self.context.given, found))
         return self.context

@@ -31,7 +31,7 @@ from gcrules.algebra.shortening.monomials import Monomials, bracket_products
 from gcrules.algebra.shortening.symmetry import Orbits
 from gcrules.core.budget import Count
 
-__all__ = ["Condition", "MergingBound", "merging_bound"]
+__all__ = ["BlockBound", "MergingBound", "merging_bound"]
 
 _ORBITS = 1_500
 _FRONTIER = 60
@@ -43,7 +43,7 @@ _Blocks = tuple[tuple[int, ...], ...]
 
 
 @dataclass(frozen=True)
-class Condition:
+class BlockBound:
     """At least `least` terms are left where the points of each block of `blocks` are merged, with its weight.
 
     Without blocks: at least one term is in an orbit that does not cancel.
@@ -68,7 +68,7 @@ class MergingBound:
     """
 
     lower: int
-    conditions: tuple[Condition, ...]
+    conditions: tuple[BlockBound, ...]
     tight: tuple[bool, ...]
 
 
@@ -113,7 +113,7 @@ def _best(poly: BracketPolynomial, rows: list[_Row], sizes: Ints) -> MergingBoun
     used = [(y / most, row) for y, row in used]
     lower = ceil(sum(y * row.least for y, row in used))
     conditions = (
-        Condition(y, row.least, tuple(tuple(poly.points[i] for i in block) for block in row.blocks)) for y, row in used
+        BlockBound(y, row.least, tuple(tuple(poly.points[i] for i in block) for block in row.blocks)) for y, row in used
     )
     return MergingBound(lower, tuple(conditions), tuple(one == most for one in load))
 

@@ -30,7 +30,7 @@ from gcrules.algebra.straightening.straighten import is_standard, straighten
 from gcrules.core.budget import Count, report, seconds_left
 from gcrules.core.errors import EngineFault, LimitReached
 
-__all__ = ["Divided", "Limits", "Search", "shortest_of"]
+__all__ = ["Divided", "SearchLimits", "ShortestSearch", "shortest_of"]
 
 _QUICK = 1_000  # residues for each monomial that may be held: first searches
 _THOROUGH = 2_000  # the last one
@@ -44,7 +44,7 @@ _WALKS = 3
 
 
 @dataclass(frozen=True)
-class Limits:
+class SearchLimits:
     """At most so many bracket monomials, and terms at a time."""
 
     monomials: int
@@ -55,7 +55,7 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Search:
+class ShortestSearch:
     """The best form, the number of terms that are needed at least, why, and what was searched."""
 
     best: BracketPolynomial
@@ -69,10 +69,10 @@ class Search:
     def done(self) -> bool:
         return self.lower == len(self.best)
 
-    def with_form(self, form: BracketPolynomial | None) -> Search:
+    def with_form(self, form: BracketPolynomial | None) -> ShortestSearch:
         return self if form is None else replace(self, best=min(self.best, form, key=simplicity))
 
-    def with_bound(self, lower: int, method: str, detail: str) -> Search:
+    def with_bound(self, lower: int, method: str, detail: str) -> ShortestSearch:
         if lower <= self.lower:
             return self
         return replace(self, lower=lower, bound=Certificate(method, detail, {"lower": lower}))
@@ -104,7 +104,7 @@ class Divided:
         return form.with_terms({tuple(sorted((*m, *self.rows))): c for m, c in form.terms.items()})
 
 
-def shortest_of(divided: Divided, forms: Iterable[BracketPolynomial], limits: Limits) -> Search:
+def shortest_of(divided: Divided, forms: Iterable[BracketPolynomial], limits: SearchLimits) -> ShortestSearch:
     """The shortest form of a homogeneous polynomial that equals the given forms, as far as the time goes.
 
     Raises LimitReached where there are more bracket monomials of the quotient's multidegree than may be held. Where
@@ -112,7 +112,7 @@ def shortest_of(divided: Divided, forms: Iterable[BracketPolynomial], limits: Li
     """
     quotient = divided.quotient
     simple = [divided.times(quotient), *forms]
-    found = Search(min(simple, key=simplicity), 1, Certificate("normal-form", "the normal form is not zero"))
+    found = ShortestSearch(min(simple, key=simplicity), 1, Certificate("normal-form", "the normal form is not zero"))
     if divided.note:
         found = replace(found, notes=(divided.note,))
     if not quotient.ideal and divided.complete and set(quotient.terms) != {()}:
@@ -134,7 +134,7 @@ def shortest_of(divided: Divided, forms: Iterable[BracketPolynomial], limits: Li
         return replace(found, notes=(*found.notes, f"search with the brackets that divide: {reached.message}"))
 
 
-def _searched(found: Search, normal: BracketPolynomial, limits: Limits) -> Search:
+def _searched(found: ShortestSearch, normal: BracketPolynomial, limits: SearchLimits) -> ShortestSearch:
     """The searches among all bracket monomials, as far as the time goes."""
     try:
         return _Stages(found, normal, limits).run()
@@ -147,7 +147,7 @@ def _searched(found: Search, normal: BracketPolynomial, limits: Limits) -> Searc
 class _Stages:
     """The searches among all bracket monomials of the multidegree."""
 
-    def __init__(self, found: Search, normal: BracketPolynomial, limits: Limits) -> None:
+    def __init__(self, found: ShortestSearch, normal: BracketPolynomial, limits: SearchLimits) -> None:
         self.normal = normal
         self.limits = limits
         self.monomials = Monomials.of(normal, limits.monomials)
@@ -157,7 +157,7 @@ class _Stages:
         self.likely: list[np.ndarray[tuple[int], np.dtype[np.bool_]]] = []
         self.found = replace(found, monomials=len(self.monomials))
 
-    def run(self) -> Search:
+    def run(self) -> ShortestSearch:
         for stage in (
             self.few_terms,
             self.symmetries,

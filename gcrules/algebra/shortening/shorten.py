@@ -22,7 +22,7 @@ from gcrules.algebra.factoring.pieces import Pieces, taken_apart
 from gcrules.algebra.shortening.limits import MAX_MONOMIALS, SECONDS
 from gcrules.algebra.shortening.monomials import canonical, degree_vector
 from gcrules.algebra.shortening.result import Shortening
-from gcrules.algebra.shortening.search import Divided, Limits, Search, shortest_of
+from gcrules.algebra.shortening.search import Divided, SearchLimits, ShortestSearch, shortest_of
 from gcrules.algebra.straightening.order import same_function
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import shortest_forms
@@ -59,7 +59,7 @@ def shorten(
     """
     terms = max(_TERMS_PER_MONOMIAL * limit, MAX_TERMS)
     start, seconds = monotonic(), as_float(seconds)
-    limits = Limits(limit, terms)
+    limits = SearchLimits(limit, terms)
     with within(seconds, grace=max(0.0, _PREPARATION - seconds)):
         pieces = taken_apart(e, what="shortened", points=points, ideal=ideal, rank=rank, limit=terms)
         rows, poly = tuple(sorted(pieces.rows.elements())), _multiplied(pieces, terms)
@@ -134,7 +134,7 @@ def _alike(forms: list[BracketPolynomial], part: Divided) -> list[BracketPolynom
     return [form for f in forms if (form := _by_multidegree(f).get(degrees)) is not None]
 
 
-def _together(poly: BracketPolynomial, kept: BracketPolynomial, found: list[Search], terms: int) -> Shortening:
+def _together(poly: BracketPolynomial, kept: BracketPolynomial, found: list[ShortestSearch], terms: int) -> Shortening:
     """The parts as one answer, which is proved, or else the input with its terms collected."""
     best, notes = reduce(add, (s.best for s in found)), tuple(note for s in found for note in s.notes)
     certificate = _PROVED

@@ -8,6 +8,7 @@ import click
 
 from gcrules.apps.cli.base import LazyGroup, colour_choice
 from gcrules.core import interrupts
+from gcrules.core.errors import printable
 from gcrules.core.version import __version__
 
 __all__ = ["answered", "cli"]
@@ -70,6 +71,7 @@ def answered() -> int:
     try:
         return int(cli.main(prog_name="gcrules", standalone_mode=False) or 0)
     except click.ClickException as fault:
+        fault.message = printable(fault.message)  # it quotes words of the command line
         fault.show()
         return fault.exit_code
     except KeyboardInterrupt:

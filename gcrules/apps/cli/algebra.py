@@ -19,7 +19,7 @@ from gcrules.algebra.straightening.straighten import straighten as straightened
 from gcrules.apps.cli.base import (
     ExpressionCommand,
     Output,
-    Space,
+    SpaceOptions,
     given_option,
     limit_option,
     output_options,
@@ -47,7 +47,9 @@ _seconds = time_limit()
 @_seconds
 @output_options()
 @click.pass_context
-def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: Space, limit: int, out: Output) -> None:
+def prove(
+    ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: SpaceOptions, limit: int, out: Output
+) -> None:
     """Decide whether two expressions are equal for all positions of their points; "-" reads standard input.
 
     \b
@@ -80,7 +82,7 @@ def prove(ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: S
 @_limit
 @_seconds
 @output_options()
-def expand(expression: str, space: Space, limit: int, out: Output) -> None:
+def expand(expression: str, space: SpaceOptions, limit: int, out: Output) -> None:
     """Expand an expression into brackets: a bracket polynomial, or a sum of extensors with such coefficients.
 
     \b
@@ -102,7 +104,7 @@ def expand(expression: str, space: Space, limit: int, out: Output) -> None:
 @_limit
 @_seconds
 @output_options()
-def straighten(expression: str, steps: bool, space: Space, limit: int, out: Output) -> None:
+def straighten(expression: str, steps: bool, space: SpaceOptions, limit: int, out: Output) -> None:
     """The normal form of an expression: its bracket monomials as standard tableaux.
 
     \b

@@ -16,7 +16,7 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from gcrules.apps.cli.files import ANSWERED, Command, OutputFile, printed
+from gcrules.apps.cli.files import ANSWERED, OutputCommand, OutputFile, printed
 from gcrules.apps.cli.limits import Seconds
 from gcrules.core import interrupts, streams
 from gcrules.core.budget import waiting
@@ -28,7 +28,7 @@ __all__ = [
     "ExpressionCommand",
     "LazyGroup",
     "Output",
-    "Space",
+    "SpaceOptions",
     "about_option",
     "catalog_option",
     "colour_choice",
@@ -112,7 +112,7 @@ class LazyGroup(click.Group):
             ctx.exit(GcrulesError.exit_code)
 
 
-class ExpressionCommand(Command):
+class ExpressionCommand(OutputCommand):
     """A command whose arguments may begin with a minus sign: only declared options, and words that look like a long
     option (--json), are options; everything else is an argument. An option's value is a word of its own or follows =.
     """
@@ -293,7 +293,7 @@ def output_options(*, latex: bool = True) -> Callable[[_Command], _Command]:
 
 
 @dataclass(frozen=True)
-class Space:
+class SpaceOptions:
     """The rank, the declared points and the points at infinity."""
 
     rank: int
@@ -308,7 +308,7 @@ def space_options(*, rank: bool = True) -> Callable[[_Command], _Command]:
         @wraps(command)
         def with_space(**options: Any) -> Any:
             points, ideal = (_names(options.pop(key)) for key in ("points", "ideal"))
-            return command(space=Space(options.pop("rank", 4), points, ideal), **options)
+            return command(space=SpaceOptions(options.pop("rank", 4), points, ideal), **options)
 
         decorators = [
             *(

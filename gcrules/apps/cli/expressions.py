@@ -8,7 +8,7 @@ from typing import TypeVar
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context, parse
-from gcrules.apps.cli.base import Space
+from gcrules.apps.cli.base import SpaceOptions
 from gcrules.apps.cli.files import read_stdin, working
 
 __all__ = ["context_of", "given_text", "read_expression", "searched"]
@@ -21,7 +21,7 @@ def given_text(argument: str) -> str:
     return read_stdin() if argument == "-" else argument
 
 
-def context_of(space: Space, assumptions: tuple[str, ...] = ()) -> Context:
+def context_of(space: SpaceOptions, assumptions: tuple[str, ...] = ()) -> Context:
     """Where expressions are read: rank, points, points at infinity, and what is assumed of them."""
     at = Context(space.rank, space.points, space.ideal)
     for written in assumptions:
@@ -29,13 +29,19 @@ def context_of(space: Space, assumptions: tuple[str, ...] = ()) -> Context:
     return at
 
 
-def read_expression(argument: str, space: Space) -> Expr:
+def read_expression(argument: str, space: SpaceOptions) -> Expr:
     """The expression of an argument, or of standard input for "-"."""
     return parse(given_text(argument), context=context_of(space))
 
 
 def searched(
-    task: str, search: Callable[..., _Answer], argument: str, space: Space, limit: int, seconds: float, **options: bool
+    task: str,
+    search: Callable[..., _Answer],
+    argument: str,
+    space: SpaceOptions,
+    limit: int,
+    seconds: float,
+    **options: bool,
 ) -> _Answer:
     """The answer of a search about an expression; how it goes is shown."""
     e = read_expression(argument, space)

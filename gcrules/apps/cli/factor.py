@@ -6,7 +6,7 @@ import click
 
 from gcrules.algebra.factoring.factorize import factor as factored
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS
-from gcrules.apps.cli.base import ExpressionCommand, Output, Space, limit_option, output_options, space_options
+from gcrules.apps.cli.base import ExpressionCommand, Output, SpaceOptions, limit_option, output_options, space_options
 from gcrules.apps.cli.expressions import searched
 from gcrules.apps.cli.limits import AROUND, limited, time_limit
 
@@ -29,7 +29,7 @@ def factor(
     cofactor: bool,
     limit: int,
     seconds: float,
-    space: Space,
+    space: SpaceOptions,
     out: Output,
 ) -> None:
     """Decide whether a scalar is a product of brackets and one expression of joins and meets.

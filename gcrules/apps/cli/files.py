@@ -16,7 +16,7 @@ from gcrules.core.budget import waiting, within
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.files import check_name, check_target, held
 
-__all__ = ["ANSWERED", "Command", "OutputFile", "Status", "printed", "read_stdin", "working"]
+__all__ = ["ANSWERED", "OutputCommand", "OutputFile", "Status", "printed", "read_stdin", "working"]
 
 MAX_STDIN = 4_000_000
 _PATIENCE = 1.0  # seconds before progress is shown
@@ -107,7 +107,7 @@ class OutputFile(click.types.StringParamType):
         return value
 
 
-class Command(click.Command):
+class OutputCommand(click.Command):
     """A command whose output files appear together, when its answer is printed, and only with exit code 0 or 1."""
 
     def invoke(self, ctx: click.Context) -> Any:

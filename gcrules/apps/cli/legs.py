@@ -12,7 +12,7 @@ from gcrules.algebra.language.legs_text import Structure
 from gcrules.apps.cli.base import (
     ExpressionCommand,
     Output,
-    Space,
+    SpaceOptions,
     catalog_option,
     given_option,
     output_options,
@@ -21,7 +21,7 @@ from gcrules.apps.cli.base import (
 )
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import beside, limited, time_limit
-from gcrules.apps.cli.manual import Manual, manual_options, run_manual
+from gcrules.apps.cli.manual import ManualOptions, manual_options, run_manual
 from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.sources import read_source
 from gcrules.conditions.analysis import Analysis
@@ -47,7 +47,7 @@ _order = click.option("--order", metavar="LEGS", help='Keep this order of the le
 _recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
 _search = search_option(SECONDS)
 _LEGS = "LEGS|FILE.yaml|ROBOT"
-_SPACE = Space(4, (), ())  # where no option says otherwise
+_SPACE = SpaceOptions(4, (), ())  # where no option says otherwise
 
 
 @click.command(cls=ExpressionCommand)
@@ -73,7 +73,7 @@ def analyze(
     legs: tuple[str, ...],
     order: str | None,
     recheck: bool,
-    manual: Manual,
+    manual: ManualOptions,
     full: bool,
     figure: str | None,
     assumptions: tuple[str, ...],
@@ -81,7 +81,7 @@ def analyze(
     seconds: float,
     catalogs: tuple[str, ...],
     choice: Choice,
-    space: Space,
+    space: SpaceOptions,
     out: Output,
 ) -> None:
     """Tell when and why a robot with six legs is singular: every stage, the proved condition, a sentence.
@@ -146,7 +146,7 @@ def report(
     search: float,
     catalogs: tuple[str, ...],
     choice: Choice,
-    space: Space,
+    space: SpaceOptions,
     interactive: bool,
 ) -> None:
     """Write the analysis as a self-contained HTML page: formulas, figures, and for a geometry file the numbers.
@@ -167,7 +167,7 @@ def report(
     write_file(path, rendered(analysis, interactive=interactive))
 
 
-def _loaded(words: tuple[str, ...], assumptions: tuple[str, ...], space: Space, choice: Choice) -> Loaded:
+def _loaded(words: tuple[str, ...], assumptions: tuple[str, ...], space: SpaceOptions, choice: Choice) -> Loaded:
     """What the words say. Raises InputError for assumptions about what has coordinates."""
     loaded = read_source(
         words, plugins=choice.folders, points=space.points, ideal=space.ideal, given=assumptions, rank=space.rank
@@ -177,7 +177,7 @@ def _loaded(words: tuple[str, ...], assumptions: tuple[str, ...], space: Space, 
     return loaded
 
 
-def _six_legs(words: tuple[str, ...], space: Space, choice: Choice) -> Structure | Platform:
+def _six_legs(words: tuple[str, ...], space: SpaceOptions, choice: Choice) -> Structure | Platform:
     """The legs for manual mode. Raises InputError for robots of joints."""
     loaded = _loaded(words, (), space, choice)
     if not isinstance(loaded, (Structure, Platform)):
@@ -217,7 +217,7 @@ def _analyzed(
     search: float,
     catalogs: tuple[str, ...],
     choice: Choice,
-    space: Space,
+    space: SpaceOptions,
     others: object,
 ) -> Analysis | RobotAnalysis:
     """The analysis of what was read. Raises UsageError for options that a robot of joints does not take: `others` is
@@ -266,7 +266,7 @@ class _InFull:
         return self.analysis.latex(full=True)
 
 
-def _check_manual(legs: tuple[str, ...], others: object, manual: Manual) -> None:
+def _check_manual(legs: tuple[str, ...], others: object, manual: ManualOptions) -> None:
     """Raises UsageError for what does not go with manual mode."""
     if others:
         raise click.UsageError("Manual mode goes with --order, --points, --ideal and --json, no other options.")

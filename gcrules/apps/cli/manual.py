@@ -14,19 +14,19 @@ import click
 
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.text import SHORT_NAME
-from gcrules.apps.cli.base import Output, Space, decorated
+from gcrules.apps.cli.base import Output, SpaceOptions, decorated
 from gcrules.apps.cli.files import read_stdin
 from gcrules.apps.cli.limits import limited
-from gcrules.conditions.manual import MOVES, PROPOSALS, Session, analysis_of, load_session, save_session
+from gcrules.conditions.manual import MOVES, PROPOSALS, ManualSession, analysis_of, load_session, save_session
 from gcrules.conditions.manual.forms import orders_text
-from gcrules.conditions.manual.words import Words, relocated
+from gcrules.conditions.manual.words import CommandWords, relocated
 from gcrules.core import interrupts
 from gcrules.core.budget import waiting
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.hints import near
 from gcrules.mechanisms.description.platform_file import Platform
 
-__all__ = ["Manual", "manual_options", "run_manual"]
+__all__ = ["ManualOptions", "manual_options", "run_manual"]
 
 HELP = """\
 order 2 1 3 4 6 5        write the superbracket with the legs in this order (numbers or legs)
@@ -46,7 +46,7 @@ save FILE, quit          write a session file (--session FILE resumes it), end
 
 
 @dataclass(frozen=True)
-class Manual:
+class ManualOptions:
     """What --manual, --propose and --session say."""
 
     asked: bool = False
@@ -64,7 +64,7 @@ def manual_options(command: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(command)
     def with_manual(**options: Any) -> Any:
         asked, proposals, path = (options.pop(key) for key in ("manual", "proposals", "session_path"))
-        return command(manual=Manual(asked, proposals, path), **options)
+        return command(manual=ManualOptions(asked, proposals, path), **options)
 
     decorators = [
         click.option("--manual", is_flag=True, help="Propose entities and the condition yourself, at a prompt."),
@@ -83,7 +83,12 @@ def manual_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def run_manual(
-    found: Platform | Structure | None, order: str | None, manual: Manual, space: Space, out: Output, seconds: float
+    found: Platform | Structure | None,
+    order: str | None,
+    manual: ManualOptions,
+    space: SpaceOptions,
+    out: Output,
+    seconds: float,
 ) -> None:
     """A session on legs (or on those of the session file), to its end. The exit code is 1 if anything was refused.
 
@@ -109,13 +114,15 @@ def run_manual(
     click.get_current_context().exit(1 if console.refused else 0)
 
 
-def _opened(found: Platform | Structure | None, order: str | None, path: str | None, space: Space) -> Session:
+def _opened(
+    found: Platform | Structure | None, order: str | None, path: str | None, space: SpaceOptions
+) -> ManualSession:
     structure = None if found is None else _structure(found, space)
     if path is None or not os.path.exists(path):
         if structure is None:
             what = "there is no such session file" if path else "legs are missing"
             raise InputError(what, filename=path or "<input>", hint="give the legs, and the session starts with them")
-        session = Session.start(structure, order=order)
+        session = ManualSession.start(structure, order=order)
         if path is not None:  # now, so that a path that cannot be written is noticed before any work
             save_session(session, path)
         return session
@@ -127,7 +134,7 @@ def _opened(found: Platform | Structure | None, order: str | None, path: str | N
     return session
 
 
-def _structure(found: Platform | Structure, space: Space) -> Structure:
+def _structure(found: Platform | Structure, space: SpaceOptions) -> Structure:
     if isinstance(found, Structure):
         if found.stand_ins:
             raise InputError("manual mode takes legs between joints, and no lines that are built from points")
@@ -145,7 +152,7 @@ class _Done(Exception):
 class _Console:
     """Takes commands, prints answers, saves after each change; `refused` counts refusals."""
 
-    def __init__(self, session: Session, out: Output, path: str | None, seconds: float) -> None:
+    def __init__(self, session: ManualSession, out: Output, path: str | None, seconds: float) -> None:
         self.seconds = seconds
         self.session = session
         self.out = out
@@ -216,7 +223,7 @@ class _Console:
         verb, _, argument = line.strip().partition(" ")
         if not verb or verb.startswith("#"):
             return
-        words = Words(argument.strip(), line, len(line) - len(argument.lstrip()) if argument else len(line))
+        words = CommandWords(argument.strip(), line, len(line) - len(argument.lstrip()) if argument else len(line))
         if verb in self.views:
             words.nothing(verb)
             self.say(self.views[verb]())

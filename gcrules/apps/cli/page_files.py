@@ -11,11 +11,11 @@ from typing import Any
 from gcrules.core.errors import FileError
 from gcrules.core.files import write_file
 
-__all__ = ["Summary", "renew"]
+__all__ = ["PageSummary", "renew"]
 
 
 @dataclass(frozen=True)
-class Summary:
+class PageSummary:
     """The files that were generated, and those that were stale; if `done`, these have been written or removed.
 
     `command` is what renews them.
@@ -51,7 +51,7 @@ class Summary:
 
 def renew(
     pages: Mapping[str, str], out: str, *, head: str, figures: Sequence[str], command: str, check: bool
-) -> Summary:
+) -> PageSummary:
     """Write pages and figures (names and contents) into the folder `out`, and remove those of earlier runs.
 
     Pages of earlier runs begin with `head`; their figures bear the page's name, a hyphen and one of `figures`. With
@@ -70,7 +70,7 @@ def renew(
                 os.unlink(folder / name)
         except OSError as fault:
             raise FileError(f"cannot be written: {fault.strerror or fault}", filename=fault.filename or out) from None
-    return Summary(out, tuple(pages), stale, not check, command)
+    return PageSummary(out, tuple(pages), stale, not check, command)
 
 
 def _stale(folder: Path, pages: Mapping[str, str]) -> list[str]:

@@ -10,7 +10,7 @@ from pathlib import Path
 import click
 
 from gcrules.apps.cli.base import SEEDED, ExpressionCommand, Output, output_options, search_option, seeded
-from gcrules.apps.cli.files import Command, OutputFile, working
+from gcrules.apps.cli.files import OutputCommand, OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
 from gcrules.core.budget import checkpoint
@@ -211,7 +211,7 @@ def pose_command(
     out.show(found)
 
 
-@robot.command("new", cls=Command, short_help="Write a robot file to begin with.")
+@robot.command("new", cls=OutputCommand, short_help="Write a robot file to begin with.")
 @click.argument("robot_id", metavar="ID")
 @click.option(
     "-o",

@@ -14,7 +14,7 @@ from gcrules.algebra.language.syntax import parse
 from gcrules.apps.cli.base import (
     ExpressionCommand,
     Output,
-    Space,
+    SpaceOptions,
     given_option,
     limit_option,
     output_options,
@@ -46,7 +46,7 @@ _seconds = time_limit()
 @space_options()
 @_seconds
 @output_options()
-def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space: Space, out: Output) -> None:
+def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space: SpaceOptions, out: Output) -> None:
     """Rewrite an expression by rules, the first that fires each time, until all stay silent; every step is shown.
 
     \b

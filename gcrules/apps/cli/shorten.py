@@ -6,7 +6,7 @@ import click
 
 from gcrules.algebra.shortening.limits import MAX_MONOMIALS, SECONDS
 from gcrules.algebra.shortening.shorten import shorten as shortened
-from gcrules.apps.cli.base import ExpressionCommand, Output, Space, limit_option, output_options, space_options
+from gcrules.apps.cli.base import ExpressionCommand, Output, SpaceOptions, limit_option, output_options, space_options
 from gcrules.apps.cli.expressions import searched
 from gcrules.apps.cli.limits import AROUND, limited, time_limit
 
@@ -19,7 +19,7 @@ __all__ = ["shorten"]
 @time_limit(SECONDS, "Search for no longer than this; what was found is the answer.", itself=True)
 @space_options()
 @output_options()
-def shorten(expression: str, limit: int, seconds: float, space: Space, out: Output) -> None:
+def shorten(expression: str, limit: int, seconds: float, space: SpaceOptions, out: Output) -> None:
     """Find the bracket polynomial with the fewest terms that equals a scalar.
 
     \b

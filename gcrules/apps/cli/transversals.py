@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, Space, given_option, output_options, space_options
+from gcrules.apps.cli.base import ExpressionCommand, Output, SpaceOptions, given_option, output_options, space_options
 from gcrules.apps.cli.files import read_stdin, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.conditions.transversals import transversals as compared
@@ -27,7 +27,7 @@ def transversals(
     legs: tuple[str, ...],
     every: bool,
     assumptions: tuple[str, ...],
-    space: Space,
+    space: SpaceOptions,
     out: Output,
 ) -> None:
     """Compare the turns about two lines: the lines that meet four legs, found from the common joints of the legs.

@@ -17,8 +17,8 @@ from gcrules.algebra.straightening.straighten import straighten, straighten_step
 from gcrules.apps.repl.answers import Answer, bound_text, polynomial_text, value_text
 from gcrules.apps.repl.help import help_text
 from gcrules.apps.repl.reading import Source, is_blank
-from gcrules.apps.repl.session import Session
-from gcrules.apps.repl.state import State
+from gcrules.apps.repl.session import PromptSession
+from gcrules.apps.repl.state import PromptState
 from gcrules.apps.repl.tables import Command
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, Span
@@ -51,7 +51,7 @@ class Request:
         return InputError(message, hint=hint).located(self.source.text, self.source.filename, self.span)
 
 
-def _asked(repl: Session, request: Request) -> Expr:
+def _asked(repl: PromptSession, request: Request) -> Expr:
     """The expression behind a command, or the last result where there is none."""
     if not is_blank(request.argument):
         return repl.expression(request.source)
@@ -63,11 +63,11 @@ def _asked(repl: Session, request: Request) -> Expr:
 # --- algebra -------------------------------------------------------------------------------------------------------
 
 
-def _expand(repl: Session, request: Request) -> Iterator[Answer]:
+def _expand(repl: PromptSession, request: Request) -> Iterator[Answer]:
     return repl.shown(_asked(repl, request), request.source)
 
 
-def _straighten(repl: Session, request: Request) -> Iterator[Answer]:
+def _straighten(repl: PromptSession, request: Request) -> Iterator[Answer]:
     at, limit = repl.state.context, repl.settings.limit
     e = _asked(repl, request)
     found = straighten(e, points=at.points, ideal=at.ideal, rank=at.rank, limit=limit)
@@ -75,7 +75,7 @@ def _straighten(repl: Session, request: Request) -> Iterator[Answer]:
     yield Answer(polynomial_text(found, repl.settings, at), "shown")
 
 
-def _steps(repl: Session, request: Request) -> Iterator[Answer]:
+def _steps(repl: PromptSession, request: Request) -> Iterator[Answer]:
     at, settings = repl.state.context, repl.settings
     e = _asked(repl, request)
     found = expand(e, points=at.points, ideal=at.ideal, rank=at.rank, limit=settings.limit)
@@ -88,13 +88,13 @@ def _steps(repl: Session, request: Request) -> Iterator[Answer]:
     yield Answer("\n".join([*(f"{line}{end}" for line in lines), polynomial_text(normal, settings, at)]), "shown")
 
 
-def _prove(repl: Session, request: Request) -> Iterator[Answer]:
+def _prove(repl: PromptSession, request: Request) -> Iterator[Answer]:
     if is_blank(request.argument):
         raise request.fault("no equation to prove", request.command.usage)
     return repl.equation(request.source)
 
 
-def _analyze(repl: Session, request: Request) -> Iterator[Answer]:
+def _analyze(repl: PromptSession, request: Request) -> Iterator[Answer]:
     at = repl.state.context
     if at.rank != 4:
         raise request.fault(f"platforms with six legs are in rank 4, and this is rank {at.rank}", ":reset begins anew")
@@ -108,7 +108,7 @@ def _analyze(repl: Session, request: Request) -> Iterator[Answer]:
     yield Answer(text.rstrip("\n"), "shown", wraps=False)
 
 
-def _analysis(repl: Session, request: Request) -> Analysis | RobotAnalysis:
+def _analysis(repl: PromptSession, request: Request) -> Analysis | RobotAnalysis:
     """The analysis of legs, whose points may be declared here, or of anything else that `load` reads."""
     at = repl.state.context
     word = request.argument.partition("#")[0].strip()
@@ -140,7 +140,7 @@ def _switch(request: Request, now: bool) -> bool:
     return {"on": True, "off": False, "": now}[word]
 
 
-def _latex(repl: Session, request: Request) -> Iterator[Answer]:
+def _latex(repl: PromptSession, request: Request) -> Iterator[Answer]:
     if request.argument in ("on", "off"):
         repl.settings = replace(repl.settings, latex=_switch(request, False))
         yield Answer(f"LaTeX {request.argument}")
@@ -148,13 +148,13 @@ def _latex(repl: Session, request: Request) -> Iterator[Answer]:
         yield Answer(latex(_asked(repl, request)), "shown")
 
 
-def _unicode(repl: Session, request: Request) -> Iterator[Answer]:
+def _unicode(repl: PromptSession, request: Request) -> Iterator[Answer]:
     on = _switch(request, repl.settings.unicode)
     repl.settings = replace(repl.settings, unicode=on)
     yield Answer(f"Unicode {'on' if on else 'off'}")
 
 
-def _limit(repl: Session, request: Request) -> Iterator[Answer]:
+def _limit(repl: PromptSession, request: Request) -> Iterator[Answer]:
     word = request.argument.replace(",", "").replace("_", "")
     if word:
         if not (word.isascii() and word.isdigit() and len(word) < 19 and int(word)):
@@ -163,7 +163,7 @@ def _limit(repl: Session, request: Request) -> Iterator[Answer]:
     yield Answer(f"limit {repl.settings.limit:,} terms")
 
 
-def _seconds(repl: Session, request: Request) -> Iterator[Answer]:
+def _seconds(repl: PromptSession, request: Request) -> Iterator[Answer]:
     if request.argument:
         try:
             found = float(request.argument)
@@ -178,7 +178,7 @@ def _seconds(repl: Session, request: Request) -> Iterator[Answer]:
 # --- what is declared ----------------------------------------------------------------------------------------------
 
 
-def _context(repl: Session, request: Request) -> Iterator[Answer]:
+def _context(repl: PromptSession, request: Request) -> Iterator[Answer]:
     at, settings = repl.state.context, replace(repl.settings, latex=False)
     facts = {
         "rank": [str(at.rank)],
@@ -192,7 +192,7 @@ def _context(repl: Session, request: Request) -> Iterator[Answer]:
     yield Answer("\n".join(f"{key if i == 0 else '':<10}  {v}" for key, vs in facts.items() for i, v in enumerate(vs)))
 
 
-def _rules(repl: Session, request: Request) -> Iterator[Answer]:
+def _rules(repl: PromptSession, request: Request) -> Iterator[Answer]:
     rules = repl.state.rules
     if is_blank(request.argument):
         shown = [f"{r.id}: {r.text if isinstance(r, Identity) else r.sentence}" for r in rules]
@@ -211,7 +211,7 @@ def _rules(repl: Session, request: Request) -> Iterator[Answer]:
     yield Answer("\n".join(f"{key:<10}  {value}" for key, value in facts.items() if value))
 
 
-def _help(repl: Session, request: Request) -> Iterator[Answer]:
+def _help(repl: PromptSession, request: Request) -> Iterator[Answer]:
     yield Answer(help_text(request.argument), wraps=False)
 
 
@@ -227,11 +227,11 @@ def _file(request: Request) -> str:
     return expanduser(name)
 
 
-def _load(repl: Session, request: Request) -> Iterator[Answer]:
+def _load(repl: PromptSession, request: Request) -> Iterator[Answer]:
     return repl.script(_file(request))
 
 
-def _save(repl: Session, request: Request) -> Iterator[Answer]:
+def _save(repl: PromptSession, request: Request) -> Iterator[Answer]:
     name, script = _file(request), repl.state.script()
     if not script:
         raise request.fault("there are no statements to save")
@@ -247,7 +247,7 @@ def _save(repl: Session, request: Request) -> Iterator[Answer]:
 # --- the session ---------------------------------------------------------------------------------------------------
 
 
-def _undo(repl: Session, request: Request) -> Iterator[Answer]:
+def _undo(repl: PromptSession, request: Request) -> Iterator[Answer]:
     if not repl.past:
         raise request.fault("there is nothing to take back")
     before = repl.state.statements
@@ -263,19 +263,19 @@ def _few(statements: tuple[str, ...]) -> str:
     return " ".join(statements[0].split()) if len(statements) == 1 else f"{len(statements)} statements"
 
 
-def _reset(repl: Session, request: Request) -> Iterator[Answer]:
+def _reset(repl: PromptSession, request: Request) -> Iterator[Answer]:
     before = repl.state.statements
     with repl.step():
-        repl.state = State()
+        repl.state = PromptState()
     yield Answer(f"forgotten: {_few(before)}; :undo brings this back" if before else "nothing is declared")
 
 
-def _quit(repl: Session, request: Request) -> Iterator[Answer]:
+def _quit(repl: PromptSession, request: Request) -> Iterator[Answer]:
     repl.over = True
     yield from ()
 
 
-HANDLERS: Mapping[str, Callable[[Session, Request], Iterator[Answer]]] = {
+HANDLERS: Mapping[str, Callable[[PromptSession, Request], Iterator[Answer]]] = {
     "help": _help,
     "analyze": _analyze,
     "expand": _expand,

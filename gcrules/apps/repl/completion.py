@@ -1,7 +1,7 @@
 r"""What Tab offers: commands, statements, relations, names, rules, files, and signs for their names.
 
->>> from gcrules.apps.repl.state import State
->>> [c.text for c in candidates(":st", State())], [c.text for c in candidates("ab \\we", State())]
+>>> from gcrules.apps.repl.state import PromptState
+>>> [c.text for c in candidates(":st", PromptState())], [c.text for c in candidates("ab \\we", PromptState())]
 ([':straighten', ':steps'], ['∧'])
 """
 
@@ -14,10 +14,10 @@ from dataclasses import dataclass
 
 from gcrules.apps.repl.help import TOPICS
 from gcrules.apps.repl.reading import first_word, split_command
-from gcrules.apps.repl.state import State
+from gcrules.apps.repl.state import PromptState
 from gcrules.apps.repl.tables import COMMANDS, RELATIONS, RULE_WORDS, STATEMENTS, SYMBOLS, meant
 
-__all__ = ["Candidate", "candidates"]
+__all__ = ["Completion", "candidates"]
 
 _SYMBOL = re.compile(r"(?<!/)\\[a-z]+\Z")
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_']*\Z")
@@ -28,7 +28,7 @@ MAX_FILES = 200
 
 
 @dataclass(frozen=True, slots=True)
-class Candidate:
+class Completion:
     """`text` takes the place of the last `length` characters; `shown` stands in the menu with its `help`."""
 
     text: str
@@ -37,11 +37,11 @@ class Candidate:
     shown: str = ""
 
 
-def candidates(before: str, state: State) -> list[Candidate]:
+def candidates(before: str, state: PromptState) -> list[Completion]:
     """What may stand at the cursor, given the text before it."""
     symbol = _SYMBOL.search(before)
     if symbol:
-        return [Candidate(SYMBOLS[n], len(symbol[0]), SYMBOLS[n], n) for n in meant(symbol[0], SYMBOLS)]
+        return [Completion(SYMBOLS[n], len(symbol[0]), SYMBOLS[n], n) for n in meant(symbol[0], SYMBOLS)]
     called = split_command(before)
     if called is None:
         return list(_words(before, state))
@@ -53,7 +53,7 @@ def candidates(before: str, state: State) -> list[Candidate]:
     return list(_arguments(COMMANDS[names[0]].takes, COMMANDS[names[0]].words, before[at:], state)) if names else []
 
 
-def _arguments(takes: str, words: tuple[str, ...], argument: str, state: State) -> Iterator[Candidate]:
+def _arguments(takes: str, words: tuple[str, ...], argument: str, state: PromptState) -> Iterator[Completion]:
     if takes == "file":
         yield from _files(argument, _SCRIPTS)
     elif takes == "topic":
@@ -69,7 +69,7 @@ def _arguments(takes: str, words: tuple[str, ...], argument: str, state: State) 
             yield from _files(argument, _ROBOTS)
 
 
-def _words(before: str, state: State) -> Iterator[Candidate]:
+def _words(before: str, state: PromptState) -> Iterator[Completion]:
     """Words of an expression or a statement."""
     found = _WORD.search(before)
     word = found[0] if found else ""
@@ -85,7 +85,7 @@ def _words(before: str, state: State) -> Iterator[Candidate]:
     yield from _names(before, state)
 
 
-def _names(before: str, state: State) -> Iterator[Candidate]:
+def _names(before: str, state: PromptState) -> Iterator[Completion]:
     """Declared names that go on from the end of the last word, from as far to the left in it as possible."""
     found = _WORD.search(before)
     word = found[0] if found else ""
@@ -102,17 +102,17 @@ def _names(before: str, state: State) -> Iterator[Candidate]:
             return
 
 
-def _bound(state: State) -> Iterator[tuple[str, str]]:
+def _bound(state: PromptState) -> Iterator[tuple[str, str]]:
     for name, e in state.context.bound.items():
         shown = str(e)
         yield name, shown if len(shown) <= 40 else f"{shown[:40]}…"
 
 
-def _starting(begun: str, words: Mapping[str, str]) -> Iterable[Candidate]:
-    return (Candidate(w, len(begun), line) for w, line in words.items() if w.startswith(begun))
+def _starting(begun: str, words: Mapping[str, str]) -> Iterable[Completion]:
+    return (Completion(w, len(begun), line) for w, line in words.items() if w.startswith(begun))
 
 
-def _files(begun: str, endings: tuple[str, ...]) -> Iterator[Candidate]:
+def _files(begun: str, endings: tuple[str, ...]) -> Iterator[Completion]:
     """Folders, and the files that end so."""
     folder, _, name = begun.rpartition("/")
     try:
@@ -123,6 +123,6 @@ def _files(begun: str, endings: tuple[str, ...]) -> Iterator[Candidate]:
     inside = [e for e in found if e.name.startswith(name) and (name.startswith(".") or not e.name.startswith("."))]
     for entry in inside[:MAX_FILES]:
         if entry.is_dir():
-            yield Candidate(f"{entry.name}/", len(name))
+            yield Completion(f"{entry.name}/", len(name))
         elif entry.name.lower().endswith(endings):
-            yield Candidate(entry.name, len(name))
+            yield Completion(entry.name, len(name))

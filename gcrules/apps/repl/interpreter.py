@@ -22,7 +22,7 @@ from gcrules.algebra.language.syntax import Builder, Context, read
 from gcrules.apps.repl.answers import Answer, answer_of, bound_text, fault_answer, result_of
 from gcrules.apps.repl.commands import HANDLERS, Request
 from gcrules.apps.repl.reading import (
-    Piece,
+    InputPiece,
     Source,
     bare_command,
     first_word,
@@ -33,7 +33,7 @@ from gcrules.apps.repl.reading import (
     statements,
     without_results,
 )
-from gcrules.apps.repl.state import Settings, State
+from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.apps.repl.tables import STATEMENTS, command
 from gcrules.core.alarm import paced
 from gcrules.core.errors import GcrulesError, InputError, Span
@@ -51,10 +51,10 @@ class Interpreter:
     A computation that is interrupted leaves the state as it was before it.
     """
 
-    def __init__(self, state: State | None = None, settings: Settings | None = None) -> None:
-        self.state = state or State()
+    def __init__(self, state: PromptState | None = None, settings: Settings | None = None) -> None:
+        self.state = state or PromptState()
         self.settings = settings or Settings()
-        self.past: tuple[State, ...] = ()
+        self.past: tuple[PromptState, ...] = ()
         self.over = False
 
     def feed(self, text: str, filename: str = "<input>", line: int = 1) -> Answers:
@@ -64,7 +64,7 @@ class Interpreter:
             if self.over:
                 return
 
-    def answer(self, piece: Piece, filename: str = "<input>") -> Answers:
+    def answer(self, piece: InputPiece, filename: str = "<input>") -> Answers:
         """The answers to one input."""
         try:
             yield from paced(self._answers(piece, filename), self.settings.seconds)
@@ -83,7 +83,7 @@ class Interpreter:
         text = read_text(name)
         return self.run(Source(text, text, name), lines=True)
 
-    def _answers(self, piece: Piece, filename: str) -> Answers:
+    def _answers(self, piece: InputPiece, filename: str) -> Answers:
         text = piece.text
         if is_blank(text):
             return
@@ -117,7 +117,7 @@ class Interpreter:
         at = self.state.context
         return text.strip() in (*at.points, *at.ideal, *at.bound)
 
-    def _command(self, piece: Piece, filename: str, name: str, at: int) -> Answers:
+    def _command(self, piece: InputPiece, filename: str, name: str, at: int) -> Answers:
         source = Source.of(piece.text, filename, piece.line, skip=at)
         try:
             called = command("help" if name == "?" else name)

@@ -10,7 +10,7 @@ import click
 from gcrules.apps.cli.files import MAX_STDIN
 from gcrules.apps.repl.answers import Answer, worst
 from gcrules.apps.repl.interpreter import Interpreter
-from gcrules.apps.repl.reading import Piece, pieces
+from gcrules.apps.repl.reading import InputPiece, pieces
 from gcrules.core.errors import FileError
 
 __all__ = ["PROMPT", "coloured", "run_pieces", "stdin_pieces", "tell", "tell_all"]
@@ -35,7 +35,7 @@ def tell(answer: Answer) -> None:
         click.echo(coloured(answer), err=answer.fault is not None)
 
 
-def stdin_pieces() -> Iterator[Piece]:
+def stdin_pieces() -> Iterator[InputPiece]:
     """The inputs on standard input; from a keyboard each is answered as soon as it is complete.
 
     Raises FileError where it is too long or no text.
@@ -59,7 +59,7 @@ def _lines() -> Iterator[str]:
             raise FileError(what, filename="<stdin>") from None
 
 
-def run_pieces(repl: Interpreter, found: Iterable[Piece], filename: str, *, echo: bool = False) -> int:
+def run_pieces(repl: Interpreter, found: Iterable[InputPiece], filename: str, *, echo: bool = False) -> int:
     """Answer one input after the other; the exit code says what was worst among the answers."""
     codes = []
     for piece in found:

@@ -20,7 +20,7 @@ from gcrules.apps.repl.tables import COMMANDS, RULE_WORDS, STATEMENTS, meant
 from gcrules.core.errors import GcrulesError, InputError, Span
 
 __all__ = [
-    "Piece",
+    "InputPiece",
     "Source",
     "as_typed",
     "bare_command",
@@ -49,7 +49,7 @@ _EXPRESSIONS = {"expression": "expression", "latex": "expression", "equation": "
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class InputPiece:
     """One input, and the line on which it begins."""
 
     text: str
@@ -113,7 +113,7 @@ def unfinished(text: str) -> bool:
     return False
 
 
-def pieces(lines: Iterable[str], first: int = 1, *, ahead: bool = True) -> Iterator[Piece]:
+def pieces(lines: Iterable[str], first: int = 1, *, ahead: bool = True) -> Iterator[InputPiece]:
     """The inputs that lines of text make, each as soon as it is complete.
 
     An unfinished input goes on with the next line; so does, with `ahead`, any input before an indented line, and a rule
@@ -123,7 +123,7 @@ def pieces(lines: Iterable[str], first: int = 1, *, ahead: bool = True) -> Itera
     depth, begun = 0, first
     for number, line in enumerate(lines, first):
         if held and not _goes_on(held, depth, line, ahead):
-            yield Piece("\n".join(held), begun)
+            yield InputPiece("\n".join(held), begun)
             held = []
         if not held:
             depth, begun = 0, number
@@ -131,10 +131,10 @@ def pieces(lines: Iterable[str], first: int = 1, *, ahead: bool = True) -> Itera
             held.append(line)
             depth += sum(1 if m in "([" else -1 for m in _BRACKETS.findall(line) if len(m) == 1)
         if held and not ahead and not _open(held, depth):
-            yield Piece("\n".join(held), begun)
+            yield InputPiece("\n".join(held), begun)
             held = []
     if held:
-        yield Piece("\n".join(held), begun)
+        yield InputPiece("\n".join(held), begun)
 
 
 def _goes_on(held: list[str], depth: int, line: str, ahead: bool) -> bool:

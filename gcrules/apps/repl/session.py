@@ -9,17 +9,17 @@ from typing import Protocol
 from gcrules.algebra.expr import Expr
 from gcrules.apps.repl.answers import Answer
 from gcrules.apps.repl.reading import Source
-from gcrules.apps.repl.state import Settings, State
+from gcrules.apps.repl.state import PromptState, Settings
 
-__all__ = ["Session"]
+__all__ = ["PromptSession"]
 
 
-class Session(Protocol):
+class PromptSession(Protocol):
     """An interpreter, as its commands see it."""
 
-    state: State
+    state: PromptState
     settings: Settings
-    past: tuple[State, ...]
+    past: tuple[PromptState, ...]
     over: bool
 
     def expression(self, source: Source) -> Expr:

@@ -11,14 +11,14 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax import Context
 from gcrules.rules.rule import RewriteRule
 
-__all__ = ["Settings", "State"]
+__all__ = ["PromptState", "Settings"]
 
 MAX_RESULTS = 9
 _NOTHING = Context()
 
 
 @dataclass(frozen=True, slots=True)
-class State:
+class PromptState:
     """`statements` are those that were accepted, as text; `results` the last ones, the newest first.
 
     `ranked` tells whether the rank was stated, in which all rules stand then.
@@ -35,7 +35,7 @@ class State:
         """All but the results."""
         return self.context, self.rules, self.statements, self.ranked
 
-    def with_result(self, e: Expr) -> State:
+    def with_result(self, e: Expr) -> PromptState:
         """The state with one more result, the oldest one forgotten where there are too many."""
         return replace(self, results=(e, *self.results)[:MAX_RESULTS])
 

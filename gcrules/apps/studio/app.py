@@ -14,7 +14,7 @@ from gcrules.apps.studio.guard import Guard
 from gcrules.apps.studio.pages import Pages
 from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.apps.studio.service import Service
-from gcrules.apps.studio.session import Session
+from gcrules.apps.studio.session import PageSession
 
 __all__ = ["MOST_PAGES", "make_app"]
 
@@ -27,13 +27,13 @@ def make_app(port: int, token: str, opened: SourceJson | None = None, tickets: I
     service = Service(opened)
     pages = Pages()
 
-    sessions: set[Session] = set()
+    sessions: set[PageSession] = set()
 
     async def talk(socket: WebSocket) -> None:
         if len(sessions) >= MOST_PAGES:
             await socket.close(1013, "too many pages are open")
             return
-        session = Session(socket, service)
+        session = PageSession(socket, service)
         sessions.add(session)
         try:
             await session.run()

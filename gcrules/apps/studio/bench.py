@@ -17,9 +17,9 @@ from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.apps.repl.answers import Answer, bound_text
 from gcrules.apps.repl.interpreter import Interpreter
-from gcrules.apps.repl.reading import Piece as Input
+from gcrules.apps.repl.reading import InputPiece as Input
 from gcrules.apps.repl.reading import Source, first_word, pieces, split_command
-from gcrules.apps.repl.state import Settings, State
+from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.apps.repl.tables import STATEMENTS
 from gcrules.apps.studio.faults import fault_view, units
 from gcrules.apps.studio.formulas import pieces as in_pieces
@@ -50,7 +50,7 @@ def bench(text: str, subject: Subject | None, pose: PoseJson | None) -> Bench:
     """The results of all inputs of a text up to the first fault. Extensors of points of the subject are drawn at the
     pose.
     """
-    interpreter = Interpreter(State(_context(subject)), Settings(limit=_MOST_TERMS))
+    interpreter = Interpreter(PromptState(_context(subject)), Settings(limit=_MOST_TERMS))
     at = _places(subject, pose or HOME)
     results: list[BenchResult] = []
     lines = text.split("\n")

@@ -12,7 +12,7 @@ from gcrules.algebra.structure import Structure
 from gcrules.apps.studio.drawings import sketch
 from gcrules.apps.studio.protocol.study_views import Gallery, GalleryItem
 from gcrules.core.errors import GcrulesError
-from gcrules.mechanisms.description.discovery import Found, examples, robots
+from gcrules.mechanisms.description.discovery import RobotFile, examples, robots
 from gcrules.mechanisms.load import read_example, read_robot
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.catalog.entries import Entry
@@ -74,7 +74,7 @@ def _of_structure(s: Structure) -> str:
     return sketch(shape, s.oriented, {"base": s.base, "platform": s.platform})
 
 
-def _of_robot(one: Found) -> GalleryItem | None:
+def _of_robot(one: RobotFile) -> GalleryItem | None:
     try:
         robot = read_robot(one.path)
     except GcrulesError:  # a plugin of the user's that is at fault shows when it is asked for by name

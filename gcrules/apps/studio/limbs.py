@@ -10,7 +10,7 @@ from gcrules.algebra.language.legs_text import leg_text
 from gcrules.algebra.language.text import text
 from gcrules.apps.studio.items import fact, formula, said
 from gcrules.apps.studio.protocol.study_views import Item, RobotView
-from gcrules.mechanisms.conditions.factor_causes import KINDS, Part
+from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.equivalent import FRAME
 from gcrules.views.drawing.drawing import Drawing
@@ -46,7 +46,7 @@ def _words(e: Expr, robot: RobotAnalysis) -> str:
     return text(e, unicode=True, names=robot.lines.structure.names if robot.lines else ())
 
 
-def _told(part: Part) -> str:
+def _told(part: FactorCause) -> str:
     return part.statement or part.reason or KINDS[part.kind]
 
 

@@ -11,7 +11,7 @@ from gcrules.apps.studio.protocol.answer_views import FormView, HintView, Manual
 from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.study import condition_view
 from gcrules.apps.studio.subject import Subject
-from gcrules.conditions.manual import Outcome, Record, Session
+from gcrules.conditions.manual import ManualSession, ProposalOutcome, Record
 from gcrules.core.budget import report
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.views.report.scene_json import entity_data
@@ -25,7 +25,7 @@ def replayed(subject: Subject, commands: Sequence[str]) -> Manual:
     s = subject.structure
     if s is None or s.rank != 4 or s.stand_ins:
         raise InputError("manual mode is for six lines in space, each through two points")
-    session = Session.start(s)
+    session = ManualSession.start(s)
     fault: FaultView | None = None
     for n, command in enumerate(commands, 1):
         report(f"step {n} of {len(commands)}")
@@ -58,7 +58,7 @@ def _record(r: Record) -> ManualStep:
     }
 
 
-def _form(session: Session) -> FormView:
+def _form(session: ManualSession) -> FormView:
     board = session.board
     return {
         "name": f"{board.form.form}-term form",
@@ -67,16 +67,16 @@ def _form(session: Session) -> FormView:
     }
 
 
-def _entities(session: Session) -> list[EntityView]:
+def _entities(session: ManualSession) -> list[EntityView]:
     return [entity_data(e, i) for i, e in enumerate(session.board.starred)]
 
 
-def _hint(session: Session) -> HintView | None:
+def _hint(session: ManualSession) -> HintView | None:
     hint = session.hint()
     return {"command": hint.command, "words": hint.why} if hint.command else None
 
 
-def _points(outcome: Outcome) -> dict[str, Vec3] | None:
+def _points(outcome: ProposalOutcome) -> dict[str, Vec3] | None:
     """The exact points that refute a proposal; None where one of them is at infinity."""
     given: Mapping[str, Any] = outcome.data.get("points", {})
     if not given or not all(len(p) == 4 and p[3] for p in given.values()):

@@ -35,7 +35,7 @@ from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.poses.numbers.reason import verdict
 from gcrules.rules.condition import Condition
 from gcrules.screws.guarantees import ROUNDING, guarantees, noise
-from gcrules.screws.margin import Jacobian, jacobian
+from gcrules.screws.margin import LegJacobians, jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold
 from gcrules.screws.verdict import CLOSE
@@ -113,7 +113,7 @@ def _of_rig(subject: Subject, moving: Rig, pose: PoseJson, limit: Threshold) -> 
     }
 
 
-def _scaled_value(j: Jacobian, moving: Rig) -> Floats:
+def _scaled_value(j: LegJacobians, moving: Rig) -> Floats:
     """The superbracket over ρ³ Π lengths, ρ the characteristic length, with its sign."""
     turned = sum(leg != typed for leg, typed in zip(moving.legs, moving.structure.legs, strict=True))
     found: Floats = -np.linalg.det(j.rows) * (-1) ** turned

@@ -20,7 +20,7 @@ from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.service import Service
 from gcrules.core.errors import GcrulesError
 
-__all__ = ["Session"]
+__all__ = ["PageSession"]
 
 _MOST = 64  # requests of one page that wait for an answer
 _GRACE = 0.3  # seconds that work on a channel has left when a later request has come
@@ -44,7 +44,7 @@ class _Request:
     since: float
 
 
-class Session:
+class PageSession:
     """Speaks with one page until it is gone."""
 
     def __init__(self, socket: WebSocket, service: Service) -> None:

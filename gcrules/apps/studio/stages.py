@@ -21,7 +21,7 @@ from gcrules.rules.condition import Entity
 from gcrules.views.drawing.figures import distinct_entities
 from gcrules.views.drawing.scene_parts import entity_label
 from gcrules.views.report.stage_ids import TITLES
-from gcrules.views.report.stages import Fact, Formula, Recognised, recognised, structure_items
+from gcrules.views.report.stages import Formula, KeyValue, Recognised, recognised, structure_items
 
 __all__ = ["stage_views"]
 
@@ -72,8 +72,8 @@ def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, lis
     yield "check", [*certified, *_check(a), *map(said, a.notes)]
 
 
-def _plain(item: str | Fact | Formula) -> Item:
-    if isinstance(item, Fact):
+def _plain(item: str | KeyValue | Formula) -> Item:
+    if isinstance(item, KeyValue):
         return fact(item.key, item.value)
     return formula(item.left, item.right) if isinstance(item, Formula) else said(item)
 

@@ -1,12 +1,12 @@
 r"""Manual mode: the user proposes forms, entities and a condition; each is confirmed or refused with the reason.
 
-A `Session` is a frozen value; each proposal gives a new one. `session.outcome` is the last answer, an `Outcome` with
-`answer` (confirmed, refused, or possible for a trial that stands unproved), `reason` (a key of `REASONS`), `words`,
-`formulas` and `data`; `session.board` is what stands (the form, the entities, the condition), `session.history` all
-proposals with their answers.
+A `ManualSession` is a frozen value; each proposal gives a new one. `session.outcome` is the last answer, a
+`ProposalOutcome` with `answer` (confirmed, refused, or possible for a trial that stands unproved), `reason` (a key of
+`REASONS`), `words`, `formulas` and `data`; `session.board` is what stands (the form, the entities, the condition),
+`session.history` all proposals with their answers.
 
->>> from gcrules.conditions.manual import Session
->>> s = Session.start("Aa Ab Ac Bd Ce Df").shortest().tetrahedron("Aabd")
+>>> from gcrules.conditions.manual import ManualSession
+>>> s = ManualSession.start("Aa Ab Ac Bd Ce Df").shortest().tetrahedron("Aabd")
 >>> s.outcome.answer, s.outcome.reason, s.outcome.data["dividing"]
 ('refused', 'no-factor', (('A', 'a', 'b', 'c'),))
 >>> s = s.tetrahedron("Aabc").plane("ABd").plane("ACe")
@@ -35,18 +35,18 @@ write and replay a file, `analysis_of` gives all stages once a condition is conf
 
 from gcrules.conditions.manual.analysis import analysis_of
 from gcrules.conditions.manual.file import load_session, save_session
-from gcrules.conditions.manual.outcome import REASONS, Formula, Hint, Outcome
-from gcrules.conditions.manual.session import MOVES, PROPOSALS, Record, Session
+from gcrules.conditions.manual.outcome import REASONS, Hint, NamedValue, ProposalOutcome
+from gcrules.conditions.manual.session import MOVES, PROPOSALS, ManualSession, Record
 
 __all__ = [
     "MOVES",
     "PROPOSALS",
     "REASONS",
-    "Formula",
     "Hint",
-    "Outcome",
+    "ManualSession",
+    "NamedValue",
+    "ProposalOutcome",
     "Record",
-    "Session",
     "analysis_of",
     "load_session",
     "save_session",

@@ -10,20 +10,20 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.manual.automatic import automatic, oracle_of
 from gcrules.conditions.manual.board import Board
 from gcrules.conditions.manual.follow import LEFT_OVER, follow
-from gcrules.conditions.manual.session import Session
+from gcrules.conditions.manual.session import ManualSession
 from gcrules.core.errors import InputError
 from gcrules.rules.condition import Condition
-from gcrules.rules.condition_rule import Claim
+from gcrules.rules.condition_rule import ConditionClaim
 from gcrules.rules.derivation import Derivation
 from gcrules.rules.deriving import from_claim, terms_of
 from gcrules.rules.entities import LINES, PLANES, TETRAHEDRA
-from gcrules.rules.recognition_state import State
+from gcrules.rules.recognition_state import RecognitionState
 from gcrules.rules.rule import EntityRule
 
 __all__ = ["analysis_of"]
 
 
-def analysis_of(session: Session) -> Analysis:
+def analysis_of(session: ManualSession) -> Analysis:
     """The automatic analysis with the form, the entities, the derivation and the condition of the session in place of
     its own, which becomes another reading. Raises InputError before a condition is confirmed.
     """
@@ -46,7 +46,7 @@ def analysis_of(session: Session) -> Analysis:
     )
 
 
-def _derivation(board: Board, claim: Claim | None, condition: Condition) -> Derivation:
+def _derivation(board: Board, claim: ConditionClaim | None, condition: Condition) -> Derivation:
     """From the superbracket by way of the form and the entities to coefficient · expression."""
     structure, own = board.structure, board.chosen
     if claim is not None:
@@ -58,7 +58,7 @@ def _derivation(board: Board, claim: Claim | None, condition: Condition) -> Deri
     return steps.then("straightening", condition.right_side, condition.certificate.detail)
 
 
-def _trail(state: State) -> Iterator[tuple[EntityRule, State]]:
+def _trail(state: RecognitionState) -> Iterator[tuple[EntityRule, RecognitionState]]:
     """The rules of what is confirmed, each with the state after it."""
     start = replace(state, planes=(), lines=(), taken=(), homes=((),) * len(state.rest))
     if state.tetrahedra or not (state.planes or state.lines):

@@ -9,11 +9,11 @@ from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm, shortest_forms
 from gcrules.conditions.analysis import Analysis, analyze
 from gcrules.rules.claims import best_first
-from gcrules.rules.condition_rule import Claim, claims
+from gcrules.rules.condition_rule import ConditionClaim, claims
 from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.random_witness import Oracle
-from gcrules.rules.recognition_state import State
+from gcrules.rules.recognition_state import RecognitionState
 from gcrules.rules.strategy import MAX_TERMS, Strategy
 
 __all__ = ["automatic", "best_form", "claims_in", "form_showing", "oracle_of", "strategy"]
@@ -38,7 +38,7 @@ def oracle_of(structure: Structure) -> Oracle:
 
 
 @lru_cache(maxsize=64)
-def claims_in(form: SuperbracketForm, structure: Structure) -> tuple[Claim, ...]:
+def claims_in(form: SuperbracketForm, structure: Structure) -> tuple[ConditionClaim, ...]:
     """All claims that hold in a form, those of the first incidence rule first and of each rule the most telling first.
 
     None are looked for in long forms.
@@ -46,8 +46,8 @@ def claims_in(form: SuperbracketForm, structure: Structure) -> tuple[Claim, ...]
     if len(form.polynomial) > MAX_TERMS:
         return ()
     oracle = oracle_of(structure)
-    states = list(TETRAHEDRA.applied(State.start(form, structure)))
-    found: list[Claim] = []
+    states = list(TETRAHEDRA.applied(RecognitionState.start(form, structure)))
+    found: list[ConditionClaim] = []
     for incidence in strategy().incidences:
         found += best_first(list(claims(incidence, states, oracle)), structure, oracle)
     return tuple(found)

@@ -21,7 +21,7 @@ from gcrules.algebra.scalars import bracket
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm, superbracket_form
 from gcrules.core.budget import checkpoint
 from gcrules.rules.condition import Condition, Entity, starred
-from gcrules.rules.recognition_state import State, extensor
+from gcrules.rules.recognition_state import RecognitionState, extensor
 
 __all__ = ["KINDS", "Board", "placements"]
 
@@ -123,7 +123,7 @@ class Board:
                 return number
         return None
 
-    def states(self) -> Iterator[State]:
+    def states(self) -> Iterator[RecognitionState]:
         """What is known, as the rules see it: one state for each way to share out the brackets (at most 256 of them).
 
         Entities stand in the sequence in which the rules find them.
@@ -136,7 +136,7 @@ class Board:
                 remaining.remove(row)
             terms[tuple(remaining)] = c
         rest = self.form.polynomial.with_terms(terms)
-        start = replace(State.start(self.form, self.structure), rest=rest, tetrahedra=tetrahedra)
+        start = replace(RecognitionState.start(self.form, self.structure), rest=rest, tetrahedra=tetrahedra)
         state = replace(start, planes=planes, lines=lines, taken=tuple(sorted(self.taken)))
         ways = [list(placements(monomial, (*planes, *lines))) for monomial in rest.terms]
         for homes in islice(product(*ways), _MOST_STATES):
@@ -144,7 +144,7 @@ class Board:
             yield replace(state, homes=homes)
 
     @property
-    def state(self) -> State:
+    def state(self) -> RecognitionState:
         return next(self.states())
 
     def collected(self) -> Expr | None:

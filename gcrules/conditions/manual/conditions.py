@@ -20,8 +20,8 @@ from gcrules.conditions.manual.board import Board
 from gcrules.conditions.manual.evidence import Evidence, relation, separating
 from gcrules.conditions.manual.follow import follow
 from gcrules.conditions.manual.known import named_condition
-from gcrules.conditions.manual.outcome import Formula, Outcome, confirmed, refused
-from gcrules.conditions.manual.words import Words
+from gcrules.conditions.manual.outcome import NamedValue, ProposalOutcome, confirmed, refused
+from gcrules.conditions.manual.words import CommandWords
 from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.rules.catalog.file import load
 from gcrules.rules.claims import best_first, certify, describe
@@ -33,7 +33,7 @@ _COFACTOR = re.compile(r"(?<![\w'])cofactor(?![\w'])")
 _TRIES = 40
 
 
-def propose_condition(board: Board, words: Words) -> tuple[Board, Outcome]:
+def propose_condition(board: Board, words: CommandWords) -> tuple[Board, ProposalOutcome]:
     """condition, condition EXPR, condition EXPR cofactor EXPR"""
     if not words.text:
         return _from_entities(board)
@@ -49,7 +49,7 @@ def propose_condition(board: Board, words: Words) -> tuple[Board, Outcome]:
 # --- from the entities ---------------------------------------------------------------------------------------------
 
 
-def _from_entities(board: Board) -> tuple[Board, Outcome]:
+def _from_entities(board: Board) -> tuple[Board, ProposalOutcome]:
     structure = board.structure
     found = follow(board)
     if found.claims:
@@ -70,16 +70,16 @@ def _from_entities(board: Board) -> tuple[Board, Outcome]:
     return board, refused("missing", *said, missing=listed)
 
 
-def _identity(condition: Condition, board: Board) -> tuple[Formula, ...]:
-    left = [Formula("cofactor", condition.cofactor)] if condition.cofactor != ONE else []
+def _identity(condition: Condition, board: Board) -> tuple[NamedValue, ...]:
+    left = [NamedValue("cofactor", condition.cofactor)] if condition.cofactor != ONE else []
     name = "cofactor · superbracket" if left else "superbracket"
-    return (*left, Formula(name, condition.right_side))
+    return (*left, NamedValue(name, condition.right_side))
 
 
 # --- any expression ------------------------------------------------------------------------------------------------
 
 
-def _judge(board: Board, e: Expr, cofactor: Expr) -> tuple[Board, Outcome]:
+def _judge(board: Board, e: Expr, cofactor: Expr) -> tuple[Board, ProposalOutcome]:
     """Whether cofactor · superbracket = c · expression for some number c. Raises LimitReached."""
     structure = board.structure
     for what, x in (("expression", e), ("cofactor", cofactor)):
@@ -122,7 +122,7 @@ def _ratio(board: Board, e: Expr, cofactor: Expr) -> Fraction | None:
     return None
 
 
-def _proved(board: Board, e: Expr, cofactor: Expr, c: Fraction) -> tuple[Board, Outcome]:
+def _proved(board: Board, e: Expr, cofactor: Expr, c: Fraction) -> tuple[Board, ProposalOutcome]:
     (inside, bare), (outside, factor) = _number(e), _number(cofactor)
     whole = c * inside / outside
     condition = named_condition(board, bare, mul(Number(whole.denominator), factor), whole.numerator)
@@ -148,7 +148,7 @@ def _equation(cofactor: Expr, c: Fraction) -> str:
     return f"{left} is {factor}the expression"
 
 
-def _disproved(board: Board, e: Expr, cofactor: Expr) -> Outcome:
+def _disproved(board: Board, e: Expr, cofactor: Expr) -> ProposalOutcome:
     """Degrees that differ, how one divides the other, and exact points."""
     structure = board.structure
     wanted = Counter(n for leg in structure.legs for n in leg)

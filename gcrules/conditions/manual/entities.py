@@ -11,14 +11,14 @@ from gcrules.conditions.manual.automatic import form_showing
 from gcrules.conditions.manual.board import KINDS, Board
 from gcrules.conditions.manual.evidence import bracket_divides, dividing_brackets, flat
 from gcrules.conditions.manual.left_over import left_over_plane
-from gcrules.conditions.manual.outcome import Outcome, confirmed, refused
-from gcrules.conditions.manual.words import Words
+from gcrules.conditions.manual.outcome import ProposalOutcome, confirmed, refused
+from gcrules.conditions.manual.words import CommandWords
 from gcrules.core.english import agreeing, listed
 
 __all__ = ["propose_line", "propose_plane", "propose_tetrahedron"]
 
 
-def propose_tetrahedron(board: Board, words: Words) -> tuple[Board, Outcome]:
+def propose_tetrahedron(board: Board, words: CommandWords) -> tuple[Board, ProposalOutcome]:
     """tetrahedron Aabc. Raises InputError where the points make no sense or are confirmed already."""
     row = _row(board, words, 4, "for example: tetrahedron Aabc")
     label = f"[{board.label(row)}]"
@@ -32,7 +32,7 @@ def propose_tetrahedron(board: Board, words: Words) -> tuple[Board, Outcome]:
     return board, _no_tetrahedron(board, row, label, fault)
 
 
-def propose_plane(board: Board, words: Words) -> tuple[Board, Outcome]:
+def propose_plane(board: Board, words: CommandWords) -> tuple[Board, ProposalOutcome]:
     """plane Aab. Raises InputError as for a tetrahedron."""
     row = _row(board, words, 3, "for example: plane Aab")
     _not_twice(board, row, words)
@@ -44,7 +44,7 @@ def propose_plane(board: Board, words: Words) -> tuple[Board, Outcome]:
     return board, fault
 
 
-def propose_line(board: Board, words: Words) -> tuple[Board, Outcome]:
+def propose_line(board: Board, words: CommandWords) -> tuple[Board, ProposalOutcome]:
     """line AB. Raises InputError as for a tetrahedron."""
     row = _row(board, words, 2, "for example: line AB")
     _not_twice(board, row, words)
@@ -58,28 +58,28 @@ def propose_line(board: Board, words: Words) -> tuple[Board, Outcome]:
     return board, fault
 
 
-def _row(board: Board, words: Words, size: int, hint: str) -> Row:
+def _row(board: Board, words: CommandWords, size: int, hint: str) -> Row:
     noun = f"a {KINDS[size]}"
     names = words.points(board.structure, size, noun, hint)
     words.different(names, noun)
     return board.row(names)
 
 
-def _not_twice(board: Board, row: Row, words: Words) -> None:
+def _not_twice(board: Board, row: Row, words: CommandWords) -> None:
     if row in (*board.entities, *board.taken):
         raise words.fault(f"{board.entity_text(row)} is confirmed already")
 
 
-def _with(board: Board, row: Row, outcome: Outcome) -> tuple[Board, Outcome]:
+def _with(board: Board, row: Row, outcome: ProposalOutcome) -> tuple[Board, ProposalOutcome]:
     return replace(board, entities=(*board.entities, row)), outcome
 
 
-def _together(board: Board, row: Row) -> Outcome:
+def _together(board: Board, row: Row) -> ProposalOutcome:
     where = "a bracket of its own in every term" if board.entities else "one bracket of every term"
     return confirmed("together", f"{board.entity_text(row)}: together in {where}")
 
 
-def _broken(board: Board, row: Row) -> Outcome | None:
+def _broken(board: Board, row: Row) -> ProposalOutcome | None:
     """Why the entities and `row` cannot have brackets of their own in every term; None if they can."""
     data: dict[str, Any] = {"proposed": board.named(row)}
     lacking = Counter(row) - Counter(board.left)
@@ -109,7 +109,7 @@ def _broken(board: Board, row: Row) -> Outcome | None:
     return refused("bracket-taken", said, **data, by=[board.named(r) for r in takers])
 
 
-def _no_tetrahedron(board: Board, row: Row, label: str, fault: Outcome) -> Outcome:
+def _no_tetrahedron(board: Board, row: Row, label: str, fault: ProposalOutcome) -> ProposalOutcome:
     """Says besides whether the bracket divides the superbracket, and which ones do."""
     structure, names = board.structure, board.named(row)
     if bracket_divides(structure, names):

@@ -21,7 +21,7 @@ from os import PathLike, fspath
 from gcrules.algebra.language.legs_text import read_legs
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.conditions.manual.outcome import REASONS
-from gcrules.conditions.manual.session import PROPOSALS, Record, Session
+from gcrules.conditions.manual.session import PROPOSALS, ManualSession, Record
 from gcrules.core.errors import GcrulesError, LimitReached
 from gcrules.core.files import write_file
 from gcrules.core.yaml_file import Document, Node
@@ -33,17 +33,17 @@ _REQUIRED = {"gcrules", "version", "legs", "history"}
 _OPTIONAL = {"order", "form", "points", "ideal", "undone"}
 
 
-def save_session(session: Session, path: str | PathLike[str]) -> None:
+def save_session(session: ManualSession, path: str | PathLike[str]) -> None:
     """Write a session file by way of a temporary one. Raises FileError."""
     write_file(fspath(path), session_yaml(session), at_once=True)
 
 
-def load_session(path: str | PathLike[str]) -> Session:
+def load_session(path: str | PathLike[str]) -> ManualSession:
     """Read and replay a session file. Raises FileError with the place of every fault."""
     return _read(Document.load(path))
 
 
-def parse_session(source: str, filename: str = "<input>") -> Session:
+def parse_session(source: str, filename: str = "<input>") -> ManualSession:
     """The same for text."""
     return _read(Document.parse(source, filename))
 
@@ -51,7 +51,7 @@ def parse_session(source: str, filename: str = "<input>") -> Session:
 # --- writing -------------------------------------------------------------------------------------------------------
 
 
-def session_yaml(session: Session) -> str:
+def session_yaml(session: ManualSession) -> str:
     """The text of the session's file."""
     s, first = session.structure, session.first
     lines = ["# A session of gcrules analyze --manual; --session FILE resumes it.", "gcrules: session"]
@@ -89,7 +89,7 @@ def _quoted(text: str) -> str:
 # --- reading -------------------------------------------------------------------------------------------------------
 
 
-def _read(document: Document) -> Session:
+def _read(document: Document) -> ManualSession:
     top = document.root.mapping(required=_REQUIRED, optional=_OPTIONAL)
     if "gcrules" in top:
         top["gcrules"].choice({"session"})
@@ -111,7 +111,7 @@ def _read(document: Document) -> Session:
         raise document.error(top["form"].span, f"there is no {form}-term form", "24 or 16")
     numbers = [n - 1 for n in order] if order is not None else None
     plain = numbers is None or numbers == list(range(6))
-    session = Session.start(structure, order=None if plain else numbers, form=form or 24)
+    session = ManualSession.start(structure, order=None if plain else numbers, form=form or 24)
     session = _replayed(session, steps["history"])
     undone = steps.get("undone", [])
     again = _replayed(session, undone)
@@ -145,7 +145,7 @@ def _steps(node: Node) -> list[_Step]:
     return found
 
 
-def _replayed(session: Session, steps: list[_Step]) -> Session:
+def _replayed(session: ManualSession, steps: list[_Step]) -> ManualSession:
     """The session after the steps. Raises FileError at the first one that is answered otherwise now."""
     for node, command, answer_node, answer, reason_node, reason in steps:
         document, before = node.document, session

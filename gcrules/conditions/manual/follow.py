@@ -9,9 +9,9 @@ from gcrules.algebra.expr import Expr
 from gcrules.conditions.manual.automatic import oracle_of, strategy
 from gcrules.conditions.manual.board import KINDS, Board
 from gcrules.conditions.manual.words import counted
-from gcrules.rules.condition_rule import Claim, claims
+from gcrules.rules.condition_rule import ConditionClaim, claims
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES
-from gcrules.rules.rule import EntityRule, Incidence
+from gcrules.rules.rule import ConditionRule, EntityRule
 
 __all__ = ["LEFT_OVER", "Following", "follow"]
 
@@ -33,7 +33,7 @@ class Following:
     `missing` for the other rules that the entities fit (rule, what in words).
     """
 
-    claims: tuple[Claim, ...] = ()
+    claims: tuple[ConditionClaim, ...] = ()
     wrong: tuple[Expr, ...] = ()
     missing: tuple[tuple[str, str], ...] = ()
 
@@ -41,7 +41,7 @@ class Following:
 def follow(board: Board) -> Following:
     """What the incidence rules make of the entities."""
     state, oracle = board.state, oracle_of(board.structure)
-    found: list[Claim] = []
+    found: list[ConditionClaim] = []
     wrong: list[Expr] = []
     missing: list[tuple[str, str]] = []
     for rule in strategy().incidences:
@@ -59,7 +59,7 @@ def follow(board: Board) -> Following:
     return Following(tuple(found), tuple(wrong), tuple(missing))
 
 
-def _lacking(rule: Incidence, board: Board) -> str | None:
+def _lacking(rule: ConditionRule, board: Board) -> str | None:
     """What the board lacks for a rule, in words ("" for nothing); None where its entities do not fit the rule."""
     wanted = {3: 0, 2: 0}
     left: tuple[int, ...] = ()

@@ -11,15 +11,15 @@ from gcrules.algebra.superbrackets.shortest import counts
 from gcrules.algebra.superbrackets.superbracket import FORMS
 from gcrules.conditions.manual.automatic import best_form
 from gcrules.conditions.manual.board import Board
-from gcrules.conditions.manual.outcome import Outcome, confirmed
-from gcrules.conditions.manual.words import Words, relocated
+from gcrules.conditions.manual.outcome import ProposalOutcome, confirmed
+from gcrules.conditions.manual.words import CommandWords, relocated
 from gcrules.core.errors import GcrulesError
 from gcrules.core.frozen import FrozenMap
 
 __all__ = ["choose_form", "choose_order", "form_text", "orders", "orders_text", "take_shortest"]
 
 
-def choose_order(board: Board, words: Words) -> tuple[Board, Outcome]:
+def choose_order(board: Board, words: CommandWords) -> tuple[Board, ProposalOutcome]:
     """order 2 1 3 4 6 5, or the legs themselves. Raises InputError for anything that is no order."""
     if not words.text:
         raise words.fault("which order?", "for example: order 2 1 3 4 6 5")
@@ -31,14 +31,14 @@ def choose_order(board: Board, words: Words) -> tuple[Board, Outcome]:
     return _taken(board, order, board.form.form)
 
 
-def choose_form(board: Board, words: Words) -> tuple[Board, Outcome]:
+def choose_form(board: Board, words: CommandWords) -> tuple[Board, ProposalOutcome]:
     """form 16. Raises InputError for other numbers than 24 and 16."""
     if words.text not in map(str, FORMS):
         raise words.fault(f"there is no form {words.text}".rstrip(), "form 24 or form 16")
     return _taken(board, board.form.order, int(words.text))
 
 
-def take_shortest(board: Board, words: Words) -> tuple[Board, Outcome]:
+def take_shortest(board: Board, words: CommandWords) -> tuple[Board, ProposalOutcome]:
     """The shortest form; of several, the one in which the automatic procedure recognises most."""
     words.nothing("shortest")
     form = best_form(board.structure)
@@ -47,7 +47,7 @@ def take_shortest(board: Board, words: Words) -> tuple[Board, Outcome]:
     return new, replace(outcome, words=(*outcome.words, *orders_text(board.structure)), data=FrozenMap(data))
 
 
-def _taken(board: Board, order: tuple[int, ...], form: int) -> tuple[Board, Outcome]:
+def _taken(board: Board, order: tuple[int, ...], form: int) -> tuple[Board, ProposalOutcome]:
     new = replace(Board.of(board.structure, order, form), chosen=True)
     said = [form_text(new)]
     if board.entities and new.form != board.form:

@@ -12,20 +12,20 @@ from gcrules.algebra.straightening.straighten import straighten
 from gcrules.conditions.manual.automatic import oracle_of
 from gcrules.conditions.manual.board import Board
 from gcrules.conditions.manual.follow import follow
-from gcrules.conditions.manual.outcome import Formula, Outcome, confirmed, possible, refused
-from gcrules.conditions.manual.words import Words
-from gcrules.rules.recognition_state import State
+from gcrules.conditions.manual.outcome import NamedValue, ProposalOutcome, confirmed, possible, refused
+from gcrules.conditions.manual.words import CommandWords
+from gcrules.rules.recognition_state import RecognitionState
 
 __all__ = ["left_over_plane", "propose_lines", "propose_pair"]
 
 
-def left_over_plane(board: Board, row: Row, fault: Outcome) -> tuple[Board, Outcome]:
+def left_over_plane(board: Board, row: Row, fault: ProposalOutcome) -> tuple[Board, ProposalOutcome]:
     """The three left-over points, shared out among the brackets of three planes: confirmed if an incidence follows."""
     new = replace(board, taken=(*board.taken, row))
     if follow(new).claims:
         dotted = _signed(new, new.state.dotted())
         said = f"plane {board.label(row)}: the left-over points {_listed(board, row)} are shared out among the brackets"
-        return new, confirmed("left-over", said, formulas=(Formula("superbracket", dotted),))
+        return new, confirmed("left-over", said, formulas=(NamedValue("superbracket", dotted),))
     said = f"the left-over points {_listed(board, row)} do not make a plane"
     if any(len(r) != 3 for r in board.entities):
         said = "left-over points make a plane where three planes have taken a bracket each"
@@ -36,14 +36,14 @@ def _signed(board: Board, dotted: Expr) -> Expr:
     return mul(Number(oracle_of(board.structure).coefficient(dotted) or 1), dotted)
 
 
-def propose_pair(board: Board, words: Words) -> tuple[Board, Outcome]:
+def propose_pair(board: Board, words: CommandWords) -> tuple[Board, ProposalOutcome]:
     """pair C c"""
     names = words.points(board.structure, 2, "a pair", "for example: pair C c")
     words.different(names, "a pair")
     return _propose(board, (board.row(names),), words)
 
 
-def propose_lines(board: Board, words: Words) -> tuple[Board, Outcome]:
+def propose_lines(board: Board, words: CommandWords) -> tuple[Board, ProposalOutcome]:
     """lines Cc Dd"""
     names = words.points(board.structure, 4, "two lines", "for example: lines Cc Dd")
     for pair in (names[:2], names[2:]):
@@ -51,7 +51,7 @@ def propose_lines(board: Board, words: Words) -> tuple[Board, Outcome]:
     return _propose(board, (board.row(names[:2]), board.row(names[2:])), words)
 
 
-def _propose(board: Board, pairs: tuple[Row, ...], words: Words) -> tuple[Board, Outcome]:
+def _propose(board: Board, pairs: tuple[Row, ...], words: CommandWords) -> tuple[Board, ProposalOutcome]:
     for row in pairs:
         if row in board.taken:
             raise words.fault(f"line {board.label(row)} is on the board already")
@@ -89,7 +89,7 @@ class _Test:
     passed: bool
     hidden: bool
     words: str
-    formulas: tuple[Formula, ...]
+    formulas: tuple[NamedValue, ...]
 
 
 def _test(board: Board, x: int, y: int) -> _Test:
@@ -108,11 +108,11 @@ def _test(board: Board, x: int, y: int) -> _Test:
     if not hidden and not straighten(total):
         return _Test(True, False, f"line {board.label((x, y))}: {name} = 0 (its normal form)", ())
     shown = ((f"P({a},{b})", first[0]), (f"P({b},{a})", first[1]), ("their sum", total))
-    formulas = tuple(Formula(what, p.to_expr()) for what, p in shown)
+    formulas = tuple(NamedValue(what, p.to_expr()) for what, p in shown)
     return _Test(False, hidden, f"line {board.label((x, y))}: {name} is not zero", formulas)
 
 
-def _swapped(state: State, x: int, y: int) -> BracketPolynomial:
+def _swapped(state: RecognitionState, x: int, y: int) -> BracketPolynomial:
     """The rest with the left-over points x and y exchanged; points of entities (which bear stars) stay."""
     exchange = {x: y, y: x}
     terms: Terms = {}

@@ -12,7 +12,7 @@ from gcrules.algebra.language.text import text
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 
-__all__ = ["REASONS", "Formula", "Hint", "Outcome", "confirmed", "plain", "possible", "refused"]
+__all__ = ["REASONS", "Hint", "NamedValue", "ProposalOutcome", "confirmed", "plain", "possible", "refused"]
 
 REASONS = {
     # confirmed
@@ -41,11 +41,11 @@ REASONS = {
     "different": "the degrees agree, but the expression is no multiple of the superbracket",
     "no-way": "the automatic procedure finds no way on from here",
 }
-"""What `Outcome.reason` can be."""
+"""What `ProposalOutcome.reason` can be."""
 
 
 @dataclass(frozen=True)
-class Formula:
+class NamedValue:
     """A value to show: `name` in words (a colon follows), `value` an expression."""
 
     name: str
@@ -53,7 +53,7 @@ class Formula:
 
 
 @dataclass(frozen=True)
-class Outcome(Shown):
+class ProposalOutcome(Shown):
     """The answer to one proposal.
 
     `answer` is confirmed, refused, or possible: then what was proposed stands on the board as a trial, unproved.
@@ -64,7 +64,7 @@ class Outcome(Shown):
     answer: str
     reason: str
     words: tuple[str, ...]
-    formulas: tuple[Formula, ...] = ()
+    formulas: tuple[NamedValue, ...] = ()
     data: Mapping[str, Any] = FrozenMap()
 
     @property
@@ -90,19 +90,19 @@ class Outcome(Shown):
         }
 
 
-def confirmed(reason: str, *words: str, formulas: tuple[Formula, ...] = (), **data: Any) -> Outcome:
+def confirmed(reason: str, *words: str, formulas: tuple[NamedValue, ...] = (), **data: Any) -> ProposalOutcome:
     """The answer yes."""
-    return Outcome("confirmed", reason, words, formulas, FrozenMap(data))
+    return ProposalOutcome("confirmed", reason, words, formulas, FrozenMap(data))
 
 
-def possible(reason: str, *words: str, formulas: tuple[Formula, ...] = (), **data: Any) -> Outcome:
+def possible(reason: str, *words: str, formulas: tuple[NamedValue, ...] = (), **data: Any) -> ProposalOutcome:
     """The answer perhaps: kept as a trial."""
-    return Outcome("possible", reason, words, formulas, FrozenMap(data))
+    return ProposalOutcome("possible", reason, words, formulas, FrozenMap(data))
 
 
-def refused(reason: str, *words: str, formulas: tuple[Formula, ...] = (), **data: Any) -> Outcome:
+def refused(reason: str, *words: str, formulas: tuple[NamedValue, ...] = (), **data: Any) -> ProposalOutcome:
     """The answer no."""
-    return Outcome("refused", reason, words, formulas, FrozenMap(data))
+    return ProposalOutcome("refused", reason, words, formulas, FrozenMap(data))
 
 
 @dataclass(frozen=True)

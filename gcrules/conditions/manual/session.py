@@ -1,6 +1,6 @@
 r"""Sessions: what was proposed, what was answered, and the board that it led to.
 
->>> s = Session.start("ab af cb cd ed ef").plane("abc").plane("abd")
+>>> s = ManualSession.start("ab af cb cd ed ef").plane("abc").plane("abd")
 >>> s.outcome.answer, s.outcome.reason, s.outcome.data["term"]
 ('refused', 'apart', 2)
 >>> s.plane("bdf").plane("cde").plane("aef").condition().board.condition.kind
@@ -23,17 +23,17 @@ from gcrules.conditions.manual.conditions import propose_condition
 from gcrules.conditions.manual.entities import propose_line, propose_plane, propose_tetrahedron
 from gcrules.conditions.manual.forms import choose_form, choose_order, orders, take_shortest
 from gcrules.conditions.manual.left_over import propose_lines, propose_pair
-from gcrules.conditions.manual.outcome import Hint, Outcome, refused
+from gcrules.conditions.manual.outcome import Hint, ProposalOutcome, refused
 from gcrules.conditions.manual.suggest import suggest
-from gcrules.conditions.manual.words import Words
+from gcrules.conditions.manual.words import CommandWords
 from gcrules.core.errors import InputError, Span
 from gcrules.core.hints import near
 from gcrules.core.shown import Shown
 from gcrules.rules.condition import Condition
 
-__all__ = ["MOVES", "PROPOSALS", "Record", "Session"]
+__all__ = ["MOVES", "PROPOSALS", "ManualSession", "Record"]
 
-PROPOSALS: Mapping[str, Callable[[Board, Words], tuple[Board, Outcome]]] = {
+PROPOSALS: Mapping[str, Callable[[Board, CommandWords], tuple[Board, ProposalOutcome]]] = {
     "order": choose_order,
     "form": choose_form,
     "shortest": take_shortest,
@@ -47,7 +47,7 @@ PROPOSALS: Mapping[str, Callable[[Board, Words], tuple[Board, Outcome]]] = {
 """The commands that are recorded: verb -> what makes a new board and an outcome of a board and the argument."""
 
 MOVES = ("undo", "redo", "auto")
-"""The other commands that `Session.do` takes."""
+"""The other commands that `ManualSession.do` takes."""
 
 _MOST_STEPS = 30  # of `auto`
 
@@ -57,7 +57,7 @@ class Record:
     """One proposal: the command as it can be given again, its outcome, and the board afterwards."""
 
     command: str
-    outcome: Outcome
+    outcome: ProposalOutcome
     board: Board
 
     def to_json(self) -> dict[str, Any]:
@@ -65,7 +65,7 @@ class Record:
 
 
 @dataclass(frozen=True)
-class Session(Shown):
+class ManualSession(Shown):
     """A sequence of proposals on six legs; every method returns a new session.
 
     `first` is the board at the start, `history` the proposals with their outcomes, refused ones among them. `undone`
@@ -87,7 +87,7 @@ class Session(Shown):
         form: int = 24,
         points: Names = (),
         ideal: Names = (),
-    ) -> Session:
+    ) -> ManualSession:
         """A session on six legs (as for `gcrules.analyze`) in the order and form given. Raises InputError."""
         structure = legs if isinstance(legs, Structure) else read_legs(legs, points=points, ideal=ideal)
         first = tuple(range(6))
@@ -110,7 +110,7 @@ class Session(Shown):
         return self.history[-1].board if self.history else self.first
 
     @property
-    def outcome(self) -> Outcome | None:
+    def outcome(self) -> ProposalOutcome | None:
         """The answer to the last proposal."""
         return self.history[-1].outcome if self.history else None
 
@@ -141,58 +141,58 @@ class Session(Shown):
 
     # --- proposals -------------------------------------------------------------------------------------------------
 
-    def order(self, order: str | Sequence[int | str]) -> Session:
+    def order(self, order: str | Sequence[int | str]) -> ManualSession:
         """Write the superbracket with the legs in this order; entities are given up."""
         words = order if isinstance(order, str) else " ".join(str(i + 1) if isinstance(i, int) else i for i in order)
         return self._propose("order", words)
 
-    def form(self, form: int) -> Session:
+    def form(self, form: int) -> ManualSession:
         """Take the 24-term or the 16-term form; entities are given up."""
         return self._propose("form", str(form))
 
-    def shortest(self) -> Session:
+    def shortest(self) -> ManualSession:
         """Take the shortest form."""
         return self._propose("shortest", "")
 
-    def tetrahedron(self, points: str | Sequence[str]) -> Session:
+    def tetrahedron(self, points: str | Sequence[str]) -> ManualSession:
         """Four points whose bracket stands in every term."""
         return self._propose("tetrahedron", _spelt(points))
 
-    def plane(self, points: str | Sequence[str]) -> Session:
+    def plane(self, points: str | Sequence[str]) -> ManualSession:
         """Three points that stay together in a bracket of their own in every term, or the three left over."""
         return self._propose("plane", _spelt(points))
 
-    def line(self, points: str | Sequence[str]) -> Session:
+    def line(self, points: str | Sequence[str]) -> ManualSession:
         """Two points that stay together in a bracket of their own in every term."""
         return self._propose("line", _spelt(points))
 
-    def pair(self, points: str | Sequence[str]) -> Session:
+    def pair(self, points: str | Sequence[str]) -> ManualSession:
         """Two left-over points x, y with P(x,y) + P(y,x) = 0, a line."""
         return self._propose("pair", _spelt(points))
 
-    def lines(self, points: str | Sequence[str]) -> Session:
+    def lines(self, points: str | Sequence[str]) -> ManualSession:
         """Four left-over points as two lines, "Cc Dd"."""
         return self._propose("lines", _spelt(points))
 
-    def condition(self, expression: str | Expr | None = None, cofactor: str | Expr | None = None) -> Session:
+    def condition(self, expression: str | Expr | None = None, cofactor: str | Expr | None = None) -> ManualSession:
         """cofactor · superbracket = c · expression; without an expression the incidence of the entities."""
         parts = [self._written(e) for e in (expression, cofactor) if e is not None]
         return self._propose("condition", " cofactor ".join(parts))
 
-    def undo(self) -> Session:
+    def undo(self) -> ManualSession:
         """Take back the last proposal that was not refused and the refusals after it. Raises InputError without one."""
         at = next((i for i in reversed(range(len(self.history))) if not self.history[i].outcome.refused), None)
         if at is None:
             raise InputError("nothing to undo: no proposal stands")
-        return Session(self.first, self.history[:at], (self.history[at:], *self.undone))
+        return ManualSession(self.first, self.history[:at], (self.history[at:], *self.undone))
 
-    def redo(self) -> Session:
+    def redo(self) -> ManualSession:
         """Bring back what the last `undo` took. Raises InputError where there is nothing."""
         if not self.undone:
             raise InputError("nothing to redo")
-        return Session(self.first, (*self.history, *self.undone[0]), self.undone[1:])
+        return ManualSession(self.first, (*self.history, *self.undone[0]), self.undone[1:])
 
-    def auto(self) -> Session:
+    def auto(self) -> ManualSession:
         """Follow the hints until the condition is confirmed; refused where they lead nowhere."""
         session = self
         self._check_open("auto")
@@ -205,31 +205,31 @@ class Session(Shown):
             session = session.do(hint.command)
         raise AssertionError("the hints do not come to an end")
 
-    def do(self, command: str) -> Session:
+    def do(self, command: str) -> ManualSession:
         """One command as text: a proposal, undo, redo or auto. Raises InputError with its place in the text."""
         verb, start = _verb(command)
         argument = command[start:].strip()
         if verb in PROPOSALS:
-            return self._propose(verb, argument, Words(argument, command, start))
+            return self._propose(verb, argument, CommandWords(argument, command, start))
         if verb not in MOVES:
             hint = near(verb, (*PROPOSALS, *MOVES)) or f"there are {', '.join((*PROPOSALS, *MOVES))}"
             at = command.find(verb)
             what = f"there is no command {verb}" if verb else "a command is missing"
             raise InputError(what, source=command, span=Span(at, at + max(1, len(verb))), hint=hint)
-        Words(argument, command, start).nothing(verb)
-        moves: Mapping[str, Callable[[], Session]] = {"undo": self.undo, "redo": self.redo, "auto": self.auto}
+        CommandWords(argument, command, start).nothing(verb)
+        moves: Mapping[str, Callable[[], ManualSession]] = {"undo": self.undo, "redo": self.redo, "auto": self.auto}
         return moves[verb]()
 
-    def _propose(self, verb: str, argument: str, words: Words | None = None) -> Session:
+    def _propose(self, verb: str, argument: str, words: CommandWords | None = None) -> ManualSession:
         command = f"{verb} {' '.join(argument.split())}".rstrip()
-        words = words or Words(command[len(verb) :].strip(), command, min(len(verb) + 1, len(command)))
+        words = words or CommandWords(command[len(verb) :].strip(), command, min(len(verb) + 1, len(command)))
         self._check_open(words.source)
         board, outcome = PROPOSALS[verb](self.board, words)
         return self._recorded(command, board, outcome)
 
-    def _recorded(self, command: str, board: Board, outcome: Outcome) -> Session:
+    def _recorded(self, command: str, board: Board, outcome: ProposalOutcome) -> ManualSession:
         undone = self.undone if outcome.refused else ()
-        return Session(self.first, (*self.history, Record(command, outcome, board)), undone)
+        return ManualSession(self.first, (*self.history, Record(command, outcome, board)), undone)
 
     def _check_open(self, command: str) -> None:
         if self.confirmed is None:

@@ -11,7 +11,7 @@ from gcrules.conditions.manual.board import KINDS, Board
 from gcrules.conditions.manual.outcome import Hint
 from gcrules.conditions.manual.words import counted
 from gcrules.rules.condition import Condition
-from gcrules.rules.condition_rule import Claim
+from gcrules.rules.condition_rule import ConditionClaim
 
 __all__ = ["suggest"]
 
@@ -44,14 +44,14 @@ def suggest(board: Board) -> Hint:
     return Hint("undo", "no condition of the procedure has all these entities")
 
 
-def _fits(board: Board, claim: Claim) -> bool:
+def _fits(board: Board, claim: ConditionClaim) -> bool:
     """Whether everything on the board stands in the claim."""
     state = claim.state
     known = Counter((*state.tetrahedra, *state.planes, *state.lines))
     return not Counter(board.entities) - known and not Counter(board.taken) - Counter(state.taken)
 
 
-def _next(board: Board, claim: Claim) -> Hint:
+def _next(board: Board, claim: ConditionClaim) -> Hint:
     state = claim.state
     known = Counter(board.entities)
     for row in (*state.tetrahedra, *state.planes, *state.lines):

@@ -12,7 +12,7 @@ from gcrules.algebra.language.syntax import Context, parse
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.hints import near
 
-__all__ = ["Words", "counted", "relocated"]
+__all__ = ["CommandWords", "counted", "relocated"]
 
 _NUMBERS = {1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}
 _MOST = 8  # points in a list; the highest rank
@@ -33,7 +33,7 @@ def relocated(fault: GcrulesError, source: str, start: int, filename: str | None
 
 
 @dataclass(frozen=True)
-class Words:
+class CommandWords:
     """`text` begins at `start` of the command `source`."""
 
     text: str
@@ -46,10 +46,10 @@ class Words:
         relocated(fault, self.source, self.start)
         return fault
 
-    def part(self, start: int, end: int) -> Words:
+    def part(self, start: int, end: int) -> CommandWords:
         """A piece of the text without blanks around it."""
         piece = self.text[start:end]
-        return Words(piece.strip(), self.source, self.start + start + len(piece) - len(piece.lstrip()))
+        return CommandWords(piece.strip(), self.source, self.start + start + len(piece) - len(piece.lstrip()))
 
     def nothing(self, verb: str) -> None:
         """Raises InputError if there is anything."""

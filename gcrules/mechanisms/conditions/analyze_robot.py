@@ -17,17 +17,17 @@ from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault
 from gcrules.core.seeds import remark
 from gcrules.mechanisms.conditions.common_factor import common_factor, sees_constraints
-from gcrules.mechanisms.conditions.factor_causes import ASIDE, Part, at_member, not_told, ranks, tell_apart
+from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member, not_told, ranks, tell_apart
 from gcrules.mechanisms.conditions.line_conditions import condition_of_lines, factors_at
 from gcrules.mechanisms.conditions.overlaps import of_several_kinds, without_repetition
 from gcrules.mechanisms.conditions.published import MEMBERS, published
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.conditions.words import Words
+from gcrules.mechanisms.conditions.words import RobotWords
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.lines.equivalent import FRAME, Equivalent, equivalent
 from gcrules.mechanisms.lines.home import home_wrenches
 from gcrules.mechanisms.lines.serial import LimbSingularity, limb_singularities
-from gcrules.mechanisms.lines.wrenches import Line
+from gcrules.mechanisms.lines.wrenches import WrenchLine
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.factorization import SECONDS
@@ -49,7 +49,9 @@ def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
     several = of_several_kinds(family, structure, factors) if robot.limbs else frozenset()
     parts, told = tell(family, robot.limbs, structure, found.structure.superbracket, factors, several)
     base = tuple(p for limb in robot.limbs for p in limb.joints[0].points if p not in robot.platform)
-    words = Words(family, structure.lines or (), robot.platform, base, frozenset(structure.ideal) | frozenset(AXES))
+    words = RobotWords(
+        family, structure.lines or (), robot.platform, base, frozenset(structure.ideal) | frozenset(AXES)
+    )
     parts = tuple(replace(p, statement=words.clause(p.expression) or "") for p in parts)
     parts = without_repetition(family, structure, parts)
     common = common_factor(family, structure, found.structure.superbracket, cofactors, parts, words)
@@ -76,7 +78,8 @@ def _given_lines(robot: Robot) -> Equivalent:
     """The structure of a robot that is given by its lines."""
     sorts = robot.family.sorts
     lines = tuple(
-        Line(ends, "the given lines", all(sorts[n] == "direction" for n in ends), "wrench") for ends in robot.lines
+        WrenchLine(ends, "the given lines", all(sorts[n] == "direction" for n in ends), "wrench")
+        for ends in robot.lines
     )
     names = dict.fromkeys(n for line in lines for n in line.ends)
     ideal = tuple(n for n in names if sorts[n] == "direction")
@@ -130,7 +133,7 @@ def _statement(
     structure: Equivalent,
     condition: Condition,
     cofactors: Sequence[Expr],
-    parts: Sequence[Part],
+    parts: Sequence[FactorCause],
     serial: Sequence[LimbSingularity],
 ) -> str:
     aside = ["Outside the singularities of its limbs"] * _some(serial)

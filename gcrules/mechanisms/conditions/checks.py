@@ -12,7 +12,7 @@ from gcrules.core.yaml_file import Node
 from gcrules.mechanisms.description.family import Definition
 from gcrules.mechanisms.description.limb_file import LimbText
 from gcrules.mechanisms.description.relations import Values, combined
-from gcrules.mechanisms.robot import Fact, Robot
+from gcrules.mechanisms.robot import Consequence, Robot
 from gcrules.screws import RATIONALS, RESIDUES, Limb
 
 __all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes"]
@@ -20,7 +20,7 @@ __all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes"]
 _SEEDS = (11, 12)
 
 
-def check_family(robot: Robot, places: Mapping[str, Node], facts: Sequence[tuple[Node, Fact]]) -> None:
+def check_family(robot: Robot, places: Mapping[str, Node], facts: Sequence[tuple[Node, Consequence]]) -> None:
     """Zero directions, points that are one, points outside the plane, facts that do not hold.
 
     Of copies, which stand at one node, only the first is reported, and nothing that only follows from another fault.

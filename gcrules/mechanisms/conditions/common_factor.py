@@ -24,14 +24,14 @@ from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
 from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault, LimitReached
-from gcrules.mechanisms.conditions.factor_causes import ASIDE, Part
-from gcrules.mechanisms.conditions.words import Words
+from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
+from gcrules.mechanisms.conditions.words import RobotWords
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.relations import Values
 from gcrules.mechanisms.lines.equivalent import Equivalent
-from gcrules.mechanisms.lines.random_lines import Along
+from gcrules.mechanisms.lines.random_lines import LineOfLimbs
 from gcrules.mechanisms.lines.singular import PRIME, Poly, divided, gcd, radical
-from gcrules.mechanisms.lines.wrenches import Line
+from gcrules.mechanisms.lines.wrenches import WrenchLine
 from gcrules.screws import RESIDUES
 
 __all__ = ["CommonFactor", "Subset", "common_factor", "sees_constraints"]
@@ -91,8 +91,8 @@ def common_factor(
     structure: Equivalent,
     superbracket: Expr,
     cofactors: Sequence[Expr],
-    parts: Sequence[Part],
-    words: Words,
+    parts: Sequence[FactorCause],
+    words: RobotWords,
 ) -> CommonFactor | None:
     """The subsets of an over-constrained robot; None for others, and for families of too high a degree.
 
@@ -111,10 +111,10 @@ def _common_factor(
     structure: Equivalent,
     superbracket: Expr,
     cofactors: Sequence[Expr],
-    parts: Sequence[Part],
-    words: Words,
+    parts: Sequence[FactorCause],
+    words: RobotWords,
 ) -> CommonFactor:
-    along = Along(family, structure)
+    along = LineOfLimbs(family, structure)
     words = replace(words, ideal=frozenset(n for n, row in along.points(1).items() if not row[3]))
     group, size = along.group, along.size
     some = [s for s in combinations(group, size) if along.minor(s, 1)]
@@ -131,7 +131,7 @@ def sees_constraints(family: Family, structure: Equivalent) -> bool:
     """Whether the structure's lines depend on each other wherever one condition makes the constraints of all limbs lose
     rank. Lines that stand for them all, and are none of a single limb, may not. True where that cannot be told.
     """
-    along = Along(family, structure)
+    along = LineOfLimbs(family, structure)
     held = [line for line in structure.lines or () if along.held(line)]
     try:
         return not divided(along.polynomial(lambda t: along.minor(held, t)), along.common)[1]
@@ -139,7 +139,7 @@ def sees_constraints(family: Family, structure: Equivalent) -> bool:
         return True
 
 
-def _subset(along: Along, words: Words, lines: Sequence[Line], common: Poly) -> Subset:
+def _subset(along: LineOfLimbs, words: RobotWords, lines: Sequence[WrenchLine], common: Poly) -> Subset:
     own = along.polynomial(lambda t: along.minor(lines, t))
     left, rest = divided(own, common)
     ends = tuple(line.ends for line in lines)
@@ -159,7 +159,7 @@ def _alike(a: Poly, b: Poly) -> bool:
     return len(a) == len(b) and all((x * b[-1] - y * a[-1]) % PRIME == 0 for x, y in zip(a, b, strict=True))
 
 
-def _candidates(along: Along, lines: Sequence[Pair]) -> Iterator[Expr]:
+def _candidates(along: LineOfLimbs, lines: Sequence[Pair]) -> Iterator[Expr]:
     """Expressions in the lines' points that such a cofactor may be: the first that fits is taken."""
     points = along.points(1)
     far = {n for pair in lines for n in pair if not points[n][3]}
@@ -191,7 +191,7 @@ def _bracket(names: Sequence[str], rank: int) -> Expr:
     return bracket(*map(ex.Point, names), rank=rank)
 
 
-def _coincidence(along: Along, lines: Sequence[Pair], left: Poly) -> str:
+def _coincidence(along: LineOfLimbs, lines: Sequence[Pair], left: Poly) -> str:
     """Two points in one place, or two directions parallel, exactly where the cofactor vanishes; "" for none."""
     names = list(dict.fromkeys(n for pair in lines for n in pair))
     sorts = along.family.sorts
@@ -212,7 +212,9 @@ def _coincidence(along: Along, lines: Sequence[Pair], left: Poly) -> str:
     return ""
 
 
-def _check(along: Along, superbracket: Expr, left: Poly, cofactors: Sequence[Expr], parts: Sequence[Part]) -> None:
+def _check(
+    along: LineOfLimbs, superbracket: Expr, left: Poly, cofactors: Sequence[Expr], parts: Sequence[FactorCause]
+) -> None:
     """The factors that count vanish exactly where the common factor does, those left aside being aside."""
 
     def product(es: Sequence[Expr]) -> Poly:

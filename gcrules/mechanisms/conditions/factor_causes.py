@@ -30,7 +30,7 @@ __all__ = [
     "ASIDE",
     "ENOUGH",
     "KINDS",
-    "Part",
+    "FactorCause",
     "Ranks",
     "Told",
     "at_member",
@@ -72,7 +72,7 @@ class Ranks:
 
 
 @dataclass(frozen=True)
-class Part:
+class FactorCause:
     """A factor of the condition: `kind` is a key of `KINDS`, `members` the number of exact singular members on which
     that was seen (not counted beyond `ENOUGH`), `reason` says why a factor never vanishes, `statement` when it does.
     `same` is another factor of this robot that vanishes wherever this one does; `chosen` the number of those members at
@@ -197,15 +197,15 @@ def tell_apart(
     superbracket: Expr,
     factors: Sequence[Expr],
     several: Collection[Expr] = (),
-) -> tuple[tuple[Part, ...], Told]:
+) -> tuple[tuple[FactorCause, ...], Told]:
     """The kind of each factor, and how many singular members were met. `several` are factors that are known to vanish
     for more than one reason: because of them all paths are searched.
     """
-    parts: dict[Expr, Part] = {}
+    parts: dict[Expr, FactorCause] = {}
     for e in factors:
         reason = never(family, limbs, structure, e)
         if reason:
-            parts[e] = Part(e, "never", reason=reason)
+            parts[e] = FactorCause(e, "never", reason=reason)
     open_factors = [e for e in dict.fromkeys(factors) if e not in parts]
     names = [*points_of(superbracket), *(n for _, u, v in structure.derived for t in (u, v) for _, n in t)]
     generic = ranks(family, limbs, family.member("generic"))
@@ -223,7 +223,7 @@ def tell_apart(
         kind = _kind(votes)
         chosen = 0 if kind in ASIDE else min(ENOUGH, votes["choice"])
         others = sum(votes.values()) - (votes["choice"] if chosen else 0)
-        parts[e] = Part(e, kind, min(ENOUGH, others) + chosen, chosen=chosen)
+        parts[e] = FactorCause(e, kind, min(ENOUGH, others) + chosen, chosen=chosen)
     told.met = min(told.met, sum(p.members for p in parts.values()))
     return tuple(parts[e] for e in dict.fromkeys(factors)), told
 
@@ -239,10 +239,10 @@ def not_told(
     superbracket: Expr,
     factors: Sequence[Expr],
     several: Collection[Expr] = (),
-) -> tuple[tuple[Part, ...], Told]:
+) -> tuple[tuple[FactorCause, ...], Told]:
     """The factors of a robot that is given by lines: whose wrenches they are is not known."""
     reason = "the robot is given by its lines: actuation and constraint are not told apart"
-    return tuple(Part(e, "mixed", reason=reason) for e in dict.fromkeys(factors)), Told()
+    return tuple(FactorCause(e, "mixed", reason=reason) for e in dict.fromkeys(factors)), Told()
 
 
 def _vote(

@@ -8,10 +8,10 @@ from functools import cache
 
 from gcrules.algebra.expr import Expr
 from gcrules.core.errors import LimitReached
-from gcrules.mechanisms.conditions.factor_causes import ASIDE, Part, at_member
+from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.lines.equivalent import Equivalent
-from gcrules.mechanisms.lines.random_lines import Along
+from gcrules.mechanisms.lines.random_lines import LineOfLimbs
 from gcrules.mechanisms.lines.singular import Poly, divided, gcd, interpolated, radical
 
 __all__ = ["of_several_kinds", "without_repetition"]
@@ -22,12 +22,12 @@ def of_several_kinds(family: Family, structure: Equivalent, factors: Sequence[Ex
     lines that were chosen for one limb depend on each other. All of them where that cannot be told.
     """
     try:
-        return frozenset(_of_several_kinds(Along(family, structure), structure, factors))
+        return frozenset(_of_several_kinds(LineOfLimbs(family, structure), structure, factors))
     except LimitReached:
         return frozenset(factors)
 
 
-def _of_several_kinds(along: Along, structure: Equivalent, factors: Sequence[Expr]) -> Iterator[Expr]:
+def _of_several_kinds(along: LineOfLimbs, structure: Equivalent, factors: Sequence[Expr]) -> Iterator[Expr]:
     zeros = [along.dependent(limb.lines or ()) for limb in structure.limbs]
     if along.size and not along.mixed_roles:
         zeros.append(along.common)
@@ -38,7 +38,7 @@ def _of_several_kinds(along: Along, structure: Equivalent, factors: Sequence[Exp
             yield e
 
 
-def without_repetition(family: Family, structure: Equivalent, parts: Sequence[Part]) -> tuple[Part, ...]:
+def without_repetition(family: Family, structure: Equivalent, parts: Sequence[FactorCause]) -> tuple[FactorCause, ...]:
     """The parts, of which each that one of the same kind implies names that one in `same`.
 
     Of two that vanish together the second names the first. On a random line in the parameters of the family it is seen

@@ -10,7 +10,7 @@ from gcrules.algebra.language.text import text
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.conditions.common_factor import CommonFactor
-from gcrules.mechanisms.conditions.factor_causes import Part
+from gcrules.mechanisms.conditions.factor_causes import FactorCause
 from gcrules.mechanisms.conditions.published import Published
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.home import HomeWrench
@@ -20,7 +20,7 @@ from gcrules.rules.condition import Condition
 
 if TYPE_CHECKING:  # what computes them takes a while to load, and is not needed to hold them
     from gcrules.mechanisms.conditions.common_factor import CommonFactor
-    from gcrules.mechanisms.conditions.factor_causes import Part
+    from gcrules.mechanisms.conditions.factor_causes import FactorCause
     from gcrules.mechanisms.conditions.published import Published
     from gcrules.mechanisms.lines.equivalent import Equivalent
     from gcrules.mechanisms.lines.home import HomeWrench
@@ -44,7 +44,7 @@ class RobotAnalysis(Shown):
     structure: Equivalent
     lines: Analysis | None
     condition: Condition | None
-    parts: tuple[Part, ...]
+    parts: tuple[FactorCause, ...]
     limbs: tuple[LimbSingularity, ...]
     statement: str
     certificate: str

@@ -11,19 +11,19 @@ from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket,
 from gcrules.core.english import listed
 from gcrules.mechanisms.conditions.at_infinity import INFINITY
 from gcrules.mechanisms.description.family import Family
-from gcrules.mechanisms.lines.wrenches import Line
+from gcrules.mechanisms.lines.wrenches import WrenchLine
 
-__all__ = ["Words"]
+__all__ = ["RobotWords"]
 
 
 @dataclass(frozen=True)
-class Words:
+class RobotWords:
     """`family` is the robot's, `lines` are those of the equivalent structure, `platform` the points that move, `base`
     the points of the limbs' first joints, `ideal` the directions.
     """
 
     family: Family
-    lines: tuple[Line, ...]
+    lines: tuple[WrenchLine, ...]
     platform: tuple[str, ...]
     base: tuple[str, ...]
     ideal: frozenset[str]

@@ -12,7 +12,7 @@ from gcrules.core.errors import FileError, InputError
 from gcrules.core.hints import near
 from gcrules.rules.plugins import shipped_folder
 
-__all__ = ["FILE", "GROUP", "Found", "examples", "find_robot", "robots"]
+__all__ = ["FILE", "GROUP", "RobotFile", "examples", "find_robot", "robots"]
 
 FILE = "robot.yaml"
 GROUP = "gcrules.robots"
@@ -22,7 +22,7 @@ Folders = Iterable[str | PathLike[str]]
 
 
 @dataclass(frozen=True)
-class Found:
+class RobotFile:
     """A robot file with its id (the name of its folder) and its owner in messages."""
 
     id: str
@@ -30,9 +30,9 @@ class Found:
     owner: str
 
 
-def robots(folders: Folders = ()) -> tuple[Found, ...]:
+def robots(folders: Folders = ()) -> tuple[RobotFile, ...]:
     """All robots that are known, by id. Raises InputError where two plugins bring one id, and names both."""
-    found: dict[str, Found] = {}
+    found: dict[str, RobotFile] = {}
     for one in _all(folders):
         other = found.setdefault(one.id, one)
         if Path(other.path).resolve() != Path(one.path).resolve():
@@ -43,12 +43,12 @@ def robots(folders: Folders = ()) -> tuple[Found, ...]:
     return tuple(found[name] for name in sorted(found))
 
 
-def find_robot(name: str | PathLike[str], folders: Folders = ()) -> Found:
+def find_robot(name: str | PathLike[str], folders: Folders = ()) -> RobotFile:
     """The robot of this id, or the file of this path. Raises InputError for neither."""
     word = fspath(name)
     path = Path(word)
     if path.suffix in (".yaml", ".yml") or len(path.parts) > 1 or path.is_file():
-        return Found(path.parent.name if path.name == FILE else path.stem, word, "")
+        return RobotFile(path.parent.name if path.name == FILE else path.stem, word, "")
     known = {one.id: one for one in robots(folders)}
     if word not in known:
         hint = near(word, known) or f"there are {', '.join(known)}."
@@ -64,7 +64,7 @@ def examples() -> dict[str, Path]:
     return {path.stem: path for path in found}
 
 
-def _all(folders: Folders) -> Iterator[Found]:
+def _all(folders: Folders) -> Iterator[RobotFile]:
     shipped = shipped_folder()
     if shipped:
         yield from _in(shipped, "gcrules")
@@ -79,11 +79,11 @@ def _all(folders: Folders) -> Iterator[Found]:
         yield from _in(Path(folder), f"folder {fspath(folder)}")
 
 
-def _in(folder: Path, owner: str) -> Iterator[Found]:
+def _in(folder: Path, owner: str) -> Iterator[RobotFile]:
     try:
         inside = sorted(p for p in folder.iterdir() if (p / FILE).is_file())
     except (OSError, ValueError) as fault:
         why = getattr(fault, "strerror", None) or fault
         raise FileError(f"cannot be read as a folder of plugins: {why}", filename=str(folder)) from None
     for path in inside:
-        yield Found(path.name, str(path / FILE), owner)
+        yield RobotFile(path.name, str(path / FILE), owner)

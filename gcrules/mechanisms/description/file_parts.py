@@ -12,7 +12,7 @@ from gcrules.core.hints import near
 from gcrules.core.yaml_file import Node
 from gcrules.mechanisms.description.family import Definition, Family
 from gcrules.mechanisms.description.relations import AXES, relation
-from gcrules.mechanisms.robot import Fact
+from gcrules.mechanisms.robot import Consequence
 
 __all__ = ["MAX_TEXT", "numbered", "read_facts", "read_home", "read_lines", "read_platform"]
 
@@ -56,7 +56,7 @@ def read_platform(node: Node, family: Family, copies: int) -> tuple[str, ...]:
     return tuple(dict.fromkeys(names))
 
 
-def read_facts(node: Node, family: Family, copies: int) -> Iterator[tuple[Node, Fact]]:
+def read_facts(node: Node, family: Family, copies: int) -> Iterator[tuple[Node, Consequence]]:
     for item in node.sequence():
         for (text,) in numbered(copies, item.string() or ""):
             match = _FACT.fullmatch(text.strip()) if len(text) <= MAX_TEXT else None
@@ -73,7 +73,7 @@ def read_facts(node: Node, family: Family, copies: int) -> Iterator[tuple[Node, 
             for name in unknown:
                 item.fault(f"{name} is not defined", near(name, family.sorts))
             if not unknown:
-                yield item, Fact(said, text.strip())
+                yield item, Consequence(said, text.strip())
 
 
 def read_home(node: Node, family: Family) -> dict[str, tuple[Fraction, Fraction, Fraction]]:

@@ -49,7 +49,7 @@ def _triple(field: Field, a: Vector, b: Vector, c: Vector) -> tuple[Any]:
 
 
 @dataclass(frozen=True)
-class Form:
+class RelationForm:
     """One kind of relation: `pattern` with the groups of its arguments (each names a point or a direction, `sorts`),
     how many random parameters it takes, how a value is made and what vanishes for a value that satisfies it.
     """
@@ -66,14 +66,16 @@ _D = r"([A-Za-z][\w']*(?:\s+[A-Za-z][\w']*)?)"  # a direction, or two points
 _P = r"([A-Za-z][\w']*)"
 
 
-def _form(words: str, pattern: str, sorts: str, parameters: int, make: Make, residual: Residual) -> Form:
-    return Form(words, re.compile(pattern.replace(" ", r"\s+")), tuple(sorts.split()), parameters, make, residual)
+def _form(words: str, pattern: str, sorts: str, parameters: int, make: Make, residual: Residual) -> RelationForm:
+    return RelationForm(
+        words, re.compile(pattern.replace(" ", r"\s+")), tuple(sorts.split()), parameters, make, residual
+    )
 
 
 _FREE_MAKE: Make = lambda f, a, t: (t[0], t[1], t[2])  # noqa: E731
 _FREE: Residual = lambda f, a, own: ()  # noqa: E731
 
-RELATIONS: Mapping[str, Mapping[str, Form]] = {
+RELATIONS: Mapping[str, Mapping[str, RelationForm]] = {
     "point": {
         "free": _form("free", "free", "", 3, _FREE_MAKE, _FREE),
         "on line": _form(

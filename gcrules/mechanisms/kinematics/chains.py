@@ -25,14 +25,14 @@ from gcrules.mechanisms.description.limb_file import JointText, LimbText
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, exponential
 from gcrules.screws import JOINTS
 
-__all__ = ["SHAPES", "Chain", "Motion", "Shape", "chain_of", "geometry_of"]
+__all__ = ["SHAPES", "Chain", "ElementaryMotion", "Shape", "chain_of", "geometry_of"]
 
 Values = Mapping[str, Floats]
 Geometry = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
-class Motion:
+class ElementaryMotion:
     """An elementary motion: the place of the joint's freedom whose amount it takes, with its sign, whether it turns (an
     angle) or slides (a length), and its screw made from the joint's geometry, directions of length 1 (bars excepted).
     """
@@ -53,7 +53,7 @@ class Shape:
     kind.
     """
 
-    motions: tuple[Motion, ...]
+    motions: tuple[ElementaryMotion, ...]
     rides: Mapping[str, tuple[int, int]]
     loose: tuple[str, ...] = ()
     still: tuple[int, ...] = ()
@@ -90,63 +90,69 @@ def _roll(place: int) -> Callable[[Geometry], Floats]:
     return lambda g: _turn(g["point"], np.eye(3)[place])
 
 
-_ROLLS = tuple(Motion(f"turn about {c}", n, 1, True, _roll(n)) for n, c in enumerate("xyz"))
+_ROLLS = tuple(ElementaryMotion(f"turn about {c}", n, 1, True, _roll(n)) for n, c in enumerate("xyz"))
 
 SHAPES: Mapping[str, Shape] = FrozenMap(
     {
         "R": Shape(
-            (Motion("turn", 0, 1, True, _about("point", "axis")),),
+            (ElementaryMotion("turn", 0, 1, True, _about("point", "axis")),),
             {"point": (0, 1), "axis": (0, 1)},
         ),
         "P": Shape(
-            (Motion("slide", 0, 1, False, lambda g: _slide(g["direction"])),),
+            (ElementaryMotion("slide", 0, 1, False, lambda g: _slide(g["direction"])),),
             {"direction": (0, 1)},
         ),
         "H": Shape(
-            (Motion("screw", 0, 1, True, lambda g: _turn(g["point"], g["axis"]) + g["pitch"] * _slide(g["axis"])),),
+            (
+                ElementaryMotion(
+                    "screw", 0, 1, True, lambda g: _turn(g["point"], g["axis"]) + g["pitch"] * _slide(g["axis"])
+                ),
+            ),
             {"point": (0, 0), "axis": (0, 1)},
             ("point",),
         ),
         "C": Shape(
             (
-                Motion("turn", 0, 1, True, _about("point", "axis")),
-                Motion("slide", 1, 1, False, lambda g: _slide(g["axis"])),
+                ElementaryMotion("turn", 0, 1, True, _about("point", "axis")),
+                ElementaryMotion("slide", 1, 1, False, lambda g: _slide(g["axis"])),
             ),
             {"point": (0, 1), "axis": (0, 2)},
             ("point",),
         ),
         "U": Shape(
             (
-                Motion("first turn", 0, 1, True, _about("point", "first")),
-                Motion("second turn", 1, 1, True, _about("point", "second")),
+                ElementaryMotion("first turn", 0, 1, True, _about("point", "first")),
+                ElementaryMotion("second turn", 1, 1, True, _about("point", "second")),
             ),
             {"point": (0, 2), "first": (0, 1), "second": (1, 2)},
         ),
         "S": Shape(_ROLLS, {"point": (0, 3)}),
         "E": Shape(
             (
-                Motion("slide", 0, 1, False, lambda g: _slide(_across(g["normal"], 0))),
-                Motion("slide across", 1, 1, False, lambda g: _slide(_across(g["normal"], 1))),
-                Motion("turn", 2, 1, True, _about("point", "normal")),
+                ElementaryMotion("slide", 0, 1, False, lambda g: _slide(_across(g["normal"], 0))),
+                ElementaryMotion("slide across", 1, 1, False, lambda g: _slide(_across(g["normal"], 1))),
+                ElementaryMotion("turn", 2, 1, True, _about("point", "normal")),
             ),
             {"point": (2, 3), "normal": (0, 3)},
             ("point",),
         ),
         "Pa": Shape(
             (
-                Motion("swing", 0, 1, True, _about("near", "axis")),
-                Motion("swing back", 0, -1, True, _about("far", "axis")),
+                ElementaryMotion("swing", 0, 1, True, _about("near", "axis")),
+                ElementaryMotion("swing back", 0, -1, True, _about("far", "axis")),
             ),
             {"bars": (1, 1), "axis": (0, 2)},
         ),
         "4S": Shape(
             (
-                Motion("swing", 0, 1, True, _swing(0, back=False)),
-                Motion("swing across", 1, 1, True, _swing(1, back=False)),
-                Motion("swing across, back", 1, -1, True, _swing(1, back=True)),
-                Motion("swing back", 0, -1, True, _swing(0, back=True)),
-                Motion("turn about the bar", 2, 1, True, lambda g: _turn(g["first"] + g["bars"], _unit(g["bars"]))),
-                Motion(
+                ElementaryMotion("swing", 0, 1, True, _swing(0, back=False)),
+                ElementaryMotion("swing across", 1, 1, True, _swing(1, back=False)),
+                ElementaryMotion("swing across, back", 1, -1, True, _swing(1, back=True)),
+                ElementaryMotion("swing back", 0, -1, True, _swing(0, back=True)),
+                ElementaryMotion(
+                    "turn about the bar", 2, 1, True, lambda g: _turn(g["first"] + g["bars"], _unit(g["bars"]))
+                ),
+                ElementaryMotion(
                     "turn about the side",
                     3,
                     1,

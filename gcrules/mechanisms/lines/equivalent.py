@@ -12,7 +12,7 @@ from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbText
 from gcrules.mechanisms.description.relations import AXES, Term, Values, Vector, combined
 from gcrules.mechanisms.lines.names import Sample, directions, key, samples
-from gcrules.mechanisms.lines.wrenches import PLANAR, LimbWrenches, Line, limb_wrenches, reciprocal_to
+from gcrules.mechanisms.lines.wrenches import PLANAR, LimbWrenches, WrenchLine, limb_wrenches, reciprocal_to
 from gcrules.screws import RESIDUES, Field
 from gcrules.screws.field import Row
 
@@ -33,7 +33,7 @@ class Equivalent:
     """
 
     limbs: tuple[LimbWrenches, ...]
-    lines: tuple[Line, ...] | None
+    lines: tuple[WrenchLine, ...] | None
     mobility: int
     over: int
     idle: int
@@ -137,11 +137,11 @@ def equivalent(family: Family, limbs: Sequence[LimbText], *, frame: bool = True)
 def _over_constrained(
     family: Family,
     names: Sequence[str],
-    lines: Sequence[Line],
+    lines: Sequence[WrenchLine],
     at: Sequence[Sample],
     size: int,
     trivial: tuple[Row, ...],
-) -> list[Line]:
+) -> list[WrenchLine]:
     """A basis of the constraints of all limbs together. Lines through fixed directions of the frame are preferred, so
     that what depends on the choice of some limbs does not appear in the condition; without `names` of limbs there are
     none.
@@ -150,16 +150,16 @@ def _over_constrained(
     finite = [n for n in dict.fromkeys(n for line in lines for n in line.ends) if at[0].points[n][3]]
     frame = []
     for a, b in [*combinations(AXES, 2), *product(finite, AXES)] if names and not family.plane else ():
-        line = Line((a, b), FRAME, a in AXES, "constraint")
+        line = WrenchLine((a, b), FRAME, a in AXES, "constraint")
         rows = [line.row(s.points) for s in at]
         if all(map(reciprocal_to, twists, rows)):
             every = [[limb.twists(RESIDUES) for limb in s.limbs] for s in at]
             own = (n for n, *alike in zip(names, *every, strict=True) if all(map(reciprocal_to, alike, rows)))
             frame.append(replace(line, limb=next(own, FRAME)))
     fixed = {*AXES, *finite}
-    chosen: list[Line] = []
+    chosen: list[WrenchLine] = []
 
-    def moving(line: Line) -> tuple[int, int]:
+    def moving(line: WrenchLine) -> tuple[int, int]:
         return sum(n not in fixed for n in line.ends), sum(n not in AXES for n in line.ends)
 
     for line in sorted((*lines, *frame), key=moving):

@@ -16,13 +16,13 @@ from gcrules.mechanisms.conditions.factor_causes import at_member
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.singular import PRIME, Poly, gcd, interpolated
-from gcrules.mechanisms.lines.wrenches import PLANAR, Line
+from gcrules.mechanisms.lines.wrenches import PLANAR, WrenchLine
 from gcrules.screws import RESIDUES
 
-__all__ = ["Along"]
+__all__ = ["LineOfLimbs"]
 
 
-class Along:
+class LineOfLimbs:
     """The lines of all limbs along one line of members. Where constraints of a limb are not spanned by lines, all lines
     count as constraints: then a minor is the superbracket itself.
     """
@@ -45,18 +45,18 @@ class Along:
         self.coordinates = [[rng.randrange(PRIME) for _ in range(6)] for _ in range(self.size)]
         self.row = cache(self._row)
 
-    def _place(self, line: Line) -> object:
+    def _place(self, line: WrenchLine) -> object:
         """The same for lines that are one in the whole family."""
         return tuple(RESIDUES.simplest(line.row(self.points(t))) for t in (1, 2))
 
-    def held(self, line: Line) -> bool:
+    def held(self, line: WrenchLine) -> bool:
         return line.role == "constraint" or self.mixed_roles
 
-    def _row(self, line: Line, t: int) -> tuple[int, ...]:
+    def _row(self, line: WrenchLine, t: int) -> tuple[int, ...]:
         wrench = line.row(self.points(t))
         return tuple(int(RESIDUES.dot(wrench, c)) for c in self.coordinates)
 
-    def minor(self, lines: Sequence[Line], t: int) -> int:
+    def minor(self, lines: Sequence[WrenchLine], t: int) -> int:
         return int(RESIDUES.determinant([self.row(line, t) for line in lines]))
 
     def mixed(self, t: int, seed: int) -> int:
@@ -75,7 +75,7 @@ class Along:
         first, second = (self.polynomial(lambda t, seed=seed: self.mixed(t, seed)) for seed in (1, 2))  # type: ignore[misc]
         return gcd(first, second)
 
-    def dependent(self, lines: Sequence[Line]) -> Poly:
+    def dependent(self, lines: Sequence[WrenchLine]) -> Poly:
         """What vanishes where these lines depend on each other: the common factor of their minors."""
         rng = drawn("dependent")
         found: Poly = []

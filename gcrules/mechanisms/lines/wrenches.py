@@ -29,7 +29,7 @@ from gcrules.screws.field import Row
 from gcrules.screws.screw import join_of
 from gcrules.screws.systems import ScrewSystem
 
-__all__ = ["PLANAR", "LimbWrenches", "Line", "limb_wrenches", "reciprocal_to"]
+__all__ = ["PLANAR", "LimbWrenches", "WrenchLine", "limb_wrenches", "reciprocal_to"]
 
 PLANAR: tuple[Row, ...] = ((0, 0, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (0, 0, 0, 0, 1, 0))
 """Wrenches that keep a body in the plane z = 0: every planar robot has them."""
@@ -39,7 +39,7 @@ _MOST = 11  # candidates among which a basis is chosen
 
 
 @dataclass(frozen=True)
-class Line:
+class WrenchLine:
     """The line through two points (or directions) of the robot as a wrench of a limb; a line of two directions is a
     couple. `role` is constraint (reciprocal to all twists of the limb) | actuation | both (where a limb's constraints
     are spanned by no lines of the robot's points: its other lines span actuations and constraints together).
@@ -70,7 +70,7 @@ class LimbWrenches:
     constraints: int
     freedoms: int
     rank: int
-    lines: tuple[Line, ...] | None
+    lines: tuple[WrenchLine, ...] | None
     kind: str
     derived: tuple[tuple[str, Term, Term], ...] = ()
 
@@ -116,7 +116,7 @@ def limb_wrenches(
     across = crosswise(limb, derived, at, one)
     derived |= {n: pair for n, _, pair in across if pair}
     add_derived({n: derived[n] for n, _, _ in across}, at)
-    lines: tuple[Line, ...] | None = None
+    lines: tuple[WrenchLine, ...] | None = None
     # directions u × (u × v), and then points of other limbs, only where the limb's own points and directions do not do
     for names in (own, [*own, *across], [*own, *names_of_others(family, own, one)]):
         candidates = _candidates(limb, names, at, all_twists, passive, shared)
@@ -170,7 +170,7 @@ def _real_kind(family: Family, limb: LimbText) -> str:
     return kind
 
 
-_Costly = tuple[float, Line]
+_Costly = tuple[float, WrenchLine]
 
 
 def _candidates(
@@ -180,16 +180,16 @@ def _candidates(
     twists: Sequence[Sequence[Row]],
     passive: Sequence[Sequence[Row]],
     shared: Mapping[str, int],
-) -> list[tuple[float, Line]]:
+) -> list[tuple[float, WrenchLine]]:
     """Lines through two of the points that are wrenches of the limb at all members, cheapest first."""
-    found: list[tuple[float, Line]] = []
+    found: list[tuple[float, WrenchLine]] = []
     for (a, cost_a, _), (b, cost_b, _) in combinations(names, 2):
         rows = [join_of(RESIDUES, s.points[a], s.points[b]) for s in at]
         if all(map(any, rows)) and all(map(reciprocal_to, passive, rows)):
             couple = at[0].points[a][3] == at[0].points[b][3] == 0
             role = "constraint" if all(map(reciprocal_to, twists, rows)) else "actuation"
             cost = cost_a + cost_b - 0.4 * sum(shared.get(n, 0) > 1 for n in (a, b))
-            found.append((cost, Line((a, b), limb.name, couple, role)))
+            found.append((cost, WrenchLine((a, b), limb.name, couple, role)))
     return sorted(_bundles_along_axes(found, at[0].points), key=lambda c: c[0])
 
 
@@ -208,14 +208,14 @@ def _renamed(term: Term, new: Mapping[str, str]) -> Term:
 
 
 def _basis(
-    candidates: Sequence[tuple[float, Line]],
+    candidates: Sequence[tuple[float, WrenchLine]],
     points: Mapping[str, Row],
     size: int,
     constraints: int,
     trivial: tuple[Row, ...],
-) -> tuple[Line, ...] | None:
+) -> tuple[WrenchLine, ...] | None:
     """Lines that span the system: with as few points as possible, constraints told apart, and of least cost."""
-    kept: list[tuple[float, Line]] = []
+    kept: list[tuple[float, WrenchLine]] = []
     spanned = len(trivial)
     rows: list[Row] = list(trivial)
     for cost, line in candidates:  # the cheapest basis, and further cheap lines beside it
@@ -228,7 +228,7 @@ def _basis(
             kept.append((cost, line))
     if spanned < size + len(trivial):
         return None
-    best: tuple[tuple[float, ...], tuple[Line, ...]] | None = None
+    best: tuple[tuple[float, ...], tuple[WrenchLine, ...]] | None = None
     for some in combinations(kept, size):
         checkpoint()
         lines = tuple(line for _, line in some)

@@ -27,11 +27,11 @@ from typing import Any
 
 from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
 
-__all__ = ["BINARY", "OPERATIONS", "Line", "Program", "allocated", "lower"]
+__all__ = ["BINARY", "OPERATIONS", "Operation", "Program", "allocated", "lower"]
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class Operation:
     """One operation; `args` are numbers of earlier lines, of `input` that of the input."""
 
     op: str
@@ -74,7 +74,7 @@ class Program:
     """Lines of which the last is the value; without lines the value is `constant`, whatever the inputs."""
 
     inputs: int
-    lines: tuple[Line, ...]
+    lines: tuple[Operation, ...]
     constant: Fraction = Fraction(0)
 
     @property
@@ -110,7 +110,7 @@ def lower(graph: Graph, result: Ring) -> Program:
         return Program(len(graph.inputs), (), Fraction(result))
     root = result.node if result.sign > 0 else _negated(graph, result.node)
     number: dict[int, int] = {}
-    lines: list[Line] = []
+    lines: list[Operation] = []
     stack = [(root, False)]
     while stack:
         n, ready = stack.pop()
@@ -119,10 +119,10 @@ def lower(graph: Graph, result: Ring) -> Program:
         if ready and n not in number:
             number[n] = len(lines)
             if op == "input":
-                lines.append(Line(op, (a,)))
+                lines.append(Operation(op, (a,)))
             else:
                 constant = Fraction(0) if op in BINARY else Fraction(b)
-                lines.append(Line(op, tuple(number[m] for m in operands), constant))
+                lines.append(Operation(op, tuple(number[m] for m in operands), constant))
         elif n not in number:
             stack.append((n, True))
             stack += [(m, False) for m in reversed(operands)]
@@ -134,7 +134,7 @@ def _negated(graph: Graph, n: int) -> int:
     return graph.node("sub", int(b), a) if op == "sub" else graph.node("scale", n, -1)
 
 
-def allocated(lines: Sequence[Line]) -> tuple[tuple[int, ...], int]:
+def allocated(lines: Sequence[Operation]) -> tuple[tuple[int, ...], int]:
     """A register for the value of each line, and how many there are. None is written by a line that reads it."""
     last = {m: n for n, line in enumerate(lines) for m in line.operands}
     free: list[int] = []

@@ -10,17 +10,17 @@ import numpy as np
 
 from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.language.text import text
-from gcrules.mechanisms.conditions.factor_causes import ASIDE, Part
+from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.relations import Term
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.numbers.extensors import coordinates
 
-__all__ = ["Factor", "factors"]
+__all__ = ["ConditionFactor", "factors"]
 
 
 @dataclass(frozen=True)
-class Factor:
+class ConditionFactor:
     """A factor of the condition: its value is the expression, with its points at unit scale about their centroid and
     directions of length 1, divided by the lengths of the coordinates of the lines and planes that it joins or meets.
     That of a bracket or a meet lies between −1 and 1. `statement` says when it vanishes, `kind` is that of the part.
@@ -45,7 +45,7 @@ class Factor:
         }
 
 
-def factors(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> tuple[Factor, ...]:
+def factors(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> tuple[ConditionFactor, ...]:
     """The values of all factors; none where the robot's wrenches are no lines of its points."""
     if not analysis.parts or analysis.lines is None:
         return ()
@@ -55,8 +55,8 @@ def factors(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> tuple[Fact
     return tuple(_factor(part, at, names) for part in analysis.parts)
 
 
-def _factor(part: Part, at: Mapping[str, Floats], names: tuple[str, ...]) -> Factor:
-    return Factor(text(part.expression, names=names), part.kind, _value(part.expression, at), part.statement)
+def _factor(part: FactorCause, at: Mapping[str, Floats], names: tuple[str, ...]) -> ConditionFactor:
+    return ConditionFactor(text(part.expression, names=names), part.kind, _value(part.expression, at), part.statement)
 
 
 def _value(e: Expr, at: Mapping[str, Floats]) -> float:

@@ -28,7 +28,7 @@ from gcrules.mechanisms.kinematics.targets import (
 )
 from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
 from gcrules.poses.limbs.balance import limb_numbers
-from gcrules.poses.limbs.factors import Factor, factors
+from gcrules.poses.limbs.factors import ConditionFactor, factors
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.limbs.search import first_singular
 from gcrules.poses.numbers.motion import Twist, twist_of
@@ -200,7 +200,7 @@ def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshol
     return word, f"It is only certain that, {words}; the threshold is {limit.text}."
 
 
-def _causes(values: Sequence[Factor], verdict: str) -> tuple[str, ...]:
+def _causes(values: Sequence[ConditionFactor], verdict: str) -> tuple[str, ...]:
     live = [f for f in values if f.live]
     if verdict == "singular":
         zero = [f for f in live if abs(f.value) <= _NEAR_ZERO]
@@ -211,7 +211,7 @@ def _causes(values: Sequence[Factor], verdict: str) -> tuple[str, ...]:
     return ()
 
 
-def _words(f: Factor) -> str:
+def _words(f: ConditionFactor) -> str:
     return f.statement or f"{f.expression} = 0"
 
 
@@ -232,7 +232,7 @@ def _notes(m: Linkage, own: Sequence[float]) -> tuple[str, ...]:
     )
 
 
-def _mode(m: Linkage, analysis: RobotAnalysis, values: Sequence[Factor], solution: Solution) -> str:
+def _mode(m: Linkage, analysis: RobotAnalysis, values: Sequence[ConditionFactor], solution: Solution) -> str:
     """On which assembly mode the solution lies, by its way from home and the signs of the factors."""
     if not solution.steps:
         return "that of home"

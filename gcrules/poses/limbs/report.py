@@ -12,7 +12,7 @@ from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.linkage import Actuator
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.poses.limbs.balance import LimbNumbers
-from gcrules.poses.limbs.factors import Factor
+from gcrules.poses.limbs.factors import ConditionFactor
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.threshold import Threshold
 
@@ -50,7 +50,7 @@ class RobotPose(HoldsArrays, Shown):
     turn: float
     threshold: Threshold
     jacobian: WrenchJacobian
-    factors: tuple[Factor, ...]
+    factors: tuple[ConditionFactor, ...]
     statement: str
     limbs: tuple[LimbNumbers, ...]
     softest: Twist

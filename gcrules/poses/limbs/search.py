@@ -19,7 +19,7 @@ from gcrules.mechanisms.kinematics.solve import Course, Solution, goal
 from gcrules.mechanisms.kinematics.targets import Wanted
 from gcrules.poses.limbs.factors import factors
 
-__all__ = ["SAMPLES", "Found", "first_singular"]
+__all__ = ["SAMPLES", "SampledSolution", "first_singular"]
 
 SAMPLES = 32
 _MOST = 60  # solutions for one place
@@ -29,7 +29,7 @@ _SIGMA = 1e-7  # a least value of σ below which it counts as 0
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class SampledSolution:
     """A solution at a part of the course, and the number of samples taken before it."""
 
     solution: Solution
@@ -37,7 +37,9 @@ class Found:
     samples: int
 
 
-def first_singular(m: Linkage, analysis: RobotAnalysis, wanted: Wanted, samples: int = SAMPLES) -> Found | None:
+def first_singular(
+    m: Linkage, analysis: RobotAnalysis, wanted: Wanted, samples: int = SAMPLES
+) -> SampledSolution | None:
     """The first one that is found, or None. Raises InputError where the course does not assemble before it.
 
     What is wanted has passed `check_wanted`.
@@ -58,18 +60,18 @@ def first_singular(m: Linkage, analysis: RobotAnalysis, wanted: Wanted, samples:
         signs.append(signed(way[-1]))
         sizes.append(sigma(way[-1]))
         changed = [n for n, (a, b) in enumerate(zip(signs[-2], signs[-1], strict=True)) if a * b < 0]
-        found: list[Found] = []
+        found: list[SampledSolution] = []
         for n in changed:
             ends = ((k - 1) / samples, way[-2]), (k / samples, way[-1])
             part, s = _zero(course, *ends, lambda s, n=n: signed(s)[n])  # type: ignore[misc]
-            found.append(Found(s, part, k))
+            found.append(SampledSolution(s, part, k))
         if k > 1 and not found and sizes[-2] < min(sizes[-1], sizes[-3]):
             part, s = _least(course, way[-3], (k - 2) / samples, k / samples, sigma)
-            found += [Found(s, part, k)] if sigma(s) <= _SIGMA else []
+            found += [SampledSolution(s, part, k)] if sigma(s) <= _SIGMA else []
         true = [one for one in found if sigma(one.solution) <= _SIGMA]
         if true:
             part = min(one.part for one in true)
-            return Found(goal(course, Solution(m.home, wanted), 0.0, part), part, k)
+            return SampledSolution(goal(course, Solution(m.home, wanted), 0.0, part), part, k)
     return None
 
 

@@ -16,7 +16,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
 from gcrules.poses.numbers.cubic import FACTORED_BITS, bits
 
-__all__ = ["MAX_TERMS", "Candidate", "divided", "factored", "primitive"]
+__all__ = ["MAX_TERMS", "PossibleFactor", "divided", "factored", "primitive"]
 
 MAX_TERMS = 300
 """Polynomials of more terms that are reducible on lines are not factored by search."""
@@ -26,7 +26,7 @@ _SPREAD = 50  # lines go through points with whole coordinates up to this
 
 
 @dataclass(frozen=True)
-class Candidate:
+class PossibleFactor:
     """A polynomial that may divide: `kind` is norm | bracket, `name` what it is."""
 
     kind: str
@@ -44,7 +44,7 @@ def primitive(p: Any) -> tuple[Any, Any]:
     return p.ring.domain(int(content)) / p.ring.domain(int(c)), q
 
 
-def factored(p: Any, candidates: Sequence[Candidate], limit: int = MAX_TERMS) -> list[tuple[str, str, Any, int]]:
+def factored(p: Any, candidates: Sequence[PossibleFactor], limit: int = MAX_TERMS) -> list[tuple[str, str, Any, int]]:
     """(kind, name, factor, multiplicity) of a primitive polynomial; the kind is norm | bracket | condition.
 
     Raises LimitReached for a part that is neither proved irreducible nor small enough for a search.

@@ -1,6 +1,6 @@
 r"""A polynomial with whole coefficients in named variables: its degrees, its value, and how it is written elsewhere.
 
->>> f = Form(("x", "e0"), (((2, 1), 3), ((0, 0), -1)))
+>>> f = PolynomialForm(("x", "e0"), (((2, 1), 3), ((0, 0), -1)))
 >>> print(f), f.degree, f((2, 5))
 3*x^2*e0 - 1
 (None, 3, 59)
@@ -23,7 +23,7 @@ from gcrules.core.hints import near
 if TYPE_CHECKING:
     import sympy
 
-__all__ = ["FORMATS", "Form"]
+__all__ = ["FORMATS", "PolynomialForm"]
 
 FORMATS = ("sympy", "maple", "singular")
 _WRITTEN = {
@@ -34,14 +34,14 @@ _WRITTEN = {
 
 
 @dataclass(frozen=True)
-class Form:
+class PolynomialForm:
     """Σ coefficient · variables to the exponents; `terms` lists (exponents, coefficient), none of them 0."""
 
     variables: tuple[str, ...]
     terms: tuple[tuple[tuple[int, ...], int], ...]
 
     @classmethod
-    def of(cls, p: Any) -> Form:
+    def of(cls, p: Any) -> PolynomialForm:
         """That of an element of a ring of sympy, highest degree first."""
         terms = sorted(p.terms(), key=lambda t: (-sum(t[0]), tuple(-n for n in t[0])))
         return cls(tuple(map(str, p.ring.symbols)), tuple((tuple(map(int, e)), int(c)) for e, c in terms))

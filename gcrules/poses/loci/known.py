@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from gcrules.mechanisms.moving_platform import Rig
-from gcrules.poses.loci.factors import Candidate, divided, primitive
-from gcrules.poses.loci.form import Form
+from gcrules.poses.loci.factors import PossibleFactor, divided, primitive
+from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.variables import Question, images
 from gcrules.rules.condition import Condition
 from gcrules.screws.rotations import unscaled
@@ -33,11 +33,13 @@ def whole_ring(variables: Sequence[str]) -> Any:
     return PolyRing(list(variables), ZZ)
 
 
-def candidates(rig: Rig, question: Question, condition: Condition, norms: Sequence[Form]) -> list[Candidate]:
+def candidates(
+    rig: Rig, question: Question, condition: Condition, norms: Sequence[PolynomialForm]
+) -> list[PossibleFactor]:
     """Norms first, then the tetrahedra of the condition, each a bracket of four joints."""
     whole = whole_ring(question.free)
     norm = [whole.from_dict(dict(n.terms)) for n in norms]
-    found = [Candidate("norm", "", n) for n in norm]
+    found = [PossibleFactor("norm", "", n) for n in norm]
     four = dict.fromkeys(e.points for e in condition.entities if e.kind == "tetrahedron")
     if four:
         ring = rational_ring(question.free)
@@ -48,7 +50,7 @@ def candidates(rig: Rig, question: Question, condition: Condition, norms: Sequen
                 p = primitive(bracket)[1]
                 for n in norm:
                     p = divided(p, n)[0]
-                found.append(Candidate("bracket", f"[{' '.join(names)}]", p))
+                found.append(PossibleFactor("bracket", f"[{' '.join(names)}]", p))
     return found
 
 

@@ -29,7 +29,7 @@ from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.loci.expansion import Terms, expansion
 from gcrules.poses.loci.factors import MAX_TERMS, primitive
-from gcrules.poses.loci.form import Form
+from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.known import rational_ring
 from gcrules.poses.loci.report import Locus
 from gcrules.poses.loci.variables import images, question
@@ -63,11 +63,11 @@ def locus(
         p = _substituted(expansion(moving), shift, turn, ring)
     else:  # a polynomial in the translation as it is
         p, norms = _substituted(_translations(moving, asked.turn), shift, turn, ring), ()
-    coefficient, form = Fraction(0), Form(asked.free, ())
+    coefficient, form = Fraction(0), PolynomialForm(asked.free, ())
     parts = [primitive(n) for n in norms]
     if p:
         c, whole = primitive(p)
-        coefficient, form = _fraction(c), Form.of(whole)
+        coefficient, form = _fraction(c), PolynomialForm.of(whole)
         for c, _ in parts:
             coefficient /= _fraction(c) ** 3
     found = Locus(
@@ -76,7 +76,7 @@ def locus(
         question=asked,
         form=form,
         coefficient=coefficient,
-        norms=tuple(Form.of(n) for _, n in parts if not n.is_ground),
+        norms=tuple(PolynomialForm.of(n) for _, n in parts if not n.is_ground),
         checked=FrozenMap({"rational": CHECKS, "modular": CHECKS}),
         limit=limit,
     )

@@ -12,7 +12,7 @@ from gcrules.core.errors import LimitReached
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.moving_platform import Rig
 from gcrules.poses.loci.factors import factored
-from gcrules.poses.loci.form import Form
+from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.known import candidates, whole_ring
 from gcrules.poses.loci.variables import TRANSLATION, Question
 from gcrules.rules.condition import Condition
@@ -20,16 +20,16 @@ from gcrules.rules.condition import Condition
 if TYPE_CHECKING:
     import sympy
 
-__all__ = ["Factor", "Locus"]
+__all__ = ["Locus", "LocusFactor"]
 
 
 @dataclass(frozen=True)
-class Factor:
+class LocusFactor:
     """An irreducible factor. `kind` is norm (of the quaternion: zero in no pose) | bracket (of `name`) | condition."""
 
     kind: str
     name: str
-    form: Form
+    form: PolynomialForm
     multiplicity: int
 
     def to_json(self) -> dict[str, Any]:
@@ -56,9 +56,9 @@ class Locus(Shown):
     rig: Rig
     condition: Condition
     question: Question
-    form: Form
+    form: PolynomialForm
     coefficient: Fraction
-    norms: tuple[Form, ...]
+    norms: tuple[PolynomialForm, ...]
     checked: Mapping[str, int]
     limit: int
 
@@ -93,7 +93,7 @@ class Locus(Shown):
         return self.form.poly
 
     @cached_property
-    def factors(self) -> tuple[Factor, ...]:
+    def factors(self) -> tuple[LocusFactor, ...]:
         """The irreducible factors over the rationals, up to sign; none of the polynomial 0.
 
         Raises LimitReached for one of more than `limit` terms that cannot be told to be irreducible.
@@ -103,7 +103,7 @@ class Locus(Shown):
         ring = whole_ring(self.variables)
         p = ring.from_dict(dict(self.form.terms))
         found = factored(p, candidates(self.rig, self.question, self.condition, self.norms), self.limit)
-        return tuple(Factor(kind, name, Form.of(f), n) for kind, name, f, n in found)
+        return tuple(LocusFactor(kind, name, PolynomialForm.of(f), n) for kind, name, f, n in found)
 
     def __call__(self, **values: Any) -> Any:
         """The polynomial's value: numbers by the names of the variables, exact for integers and Fractions."""
@@ -157,5 +157,5 @@ class Locus(Shown):
         return f"<Locus of degree {self.form.degree} in {', '.join(self.variables)}: {len(self.form.terms)} terms>"
 
 
-def _listed(form: Form) -> dict[str, Any]:
+def _listed(form: PolynomialForm) -> dict[str, Any]:
     return {"exponents": [list(e) for e, _ in form.terms], "coefficients": [str(c) for _, c in form.terms]}

@@ -24,7 +24,7 @@ from gcrules.core.hints import run_together
 from gcrules.screws.pose import check_unit, read_number
 from gcrules.screws.rotations import check_sequence
 
-__all__ = ["MAX_NODES", "TILT", "TRANSLATION", "VECTOR", "Axis", "parse_axis", "read_axes"]
+__all__ = ["MAX_NODES", "TILT", "TRANSLATION", "VECTOR", "GridAxis", "parse_axis", "read_axes"]
 
 Floats = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ _NAMES = "x, y, z; rx, ry, rz; zyx1, zyx2, zyx3 (or another sequence); azimuth, 
 
 
 @dataclass(frozen=True)
-class Axis:
+class GridAxis:
     """`number` nodes of the coordinate `name`, evenly from `start` to `stop`, both included, in `unit`.
 
     `kind` is translation | vector | tilt | a sequence of Euler angles, `place` which of its three coordinates this is.
@@ -124,12 +124,12 @@ def _plain(number: Fraction) -> str:
     return text if Fraction(text) == number else str(number)
 
 
-def read_axes(over: Sequence[str | Axis], unit: str = "") -> tuple[Axis, ...]:
+def read_axes(over: Sequence[str | GridAxis], unit: str = "") -> tuple[GridAxis, ...]:
     """Two or three axes. Raises InputError for another number, for coordinates that do not go together, and for
     whatever `parse_axis` refuses.
     """
-    listed = [over] if isinstance(over, (str, Axis)) else list(over)
-    axes = tuple(a if isinstance(a, Axis) else parse_axis(a, unit) for a in listed)
+    listed = [over] if isinstance(over, (str, GridAxis)) else list(over)
+    axes = tuple(a if isinstance(a, GridAxis) else parse_axis(a, unit) for a in listed)
     if len(axes) not in (2, 3):
         raise InputError(f"a map is over two or three coordinates, found {len(axes)}", hint=_FORM)
     names = [a.name for a in axes]
@@ -147,7 +147,7 @@ def read_axes(over: Sequence[str | Axis], unit: str = "") -> tuple[Axis, ...]:
     return axes
 
 
-def parse_axis(text: str, unit: str = "") -> Axis:
+def parse_axis(text: str, unit: str = "") -> GridAxis:
     """Read "NAME start:stop:number [unit]"; lengths are in `unit`, which they may name, angles say deg or rad.
 
     Raises InputError for what is no axis, for numbers that are not finite, for a range that is empty or runs
@@ -159,7 +159,7 @@ def parse_axis(text: str, unit: str = "") -> Axis:
         raise fault.located(text, "--over", Span(0, max(len(text), 1))) from None
 
 
-def _axis(words: list[str], unit: str) -> Axis:
+def _axis(words: list[str], unit: str) -> GridAxis:
     if not 2 <= len(words) <= 3:
         apart = run_together(words[0], (*TRANSLATION, *VECTOR, *TILT)) if words else None
         more = f", one --over for each of {' and '.join(apart)}" if apart else ""
@@ -186,10 +186,10 @@ def _axis(words: list[str], unit: str) -> Axis:
             if word.lower() in _ANGLES:
                 raise InputError(f"{name} is a length, {word} a unit of angles")
             check_unit(word, unit)
-        return Axis(name, start, stop, number, unit)
+        return GridAxis(name, start, stop, number, unit)
     if word is None or word.lower() not in _ANGLES:
         raise InputError(f"{name} is an angle without a unit", hint=f'end with deg or rad: "{name} {bounds} deg"')
-    return Axis(name, start, stop, number, _ANGLES[word.lower()])
+    return GridAxis(name, start, stop, number, _ANGLES[word.lower()])
 
 
 def _number(word: str) -> int:

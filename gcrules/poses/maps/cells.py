@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.poses.maps.bernstein import coefficients, corners, halves, tolerance
-from gcrules.poses.maps.slices import Factor
+from gcrules.poses.maps.slices import SliceFactor
 
 __all__ = ["CROSSED", "FREE", "MEANINGS", "UNDECIDED", "block_error", "certified", "open_cells"]
 
@@ -31,7 +31,7 @@ _MOST = 400_000  # parts of cells at once; the cells of more stay undecided
 
 
 def certified(
-    factors: Sequence[Factor], first: tuple[int, ...], shape: tuple[int, ...], reach: tuple[int, ...]
+    factors: Sequence[SliceFactor], first: tuple[int, ...], shape: tuple[int, ...], reach: tuple[int, ...]
 ) -> Statuses:
     """The status of all cells of a box, an array of this shape; `first` is the lower corner of its first cell."""
     found = np.zeros(shape, dtype=np.uint8)
@@ -43,7 +43,7 @@ def certified(
 
 
 def open_cells(
-    f: Factor, first: tuple[int, ...], shape: tuple[int, ...], reach: tuple[int, ...]
+    f: SliceFactor, first: tuple[int, ...], shape: tuple[int, ...], reach: tuple[int, ...]
 ) -> tuple[Integers, Floats]:
     """The cells of a box but for those in blocks that are free at a glance: corners (N, axes) and coefficients."""
     axes = len(shape)
@@ -80,7 +80,7 @@ def _opened(
     return cells, b
 
 
-def block_error(f: Factor, reach: tuple[int, ...]) -> float:
+def block_error(f: SliceFactor, reach: tuple[int, ...]) -> float:
     """What a coefficient may be off by; that of blocks too, which may stand out of the box."""
     return tolerance(f.tensor, tuple(r + 16 for r in reach))
 
@@ -91,7 +91,7 @@ def _worst(one: Statuses, other: Statuses) -> Statuses:
     return found
 
 
-def _one(f: Factor, corner: Integers, b: Floats, error: float) -> Statuses:
+def _one(f: SliceFactor, corner: Integers, b: Floats, error: float) -> Statuses:
     """The status of cells with these corners and coefficients."""
     found = np.zeros(len(corner), dtype=np.uint8)
     owner = np.arange(len(corner))
@@ -119,7 +119,7 @@ def _one(f: Factor, corner: Integers, b: Floats, error: float) -> Statuses:
     return found
 
 
-def _zero_at_corners(f: Factor, cells: Integers) -> NDArray[np.bool_]:
+def _zero_at_corners(f: SliceFactor, cells: Integers) -> NDArray[np.bool_]:
     """Whether the polynomial is exactly 0 at a corner of each cell."""
     if not len(cells):
         return np.zeros(0, dtype=bool)

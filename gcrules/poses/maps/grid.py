@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.moving_platform import FAR, Rig
-from gcrules.poses.maps.axes import Axis
+from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.numbers.arrays import from_poses, read_arrays
 from gcrules.poses.numbers.pose_arguments import one_pose
 from gcrules.screws.pose import Pose
@@ -38,7 +38,7 @@ class Grid:
     """
 
     rig: Rig
-    axes: tuple[Axis, ...]
+    axes: tuple[GridAxis, ...]
     at: Pose
     rest: Vector = (Fraction(0), Fraction(0), Fraction(0))
     notes: tuple[str, ...] = ()
@@ -52,7 +52,7 @@ class Grid:
         return math.prod(self.shape)
 
     @property
-    def turning(self) -> Axis | None:
+    def turning(self) -> GridAxis | None:
         """An axis that turns, if there is one."""
         return next((a for a in self.axes if a.kind != "translation"), None)
 
@@ -122,7 +122,7 @@ def _sequence(kind: str) -> str:
     return "ZYZ" if kind == "tilt" else kind
 
 
-def grid(rig: Rig, axes: tuple[Axis, ...], at: Any = None) -> Grid:
+def grid(rig: Rig, axes: tuple[GridAxis, ...], at: Any = None) -> Grid:
     """The slice around a pose (text as for --at, a translation or a `Pose`; the file's own by default).
 
     Raises InputError for what is no single pose and for slices that are too far away, LimitReached for too many nodes.
@@ -154,7 +154,7 @@ def grid(rig: Rig, axes: tuple[Axis, ...], at: Any = None) -> Grid:
     return found
 
 
-def _rest(pose: Pose, given: Any, axis: Axis) -> tuple[tuple[Fraction, ...], tuple[str, ...]]:
+def _rest(pose: Pose, given: Any, axis: GridAxis) -> tuple[tuple[Fraction, ...], tuple[str, ...]]:
     """The three angles of the pose, in the axis' unit: as they were typed, if they were, else computed."""
     degrees = axis.unit == "deg"
     typed = _typed(given, axis.kind) if isinstance(given, str) else None

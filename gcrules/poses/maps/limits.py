@@ -21,14 +21,14 @@ from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.hints import near
 from gcrules.screws.pose import check_unit, read_number
 
-__all__ = ["Limits", "parse_limits"]
+__all__ = ["LengthLimits", "parse_limits"]
 
 _ALL = ("leg lengths", "leg length", "legs", "lengths", "all")
 _FORM = 'write "leg lengths 1..3", or for single legs "ab 1..3, cd 2..", in the unit of the file'
 
 
 @dataclass(frozen=True)
-class Limits:
+class LengthLimits:
     """The least and the largest length of each leg, in `unit`; 0 and infinity where there is none."""
 
     names: tuple[str, ...]
@@ -67,7 +67,7 @@ def _range(name: str, low: float, high: float) -> str:
     return f"{below}{name}{f' ≤ {high:g}' if high < math.inf else ''}"
 
 
-def parse_limits(text: str, names: Sequence[str], unit: str = "") -> Limits:
+def parse_limits(text: str, names: Sequence[str], unit: str = "") -> LengthLimits:
     """Read ranges "low..high" of all legs or of single ones (either bound may be left out); later ones count.
 
     Raises InputError for unknown legs, for reversed, empty or negative ranges, and for other units.
@@ -83,7 +83,7 @@ def parse_limits(text: str, names: Sequence[str], unit: str = "") -> Limits:
                 low[leg], high[leg] = least, most
     except GcrulesError as fault:
         raise fault.located(text, "--limits", Span(0, max(len(text), 1))) from None
-    return Limits(tuple(names), tuple(low.values()), tuple(high.values()), unit)
+    return LengthLimits(tuple(names), tuple(low.values()), tuple(high.values()), unit)
 
 
 def _part(part: str, names: Sequence[str], unit: str) -> tuple[Sequence[str], float, float]:

@@ -29,7 +29,7 @@ from gcrules.core.seeds import drawn
 from gcrules.core.version import __version__
 from gcrules.mechanisms.load import Source
 from gcrules.poses.compiling.compiled import compiled
-from gcrules.poses.maps.axes import Axis, read_axes
+from gcrules.poses.maps.axes import GridAxis, read_axes
 from gcrules.poses.maps.grid import grid
 from gcrules.poses.maps.joining import joined
 from gcrules.poses.maps.limits import parse_limits
@@ -37,9 +37,9 @@ from gcrules.poses.maps.marching import marched
 from gcrules.poses.maps.report import Curve, SingularMap
 from gcrules.poses.maps.slices import factors, middle, slice_polynomial, vanishes
 from gcrules.poses.maps.store import Folder, Memory, Store
-from gcrules.poses.maps.summary import Summary, summed, together
+from gcrules.poses.maps.summary import MapSummary, summed, together
 from gcrules.poses.maps.tracing import polished, traced
-from gcrules.poses.maps.values import KINDS, Task
+from gcrules.poses.maps.values import KINDS, MapTask
 from gcrules.poses.pose_inputs import moving_robot
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of
 
@@ -53,7 +53,7 @@ MAX_HELD = 8_000_000
 
 def singular_map(
     robot: Source,
-    over: Sequence[str | Axis],
+    over: Sequence[str | GridAxis],
     at: Any = None,
     *,
     about: str | Sequence[Any] = "centroid",
@@ -70,7 +70,7 @@ def singular_map(
 
 def done(
     analysis: Analysis,
-    task: Task,
+    task: MapTask,
     limit: Threshold,
     *,
     work: str | PathLike[str] | None = None,
@@ -93,7 +93,7 @@ def done(
 
 def planned(
     robot: Any, over: Any, at: Any, about: Any, limits: str | None, threshold: Any, measure: str
-) -> tuple[Analysis, Task, Threshold]:
+) -> tuple[Analysis, MapTask, Threshold]:
     """What is to be computed, all faults of the input told."""
     analysis, moving = moving_robot(robot, about, "a map")
     axes = read_axes(over, moving.unit)
@@ -105,17 +105,17 @@ def planned(
     condition = compiled(analysis, about=about)
     moved = g.turning is not None
     everywhere = vanishes(g) if moved else not slice_polynomial(g)
-    task = Task(g, condition, measure, reached, None if moved else factors(g), everywhere)
+    task = MapTask(g, condition, measure, reached, None if moved else factors(g), everywhere)
     return analysis, task, limit
 
 
-def bytes_of(task: Task) -> int:
+def bytes_of(task: MapTask) -> int:
     """How many bytes the arrays of a map take on disk."""
     each: int = sum(np.dtype(KINDS[n]).itemsize * (6 if n == "leg_length" else 1) for n in task.names)
     return each * task.grid.size
 
 
-def _manifest(task: Task) -> dict[str, Any]:
+def _manifest(task: MapTask) -> dict[str, Any]:
     """Of what the chunks of a task are, with a fingerprint of all of it."""
     g = task.grid
     found = {
@@ -137,10 +137,10 @@ def _manifest(task: Task) -> dict[str, Any]:
     return {**found, "fingerprint": digest}
 
 
-def _computed(task: Task, store: Store, limit: Threshold) -> Summary:
+def _computed(task: MapTask, store: Store, limit: Threshold) -> MapSummary:
     assert limit.angle is not None
     sigma = margin_of(limit.angle)
-    parts: list[Summary] = []
+    parts: list[MapSummary] = []
     kept: list[int] = []
     poses = 0
     for n in range(task.number):
@@ -164,7 +164,7 @@ def _bar(done: int, number: int) -> str:
     return f"[{'#' * full}{'.' * (_BAR - full)}] {100 * done // number:3d} % of {number:,} poses"
 
 
-def _check_kept(task: Task, store: Folder, n: int) -> None:
+def _check_kept(task: MapTask, store: Folder, n: int) -> None:
     """Compute a chunk again that was found in a folder. Raises FileError where the folder holds something else."""
     there, here = store.get(n), task.compute(n)
     if there is None or not all(_alike(there[name], here[name]) for name in task.names):

@@ -16,13 +16,13 @@ from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.core.version import __version__
 from gcrules.poses.maps.grid import Grid
-from gcrules.poses.maps.limits import Limits
+from gcrules.poses.maps.limits import LengthLimits
 from gcrules.poses.maps.mesh import Mesh
-from gcrules.poses.maps.slices import MEMBERS, Factor
+from gcrules.poses.maps.slices import MEMBERS, SliceFactor
 from gcrules.poses.maps.store import Store
-from gcrules.poses.maps.summary import Summary
+from gcrules.poses.maps.summary import MapSummary
 from gcrules.poses.maps.surface import Sheet, of_factor, sheet
-from gcrules.poses.maps.values import Chunk, Task
+from gcrules.poses.maps.values import Chunk, MapTask
 from gcrules.rules.condition import Condition
 from gcrules.screws.threshold import Threshold, margin_of
 
@@ -70,11 +70,11 @@ class SingularMap(HoldsArrays, Shown):
     superbracket where it is a polynomial on the slice (None otherwise), `everywhere` says that it is 0 throughout.
     """
 
-    task: Task
+    task: MapTask
     condition: Condition
     threshold: Threshold
     store: Store
-    summary: Summary
+    summary: MapSummary
     curves: tuple[Curve, ...] = ()
     notes: tuple[str, ...] = ()
 
@@ -83,11 +83,11 @@ class SingularMap(HoldsArrays, Shown):
         return self.task.grid
 
     @property
-    def limits(self) -> Limits | None:
+    def limits(self) -> LengthLimits | None:
         return self.task.limits
 
     @property
-    def factors(self) -> tuple[Factor, ...] | None:
+    def factors(self) -> tuple[SliceFactor, ...] | None:
         return self.task.factors
 
     @property

@@ -25,7 +25,7 @@ from gcrules.poses.maps.grid import Grid
 from gcrules.poses.numbers.cubic import FACTORED_BITS, bits, superbracket_at, translation_polynomial
 from gcrules.screws.pose import Pose
 
-__all__ = ["MEMBERS", "Factor", "Polynomial", "factors", "middle", "slice_polynomial", "vanishes"]
+__all__ = ["MEMBERS", "Polynomial", "SliceFactor", "factors", "middle", "slice_polynomial", "vanishes"]
 
 Floats = NDArray[np.float64]
 MEMBERS = 8
@@ -39,7 +39,7 @@ Line = tuple[int | None, Fraction, Fraction]
 
 
 @dataclass(frozen=True)
-class Factor:
+class SliceFactor:
     """An irreducible factor (over the rationals) of the superbracket on the slice, in w; `text` is it in the axes'
     coordinates where that is short, else empty.
     """
@@ -151,7 +151,7 @@ def vanishes(g: Grid) -> bool:
     return met == MEMBERS
 
 
-def factors(g: Grid) -> tuple[Factor, ...]:
+def factors(g: Grid) -> tuple[SliceFactor, ...]:
     """The irreducible factors other than constants; none for the zero polynomial too (see `slice_polynomial`).
 
     A polynomial with numbers too long to be factored is one factor as a whole.
@@ -168,7 +168,7 @@ def factors(g: Grid) -> tuple[Factor, ...]:
     for q, multiplicity in listed:
         exact = {tuple(e): Fraction(int(c.p), int(c.q)) for e, c in q.terms()}
         text = str(q.as_expr())
-        found.append(Factor(_in_nodes(exact, g), int(multiplicity), text if len(text) <= 100 else ""))
+        found.append(SliceFactor(_in_nodes(exact, g), int(multiplicity), text if len(text) <= 100 else ""))
     return tuple(sorted(found, key=lambda f: (f.degree, f.text)))
 
 

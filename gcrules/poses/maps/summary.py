@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 
 from gcrules.poses.maps.cells import CROSSED, FREE, MEANINGS, UNDECIDED
-from gcrules.poses.maps.values import Chunk, Task
+from gcrules.poses.maps.values import Chunk, MapTask
 
-__all__ = ["Summary", "summed", "together"]
+__all__ = ["MapSummary", "summed", "together"]
 
 
 @dataclass(frozen=True)
-class Summary:
+class MapSummary:
     """Counts over the whole map: `cells` by status (free, crossed, undecided), poses, those within the limits, and
     those of the latter below the threshold; the least margin among them, and where (None where it was not asked for
     or no pose keeps to the limits).
@@ -39,7 +39,7 @@ class Summary:
         }
 
 
-def summed(chunk: Chunk, task: Task, number: int, sigma: float) -> Summary:
+def summed(chunk: Chunk, task: MapTask, number: int, sigma: float) -> MapSummary:
     """The summary of one chunk; poses are close below the margin `sigma`."""
     first, _ = task.span(number)
     counts = np.bincount(chunk["cell_status"].ravel(), minlength=3)
@@ -47,21 +47,21 @@ def summed(chunk: Chunk, task: Task, number: int, sigma: float) -> Summary:
     inside = chunk["allowed"].astype(bool) if "allowed" in chunk else np.ones(chunk["superbracket"].shape, bool)
     cells = (int(counts[FREE]), int(counts[CROSSED]), int(counts[UNDECIDED]))
     if "margin" not in chunk or not inside.any():
-        return Summary(cells, poses, int(inside.sum()), 0)
+        return MapSummary(cells, poses, int(inside.sum()), 0)
     values = np.where(inside, chunk["margin"], np.inf)
     k = np.unravel_index(int(values.argmin()), values.shape)
     place = task.grid.coordinates(np.array([[k[0] + first, *k[1:]]], dtype=np.float64))[0]
     close = int((values < sigma).sum())
-    return Summary(cells, poses, int(inside.sum()), close, float(values[k]), tuple(map(float, place)))
+    return MapSummary(cells, poses, int(inside.sum()), close, float(values[k]), tuple(map(float, place)))
 
 
-def together(parts: Iterable[Summary]) -> Summary:
+def together(parts: Iterable[MapSummary]) -> MapSummary:
     """Summaries of chunks as one."""
-    total = Summary((0, 0, 0), 0, 0, 0)
+    total = MapSummary((0, 0, 0), 0, 0, 0)
     for p in parts:
         least = min((s for s in (total, p) if s.margin is not None), key=lambda s: s.margin or 0.0, default=p)
         a, b, c = (x + y for x, y in zip(total.cells, p.cells, strict=True))
-        total = Summary(
+        total = MapSummary(
             (a, b, c),
             total.poses + p.poses,
             total.allowed + p.allowed,

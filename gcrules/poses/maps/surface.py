@@ -17,7 +17,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.poses.maps.grid import Grid
 from gcrules.poses.maps.marching import bracketed
-from gcrules.poses.maps.slices import Factor, middle
+from gcrules.poses.maps.slices import SliceFactor, middle
 
 __all__ = ["MAX_TRIANGLES", "Sheet", "of_factor", "sheet"]
 
@@ -38,7 +38,7 @@ Sheet = tuple[Floats, Floats, Integers, NDArray[np.bool_]]
 """Places in nodes (V, 3), gradients there (per node), triangles (F, 3), and which places were brought to zero."""
 
 
-def of_factor(f: Factor, g: Grid) -> tuple[Value, Layers]:
+def of_factor(f: SliceFactor, g: Grid) -> tuple[Value, Layers]:
     """A factor as a function of places, and at layers of nodes."""
     start = np.array(middle(g), dtype=np.float64)
     exponents = sorted(f.polynomial)

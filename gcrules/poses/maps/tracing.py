@@ -18,7 +18,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.poses.maps.bernstein import corners, halves
 from gcrules.poses.maps.cells import block_error, open_cells
 from gcrules.poses.maps.joining import Arcs
-from gcrules.poses.maps.slices import Factor
+from gcrules.poses.maps.slices import SliceFactor
 
 __all__ = ["DEPTH", "polished", "traced"]
 
@@ -35,7 +35,7 @@ _MOST = 400_000
 _EDGES = ((0, 0), (0, 1), (1, 0), (1, 1))
 
 
-def traced(f: Factor, shape: tuple[int, ...], middle: tuple[int, ...]) -> Arcs:
+def traced(f: SliceFactor, shape: tuple[int, ...], middle: tuple[int, ...]) -> Arcs:
     """The arcs of f = 0 over a grid of nodes of this shape; places are counted in nodes, 0 the first one."""
     found = []
     reach = tuple(max(m, n - 1 - m) for m, n in zip(middle, shape, strict=True))
@@ -152,7 +152,7 @@ def _stars(b: Floats, corner: Integers, width: int) -> Arcs:
     return Arcs.together(parts)
 
 
-def polished(f: Factor, places: Floats, middle: tuple[int, ...]) -> Floats:
+def polished(f: SliceFactor, places: Floats, middle: tuple[int, ...]) -> Floats:
     """Places in nodes, moved along the slope onto f = 0; by less than a part's width, else they are left."""
     found = places
     value, slope = _with_slope(f, found, middle)
@@ -166,7 +166,7 @@ def polished(f: Factor, places: Floats, middle: tuple[int, ...]) -> Floats:
     return found
 
 
-def _with_slope(f: Factor, places: Floats, middle: tuple[int, ...]) -> tuple[Floats, Floats]:
+def _with_slope(f: SliceFactor, places: Floats, middle: tuple[int, ...]) -> tuple[Floats, Floats]:
     u, v = (places - np.array(middle)).T
     a, b = (np.stack([np.ones_like(w), w, w**2, w**3]) for w in (u, v))
     da, db = (np.stack([np.zeros_like(w), np.ones_like(w), 2 * w, 3 * w**2]) for w in (u, v))

@@ -21,12 +21,12 @@ from gcrules.poses.compiling.compiled import CompiledCondition
 from gcrules.poses.maps.cells import CROSSED, FREE, UNDECIDED, certified
 from gcrules.poses.maps.grid import Grid
 from gcrules.poses.maps.guarded import guarded
-from gcrules.poses.maps.limits import Limits
-from gcrules.poses.maps.slices import Factor, middle
+from gcrules.poses.maps.limits import LengthLimits
+from gcrules.poses.maps.slices import SliceFactor, middle
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.margin import jacobian
 
-__all__ = ["KINDS", "Chunk", "Task"]
+__all__ = ["KINDS", "Chunk", "MapTask"]
 
 Floats = NDArray[np.float64]
 Chunk = Mapping[str, NDArray[Any]]
@@ -46,7 +46,7 @@ _BATCH = 20_000  # poses whose Jacobians are in memory at once
 
 
 @dataclass(frozen=True, eq=False)
-class Task(HoldsArrays):
+class MapTask(HoldsArrays):
     """What is computed: `measure` is margin (everything) or value (the superbracket, and what the limits need).
 
     `factors` are those of the superbracket where all axes are translations, else None; `everywhere` says that it is
@@ -56,8 +56,8 @@ class Task(HoldsArrays):
     grid: Grid
     condition: CompiledCondition
     measure: str
-    limits: Limits | None
-    factors: tuple[Factor, ...] | None
+    limits: LengthLimits | None
+    factors: tuple[SliceFactor, ...] | None
     everywhere: bool = False
 
     @property

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint
 from gcrules.poses.nearest.taylor import Taylor
 
-__all__ = ["GAPS", "MAX_BOXES", "Search", "search"]
+__all__ = ["GAPS", "MAX_BOXES", "BallSearch", "search"]
 
 Floats = NDArray[np.float64]
 
@@ -34,7 +34,7 @@ _BENDS = (0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)  # k
 
 
 @dataclass(frozen=True, eq=False)
-class Search:
+class BallSearch:
     """No zero is nearer than `free` (in units of the ball's radius); `better` is a point at which f < 0, if one was
     met nearer than that radius.
     """
@@ -60,14 +60,14 @@ class _Box:
         return found
 
 
-def search(f: Taylor, touching: Sequence[Floats], limit: int = MAX_BOXES) -> Search:
+def search(f: Taylor, touching: Sequence[Floats], limit: int = MAX_BOXES) -> BallSearch:
     """Search the ball of radius 1 about 0, but for one of the `GAPS`, for zeros of f, f(0) = 1.
 
     `touching` are points at which f is zero and the distance from 0 is least nearby, of length about 1 or more. At
     most `limit` cubes are looked at for each gap; if that does not suffice, `free` is what has been proved by then.
     """
     boxes = [box for x in touching if (box := _convex(f, x))]
-    best = Search(0.0)
+    best = BallSearch(0.0)
     for gap in GAPS:
         found = _search(f, boxes, 1 - gap, limit)
         best = max(best, found, key=lambda s: s.free)
@@ -76,7 +76,7 @@ def search(f: Taylor, touching: Sequence[Floats], limit: int = MAX_BOXES) -> Sea
     return best
 
 
-def _search(f: Taylor, boxes: Sequence[_Box], radius: float, limit: int) -> Search:
+def _search(f: Taylor, boxes: Sequence[_Box], radius: float, limit: int) -> BallSearch:
     cubes, half, seen = np.zeros((1, 3)), 1.0, 0
     while len(cubes):
         checkpoint()
@@ -85,17 +85,17 @@ def _search(f: Taylor, boxes: Sequence[_Box], radius: float, limit: int) -> Sear
         values = f.value(cubes)
         wrong = (values < -f.rounding) & (np.linalg.norm(cubes, axis=1) < radius)
         if wrong.any():
-            return Search(0.0, cubes[int(np.argmax(wrong))])
+            return BallSearch(0.0, cubes[int(np.argmax(wrong))])
         cubes = cubes[~_free(f, cubes, half, radius)]
         for box in boxes:
             cubes = cubes[~box.holds(cubes, half)]
         seen += len(cubes)
         if seen + 8 * len(cubes) > limit or half < 1e-13:
             nearest = np.linalg.norm(np.maximum(np.abs(cubes) - half, 0.0), axis=1)
-            return Search(min(radius, float(nearest.min(initial=radius))))
+            return BallSearch(min(radius, float(nearest.min(initial=radius))))
         half /= 2
         cubes = (cubes[:, None, :] + half * _CORNERS).reshape(-1, 3)
-    return Search(radius)
+    return BallSearch(radius)
 
 
 def _free(f: Taylor, cubes: Floats, half: float, radius: float) -> NDArray[np.bool_]:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint
 from gcrules.poses.numbers.arrays import from_vectors, matrices
 from gcrules.screws.guarantees import guarantees
-from gcrules.screws.margin import Jacobian, jacobian
+from gcrules.screws.margin import LegJacobians, jacobian
 
 __all__ = ["MAX_POSES", "free_angle", "free_distance"]
 
@@ -28,7 +28,7 @@ _CORNERS = np.array(list(product((-1.0, 1.0), repeat=3)))
 _ENOUGH = 0.98  # of the best that this argument can prove
 
 
-def free_angle(base: Floats, j: Jacobian, target: float, limit: int = MAX_POSES) -> float:
+def free_angle(base: Floats, j: LegJacobians, target: float, limit: int = MAX_POSES) -> float:
     """An angle ≤ target such that no rotation by less about the centroid of the platform ends makes the robot singular.
 
     `j` is at the one pose from which it is turned; at most `limit` poses are looked at.
@@ -52,7 +52,7 @@ def free_angle(base: Floats, j: Jacobian, target: float, limit: int = MAX_POSES)
     return free
 
 
-def free_distance(base: Floats, j: Jacobian, target: float, limit: int = MAX_POSES) -> float:
+def free_distance(base: Floats, j: LegJacobians, target: float, limit: int = MAX_POSES) -> float:
     """A distance ≤ target such that no nearer pose is singular, in the metric of `Guarantees.combined`.
 
     A singular pose in a cube has a shift of at least δ and a rotation of at least the cube's least φ, so its distance
@@ -76,7 +76,7 @@ def free_distance(base: Floats, j: Jacobian, target: float, limit: int = MAX_POS
     return _ENOUGH * best
 
 
-def _free_shift(base: Floats, j: Jacobian, cubes: Floats, half: float) -> tuple[Floats, Floats]:
+def _free_shift(base: Floats, j: LegJacobians, cubes: Floats, half: float) -> tuple[Floats, Floats]:
     """The δ of cubes (negative where not even all rotations are free), and that of their centres alone."""
     ends = np.einsum("nij,kj->nki", matrices(from_vectors(cubes)), j.arms[0]) + j.centroid[0]
     gone = (np.linalg.norm(ends - base, axis=2) <= 1e-12 * j.radius).any(axis=1)

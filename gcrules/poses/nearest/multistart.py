@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint
 from gcrules.poses.nearest.zero import fibonacci
 from gcrules.poses.numbers.arrays import from_vectors, matrices
-from gcrules.screws.margin import Jacobian
+from gcrules.screws.margin import LegJacobians
 
 __all__ = ["Determinant", "best_zero"]
 
@@ -42,7 +42,7 @@ class Determinant:
     radius: float
 
     @staticmethod
-    def of(base: Floats, j: Jacobian) -> Determinant:
+    def of(base: Floats, j: LegJacobians) -> Determinant:
         """At the one pose of a Jacobian."""
         return Determinant(base / j.radius, j.centroid[0] / j.radius, j.arms[0] / j.radius, j.radius)
 

@@ -18,7 +18,7 @@ from gcrules.poses.numbers.arrays import from_poses
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.screws.guarantees import guarantees
-from gcrules.screws.margin import Jacobian, jacobian
+from gcrules.screws.margin import LegJacobians, jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import from_vector, product, rotation, short
 
@@ -30,7 +30,7 @@ _COVERED = 0.01  # the proof for rotations covers the angles below that of the p
 _BESIDE = 1e-9  # relative distance at which a change of sign is looked for, exactly
 
 
-def nearest_poses(rig: Rig, pose: Pose, j: Jacobian, *, singular: bool) -> tuple[NearestPose, ...]:
+def nearest_poses(rig: Rig, pose: Pose, j: LegJacobians, *, singular: bool) -> tuple[NearestPose, ...]:
     """Translation, rotation, combined; all at distance 0 where the pose itself is `singular`. `j` is at the pose."""
     translation = nearest_translation(rig, pose, j, singular=singular)
     if singular:
@@ -54,7 +54,7 @@ def nearest_poses(rig: Rig, pose: Pose, j: Jacobian, *, singular: bool) -> tuple
     return translation, rotated, _found(rig, pose, "combined", vector, free, j)
 
 
-def nearest_translation(rig: Rig, pose: Pose, j: Jacobian, *, singular: bool) -> NearestPose:
+def nearest_translation(rig: Rig, pose: Pose, j: LegJacobians, *, singular: bool) -> NearestPose:
     """The nearest singular pose at the same orientation."""
     points = rig.exact(pose)
     if singular:
@@ -70,7 +70,7 @@ def nearest_translation(rig: Rig, pose: Pose, j: Jacobian, *, singular: bool) ->
     return _checked(rig, found, Pose((x, y, z), pose.quaternion))
 
 
-def _found(rig: Rig, pose: Pose, kind: str, x: Floats | None, lower: float, j: Jacobian) -> NearestPose:
+def _found(rig: Rig, pose: Pose, kind: str, x: Floats | None, lower: float, j: LegJacobians) -> NearestPose:
     """The answer of a search, checked by an exact change of sign beyond the zero."""
     if x is None:
         return NearestPose(kind, math.inf, lower, None, None, never=kind == "rotation" and lower >= math.pi)

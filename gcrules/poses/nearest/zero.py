@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
-from gcrules.poses.nearest.certify import Search, search
+from gcrules.poses.nearest.certify import BallSearch, search
 from gcrules.poses.nearest.taylor import Taylor, taylor
 from gcrules.poses.numbers.cubic import Cubic
 from gcrules.poses.numbers.quadric import one_sign, split, touching
@@ -93,7 +93,7 @@ def _nearest(f: Cubic, size: float) -> NearestZero:
         if far.better is None:
             return NearestZero(None, np.inf, far.free * float(unit), None)
         points = _candidates(taylor(f, unit), far.better)
-    found = Search(0.0)
+    found = BallSearch(0.0)
     for _ in range(_AGAIN):
         checkpoint()
         nearest = Fraction(float(np.linalg.norm(points, axis=1).min()))

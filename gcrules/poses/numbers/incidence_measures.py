@@ -29,7 +29,7 @@ from gcrules.poses.numbers.extensors import (
 )
 from gcrules.rules.condition import Condition
 
-__all__ = ["NEAR_ZERO", "Reading", "readings"]
+__all__ = ["NEAR_ZERO", "IncidenceMeasure", "readings"]
 
 Floats = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ NEAR_ZERO = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
-class Reading(HoldsArrays):
+class IncidenceMeasure(HoldsArrays):
     """A number read off one part of a condition in N poses, shape (N,): 0 where this part makes the robot singular.
 
     `part` is the expression in DSL text; `name` and `meaning` say what is measured; `power` is the dimension, 1 for a
@@ -59,12 +59,12 @@ class Reading(HoldsArrays):
 _Measure = tuple[str, str, Floats, int, bool]  # name, meaning, values, power, published
 
 
-def readings(conditions: Sequence[Condition], points: Points) -> tuple[Reading, ...]:
+def readings(conditions: Sequence[Condition], points: Points) -> tuple[IncidenceMeasure, ...]:
     """All readings of all conditions, each part once; `points` are homogeneous coordinates (N, 4).
 
     They are computed at unit scale, where no product of lengths is too large or too small for a float.
     """
-    found: dict[tuple[str, str], Reading] = {}
+    found: dict[tuple[str, str], IncidenceMeasure] = {}
     points, unit = unit_scale(points), size_of(points)
     with np.errstate(divide="ignore", invalid="ignore"):
         for condition in conditions:
@@ -76,7 +76,9 @@ def readings(conditions: Sequence[Condition], points: Points) -> tuple[Reading, 
                     if (cofactor < NEAR_ZERO).any():
                         why = f"the cofactor {condition.cofactor} is near zero"
                     valid = finite & (cofactor >= NEAR_ZERO)
-                    reading = Reading(str(part), name, meaning, values * unit**power, valid, power, published, why)
+                    reading = IncidenceMeasure(
+                        str(part), name, meaning, values * unit**power, valid, power, published, why
+                    )
                     found.setdefault((str(part), name), reading)
     return tuple(found.values())
 

@@ -13,7 +13,7 @@ from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.moving_platform import Rig
-from gcrules.poses.numbers.incidence_measures import Reading, readings
+from gcrules.poses.numbers.incidence_measures import IncidenceMeasure, readings
 from gcrules.rules.condition import Condition
 from gcrules.screws.guarantees import ROUNDING, guarantees, noise
 from gcrules.screws.margin import jacobian
@@ -48,7 +48,7 @@ class PoseNumbers(HoldsArrays, Shown):
     smallest_singular_value: Floats
     condition_number: Floats
     verdict: NDArray[np.str_]
-    readings: tuple[Reading, ...]
+    readings: tuple[IncidenceMeasure, ...]
     radius: float
     unit: str
     notes: tuple[str, ...] = ()

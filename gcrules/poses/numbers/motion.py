@@ -14,7 +14,7 @@ from gcrules.algebra.language.legs_text import Leg
 from gcrules.conditions.gained_motion import Screw, free_motions
 from gcrules.core.linear_algebra import kernel
 from gcrules.poses.numbers.variety import Variety, variety
-from gcrules.screws.margin import Jacobian
+from gcrules.screws.margin import LegJacobians
 
 __all__ = ["Dependence", "Twist", "dependence", "exact_dependence", "scaled", "softest_twist", "twist_of"]
 
@@ -110,7 +110,7 @@ def exact_dependence(
     )
 
 
-def dependence(j: Jacobian, names: Sequence[str], n: int = 0) -> Dependence:
+def dependence(j: LegJacobians, names: Sequence[str], n: int = 0) -> Dependence:
     """At pose n, which is singular within the accuracy of the numbers: singular values below 1e-6 count as zero."""
     rows = j.rows[n]
     left, s, _ = np.linalg.svd(rows)
@@ -128,7 +128,7 @@ def dependence(j: Jacobian, names: Sequence[str], n: int = 0) -> Dependence:
     )
 
 
-def softest_twist(j: Jacobian, n: int = 0) -> Twist:
+def softest_twist(j: LegJacobians, n: int = 0) -> Twist:
     """The motion of the platform that the legs notice least in pose n: Σ (u_i·v_i)² = σ² Σ |v_i|²."""
     v = j.softest[n]
     return twist_of(v[:3], v[3:] / j.radius, j.centroid[n], j.radius)

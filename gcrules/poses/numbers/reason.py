@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.screws.guarantees import Guarantees
-from gcrules.screws.margin import Jacobian
+from gcrules.screws.margin import LegJacobians
 from gcrules.screws.threshold import Threshold, degrees, margin_of
 from gcrules.screws.verdict import CLOSE, decide
 
@@ -16,7 +16,7 @@ __all__ = ["verdict"]
 
 
 def verdict(
-    j: Jacobian,
+    j: LegJacobians,
     bounds: Guarantees,
     value: Fraction,
     floor: float,

@@ -11,13 +11,13 @@ from gcrules.core.budget import checkpoint
 from gcrules.poses.numbers.motion import Dependence
 from gcrules.poses.paths.roots import Root, roots, sign_after, sign_before
 
-__all__ = ["Place", "Stretch", "places", "stretches"]
+__all__ = ["SingularPlace", "Stretch", "places", "stretches"]
 
 Polynomial = Sequence[int]
 
 
 @dataclass(frozen=True)
-class Place:
+class SingularPlace:
     """A singular place: its parameter lies between `lower` and `upper` (is exactly that if they are equal), a whole
     part for the segment and the rest for the place in it.
 
@@ -66,34 +66,38 @@ def stretches(path: Sequence[Polynomial]) -> tuple[Stretch, ...]:
     return tuple(found)
 
 
-def places(path: Sequence[Polynomial]) -> tuple[Place, ...]:
+def places(path: Sequence[Polynomial]) -> tuple[SingularPlace, ...]:
     """All singular places in order, but for those in or at the ends of a stretch."""
     zeros = [roots(p) if p else () for p in path]
-    found: list[Place] = []
+    found: list[SingularPlace] = []
     for k, p in enumerate(path):
         checkpoint()
         if k and p and path[k - 1]:
             found += _between(k, (path[k - 1], zeros[k - 1]), (p, zeros[k]))
         elif not k:
-            found += [Place(Fraction(0), Fraction(0), r.multiplicity, "starts") for r in zeros[k] if not r.upper]
+            found += [
+                SingularPlace(Fraction(0), Fraction(0), r.multiplicity, "starts") for r in zeros[k] if not r.upper
+            ]
         found += _inside(k, zeros[k])
     last = len(path)
-    found += [Place(Fraction(last), Fraction(last), r.multiplicity, "ends") for r in zeros[-1] if r.lower == 1]
+    found += [SingularPlace(Fraction(last), Fraction(last), r.multiplicity, "ends") for r in zeros[-1] if r.lower == 1]
     return tuple(found)
 
 
-def _inside(k: int, zeros: Sequence[Root]) -> Iterator[Place]:
+def _inside(k: int, zeros: Sequence[Root]) -> Iterator[SingularPlace]:
     for r in zeros:
         if r.upper > 0 and r.lower < 1:
-            yield Place(k + r.lower, k + r.upper, r.multiplicity, "crosses" if r.multiplicity % 2 else "touches")
+            yield SingularPlace(
+                k + r.lower, k + r.upper, r.multiplicity, "crosses" if r.multiplicity % 2 else "touches"
+            )
 
 
 def _between(
     k: int, before: tuple[Polynomial, Sequence[Root]], after: tuple[Polynomial, Sequence[Root]]
-) -> Iterator[Place]:
+) -> Iterator[SingularPlace]:
     """The place where two segments meet, if it is singular: both polynomials vanish there."""
     ends = [r.multiplicity for r in before[1] if r.lower == 1]
     starts = [r.multiplicity for r in after[1] if not r.upper]
     if ends and starts:
         kind = "crosses" if sign_before(before[0]) != sign_after(after[0]) else "touches"
-        yield Place(Fraction(k), Fraction(k), min(ends[0], starts[0]), kind)
+        yield SingularPlace(Fraction(k), Fraction(k), min(ends[0], starts[0]), kind)

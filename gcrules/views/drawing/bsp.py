@@ -9,14 +9,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Generic, TypeVar
 
-__all__ = ["XYZ", "Piece", "cross", "crossing", "dot", "minus", "painted"]
+__all__ = ["XYZ", "CutPolygon", "cross", "crossing", "dot", "minus", "painted"]
 
 XYZ = tuple[float, float, float]
 T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
-class Piece(Generic[T]):
+class CutPolygon(Generic[T]):
     """Corners in space and whatever the caller wants to know when it is drawn.
 
     `edges[i]` says whether the edge from corner i to the next is one of the original polygon, not a cut.
@@ -39,7 +39,7 @@ def dot(a: XYZ, b: XYZ) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def painted(pieces: Sequence[Piece[T]], eye: XYZ, tolerance: float) -> list[Piece[T]]:
+def painted(pieces: Sequence[CutPolygon[T]], eye: XYZ, tolerance: float) -> list[CutPolygon[T]]:
     """The pieces in the order in which to draw them, seen from infinitely far in the direction `eye`.
 
     `tolerance` is the distance below which a corner counts as lying in a plane; polygons without area are left out.
@@ -58,13 +58,13 @@ _Plane = tuple[XYZ, float]
 
 
 def _ordered(
-    polygons: list[tuple[Piece[T], _Plane]], strokes: list[Piece[T]], eye: XYZ, tolerance: float
-) -> list[Piece[T]]:
+    polygons: list[tuple[CutPolygon[T], _Plane]], strokes: list[CutPolygon[T]], eye: XYZ, tolerance: float
+) -> list[CutPolygon[T]]:
     """The first polygon's plane divides the rest; each piece keeps the plane of the polygon that it was cut from."""
     if not polygons:
         return _ordered_strokes(strokes, eye, tolerance)
     first, plane = polygons[0]
-    sides: dict[int, tuple[list[tuple[Piece[T], _Plane]], list[Piece[T]]]] = {s: ([], []) for s in (-1, 0, 1)}
+    sides: dict[int, tuple[list[tuple[CutPolygon[T], _Plane]], list[CutPolygon[T]]]] = {s: ([], []) for s in (-1, 0, 1)}
     for polygon, own in polygons[1:]:
         for side, part in _split(polygon, plane, tolerance):
             sides[side][0].append((part, own))
@@ -81,7 +81,7 @@ def _ordered(
     ]
 
 
-def _ordered_strokes(strokes: list[Piece[T]], eye: XYZ, tolerance: float) -> list[Piece[T]]:
+def _ordered_strokes(strokes: list[CutPolygon[T]], eye: XYZ, tolerance: float) -> list[CutPolygon[T]]:
     """The farthest first: always one with no crossing stroke behind it, the one with the farthest ends among these."""
     left = sorted(strokes, key=lambda s: round(sum(dot(c, eye) for c in s.corners), 6))
     out = []
@@ -93,7 +93,7 @@ def _ordered_strokes(strokes: list[Piece[T]], eye: XYZ, tolerance: float) -> lis
     return out
 
 
-def _behind(a: Piece[T], b: Piece[T], eye: XYZ, tolerance: float) -> bool:
+def _behind(a: CutPolygon[T], b: CutPolygon[T], eye: XYZ, tolerance: float) -> bool:
     found = crossing(a.corners, b.corners, eye)
     return found is not None and found[2] > tolerance
 
@@ -125,7 +125,7 @@ def _plane(corners: Sequence[XYZ]) -> _Plane | None:
     return normal, sum(dot(normal, c) for c in corners) / len(corners)
 
 
-def _split(piece: Piece[T], plane: _Plane, tolerance: float) -> list[tuple[int, Piece[T]]]:
+def _split(piece: CutPolygon[T], plane: _Plane, tolerance: float) -> list[tuple[int, CutPolygon[T]]]:
     normal, offset = plane
     heights = [dot(normal, c) - offset for c in piece.corners]
     # A corner in the plane is exactly there: else the last bit, not the same everywhere, would cut off a sliver.
@@ -144,7 +144,7 @@ def _split(piece: Piece[T], plane: _Plane, tolerance: float) -> list[tuple[int, 
     return found
 
 
-def _half(piece: Piece[T], heights: Sequence[float]) -> Piece[T]:
+def _half(piece: CutPolygon[T], heights: Sequence[float]) -> CutPolygon[T]:
     """The part of a piece where the height is not negative."""
     corners: list[XYZ] = []
     edges: list[bool] = []

@@ -20,10 +20,10 @@ __all__ = [
     "XY",
     "Circle",
     "Drawing",
-    "Line",
     "Polygon",
     "Run",
     "Shape",
+    "Stroke",
     "Text",
     "beside",
     "mapped",
@@ -49,7 +49,7 @@ class Polygon:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class Stroke:
     """A straight stroke; `dash` gives the lengths of stroke and gap."""
 
     start: XY
@@ -90,7 +90,7 @@ class Text:
     halo: bool = False
 
 
-Shape = Polygon | Line | Circle | Text
+Shape = Polygon | Stroke | Circle | Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +156,7 @@ def _extent(shape: Shape) -> tuple[XY, ...]:
     match shape:
         case Polygon():
             return shape.points
-        case Line():
+        case Stroke():
             return shape.start, shape.end
         case Circle(center=(x, y), radius=r):
             return (x - r, y - r), (x + r, y + r)
@@ -172,7 +172,7 @@ def mapped(shape: Shape, factor: float, shift: XY) -> Shape:
     match shape:
         case Polygon():
             return replace(shape, points=tuple(map(at, shape.points)), width=shape.width * factor)
-        case Line():
+        case Stroke():
             dash = (shape.dash[0] * factor, shape.dash[1] * factor) if shape.dash else None
             return replace(shape, start=at(shape.start), end=at(shape.end), width=shape.width * factor, dash=dash)
         case Circle():
@@ -245,7 +245,7 @@ def _svg_shape(shape: Shape) -> str:
             extra = _opacity("fill", shape.fill_opacity) + _opacity("stroke", shape.stroke_opacity)
             width = f' stroke-width="{_n(shape.width)}" stroke-linejoin="round"' if shape.stroke else ""
             return f'<polygon points="{points}"{_paint(shape.fill, shape.stroke)}{width}{extra}/>'
-        case Line():
+        case Stroke():
             (x1, y1), (x2, y2) = shape.start, shape.end
             dash = f' stroke-dasharray="{_n(shape.dash[0])} {_n(shape.dash[1])}"' if shape.dash else ""
             cap = ' stroke-linecap="round"' if shape.round_ends and not shape.dash else ""

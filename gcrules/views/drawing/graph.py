@@ -7,7 +7,7 @@ from itertools import combinations, permutations
 from math import cos, pi, sin
 
 from gcrules.algebra.language.legs_text import legs_text
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, name_runs
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, name_runs
 from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.legend import ROW, EntityLike, entity_entries, legend, legend_width, rounded
 from gcrules.views.drawing.palette import entity_role
@@ -156,11 +156,11 @@ def _areas(at: Mapping[str, XY], entities: Sequence[EntityLike]) -> list[Shape]:
 def _strokes(at: Mapping[str, XY], legs: Legs, entities: Sequence[EntityLike]) -> list[Shape]:
     """Legs, and lines of entities; a leg that is such a line is drawn in its colour."""
     lines = {frozenset(e.points): entity_role(i) for i, e in enumerate(entities) if e.kind == "line"}
-    strokes = [Line(at[a], at[b], "leg", 2.6) for a, b in legs if frozenset((a, b)) not in lines]
+    strokes = [Stroke(at[a], at[b], "leg", 2.6) for a, b in legs if frozenset((a, b)) not in lines]
     for names, role in lines.items():
         if len(names) == 2 and all(name in at for name in names):
             first, second = sorted(names)
-            strokes.append(Line(at[first], at[second], role, 3.0, dash=(7, 4)))
+            strokes.append(Stroke(at[first], at[second], role, 3.0, dash=(7, 4)))
     return list(strokes)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from math import atan2, ceil, cos, pi, sin
 from typing import Protocol
 
-from gcrules.views.drawing.drawing import XY, Circle, Line, Polygon, Run, Shape, Text, name_runs, text_width
+from gcrules.views.drawing.drawing import XY, Circle, Polygon, Run, Shape, Stroke, Text, name_runs, text_width
 from gcrules.views.drawing.palette import entity_role
 
 __all__ = ["EntityLike", "LegendEntry", "convex_hull", "entity_entries", "legend", "legend_width", "rounded"]
@@ -54,7 +54,7 @@ def legend(entries: Sequence[LegendEntry], left: float, top: float) -> list[Shap
     for i, (role, runs, look) in enumerate(entries):
         y = top + ROW * i + ROW / 2
         if look == "dashed":
-            shapes.append(Line((left, y), (left + _SAMPLE, y), role, 2.2, dash=(6, 4)))
+            shapes.append(Stroke((left, y), (left + _SAMPLE, y), role, 2.2, dash=(6, 4)))
         elif look == "dot":
             shapes.append(Circle((left + _SAMPLE / 2, y), 4.0, role, "paper", 1.2))
         elif look == "ring":

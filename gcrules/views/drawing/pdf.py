@@ -15,7 +15,7 @@ from matplotlib.patches import Polygon as PolygonPatch
 from matplotlib.patheffects import withStroke
 from matplotlib.text import Text as TextArtist
 
-from gcrules.views.drawing.drawing import Circle, Drawing, Line, Polygon, Run, Shape, Text
+from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Run, Shape, Stroke, Text
 from gcrules.views.drawing.palette import LIGHT
 
 __all__ = ["pdf"]
@@ -59,7 +59,7 @@ def _artist(shape: Shape) -> Any:
                 linewidth=shape.width if shape.stroke else 0,
                 joinstyle="round",
             )
-        case Line():
+        case Stroke():
             (x1, y1), (x2, y2) = shape.start, shape.end
             dash: Any = (0, tuple(d / shape.width for d in shape.dash)) if shape.dash else "solid"
             return Line2D(

@@ -9,7 +9,7 @@ from math import dist, isfinite
 
 from gcrules.algebra.language.legs_text import leg_text, legs_text
 from gcrules.core.errors import InputError
-from gcrules.views.drawing.bsp import XYZ, Piece, cross, dot, minus, painted
+from gcrules.views.drawing.bsp import XYZ, CutPolygon, cross, dot, minus, painted
 from gcrules.views.drawing.drawing import Circle, Drawing, Run, Shape, Text, name_runs
 from gcrules.views.drawing.frame import Frame, Unit, framed
 from gcrules.views.drawing.labels import Label, place_labels
@@ -78,7 +78,7 @@ def draw_platform(
     drawn = {frozenset(e.points): i for i, e in enumerate(entities) if e.kind == "line"}
     for i, (a, b) in enumerate(legs):
         role = entity_role(drawn[frozenset((a, b))]) if frozenset((a, b)) in drawn else "leg"
-        pieces.append(Piece((points[a], points[b]), Look(role, width=3.2, leg=i)))
+        pieces.append(CutPolygon((points[a], points[b]), Look(role, width=3.2, leg=i)))
     normals = [n for p in pieces if len(p.corners) > 2 and (n := flat_normal(p.corners))]
     along = [u for p in pieces if p.tag.line is not None and (u := direction(*p.corners))]
     view, _ = choose_view(joints, legs, normals, along)
@@ -149,47 +149,47 @@ def _xyz(values: Sequence[float | Fraction], what: str) -> XYZ:
 # --- what there is to draw -----------------------------------------------------------------------------------------
 
 
-def _bodies(joints: Mapping[str, XYZ], base: Sequence[str], platform: Sequence[str]) -> list[Piece[Look]]:
+def _bodies(joints: Mapping[str, XYZ], base: Sequence[str], platform: Sequence[str]) -> list[CutPolygon[Look]]:
     pieces = []
     for role, names in (("base", base), ("platform", platform)):
         corners = [joints[name] for name in dict.fromkeys(names) if name in joints]
         look = Look(role, fill=0.16, edge=0.9, width=1.3)
-        pieces += [Piece(polygon, look, edges) for polygon, edges in outline(corners)]
+        pieces += [CutPolygon(polygon, look, edges) for polygon, edges in outline(corners)]
         if len(corners) == 2:
-            pieces.append(Piece((corners[0], corners[1]), Look(role, width=1.3)))
+            pieces.append(CutPolygon((corners[0], corners[1]), Look(role, width=1.3)))
     return pieces
 
 
 def _entities(
     points: Mapping[str, XYZ], entities: Sequence[EntityLike], marks: Sequence[XYZ], flat: Collection[int]
-) -> list[Piece[Look]]:
+) -> list[CutPolygon[Look]]:
     """A plane or line reaches to the constructed points that lie in it, so that entities are seen to meet there."""
-    pieces: list[Piece[Look]] = []
+    pieces: list[CutPolygon[Look]] = []
     for i, e in enumerate(entities):
         corners = [points[name] for name in e.points]
         role = entity_role(i)
         if i in flat:
             pieces += [
-                Piece(hull, Look(role, fill=0.3, edge=0.9, width=1.6), edges) for hull, edges in outline(corners)
+                CutPolygon(hull, Look(role, fill=0.3, edge=0.9, width=1.6), edges) for hull, edges in outline(corners)
             ]
-            pieces += [Piece(pair, Look(role, width=1.2)) for pair in combinations(corners, 2)]
+            pieces += [CutPolygon(pair, Look(role, width=1.2)) for pair in combinations(corners, 2)]
         elif e.kind == "tetrahedron" and len(corners) == 4:
-            pieces += [Piece(face, Look(role, fill=0.14, edge=0.75, width=1.2)) for face in tetrahedron(corners)]
+            pieces += [CutPolygon(face, Look(role, fill=0.14, edge=0.75, width=1.2)) for face in tetrahedron(corners)]
         elif e.kind == "plane" and len(corners) == 3:
             polygon = patch(corners, 0.14, also=marks)
-            pieces += [Piece(polygon, Look(role, fill=0.2, edge=0.85, width=1.4))] if polygon else []
+            pieces += [CutPolygon(polygon, Look(role, fill=0.2, edge=0.85, width=1.4))] if polygon else []
         elif e.kind == "line" and len(corners) == 2:
-            pieces.append(Piece(stretched(corners, 0.35, also=marks), Look(role, width=2.2, dash=(6, 4))))
+            pieces.append(CutPolygon(stretched(corners, 0.35, also=marks), Look(role, width=2.2, dash=(6, 4))))
     return pieces
 
 
-def _constructed(lines: Sequence[tuple[XYZ, XYZ]], roles: Sequence[str]) -> list[Piece[Look]]:
+def _constructed(lines: Sequence[tuple[XYZ, XYZ]], roles: Sequence[str]) -> list[CutPolygon[Look]]:
     """The parts of constructed lines inside a ball around the robot; a line that misses it is left out."""
     pieces = []
     for i, (start, end) in enumerate(lines):
         ends = through_ball(start, end, _ORIGIN, _BALL)
         if ends:
-            pieces.append(Piece(ends, Look(roles[i], width=2.8, dash=(10, 3), line=i)))
+            pieces.append(CutPolygon(ends, Look(roles[i], width=2.8, dash=(10, 3), line=i)))
     return pieces
 
 
@@ -202,7 +202,7 @@ def _constructed_entries(
     lines: Sequence[NamedLine],
     roles: Sequence[str],
     marks: Sequence[NamedPoint],
-    pieces: Sequence[Piece[Look]],
+    pieces: Sequence[CutPolygon[Look]],
     near: Collection[str],
 ) -> list[LegendEntry]:
     """Legend entries, which say so where something lies outside the picture."""
@@ -245,7 +245,7 @@ def _joint_labels(joints: Mapping[str, XYZ], platform: Sequence[str], frame: Fra
 
 
 def _line_labels(
-    pieces: Sequence[Piece[Look]], lines: Sequence[NamedLine], roles: Sequence[str], frame: Frame
+    pieces: Sequence[CutPolygon[Look]], lines: Sequence[NamedLine], roles: Sequence[str], frame: Frame
 ) -> list[Label]:
     """Names of constructed lines, at their upper ends."""
     drawn = {p.tag.line: p.corners for p in pieces if p.tag.line is not None}

@@ -12,11 +12,11 @@ from gcrules.rules.condition import Entity
 from gcrules.views.drawing.figures import free_name, named_lines
 from gcrules.views.scene_data import Construction, EntityView
 
-__all__ = ["Incidence", "entity_data", "entity_label", "incidences", "nested"]
+__all__ = ["DrawnIncidence", "entity_data", "entity_label", "incidences", "nested"]
 
 
 @dataclass(frozen=True)
-class Incidence:
+class DrawnIncidence:
     """Planes, lines and points that a factor of the condition meets, with the name of what they have in common."""
 
     name: str
@@ -41,7 +41,7 @@ def entity_data(e: Entity, colour: int) -> EntityView:
     }
 
 
-def incidences(a: Analysis, shown: Sequence[Entity]) -> list[Incidence]:
+def incidences(a: Analysis, shown: Sequence[Entity]) -> list[DrawnIncidence]:
     """What the factors of the condition meet; `shown` are the entities in the sequence of their numbers."""
     ids = {(e.kind == "tetrahedron", frozenset(e.points)): f"e{i}" for i, e in enumerate(shown)}
     taken = [*a.structure.names, *(name for name, _ in named_lines(a))]
@@ -50,7 +50,7 @@ def incidences(a: Analysis, shown: Sequence[Entity]) -> list[Incidence]:
         if isinstance(factor, Meet) and factor.step == 0:
             parts = tuple(factor.children)
             own = (ids.get((False, frozenset(map(str, p.children)))) for p in parts if isinstance(p, Join))
-            found.append(Incidence(free_name("MNOXYZ", taken), parts, tuple(i for i in own if i)))
+            found.append(DrawnIncidence(free_name("MNOXYZ", taken), parts, tuple(i for i in own if i)))
             taken.append(found[-1].name)
     return found
 

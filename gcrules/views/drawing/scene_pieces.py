@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import dist
 
-from gcrules.views.drawing.bsp import XYZ, Piece, crossing, minus
-from gcrules.views.drawing.drawing import XY, Line, Polygon, Shape
+from gcrules.views.drawing.bsp import XYZ, CutPolygon, crossing, minus
+from gcrules.views.drawing.drawing import XY, Polygon, Shape, Stroke
 from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.sample import Legs
 
@@ -49,7 +49,7 @@ def crossings(legs: Legs, points: Mapping[str, XYZ], eye: XYZ) -> dict[int, list
 
 
 def piece_shapes(
-    piece: Piece[Look],
+    piece: CutPolygon[Look],
     frame: Frame,
     over: Mapping[int, Sequence[XYZ]],
 ) -> list[Shape]:
@@ -60,16 +60,16 @@ def piece_shapes(
         edges = zip(at, [*at[1:], at[0]], piece.edges, strict=True)
         return [
             Polygon(tuple(at), look.role, fill_opacity=look.fill),
-            *(Line(a, b, look.role, look.width, look.edge) for a, b, original in edges if original),
+            *(Stroke(a, b, look.role, look.width, look.edge) for a, b, original in edges if original),
         ]
-    stroke = Line(at[0], at[1], look.role, look.width, dash=look.dash, round_ends=False)
+    stroke = Stroke(at[0], at[1], look.role, look.width, dash=look.dash, round_ends=False)
     if look.leg is None:
         return [stroke]
     gaps = (_gap(frame.place(p), at[0], at[1]) for p in over.get(look.leg, ()))
     return [*(gap for gap in gaps if gap is not None), stroke]
 
 
-def _gap(place: XY, start: XY, end: XY) -> Line | None:
+def _gap(place: XY, start: XY, end: XY) -> Stroke | None:
     """A short clear stretch under a leg where it passes in front of another."""
     length = dist(start, end)
     if length < 1e-9:
@@ -80,4 +80,4 @@ def _gap(place: XY, start: XY, end: XY) -> Line | None:
     if high - low < 1.0:
         return None
     a, b = ((start[0] + t * u[0], start[1] + t * u[1]) for t in (low, high))
-    return Line(a, b, "paper", 7.0, round_ends=False)
+    return Stroke(a, b, "paper", 7.0, round_ends=False)

@@ -6,7 +6,7 @@ from gcrules.algebra.language.text import text
 from gcrules.conditions.analysis import Analysis
 from gcrules.views.formulas.latex import latex, latex_lines
 from gcrules.views.formulas.latex_text import latex_document, latex_words
-from gcrules.views.report.stages import Fact, Formula, Item, stages
+from gcrules.views.report.stages import Formula, Item, KeyValue, stages
 from gcrules.views.results.derivation import as_align
 
 __all__ = ["as_latex"]
@@ -31,7 +31,7 @@ def _item(item: Item) -> str:
     match item:
         case Formula():
             return _formula(item)
-        case Fact(key=key, value=value):
+        case KeyValue(key=key, value=value):
             return f"{latex_words(key)}: {latex_words(value)}\\par"
     return f"{latex_words(item)}\\par"
 

@@ -15,10 +15,10 @@ from gcrules.algebra.expr import Expr, Superbracket
 from gcrules.algebra.language.text import text
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import home_values
-from gcrules.mechanisms.conditions.factor_causes import Part
+from gcrules.mechanisms.conditions.factor_causes import FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import FILE
-from gcrules.mechanisms.lines.wrenches import LimbWrenches, Line
+from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.plugins import shipped_folder
 from gcrules.views.formulas.latex import latex_lines
@@ -57,7 +57,7 @@ def robot_pages(robots: Sequence[Robot]) -> dict[str, str]:
         a = analyze_robot(robot)
         found.append(a)
         name = names[robot.id]
-        poses: list[tuple[Part, SingularPose | None]] = []
+        poses: list[tuple[FactorCause, SingularPose | None]] = []
         if robot.home is not None and robot.limbs:
             home = home_values(robot)
             pages[f"{name}-robot.svg"] = draw_robot(a, home).svg()
@@ -72,7 +72,9 @@ def robot_pages(robots: Sequence[Robot]) -> dict[str, str]:
     return pages
 
 
-def _page(a: RobotAnalysis, name: str, poses: Sequence[tuple[Part, SingularPose | None]], drawn: bool) -> Iterator[str]:
+def _page(
+    a: RobotAnalysis, name: str, poses: Sequence[tuple[FactorCause, SingularPose | None]], drawn: bool
+) -> Iterator[str]:
     robot = a.robot
     title = inline(robot.title)
     yield from (HEAD, f"# {title}", "", f"**{inline(a.statement)}**", "")
@@ -136,7 +138,7 @@ def _limbs(limbs: Sequence[LimbWrenches]) -> Iterator[str]:
     yield ""
 
 
-def _wrench(line: Line) -> str:
+def _wrench(line: WrenchLine) -> str:
     kind = "couple" if line.couple else "force"
     return f"{kind} {''.join(line.ends)}{' (constraint)' if line.role == 'constraint' else ''}"
 

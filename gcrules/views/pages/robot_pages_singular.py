@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from gcrules.mechanisms.conditions.checks import home_values
-from gcrules.mechanisms.conditions.factor_causes import KINDS, Part
+from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.screws import RATIONALS
 from gcrules.views.pages.markdown import inline
@@ -22,7 +22,9 @@ _MEMBER = (
 )
 
 
-def singular_section(a: RobotAnalysis, name: str, poses: Sequence[tuple[Part, SingularPose | None]]) -> Iterator[str]:
+def singular_section(
+    a: RobotAnalysis, name: str, poses: Sequence[tuple[FactorCause, SingularPose | None]]
+) -> Iterator[str]:
     """Lines of Markdown: for each factor a figure, ranks, the gained motion and what is not as at home."""
     yield "## Singular configurations"
     yield ""

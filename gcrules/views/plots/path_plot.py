@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.screws.margin import jacobian
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Line, Polygon, Run, Shape, Text, text_width
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, text_width
 
 __all__ = ["plot", "svg"]
 
@@ -66,12 +66,14 @@ def plot(r: PathReport) -> Drawing:
     assert r.threshold.angle is not None
     limit = 2 * math.sin(min(r.threshold.angle, math.pi) / 2)
     if limit < sigma.high:
-        shapes.append(Line((x.start, sigma(limit)), (x.end, sigma(limit)), "muted", 1.0, dash=(5, 3)))
+        shapes.append(Stroke((x.start, sigma(limit)), (x.end, sigma(limit)), "muted", 1.0, dash=(5, 3)))
     if det.low < 0 < det.high:
-        shapes.append(Line((x.start, det(0)), (x.end, det(0)), "muted", 0.8))
+        shapes.append(Stroke((x.start, det(0)), (x.end, det(0)), "muted", 0.8))
     for z in r.zeros:
         for axis in (sigma, det):
-            shapes.append(Line((x(z.parameter), axis.end), (x(z.parameter), axis.start), "mark", 0.8, 0.6, dash=(2, 3)))
+            shapes.append(
+                Stroke((x(z.parameter), axis.end), (x(z.parameter), axis.start), "mark", 0.8, 0.6, dash=(2, 3))
+            )
     shapes += _curve(x, sigma, r.parameters, r.numbers.margin, "entity1")
     shapes += _curve(x, det, r.parameters, value, "entity2")
     for z in r.zeros:
@@ -99,13 +101,13 @@ def _up(value: float) -> float:
 
 def _frame(x: _Axis, y: _Axis, label: str, *, last: bool) -> Iterator[Shape]:
     for tick in y.ticks(4):
-        yield Line((x.start, y(tick)), (x.end, y(tick)), "muted", 0.5, 0.35)
+        yield Stroke((x.start, y(tick)), (x.end, y(tick)), "muted", 0.5, 0.35)
         yield _words((x.start - 6, y(tick) + 4), f"{tick:.4g}".replace("-", "−"), "end")
-    yield Line((x.start, y.start), (x.end, y.start), "ink", 1.0)
-    yield Line((x.start, y.start), (x.start, y.end), "ink", 1.0)
+    yield Stroke((x.start, y.start), (x.end, y.start), "ink", 1.0)
+    yield Stroke((x.start, y.start), (x.start, y.end), "ink", 1.0)
     yield _words((x.start - 44, y.end - 12), label)
     for tick in x.ticks(8, whole=x.high >= 3):
-        yield Line((x(tick), y.start), (x(tick), y.start + 4), "ink", 1.0)
+        yield Stroke((x(tick), y.start), (x(tick), y.start + 4), "ink", 1.0)
         if last:
             yield _words((x(tick), y.start + 17), f"{tick:.4g}", "middle")
     if last:
@@ -123,7 +125,7 @@ def _curve(x: _Axis, y: _Axis, places: Floats, values: Floats, colour: str) -> I
         chosen = sorted({int(g[f(values[g])]) for g in groups for f in (np.argmin, np.argmax)})
     points = [(x(float(places[i])), y(float(values[i]))) for i in chosen]
     for start, end in pairwise(points):
-        yield Line(start, end, colour, 1.6)
+        yield Stroke(start, end, colour, 1.6)
 
 
 def _marker(z: Zero, at: XY) -> Shape:
@@ -171,7 +173,7 @@ def _legend(r: PathReport, height: float) -> Iterator[Shape]:
 
 
 def _dashes(height: float, u: float) -> Shape:
-    return Line((u - 8, height - 4), (u + 8, height - 4), "muted", 1.0, dash=(5, 3))
+    return Stroke((u - 8, height - 4), (u + 8, height - 4), "muted", 1.0, dash=(5, 3))
 
 
 def _sign(z: Zero, height: float, u: float) -> Shape:

@@ -15,7 +15,7 @@ from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.robot_report import robot_report
 from gcrules.views.report.scene_json import drawable, scene
-from gcrules.views.report.stages import Fact, Formula, Item, Stage, stages, verdict_of
+from gcrules.views.report.stages import Formula, Item, KeyValue, Stage, stages, verdict_of
 from gcrules.views.results.derivation import reasons
 
 __all__ = ["fragment", "report"]
@@ -108,7 +108,7 @@ def _stage(stage: Stage) -> str:
 def _item(item: Item) -> str:
     if isinstance(item, Formula):
         return formula_html(item)
-    if isinstance(item, Fact):
+    if isinstance(item, KeyValue):
         return f'<p><span class="key">{escape(item.key)}</span> {escape(item.value)}</p>'
     return f"<p>{escape(item)}</p>"
 

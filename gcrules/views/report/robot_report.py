@@ -11,7 +11,7 @@ from typing import Any
 from gcrules.algebra import expr as ex
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.conditions.factor_causes import KINDS, Part
+from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.views.drawing.bsp import XYZ
@@ -22,7 +22,7 @@ from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.scene_json import drawable, scene
 from gcrules.views.report.stages import Formula
 from gcrules.views.results.robot import CONDITION, FACTORS, sections
-from gcrules.views.robots.entities import Entity, entities
+from gcrules.views.robots.entities import DrawnFlat, entities
 from gcrules.views.robots.exact_values import lines_at
 from gcrules.views.robots.joint_chain import unit_vector
 from gcrules.views.robots.limb_views import limb_views
@@ -102,7 +102,7 @@ def analysis_of_legs(a: RobotAnalysis) -> Analysis | None:
         return None
 
 
-def _colour(a: RobotAnalysis, e: Entity, number: int) -> int:
+def _colour(a: RobotAnalysis, e: DrawnFlat, number: int) -> int:
     """That of the limb whose line lies in the entity, or all whose points are a limb's; else one of its own."""
     names = set(e.points)
     place = {limb.limb.name: i for i, limb in enumerate(a.structure.limbs)}
@@ -112,7 +112,7 @@ def _colour(a: RobotAnalysis, e: Entity, number: int) -> int:
     return own[0] if own else len(place) + number
 
 
-def _far_plane(a: RobotAnalysis, e: Entity, colour: int, size: float) -> PlaneView | None:
+def _far_plane(a: RobotAnalysis, e: DrawnFlat, colour: int, size: float) -> PlaneView | None:
     """A plane through finite points along directions, which are points at infinity; None for other entities."""
     places = lines_at(a.robot.family, a.structure, a.robot.values_at())
     finite = [[float(c) for c in places[n][:3]] for n in e.points if places[n][3]]
@@ -178,7 +178,7 @@ def _stages(a: RobotAnalysis) -> Iterator[tuple[str, str]]:
             yield title, "".join(f"<p>{escape(line)}</p>" for line in lines)
 
 
-def _told(p: Part) -> str:
+def _told(p: FactorCause) -> str:
     """The kind of a factor, and where it vanishes."""
     said = f"zero where {p.statement}" if p.statement else ""
     return f"{p.kind}: {'; '.join(filter(None, [said, p.reason])) or KINDS[p.kind]}."

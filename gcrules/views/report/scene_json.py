@@ -30,7 +30,7 @@ from gcrules.core.errors import InputError
 from gcrules.screws.pose import Pose
 from gcrules.screws.verdict import CLOSE
 from gcrules.views.drawing.figures import distinct_entities, named_lines, sample_points
-from gcrules.views.drawing.scene_parts import Incidence, entity_data, incidences, nested
+from gcrules.views.drawing.scene_parts import DrawnIncidence, entity_data, incidences, nested
 from gcrules.views.scene_data import (
     Constructed,
     EntityView,
@@ -86,7 +86,7 @@ class Scenery:
     invented: bool
     entities: tuple[EntityView, ...]
     lines: tuple[tuple[str, Expr], ...]
-    incidences: tuple[Incidence, ...]
+    incidences: tuple[DrawnIncidence, ...]
 
     @classmethod
     def of(cls, a: Analysis) -> Scenery:
@@ -171,7 +171,7 @@ class Scenery:
                 found.append(point)
         return found
 
-    def _common(self, one: Incidence, points: Points) -> tuple[XYZ | None, float]:
+    def _common(self, one: DrawnIncidence, points: Points) -> tuple[XYZ | None, float]:
         """The finite point nearest to all parts, in the robot's own unit of size, and how far off they are."""
         import numpy as np
 

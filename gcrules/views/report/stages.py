@@ -18,7 +18,17 @@ from gcrules.rules.condition import Condition, Entity
 from gcrules.screws.verdict import CLOSE
 from gcrules.views.report.stage_ids import TITLES
 
-__all__ = ["Fact", "Formula", "Item", "Recognised", "Stage", "recognised", "stages", "structure_items", "verdict_of"]
+__all__ = [
+    "Formula",
+    "Item",
+    "KeyValue",
+    "Recognised",
+    "Stage",
+    "recognised",
+    "stages",
+    "structure_items",
+    "verdict_of",
+]
 
 
 @dataclass(frozen=True)
@@ -30,14 +40,14 @@ class Formula:
 
 
 @dataclass(frozen=True)
-class Fact:
+class KeyValue:
     """A short key and its value."""
 
     key: str
     value: str
 
 
-Item = str | Fact | Formula
+Item = str | KeyValue | Formula
 
 
 @dataclass(frozen=True)
@@ -145,21 +155,21 @@ _MANY = 6
 def structure_items(a: Analysis) -> list[Item]:
     """The legs, the two bodies, the class, and what is in special position."""
     s = a.structure
-    items: list[Item] = [Fact("legs", s.text())]
+    items: list[Item] = [KeyValue("legs", s.text())]
     if s.base:
-        items += [Fact("base", " ".join(s.base)), Fact("platform", " ".join(s.platform))]
+        items += [KeyValue("base", " ".join(s.base)), KeyValue("platform", " ".join(s.platform))]
     without = [n for n in s.names if n not in s.sides and any(n in leg for leg in s.legs)]
     if without:
         odd = f"{' '.join(without)} (an odd cycle of legs: base and platform cannot be told apart)"
-        items.append(Fact("no side", odd))
+        items.append(KeyValue("no side", odd))
     turned = [leg_text(typed) for typed, right in zip(s.legs, s.oriented, strict=True) if typed != right]
     if turned:
-        items.append(Fact("turned", f"{', '.join(turned)} (written platform first; the sign accounts for it)"))
+        items.append(KeyValue("turned", f"{', '.join(turned)} (written platform first; the sign accounts for it)"))
     items += _position(a)
     if a.match is None:
-        return [*items, Fact("class", "none of the catalog")]
+        return [*items, KeyValue("class", "none of the catalog")]
     mapping = ", ".join(f"{x}→{y}" for x, y in a.match.mapping.items())
-    return [*items, Fact("class", a.match.entry.title), Fact("mapping", mapping)]
+    return [*items, KeyValue("class", a.match.entry.title), KeyValue("mapping", mapping)]
 
 
 def _position(a: Analysis) -> list[Item]:
@@ -167,15 +177,15 @@ def _position(a: Analysis) -> list[Item]:
     s = a.structure
     items: list[Item] = []
     if s.ideal:
-        items.append(Fact("at infinity", " ".join(s.ideal)))
+        items.append(KeyValue("at infinity", " ".join(s.ideal)))
     couples = [word for word, leg in zip(s.words, s.legs, strict=True) if set(leg) <= set(s.ideal)]
     if couples:
-        items.append(Fact("couples", f"{', '.join(couples)} (lines at infinity: constraint moments)"))
+        items.append(KeyValue("couples", f"{', '.join(couples)} (lines at infinity: constraint moments)"))
     if s.given:
-        items.append(Fact("given", ", ".join(map(str, s.given))))
+        items.append(KeyValue("given", ", ".join(map(str, s.given))))
     if a.assumed:
         shown = ", ".join(f"{e} ({meaning})" if meaning else e for e, meaning in a.assumed)
-        items.append(Fact("assumed", f"not to vanish: {shown}"))
+        items.append(KeyValue("assumed", f"not to vanish: {shown}"))
     return items
 
 
@@ -248,11 +258,11 @@ _VERDICTS = {
 
 def _pose(pose: PoseValue) -> list[Item]:
     unit = f" {pose.unit}⁹" if pose.unit else ""
-    items: list[Item] = [verdict_of(pose), Fact("superbracket", f"{decimal(pose.superbracket)}{unit}")]
+    items: list[Item] = [verdict_of(pose), KeyValue("superbracket", f"{decimal(pose.superbracket)}{unit}")]
     if pose.cofactor != 1:
-        items.append(Fact("cofactor", f"{decimal(pose.cofactor)} (where it is 0 the condition says nothing)"))
-        items.append(Fact("condition", f"{decimal(pose.condition)} (cofactor times superbracket)"))
-    items.append(Fact("margin", f"{pose.margin:.4g} (dimensionless, 0 singular to 1)"))
+        items.append(KeyValue("cofactor", f"{decimal(pose.cofactor)} (where it is 0 the condition says nothing)"))
+        items.append(KeyValue("condition", f"{decimal(pose.condition)} (cofactor times superbracket)"))
+    items.append(KeyValue("margin", f"{pose.margin:.4g} (dimensionless, 0 singular to 1)"))
     return items
 
 

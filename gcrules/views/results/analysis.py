@@ -6,7 +6,7 @@ from textwrap import indent
 
 from gcrules.algebra.language.text import text, text_terms
 from gcrules.conditions.analysis import Analysis
-from gcrules.views.report.stages import Fact, Item, stages
+from gcrules.views.report.stages import Item, KeyValue, stages
 from gcrules.views.results.derivation import as_text as derivation_text
 from gcrules.views.results.derivation import ascii_words
 
@@ -39,7 +39,7 @@ def _why(words: str) -> list[str]:
 
 
 def _text_item(item: Item, a: Analysis, unicode: bool) -> list[str]:
-    if isinstance(item, Fact):
+    if isinstance(item, KeyValue):
         return _wrapped([f"{item.key:<12}", *item.value.split()], "   ")
     if isinstance(item, str):
         return _wrapped(item.split(), "   ")

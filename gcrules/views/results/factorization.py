@@ -6,7 +6,7 @@ from collections import Counter
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.factoring.result import MANY, Factorization, Part, short
+from gcrules.algebra.factoring.result import MANY, FactoredPart, Factorization, short
 from gcrules.algebra.language.text import text as expression_text
 from gcrules.views.formulas import latex as formulas
 
@@ -48,7 +48,7 @@ def _headline(f: Factorization, unicode: bool) -> str:
     return "none exists in the family" + (f" for what is left after the brackets {left}" if left else "")
 
 
-def _part(f: Factorization, part: Part, unicode: bool) -> str:
+def _part(f: Factorization, part: FactoredPart, unicode: bool) -> str:
     """A factor as its expression, or else as its polynomial, with what is known of it."""
     if part.expression is None:
         shown = f"{part.polynomial.text(unicode=unicode)}: no expression"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from textwrap import fill
 
 from gcrules.core.errors import LimitReached
-from gcrules.poses.loci.form import Form, joined
-from gcrules.poses.loci.report import Factor, Locus
+from gcrules.poses.loci.form import PolynomialForm, joined
+from gcrules.poses.loci.report import Locus, LocusFactor
 from gcrules.poses.loci.variables import TRANSLATION
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.text_tables import WIDTH, table
@@ -89,7 +89,7 @@ def _factors(found: Locus) -> str:
     return "; ".join(map(_factor, factors))
 
 
-def _factor(f: Factor) -> str:
+def _factor(f: LocusFactor) -> str:
     long = f"one of degree {f.form.degree} with {len(f.form.terms)} terms"
     what = str(f.form) if len(f.form.terms) <= SHOWN // 4 else long
     meaning = {"norm": " (never 0: it divides the quaternion's |e|^2)", "bracket": f" (of the bracket {f.name})"}
@@ -107,7 +107,7 @@ def as_latex(found: Locus) -> str:
     return form_latex(found.form)
 
 
-def form_latex(form: Form) -> str:
+def form_latex(form: PolynomialForm) -> str:
     """The same for any polynomial."""
 
     def factor(name: str, n: int) -> str:

@@ -10,8 +10,8 @@ from gcrules.algebra.expr import Expr, Sum
 from gcrules.algebra.language.legs_text import legs_text
 from gcrules.algebra.language.text import text as expression_text
 from gcrules.conditions.manual.forms import form_text
-from gcrules.conditions.manual.outcome import Outcome
-from gcrules.conditions.manual.session import Session
+from gcrules.conditions.manual.outcome import ProposalOutcome
+from gcrules.conditions.manual.session import ManualSession
 from gcrules.rules.condition import Entity
 from gcrules.views.formulas import latex as formulas
 from gcrules.views.formulas.latex_text import latex_words
@@ -23,12 +23,12 @@ _MOST_TERMS, _SHOWN_TERMS = 12, 4
 _ASCII = str.maketrans({"∧": "/\\", "∨": "\\/", "−": "-", "·": "*"})
 
 
-def as_text(session: Session, *, unicode: bool = False) -> str:
+def as_text(session: ManualSession, *, unicode: bool = False) -> str:
     """The form, its terms, the entities, the left-over points and the condition as lines of text."""
     return "\n".join(_lines(session, unicode))
 
 
-def _lines(session: Session, unicode: bool) -> Iterator[str]:
+def _lines(session: ManualSession, unicode: bool) -> Iterator[str]:
     board, names = session.board, session.structure.names
 
     def shown(e: Expr) -> str:
@@ -58,14 +58,14 @@ def _entity(entity: Entity) -> str:
     return f"{entity.kind} {(' ' if spaced else '').join(entity.starred)}"
 
 
-def as_latex(session: Session) -> str:
+def as_latex(session: ManualSession) -> str:
     """The condition once it is confirmed, before that the form on the board; without dollar signs."""
     if session.confirmed is not None:
         return conditions.as_latex(session.confirmed)
     return formulas.latex(session.board.polynomial.to_expr())
 
 
-def outcome(o: Outcome, *, unicode: bool = False, names: tuple[str, ...] = ()) -> str:
+def outcome(o: ProposalOutcome, *, unicode: bool = False, names: tuple[str, ...] = ()) -> str:
     """The answer, the words, the formulas and the coordinates as lines of text."""
     first, *rest = (_in_style(line, unicode) for line in o.words)
     lines = [f"{o.answer}: {first}", *(f"  {line}" for line in rest)]
@@ -74,7 +74,7 @@ def outcome(o: Outcome, *, unicode: bool = False, names: tuple[str, ...] = ()) -
     return "\n".join(lines)
 
 
-def outcome_latex(o: Outcome) -> str:
+def outcome_latex(o: ProposalOutcome) -> str:
     """The answer and the first of the words, without dollar signs."""
     return f"\\text{{{latex_words(f'{o.answer}: {o.words[0]}')}}}"
 

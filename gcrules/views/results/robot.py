@@ -9,10 +9,10 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.mechanisms.conditions.common_factor import CommonFactor, Subset
-from gcrules.mechanisms.conditions.factor_causes import KINDS, Part
+from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.serial import LimbSingularity
-from gcrules.mechanisms.lines.wrenches import LimbWrenches, Line
+from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.views.formulas.latex import latex_lines
 from gcrules.views.formulas.latex_text import latex_document
 from gcrules.views.formulas.latex_text import latex_words as words
@@ -126,7 +126,7 @@ def _limb(limb: LimbWrenches) -> str:
     return f"{what}: {', '.join(map(_line, limb.lines))}"
 
 
-def _line(line: Line) -> str:
+def _line(line: WrenchLine) -> str:
     word = "couple" if line.couple else "force"
     return f"{word} {''.join(line.ends)}{' (constraint)' if line.role == 'constraint' else ''}"
 
@@ -139,7 +139,7 @@ def _structure(a: RobotAnalysis) -> str:
     return "; ".join(words)
 
 
-def _part(part: Part, names: tuple[str, ...], unicode: bool) -> str:
+def _part(part: FactorCause, names: tuple[str, ...], unicode: bool) -> str:
     shown = text(part.expression, unicode=unicode, names=names)
     if part.same is not None:
         return f"{shown}: {part.kind}, implies that {text(part.same, unicode=unicode, names=names)} is zero"
@@ -182,7 +182,7 @@ def as_latex(a: RobotAnalysis) -> str:
     return latex_document([*out, r"\subsection*{Certificate}", words(a.certificate)])
 
 
-def _told(part: Part) -> str:
+def _told(part: FactorCause) -> str:
     if part.same is not None:
         return f"{part.kind}; implies that {text(part.same, unicode=True)} is zero"
     said = f"zero where {part.statement}" if part.statement else KINDS[part.kind]

@@ -11,18 +11,18 @@ from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Sum, join, me
 from gcrules.conditions.gained_motion import common_point, factors
 from gcrules.core.linear_algebra import kernel
 from gcrules.mechanisms.conditions.at_infinity import INFINITY
-from gcrules.mechanisms.conditions.factor_causes import Part
+from gcrules.mechanisms.conditions.factor_causes import FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.views.drawing.bsp import XYZ, cross, dot
 from gcrules.views.robots.exact_values import Values, lines_at
 from gcrules.views.robots.joint_chain import unit_vector
 
-__all__ = ["Entity", "common_normal", "entities", "exact_meeting", "far_directions", "meeting"]
+__all__ = ["DrawnFlat", "common_normal", "entities", "exact_meeting", "far_directions", "meeting"]
 
 
 @dataclass(frozen=True)
-class Entity:
+class DrawnFlat:
     """A plane or tetrahedron through points, some of which may be directions."""
 
     kind: str
@@ -32,16 +32,16 @@ class Entity:
 _KINDS = {4: "tetrahedron", 3: "plane"}
 
 
-def entities(a: RobotAnalysis, parts: Sequence[Part]) -> tuple[Entity, ...]:
+def entities(a: RobotAnalysis, parts: Sequence[FactorCause]) -> tuple[DrawnFlat, ...]:
     """The planes and tetrahedra of these factors that do not lie at infinity, each once.
 
     Three planes through one point that have a common line may be written with two of them and a line: then the third
     plane is among them.
     """
-    found: dict[tuple[str, frozenset[str]], Entity] = {}
+    found: dict[tuple[str, frozenset[str]], DrawnFlat] = {}
     for part in parts:
         for names in _apart(tuple(_joined(part.expression)), set(a.structure.ideal)):
-            found.setdefault((_KINDS[len(names)], frozenset(names)), Entity(_KINDS[len(names)], names))
+            found.setdefault((_KINDS[len(names)], frozenset(names)), DrawnFlat(_KINDS[len(names)], names))
     return tuple(found.values())
 
 
@@ -83,7 +83,7 @@ def _through_one_point(e: Meet) -> bool:
     return all(len(n) == 3 for n in names) and len(names[0] & names[1]) == 1 and INFINITY not in planes
 
 
-def exact_meeting(a: RobotAnalysis, part: Part, values: Values) -> tuple[Fraction, ...] | None:
+def exact_meeting(a: RobotAnalysis, part: FactorCause, values: Values) -> tuple[Fraction, ...] | None:
     """The one point (homogeneous) that planes and lines of a vanishing factor have in common; None where there is not
     one.
     """
@@ -104,7 +104,7 @@ def _flat_row(p: Sequence[Fraction]) -> tuple[Fraction, ...]:
     return p[4], -p[2], p[0]
 
 
-def meeting(a: RobotAnalysis, part: Part, values: Values) -> tuple[XYZ, bool] | None:
+def meeting(a: RobotAnalysis, part: FactorCause, values: Values) -> tuple[XYZ, bool] | None:
     """The same in floats: the point in the unit of the file, or its direction if it is at infinity (then True)."""
     met = exact_meeting(a, part, values)
     if met is None:
@@ -113,7 +113,7 @@ def meeting(a: RobotAnalysis, part: Part, values: Values) -> tuple[XYZ, bool] | 
     return (x, y, z), not met[3]
 
 
-def far_directions(a: RobotAnalysis, part: Part, values: Values) -> tuple[dict[tuple[str, ...], XYZ], list[XYZ]]:
+def far_directions(a: RobotAnalysis, part: FactorCause, values: Values) -> tuple[dict[tuple[str, ...], XYZ], list[XYZ]]:
     """The directions that a factor compares, by name, and the great circle (its normal) that they lie on where it
     vanishes: those of an own bracket of directions, and those of lines that are parallel to one plane.
     """

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from math import dist
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.lines.wrenches import Line
+from gcrules.mechanisms.lines.wrenches import WrenchLine
 from gcrules.views.drawing.bsp import XYZ, dot, minus
 from gcrules.views.drawing.solids import center
-from gcrules.views.robots.joint_chain import Chain, unit_vector
+from gcrules.views.robots.joint_chain import DrawnLimb, unit_vector
 
 __all__ = ["REACH", "force", "forces"]
 
@@ -18,7 +18,7 @@ REACH = 0.34
 
 
 def forces(
-    a: RobotAnalysis, chain: Chain, points: Mapping[str, XYZ], ideal: Mapping[str, XYZ], plate: Sequence[XYZ]
+    a: RobotAnalysis, chain: DrawnLimb, points: Mapping[str, XYZ], ideal: Mapping[str, XYZ], plate: Sequence[XYZ]
 ) -> list[tuple[XYZ, XYZ]]:
     """Where the forces of a limb are drawn, and the unit vectors outwards."""
     limb = next(one for one in a.structure.limbs if one.limb is chain.limb)
@@ -27,7 +27,7 @@ def forces(
 
 
 def force(
-    line: Line, points: Mapping[str, XYZ], ideal: Mapping[str, XYZ], plate: Sequence[XYZ]
+    line: WrenchLine, points: Mapping[str, XYZ], ideal: Mapping[str, XYZ], plate: Sequence[XYZ]
 ) -> tuple[XYZ, XYZ] | None:
     """Where a force is drawn: at the end of its line that is nearer to the platform, outwards; None for a couple."""
     middle = center(plate)

@@ -10,7 +10,7 @@ from itertools import pairwise
 from math import cos, pi, sin
 
 from gcrules.views.drawing.bsp import XYZ, cross, dot
-from gcrules.views.drawing.drawing import XY, Circle, Line, Run, Shape, Text, name_runs
+from gcrules.views.drawing.drawing import XY, Circle, Run, Shape, Stroke, Text, name_runs
 from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.viewpoint import View
 from gcrules.views.robots.joint_chain import unit_vector
@@ -70,7 +70,7 @@ def _place(u: XYZ, view: View, middle: XY) -> XY:
 
 def _circle(
     normal: XYZ, view: View, middle: XY, role: str, width: float, dash: tuple[float, float] | None
-) -> list[Line]:
+) -> list[Stroke]:
     """The visible half of the great circle perpendicular to a vector."""
     n = unit_vector(normal)
     rim = cross(n, view.eye)
@@ -86,7 +86,7 @@ def _circle(
         x, y = view.flat((c * first[0] + s * second[0], c * first[1] + s * second[1], c * first[2] + s * second[2]))
         places.append((middle[0] + _RADIUS * x, middle[1] + _RADIUS * y))
     return [
-        Line(a, b, role, width, round_ends=dash is None)
+        Stroke(a, b, role, width, round_ends=dash is None)
         for k, (a, b) in enumerate(pairwise(places))
         if dash is None or k % 2 == 0
     ]

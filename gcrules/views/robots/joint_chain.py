@@ -19,7 +19,7 @@ from gcrules.views.drawing.bsp import XYZ, cross, dot, minus
 from gcrules.views.drawing.frame import Unit
 from gcrules.views.drawing.solids import center
 
-__all__ = ["Chain", "Place", "Stroke", "chains", "plus", "unit_vector"]
+__all__ = ["DrawnJoint", "DrawnLimb", "Rod", "chains", "plus", "unit_vector"]
 
 _SPHERE = 1.0
 _RAIL = 0.3
@@ -28,7 +28,7 @@ _SLEEVE = 0.42  # where on a link its sleeve is
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class DrawnJoint:
     """A joint where it is drawn, with unit vectors along its axes."""
 
     kind: str
@@ -38,7 +38,7 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Stroke:
+class Rod:
     """A link, a `bar` (thinner), a `rail` or an `axis` from one place to another."""
 
     start: XYZ
@@ -47,12 +47,12 @@ class Stroke:
 
 
 @dataclass
-class Chain:
+class DrawnLimb:
     """A limb in space: its joints, its strokes, and its first and last place."""
 
     limb: LimbText
-    places: list[Place] = field(default_factory=list)
-    strokes: list[Stroke] = field(default_factory=list)
+    places: list[DrawnJoint] = field(default_factory=list)
+    strokes: list[Rod] = field(default_factory=list)
     foot: XYZ = (0.0, 0.0, 0.0)
     head: XYZ = (0.0, 0.0, 0.0)
 
@@ -68,7 +68,7 @@ def unit_vector(v: XYZ) -> XYZ:
     return v[0] / length, v[1] / length, v[2] / length
 
 
-def chains(family: Family, limbs: Sequence[LimbText], values: Values) -> tuple[Unit, list[Chain]]:
+def chains(family: Family, limbs: Sequence[LimbText], values: Values) -> tuple[Unit, list[DrawnLimb]]:
     """All limbs in a configuration (Cartesian coordinates of all names)."""
     named = dict.fromkeys(n for limb in limbs for j in limb.joints for n in j.names)
     points = [_xyz(values[n]) for n in named if family.sorts[n] == "point"]
@@ -104,9 +104,9 @@ class _Builder:
     limb: LimbText
     ground: XYZ | None  # the middle of the first joints of other limbs
 
-    def chain(self) -> Chain:
+    def chain(self) -> DrawnLimb:
         joints = self.limb.joints
-        made = Chain(self.limb)
+        made = DrawnLimb(self.limb)
         if len(joints) > 1 and all(j.kind == "R" for j in joints) and len({j.points for j in joints}) == 1:
             return self._on_sphere(made)
         at: XYZ | None = None
@@ -144,23 +144,23 @@ class _Builder:
         following = next((p for k in rest if (p := self._anchor(k)) and dist(p, anchor) > 1e-9), None)
         return unit_vector(minus(following, anchor)) if following else None
 
-    def _joint(self, made: Chain, j: JointText, at: XYZ) -> XYZ:
+    def _joint(self, made: DrawnLimb, j: JointText, at: XYZ) -> XYZ:
         """Draw a joint that has a place; where the chain goes on."""
         axes = tuple(self._direction(d) for d in j.directions)
         if j.kind != "4S":
-            made.places.append(Place(j.kind, at, axes, bool(j.actuated)))
+            made.places.append(DrawnJoint(j.kind, at, axes, bool(j.actuated)))
             for term in (d for d in j.directions if len(d) == 2):
-                made.strokes.append(Stroke(at, self._point(next(n for _, n in term if self._point(n) != at)), "axis"))
+                made.strokes.append(Rod(at, self._point(next(n for _, n in term if self._point(n) != at)), "axis"))
             return at
         second = self._point(j.points[1])
         x, y, z = (c / self.unit.radius for c in _sum(j.directions[0], self.values))
         ends = plus(at, (x, y, z)), plus(second, (x, y, z))
-        made.strokes += [Stroke(at, second), Stroke(*ends)]
-        made.strokes += [Stroke(a, b, "bar") for a, b in zip((at, second), ends, strict=True)]
-        made.places += [Place("pin", p) for p in (at, second, *ends)]
+        made.strokes += [Rod(at, second), Rod(*ends)]
+        made.strokes += [Rod(a, b, "bar") for a, b in zip((at, second), ends, strict=True)]
+        made.places += [DrawnJoint("pin", p) for p in (at, second, *ends)]
         return center(ends)
 
-    def _rails(self, made: Chain, slides: Sequence[JointText], at: XYZ, away: XYZ | None) -> XYZ:
+    def _rails(self, made: DrawnLimb, slides: Sequence[JointText], at: XYZ, away: XYZ | None) -> XYZ:
         """Carriages on rails under the first joint that has a place; where the first of them stands on the base."""
         if len(slides) == 1 and away is None:
             return self._column(made, slides[0], at)
@@ -172,12 +172,12 @@ class _Builder:
             if k < len(slides) - 1:
                 low, high = (_RAIL, 0.1) if not self._outwards(at, axis) else (0.1, _RAIL)
             ends = plus(at, axis, -low), plus(at, axis, high)
-            made.strokes.append(Stroke(*ends, "rail"))
-            made.places.append(Place("carriage", at, (axis,), bool(j.actuated)))
+            made.strokes.append(Rod(*ends, "rail"))
+            made.places.append(DrawnJoint("carriage", at, (axis,), bool(j.actuated)))
             at = self._grounded(ends)
         return at
 
-    def _column(self, made: Chain, j: JointText, at: XYZ) -> XYZ:
+    def _column(self, made: DrawnLimb, j: JointText, at: XYZ) -> XYZ:
         """A slide right under the only joint that has a place."""
         axis = self._direction(j.directions[0])
         foot = self._grounded((plus(at, axis, -0.75), plus(at, axis, 0.75)))
@@ -194,14 +194,14 @@ class _Builder:
     def _outwards(self, at: XYZ, axis: XYZ) -> bool:
         return round(dist(plus(at, axis, _RAIL), (0, 0, 0)), 6) > round(dist(plus(at, axis, -_RAIL), (0, 0, 0)), 6)
 
-    def _between(self, made: Chain, slides: Sequence[JointText], start: XYZ, end: XYZ) -> None:
+    def _between(self, made: DrawnLimb, slides: Sequence[JointText], start: XYZ, end: XYZ) -> None:
         """The link between two joints, with the sleeves or parallelograms that it carries."""
         for j in slides:
             term = j.directions[0]
             if len(term) == 2:  # written with two points: it stands on their line
                 first, second = (self._point(n) for _, n in reversed(term))
                 if dist(start, first) > 1e-9:
-                    made.strokes.append(Stroke(start, first))
+                    made.strokes.append(Rod(start, first))
                 start, goal = first, second
             else:
                 goal = end
@@ -209,26 +209,26 @@ class _Builder:
             length = dist(start, goal)
             if length < 1e-9 or abs(dot(axis, minus(goal, start))) < 0.999 * length:
                 goal = plus(end, axis, -_RAIL)
-                made.strokes += [Stroke(start, goal)] if dist(start, goal) > 1e-9 else []
+                made.strokes += [Rod(start, goal)] if dist(start, goal) > 1e-9 else []
                 start, goal = goal, end
             self._slide(made, j, start, goal)
             start = goal
         if dist(start, end) > 1e-9:
-            made.strokes.append(Stroke(start, end))
+            made.strokes.append(Rod(start, end))
 
-    def _slide(self, made: Chain, j: JointText, start: XYZ, end: XYZ) -> None:
+    def _slide(self, made: DrawnLimb, j: JointText, start: XYZ, end: XYZ) -> None:
         if j.kind != "Pa":
-            made.strokes.append(Stroke(start, end))
+            made.strokes.append(Rod(start, end))
             middle = plus(start, minus(end, start), _SLEEVE)
-            made.places.append(Place(j.kind, middle, (unit_vector(minus(end, start)),), bool(j.actuated)))
+            made.places.append(DrawnJoint(j.kind, middle, (unit_vector(minus(end, start)),), bool(j.actuated)))
             return
         across = unit_vector(cross(self._direction(j.directions[1]), minus(end, start)))
         corners = [(plus(p, across, _BAR), plus(p, across, -_BAR)) for p in (start, end)]
-        made.strokes += [Stroke(*pair) for pair in corners]
-        made.strokes += [Stroke(a, b, "bar") for a, b in zip(*corners, strict=True)]
-        made.places += [Place("pin", p, driven=bool(j.actuated)) for pair in corners for p in pair]
+        made.strokes += [Rod(*pair) for pair in corners]
+        made.strokes += [Rod(a, b, "bar") for a, b in zip(*corners, strict=True)]
+        made.places += [DrawnJoint("pin", p, driven=bool(j.actuated)) for pair in corners for p in pair]
 
-    def _beyond(self, made: Chain, slides: Sequence[JointText], at: XYZ) -> XYZ:
+    def _beyond(self, made: DrawnLimb, slides: Sequence[JointText], at: XYZ) -> XYZ:
         """Slides after the last joint that has a place."""
         for j in slides:
             term = j.directions[0]
@@ -238,7 +238,7 @@ class _Builder:
             at = goal
         return at
 
-    def _on_sphere(self, made: Chain) -> Chain:
+    def _on_sphere(self, made: DrawnLimb) -> DrawnLimb:
         o = self._anchor(self.limb.joints[0]) or (0.0, 0.0, 0.0)
         before: XYZ | None = None
         for j in self.limb.joints:
@@ -246,10 +246,10 @@ class _Builder:
             if before is not None:
                 axis = axis if dot(axis, before) >= 0 else (-axis[0], -axis[1], -axis[2])
                 arc = [plus(o, u, _SPHERE) for u in _arc(before, axis)]
-                made.strokes += [Stroke(a, b) for a, b in pairwise(arc)]
+                made.strokes += [Rod(a, b) for a, b in pairwise(arc)]
             at = plus(o, axis, _SPHERE)
-            made.strokes.append(Stroke(o, at, "axis"))
-            made.places.append(Place("R", at, (axis,), bool(j.actuated)))
+            made.strokes.append(Rod(o, at, "axis"))
+            made.places.append(DrawnJoint("R", at, (axis,), bool(j.actuated)))
             before = axis
         made.foot, made.head = made.places[0].at, made.places[-1].at
         return made

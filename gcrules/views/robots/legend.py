@@ -6,12 +6,12 @@ from collections.abc import Iterable, Sequence
 
 from gcrules.screws import JOINTS
 from gcrules.views.drawing.bsp import XYZ
-from gcrules.views.drawing.drawing import Circle, Line, Polygon, Run, Shape, Text, mapped, name_runs, text_width
+from gcrules.views.drawing.drawing import Circle, Polygon, Run, Shape, Stroke, Text, mapped, name_runs, text_width
 from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.viewpoint import View
-from gcrules.views.robots.entities import Entity, meeting
-from gcrules.views.robots.joint_chain import Place
-from gcrules.views.robots.lines import Motion, entity_role_of
+from gcrules.views.robots.entities import DrawnFlat, meeting
+from gcrules.views.robots.joint_chain import DrawnJoint
+from gcrules.views.robots.lines import DrawnMotion, entity_role_of
 from gcrules.views.robots.picture import CONSTRAINT_DASH
 from gcrules.views.robots.scene import Scene
 from gcrules.views.robots.singular_poses import SingularPose
@@ -50,21 +50,23 @@ _SHOWN = {"R": (1.0, 0.0, 0.0), "P": (1.0, 0.0, 0.0), "H": (1.0, 0.0, 0.0), "C":
 
 def robot_legend(
     s: Scene,
-    shown: Sequence[Entity],
+    shown: Sequence[DrawnFlat],
     pose: SingularPose | None,
     marks: Sequence[tuple[str, XYZ]] = (),
-    motion: Motion | None = None,
+    motion: DrawnMotion | None = None,
 ) -> list[Entry]:
     entries: list[Entry] = []
     for limb, role in s.roles.items():
-        entries.append(([Line((-12, 0), (12, 0), role, 4.4)], (Run(limb),)))
+        entries.append(([Stroke((-12, 0), (12, 0), role, 4.4)], (Run(limb),)))
     if pose is None:
         kinds = dict.fromkeys(j.kind for limb in s.a.robot.limbs for j in limb.joints if j.kind in (*_SHOWN, "U", "S"))
         for kind in kinds:
             axes = ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)) if kind == "U" else (_SHOWN.get(kind, (0.0, 0.0, 1.0)),)
-            sample = sign(Place(kind, (0.0, 0.0, 0.0), axes), _SMALL if kind in "CHE" else _FLAT, "muted")
+            sample = sign(DrawnJoint(kind, (0.0, 0.0, 0.0), axes), _SMALL if kind in "CHE" else _FLAT, "muted")
             entries.append((sample, (Run(JOINTS[kind].name),)))
-        entries.append((sign(Place("P", (0.0, 0.0, 0.0), ((1.0, 0.0, 0.0),), True), _FLAT, "ink"), (Run("driven"),)))
+        entries.append(
+            (sign(DrawnJoint("P", (0.0, 0.0, 0.0), ((1.0, 0.0, 0.0),), True), _FLAT, "ink"), (Run("driven"),))
+        )
     wrenches = [line for limb in s.a.structure.limbs for line in limb.lines or ()]
     if any(not w.couple for w in wrenches):
         entries.append((arrow((-13, 0), (13, 0), "ink", 2.6), (Run("force"),)))

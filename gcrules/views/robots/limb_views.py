@@ -13,7 +13,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.limb_file import JointText
 from gcrules.mechanisms.description.relations import Term
 from gcrules.mechanisms.lines.equivalent import FRAME
-from gcrules.mechanisms.lines.wrenches import LimbWrenches, Line
+from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.screws import JOINTS
 from gcrules.views.scene_data import JointView, LimbView, LineView, Vec3
 
@@ -79,7 +79,7 @@ def _joint(joint: JointText, places: Mapping[str, Floats]) -> JointView:
     }
 
 
-def _line(line: Line, places: Mapping[str, Floats], ideal: set[str]) -> LineView:
+def _line(line: WrenchLine, places: Mapping[str, Floats], ideal: set[str]) -> LineView:
     """A force with a point of its line, or a couple, whose direction is normal to the two directions of its line."""
     finite = [n for n in line.ends if n not in ideal]
     a, b = (places[n] for n in line.ends)
@@ -115,6 +115,6 @@ def wrench_words(one: LimbWrenches) -> list[str]:
     return [_wrench(line) for line in one.lines]
 
 
-def _wrench(line: Line) -> str:
+def _wrench(line: WrenchLine) -> str:
     what = "couple" if line.couple else "force"
     return f"{what} {leg_text(line.ends)}{' (constraint)' if line.role == 'constraint' else ''}"

@@ -10,14 +10,14 @@ from math import dist
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.conditions.pose_value import line_points
-from gcrules.mechanisms.lines.wrenches import Line as Wrench
-from gcrules.views.drawing.bsp import XYZ, Piece, cross, dot, minus
-from gcrules.views.drawing.drawing import Circle, Line, Shape, name_runs
+from gcrules.mechanisms.lines.wrenches import WrenchLine as Wrench
+from gcrules.views.drawing.bsp import XYZ, CutPolygon, cross, dot, minus
+from gcrules.views.drawing.drawing import Circle, Shape, Stroke, name_runs
 from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.scene_pieces import Look
 from gcrules.views.drawing.solids import center, outline, patch, stretched, tetrahedron, through_ball
-from gcrules.views.robots.entities import Entity
+from gcrules.views.robots.entities import DrawnFlat
 from gcrules.views.robots.infinity_view import Far
 from gcrules.views.robots.joint_chain import plus, unit_vector
 from gcrules.views.robots.picture import body_pieces, dot_at, piece_shapes
@@ -25,7 +25,7 @@ from gcrules.views.robots.scene import HEIGHT, TOP, WIDTH, Scene
 from gcrules.views.robots.symbols import arrow, turning
 
 __all__ = [
-    "Motion",
+    "DrawnMotion",
     "entity_role_of",
     "far",
     "motion_extent",
@@ -44,7 +44,7 @@ _TURNS = (0.4, -0.4, 0.5, -0.5, 0.28, -0.28, 0.14, -0.14, 0.0)  # where on the a
 
 
 @dataclass(frozen=True)
-class Motion:
+class DrawnMotion:
     """A motion of the platform, in units of the robot's size: about the line through `at` along `axis` with `pitch`, or
     (pitch None) a shift along `axis`, drawn at `at`.
     """
@@ -55,7 +55,7 @@ class Motion:
 
 
 def structure_shapes(
-    s: Scene, shown: Sequence[Entity], marks: Sequence[tuple[str, XYZ]] = (), motion: Motion | None = None
+    s: Scene, shown: Sequence[DrawnFlat], marks: Sequence[tuple[str, XYZ]] = (), motion: DrawnMotion | None = None
 ) -> list[Shape]:
     """The lines, their points, planes and tetrahedra; `marks` are named common points."""
     frame = s.frame
@@ -82,25 +82,25 @@ def structure_shapes(
     labels += [Label(name_runs(n), at, (at[0] - x0, at[1] - y0), 5.0) for n, at in dots.items()]
     labels += [Label(name_runs(n), frame.place(p), (1.0, -1.0), 5.0, fill="mark") for n, p in marks]
     strokes = [(frame.place(p.corners[0]), frame.place(p.corners[1])) for p in pieces if len(p.corners) == 2]
-    strokes += [(one.start, one.end) for one in over if isinstance(one, Line)]
+    strokes += [(one.start, one.end) for one in over if isinstance(one, Stroke)]
     discs = [(at, 5.0) for at in (*dots.values(), *(frame.place(p) for p in near))]
     bounds = (4.0, TOP, WIDTH - 4, HEIGHT - 4)
     return [*shapes, *over, *place_labels(labels, discs=discs, strokes=strokes, bounds=bounds)]
 
 
-def structure_extent(s: Scene, shown: Sequence[Entity], marks: Sequence[tuple[str, XYZ]] = ()) -> list[XYZ]:
+def structure_extent(s: Scene, shown: Sequence[DrawnFlat], marks: Sequence[tuple[str, XYZ]] = ()) -> list[XYZ]:
     """Places between which the structure lies."""
     pieces = _pieces(s, shown, [p for _, p in marks])
     return [*(c for p in pieces for c in p.corners), *(p for ends, _, _ in _lines(s)[1] for p in ends)]
 
 
-def _pieces(s: Scene, shown: Sequence[Entity], near: Sequence[XYZ]) -> list[Piece[Look]]:
+def _pieces(s: Scene, shown: Sequence[DrawnFlat], near: Sequence[XYZ]) -> list[CutPolygon[Look]]:
     drawn = [piece for e in shown for piece in _entity(s, e, _corners(s, e), near)]
     pieces = drawn or body_pieces(s, fill=0.12)
     solid, _ = _lines(s)
-    pieces += [Piece(ends, Look(role, width=3.2)) for ends, role in solid]
-    pieces += [Piece(stretched(ends, _BEYOND, also=near), Look(role, width=1.1)) for ends, role in solid]
-    return [*pieces, *(Piece(ends, Look(role, width=3.0, dash=(9, 3))) for _, ends, role in _constructed(s))]
+    pieces += [CutPolygon(ends, Look(role, width=3.2)) for ends, role in solid]
+    pieces += [CutPolygon(stretched(ends, _BEYOND, also=near), Look(role, width=1.1)) for ends, role in solid]
+    return [*pieces, *(CutPolygon(ends, Look(role, width=3.0, dash=(9, 3))) for _, ends, role in _constructed(s))]
 
 
 def places_of(s: Scene) -> list[XYZ]:
@@ -152,7 +152,7 @@ def far(s: Scene) -> Far:
 # --- entities ------------------------------------------------------------------------------------------------------
 
 
-def entity_role_of(s: Scene, e: Entity) -> str:
+def entity_role_of(s: Scene, e: DrawnFlat) -> str:
     """A plane of a limb's lines has the limb's colour, one of platform or base points theirs."""
     names = set(e.points)
     for line in s.a.structure.lines or ():
@@ -166,7 +166,7 @@ def _own(s: Scene) -> list[tuple[str, set[str]]]:
     return [(limb.limb.name, {n for line in limb.lines or () for n in line.ends}) for limb in s.a.structure.limbs]
 
 
-def _corners(s: Scene, e: Entity) -> list[XYZ]:
+def _corners(s: Scene, e: DrawnFlat) -> list[XYZ]:
     """Points of an entity; a direction gives two places beside each of its finite points."""
     finite = [s.points[n] for n in e.points if n in s.points]
     directions = [s.ideal[n] for n in e.points if n in s.ideal]
@@ -179,16 +179,16 @@ def _corners(s: Scene, e: Entity) -> list[XYZ]:
     return found
 
 
-def _entity(s: Scene, e: Entity, corners: Sequence[XYZ], marks: Sequence[XYZ]) -> list[Piece[Look]]:
+def _entity(s: Scene, e: DrawnFlat, corners: Sequence[XYZ], marks: Sequence[XYZ]) -> list[CutPolygon[Look]]:
     role = entity_role_of(s, e)
     if e.kind == "tetrahedron" and len(corners) == 4:
         a, b, c, d = corners
         if abs(dot(minus(b, a), cross(minus(c, a), minus(d, a)))) > 1e-9:
-            return [Piece(face, Look(role, fill=0.12, edge=0.7, width=1.1)) for face in tetrahedron(corners)]
+            return [CutPolygon(face, Look(role, fill=0.12, edge=0.7, width=1.1)) for face in tetrahedron(corners)]
         hulls = outline(corners)
-        return [Piece(hull, Look("mark", fill=0.22, edge=0.9, width=1.5), edges) for hull, edges in hulls]
+        return [CutPolygon(hull, Look("mark", fill=0.22, edge=0.9, width=1.5), edges) for hull, edges in hulls]
     polygon = patch(corners, 0.1, also=marks) if len(corners) > 2 else None
-    return [Piece(polygon, Look(role, fill=0.2, edge=0.8, width=1.3))] if polygon else []
+    return [CutPolygon(polygon, Look(role, fill=0.2, edge=0.8, width=1.3))] if polygon else []
 
 
 def _constructed(s: Scene) -> list[tuple[str, _Segment, str]]:
@@ -208,7 +208,7 @@ def _constructed(s: Scene) -> list[tuple[str, _Segment, str]]:
 # --- motions -------------------------------------------------------------------------------------------------------
 
 
-def motion_shapes(frame: Frame, m: Motion, apart: Sequence[XYZ] = ()) -> list[Shape]:
+def motion_shapes(frame: Frame, m: DrawnMotion, apart: Sequence[XYZ] = ()) -> list[Shape]:
     """The axis with a turn about it, drawn where it is `apart` from these places; or the arrow of a shift."""
     u = unit_vector(m.axis)
     if m.pitch is None:
@@ -217,7 +217,7 @@ def motion_shapes(frame: Frame, m: Motion, apart: Sequence[XYZ] = ()) -> list[Sh
     start, end = (frame.place(plus(m.at, u, r)) for r in (-_AXIS, _AXIS))
     if dist(start, end) < 14:  # seen along the axis
         return [Circle(start, 3.4, "mark", "paper", 1.2), *turning(frame, m.at, u, "mark", 19.0, 2.4)]
-    shapes: list[Shape] = [Line(start, end, "mark", 1.8, dash=(7.0, 3.0))]
+    shapes: list[Shape] = [Stroke(start, end, "mark", 1.8, dash=(7.0, 3.0))]
     if m.pitch:
         shapes += arrow(end, frame.place(plus(m.at, u, _AXIS + 0.16)), "mark", 2.0)
     others = [frame.place(p) for p in apart]
@@ -229,7 +229,7 @@ def motion_shapes(frame: Frame, m: Motion, apart: Sequence[XYZ] = ()) -> list[Sh
     return [*shapes, *turning(frame, plus(m.at, u, best), u, "mark", 19.0, 2.4)]
 
 
-def motion_extent(m: Motion) -> list[XYZ]:
+def motion_extent(m: DrawnMotion) -> list[XYZ]:
     """Places between which a motion is drawn."""
     u = unit_vector(m.axis)
     return [plus(m.at, u, r) for r in ((0.0, 0.5) if m.pitch is None else (-_AXIS, _AXIS + 0.1))]

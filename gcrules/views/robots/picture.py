@@ -7,9 +7,9 @@ from math import dist
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.equivalent import FRAME
-from gcrules.mechanisms.lines.wrenches import Line as Wrench
-from gcrules.views.drawing.bsp import XYZ, Piece, cross, dot, minus, painted
-from gcrules.views.drawing.drawing import XY, Circle, Line, Polygon, Shape, name_runs
+from gcrules.mechanisms.lines.wrenches import WrenchLine as Wrench
+from gcrules.views.drawing.bsp import XYZ, CutPolygon, cross, dot, minus, painted
+from gcrules.views.drawing.drawing import XY, Circle, Polygon, Shape, Stroke, name_runs
 from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.scene_pieces import Look
@@ -27,28 +27,28 @@ _AXIS = 27.0  # points
 _LINK = {"link": 4.4, "bar": 2.6, "rail": 2.2}
 
 
-def body_pieces(s: Scene, fill: float = 0.2) -> list[Piece[Look]]:
+def body_pieces(s: Scene, fill: float = 0.2) -> list[CutPolygon[Look]]:
     """Base and platform as areas; two corners as a bar."""
     pieces = []
     for role, corners in (("base", s.base), ("platform", s.plate)):
         look = Look(role, fill=fill, edge=0.9, width=1.4)
-        pieces += [Piece(polygon, look, edges) for polygon, edges in outline(corners)]
+        pieces += [CutPolygon(polygon, look, edges) for polygon, edges in outline(corners)]
         if len(corners) == 2:
-            pieces.append(Piece((corners[0], corners[1]), Look(role, width=3.0)))
+            pieces.append(CutPolygon((corners[0], corners[1]), Look(role, width=3.0)))
     return pieces
 
 
-def piece_shapes(pieces: Sequence[Piece[Look]], frame: Frame) -> list[Shape]:
+def piece_shapes(pieces: Sequence[CutPolygon[Look]], frame: Frame) -> list[Shape]:
     """Areas and strokes in the order in which to draw them."""
     shapes: list[Shape] = []
     for piece in painted(pieces, frame.view.eye, 1e-6):
         look, at = piece.tag, [frame.place(c) for c in piece.corners]
         if len(at) == 2:
-            shapes.append(Line(at[0], at[1], look.role, look.width, dash=look.dash))
+            shapes.append(Stroke(at[0], at[1], look.role, look.width, dash=look.dash))
             continue
         edges = zip(at, [*at[1:], at[0]], piece.edges, strict=True)
         shapes.append(Polygon(tuple(at), look.role, fill_opacity=look.fill))
-        shapes += [Line(p, q, look.role, look.width, look.edge) for p, q, original in edges if original]
+        shapes += [Stroke(p, q, look.role, look.width, look.edge) for p, q, original in edges if original]
     return shapes
 
 
@@ -60,14 +60,14 @@ def robot_shapes(s: Scene, over: Sequence[Shape] = (), *, words: bool = True) ->
         role = s.roles[c.limb.name]
         for stroke in c.strokes:
             if stroke.look == "axis":
-                pieces.append(Piece((stroke.start, stroke.end), Look("muted", width=0.9, dash=(5, 3))))
+                pieces.append(CutPolygon((stroke.start, stroke.end), Look("muted", width=0.9, dash=(5, 3))))
             elif dist(stroke.start, stroke.end) > 1e-9:
-                pieces.append(Piece((stroke.start, stroke.end), Look(role, width=_LINK[stroke.look])))
+                pieces.append(CutPolygon((stroke.start, stroke.end), Look(role, width=_LINK[stroke.look])))
         if len(c.limb.joints) == 1 and len(s.base) > 2:  # a pivot: on a post, and held by the platform
-            pieces.append(Piece((center(s.base), c.foot), Look(role, width=4.4)))
-            pieces.append(Piece((c.head, s.heart), Look("platform", width=3.0)))
+            pieces.append(CutPolygon((center(s.base), c.foot), Look(role, width=4.4)))
+            pieces.append(CutPolygon((c.head, s.heart), Look("platform", width=3.0)))
         elif c.head not in s.plate and min(dist(c.head, p) for p in s.plate) > 1e-6:
-            pieces.append(Piece((c.head, s.heart), Look("platform", width=3.0)))
+            pieces.append(CutPolygon((c.head, s.heart), Look("platform", width=3.0)))
     shapes = piece_shapes(pieces, frame)
     axes, tips = _axes(s) if words else ([], [])
     shapes += axes
@@ -80,7 +80,7 @@ def robot_shapes(s: Scene, over: Sequence[Shape] = (), *, words: bool = True) ->
         return shapes
     arrows = _arrows(s)
     strokes = [(frame.place(p.corners[0]), frame.place(p.corners[1])) for p in pieces if len(p.corners) == 2]
-    strokes += [(one.start, one.end) for one in (*arrows, *axes, *over) if isinstance(one, Line)]
+    strokes += [(one.start, one.end) for one in (*arrows, *axes, *over) if isinstance(one, Stroke)]
     discs = [(frame.place(place.at), SIGN - 3) for _, _, place, _ in placed]
     labels = [*_point_labels(s), *tips]
     bounds = (4.0, TOP, WIDTH - 4, HEIGHT - 4)
@@ -123,7 +123,7 @@ def _axes(s: Scene) -> tuple[list[Shape], list[Label]]:
                     named.add(name)
                     u = axis if dot(axis, s.ideal[name]) > 0 else s.ideal[name]
                     start, tip = s.frame.place(place.at), s.frame.place(plus(place.at, u, _AXIS / s.frame.scale))
-                    shapes.append(Line(start, tip, s.roles[c.limb.name], 1.2))
+                    shapes.append(Stroke(start, tip, s.roles[c.limb.name], 1.2))
                     toward = (tip[0] - start[0], tip[1] - start[1])
                     labels.append(Label(name_runs(name), tip, toward, 1.0, fill=s.roles[c.limb.name]))
     return shapes, labels

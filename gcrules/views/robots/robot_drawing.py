@@ -9,16 +9,16 @@ from math import dist
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.views.drawing.bsp import XYZ, cross, dot
-from gcrules.views.drawing.drawing import Drawing, Line, Run, Shape, Text, mapped, scaled, without_text
+from gcrules.views.drawing.drawing import Drawing, Run, Shape, Stroke, Text, mapped, scaled, without_text
 from gcrules.views.drawing.figures import free_name
 from gcrules.views.drawing.solids import flat_normal
-from gcrules.views.robots.entities import Entity, common_normal, entities, far_directions, meeting
+from gcrules.views.robots.entities import DrawnFlat, common_normal, entities, far_directions, meeting
 from gcrules.views.robots.exact_values import Values
 from gcrules.views.robots.infinity_view import SKY, sky_shapes
 from gcrules.views.robots.joint_chain import plus, unit_vector
 from gcrules.views.robots.legend import SAMPLE, SIZE, Entry, entry_rows, entry_width, robot_legend
 from gcrules.views.robots.lines import (
-    Motion,
+    DrawnMotion,
     far,
     motion_extent,
     motion_shapes,
@@ -93,7 +93,7 @@ def robot_thumbnail(a: RobotAnalysis, values: Values) -> Drawing:
     return scaled(without_text(drawn), 0.42)
 
 
-def motion_of(s: Scene, pose: SingularPose) -> Motion | None:
+def motion_of(s: Scene, pose: SingularPose) -> DrawnMotion | None:
     """The motion that the platform gains, where it is drawn; a turn about a far axis as the shift of the platform."""
     if pose.motion is None:
         return None
@@ -101,7 +101,7 @@ def motion_of(s: Scene, pose: SingularPose) -> Motion | None:
     square = dot(w, w)
     heart = s.heart
     if square < 1e-18:
-        return Motion(heart, v, None)
+        return DrawnMotion(heart, v, None)
     foot = cross(w, v)
     at = s.unit.place((foot[0] / square, foot[1] / square, foot[2] / square))
     u = unit_vector(w)
@@ -109,11 +109,11 @@ def motion_of(s: Scene, pose: SingularPose) -> Motion | None:
     pitch = dot(w, v) / square / s.unit.radius
     if dist(at, (0, 0, 0)) > _REACH:
         away = (heart[0] - at[0], heart[1] - at[1], heart[2] - at[2])
-        return Motion(heart, plus(cross(u, away), u, pitch), None)
-    return Motion(at, w, round(pitch, 9))
+        return DrawnMotion(heart, plus(cross(u, away), u, pitch), None)
+    return DrawnMotion(at, w, round(pitch, 9))
 
 
-def _normals(a: RobotAnalysis, shown: Sequence[Entity], values: Values) -> list[XYZ]:
+def _normals(a: RobotAnalysis, shown: Sequence[DrawnFlat], values: Values) -> list[XYZ]:
     found = []
     for e in shown:
         finite = [values[n] for n in e.points if n in values and a.robot.family.sorts.get(n) == "point"]
@@ -157,7 +157,7 @@ def _beside(
     halves = ("the robot", "its equivalent structure") if right else ("the robot",)
     width = len(halves) * WIDTH + (SKY + 8 if sky else 0)
     shapes: list[Shape] = [*left, *(mapped(one, 1.0, (WIDTH, 0.0)) for one in right), *sky]
-    shapes += [Line((WIDTH, 30), (WIDTH, HEIGHT - 20), "muted", 0.8, opacity=0.5)] if right else []
+    shapes += [Stroke((WIDTH, 30), (WIDTH, HEIGHT - 20), "muted", 0.8, opacity=0.5)] if right else []
     shapes += [Text(((k + 0.5) * WIDTH, 18), (Run(words),), 14, "middle", "muted") for k, words in enumerate(halves)]
     rows = entry_rows(entries, width - 24)
     for k, row in enumerate(rows):

@@ -15,7 +15,7 @@ from gcrules.views.drawing.solids import center, flat_normal
 from gcrules.views.drawing.viewpoint import View, choose_view
 from gcrules.views.robots.exact_values import Values, lines_at
 from gcrules.views.robots.forces import REACH, forces
-from gcrules.views.robots.joint_chain import Chain, chains, plus, unit_vector
+from gcrules.views.robots.joint_chain import DrawnLimb, chains, plus, unit_vector
 
 __all__ = ["HEIGHT", "TOP", "WIDTH", "Scene", "joint_names", "scene"]
 
@@ -33,7 +33,7 @@ class Scene:
     """
 
     a: RobotAnalysis
-    chains: tuple[Chain, ...]
+    chains: tuple[DrawnLimb, ...]
     points: Mapping[str, XYZ]
     ideal: Mapping[str, XYZ]
     roles: Mapping[str, str]
@@ -128,7 +128,7 @@ def _view(
     return choose_view(places, legs, normals, directions, elevations=_ELEVATIONS, apart=0.13)[0]
 
 
-def _sign_size(frame: Frame, made: Sequence[Chain]) -> float:
+def _sign_size(frame: Frame, made: Sequence[DrawnLimb]) -> float:
     """Smaller signs where joints are near to each other on the page."""
     places = [frame.place(p.at) for c in made for p in c.places if p.kind != "pin"]
     gaps = sorted(d for p, q in combinations(places, 2) if (d := dist(p, q)) > 4)

@@ -18,7 +18,7 @@ from gcrules.algebra.expr import points_of
 from gcrules.core.errors import GcrulesError
 from gcrules.core.linear_algebra import echelon
 from gcrules.mechanisms.conditions.checks import home_values
-from gcrules.mechanisms.conditions.factor_causes import Part, Ranks, ranks, upstream
+from gcrules.mechanisms.conditions.factor_causes import FactorCause, Ranks, ranks, upstream
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.relations import AXES
@@ -50,7 +50,7 @@ class SingularPose:
     locked limbs leave to the platform, None where they leave more than one.
     """
 
-    part: Part
+    part: FactorCause
     values: Values
     moved: tuple[str, ...]
     ranks: Ranks
@@ -58,12 +58,12 @@ class SingularPose:
     motion: tuple[Fraction, ...] | None
 
 
-def live_parts(a: RobotAnalysis) -> tuple[Part, ...]:
+def live_parts(a: RobotAnalysis) -> tuple[FactorCause, ...]:
     """The factors at which the robot, not only a limb or the chosen lines, is singular."""
     return tuple(p for p in a.parts if p.kind in ("actuation", "constraint", "mixed") and p.same is None)
 
 
-def singular_pose(a: RobotAnalysis, part: Part) -> SingularPose | None:
+def singular_pose(a: RobotAnalysis, part: FactorCause) -> SingularPose | None:
     """The most telling of the exact singular configurations that are found near home; None where there is none."""
     robot = a.robot
     if robot.home is None or not robot.limbs:
@@ -144,7 +144,9 @@ def _unit(count: int, place: int) -> tuple[Fraction, ...]:
     return tuple(Fraction(int(i == place)) for i in range(count))
 
 
-def _checked(robot: Robot, part: Part, values: Values, moved: tuple[str, ...], generic: Ranks) -> SingularPose | None:
+def _checked(
+    robot: Robot, part: FactorCause, values: Values, moved: tuple[str, ...], generic: Ranks
+) -> SingularPose | None:
     """The pose, if the joint screws say that the robot, and no limb by itself, is singular there."""
     try:
         here = ranks(robot.family, robot.limbs, values, RATIONALS)
@@ -162,7 +164,7 @@ def _checked(robot: Robot, part: Part, values: Values, moved: tuple[str, ...], g
 
 
 def _candidates(
-    a: RobotAnalysis, part: Part, home: Values, parameters: Parameters
+    a: RobotAnalysis, part: FactorCause, home: Values, parameters: Parameters
 ) -> Iterator[tuple[float, Values, tuple[str, ...]]]:
     """Members with their costs: how far they are from home, and how easily they are read."""
     family, structure = a.robot.family, a.structure

@@ -12,10 +12,10 @@ from itertools import pairwise
 from math import cos, hypot, pi, sin
 
 from gcrules.views.drawing.bsp import XYZ, cross, dot
-from gcrules.views.drawing.drawing import XY, Circle, Line, Polygon, Shape
+from gcrules.views.drawing.drawing import XY, Circle, Polygon, Shape, Stroke
 from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.legend import convex_hull
-from gcrules.views.robots.joint_chain import Place, plus, unit_vector
+from gcrules.views.robots.joint_chain import DrawnJoint, plus, unit_vector
 
 __all__ = ["SIGN", "arrow", "basis", "couple", "sign", "turning"]
 
@@ -33,7 +33,7 @@ def basis(axis: XYZ) -> tuple[XYZ, XYZ]:
     return u, cross(axis, u)
 
 
-def sign(place: Place, frame: Frame, role: str) -> list[Shape]:
+def sign(place: DrawnJoint, frame: Frame, role: str) -> list[Shape]:
     """The sign of a joint in the colour of its limb."""
     at, axes = place.at, place.axes
     ink, fill = role, "drive" if place.driven else role
@@ -92,9 +92,9 @@ def _circle() -> list[XY]:
     return [(round(cos(2 * pi * k / _RIM), 9), round(sin(2 * pi * k / _RIM), 9)) for k in range(_RIM)]
 
 
-def _rod(frame: Frame, at: XYZ, axis: XYZ, half: float, ink: str) -> Line:
+def _rod(frame: Frame, at: XYZ, axis: XYZ, half: float, ink: str) -> Stroke:
     ends = (frame.place(plus(at, axis, s * half * frame.point)) for s in (-1, 1))
-    return Line(next(ends), next(ends), ink, 3.0)
+    return Stroke(next(ends), next(ends), ink, 3.0)
 
 
 def _thread(frame: Frame, at: XYZ, axis: XYZ, ink: str) -> list[Shape]:
@@ -105,7 +105,7 @@ def _thread(frame: Frame, at: XYZ, axis: XYZ, ink: str) -> list[Shape]:
     for along in (-7.0, 0.0, 7.0):
         cx, cy = x + along * ux, y + along * uy
         lines.append(
-            Line(
+            Stroke(
                 (cx - 5.5 * uy - 2.5 * ux, cy + 5.5 * ux - 2.5 * uy),
                 (cx + 5.5 * uy + 2.5 * ux, cy - 5.5 * ux + 2.5 * uy),
                 ink,
@@ -148,7 +148,7 @@ def arrow(
     size = 3.2 * width + 1.6
     foot = max(length - 0.8 * size, 0.0)
     shapes: list[Shape] = [
-        Line(start, (start[0] + foot * ux, start[1] + foot * uy), role, width, dash=dash, round_ends=False)
+        Stroke(start, (start[0] + foot * ux, start[1] + foot * uy), role, width, dash=dash, round_ends=False)
     ]
     for k in range(heads):
         shapes.append(_head((end[0] - 0.75 * k * size * ux, end[1] - 0.75 * k * size * uy), (ux, uy), size, role))
@@ -171,7 +171,7 @@ def turning(frame: Frame, at: XYZ, axis: XYZ, role: str, radius: float = 15.0, w
         angle = 0.6 + 1.5 * pi * k / steps
         c, s = round(cos(angle), 9), round(sin(angle), 9)
         ring.append(frame.place(plus(plus(at, u, radius * c / frame.scale), v, radius * s / frame.scale)))
-    shapes: list[Shape] = [Line(a, b, role, width) for a, b in pairwise(ring[:-1])]
+    shapes: list[Shape] = [Stroke(a, b, role, width) for a, b in pairwise(ring[:-1])]
     (x0, y0), (x1, y1) = ring[-3], ring[-1]
     length = hypot(x1 - x0, y1 - y0)
     if length > 1e-6:

@@ -269,10 +269,10 @@ def run(case: Case, jail: Jail) -> Outcome:
 
 async def _talked(data: Any) -> list[str]:
     """Every message gets one answer, each is JSON, and none is a fault of gcrules."""
-    from gcrules.apps.studio.session import Session
+    from gcrules.apps.studio.session import PageSession
 
     socket = _Socket(data["messages"])
-    await Session(socket, _service()).run()
+    await PageSession(socket, _service()).run()
     answers = [json.loads(a, parse_constant=_never) for a in socket.answers]
     last = [a for a in answers if "progress" not in a]
     wrong = [

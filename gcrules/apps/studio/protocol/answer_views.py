@@ -6,7 +6,7 @@ from typing import Annotated, Literal, NotRequired, TypedDict
 
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.study_views import ConditionView, FaultView, Monomial, Piece
-from gcrules.core.shapes import Words
+from gcrules.core.shapes import OneOf
 from gcrules.views.scene_data import Constructed, EntityView, LimbView, MotionView, PlaneView, Vec3, Verdict
 
 __all__ = [
@@ -84,7 +84,7 @@ class Along(TypedDict):
 
 class ManualStep(TypedDict):
     command: str
-    answer: Annotated[str, Words(("confirmed", "refused", "possible", "done"))]
+    answer: Annotated[str, OneOf(("confirmed", "refused", "possible", "done"))]
     words: str
     monomial: int | None
 

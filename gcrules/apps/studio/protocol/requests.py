@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
 from gcrules.apps.studio.protocol.checking import number, text, tuple_of
 from gcrules.core.errors import InputError
-from gcrules.core.shapes import Size
+from gcrules.core.shapes import EntryCount
 from gcrules.screws.threshold import DEFAULT
 
 __all__ = [
@@ -51,7 +51,7 @@ THRESHOLD = DEFAULT.text
 _Name = Annotated[str, text(200)]
 _Point = Annotated[str, text(40)]
 _Coordinate = Annotated[float, number(-FARTHEST, FARTHEST)]
-_Vector = Annotated[list[_Coordinate], Size(3, 3)]
+_Vector = Annotated[list[_Coordinate], EntryCount(3, 3)]
 _Threshold = Annotated[str, text(40)]
 
 
@@ -99,7 +99,7 @@ def _rotation(value: Any, where: str) -> Any:
     return found
 
 
-Quaternion = Annotated[list[float], Size(4, 4)]
+Quaternion = Annotated[list[float], EntryCount(4, 4)]
 """Unit quaternion, scalar first."""
 
 
@@ -108,7 +108,7 @@ class PoseJson(TypedDict):
 
     translation: _Vector
     quaternion: Annotated[Quaternion, _rotation]
-    coordinates: NotRequired[Annotated[list[_Coordinate], Size(0, MOST_COORDINATES)]]
+    coordinates: NotRequired[Annotated[list[_Coordinate], EntryCount(0, MOST_COORDINATES)]]
     """For robots with limbs: amounts of the actuators from home, in the sequence and in the units of `axes`."""
 
 
@@ -120,10 +120,10 @@ HOME: PoseJson = {"translation": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 
 
 class Sketch(TypedDict):
     title: Annotated[str, text(200, empty=True)]
-    points: Annotated[dict[_Point, _Vector], Size(0, MOST_POINTS)]
-    base: Annotated[list[_Point], Size(0, MOST_POINTS)]
-    platform: Annotated[list[_Point], Size(0, MOST_POINTS)]
-    legs: Annotated[list[Annotated[list[_Point], Size(2, 2)]], Size(0, MOST_LEGS)]
+    points: Annotated[dict[_Point, _Vector], EntryCount(0, MOST_POINTS)]
+    base: Annotated[list[_Point], EntryCount(0, MOST_POINTS)]
+    platform: Annotated[list[_Point], EntryCount(0, MOST_POINTS)]
+    legs: Annotated[list[Annotated[list[_Point], EntryCount(2, 2)]], EntryCount(0, MOST_LEGS)]
 
 
 # --- arguments -----------------------------------------------------------------------------------------------------
@@ -145,13 +145,13 @@ class PoseArgs(TypedDict):
 
 class AlongArgs(TypedDict):
     source: SourceJson
-    poses: Annotated[list[PoseJson], Size(1, 2_000)]
+    poses: Annotated[list[PoseJson], EntryCount(1, 2_000)]
     threshold: NotRequired[_Threshold]
 
 
 class ManualArgs(TypedDict):
     source: SourceJson
-    commands: Annotated[list[Annotated[str, text(500)]], Size(0, MOST_COMMANDS)]
+    commands: Annotated[list[Annotated[str, text(500)]], EntryCount(0, MOST_COMMANDS)]
 
 
 class BenchArgs(TypedDict):

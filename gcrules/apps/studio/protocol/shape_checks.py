@@ -12,7 +12,7 @@ from types import UnionType
 from typing import Annotated, Any, Literal, NotRequired, Union, get_args, get_origin, get_type_hints, is_typeddict
 
 from gcrules.apps.studio.protocol.checking import Check, choice, listed, mapped, one_of, record, tuple_of
-from gcrules.core.shapes import Size
+from gcrules.core.shapes import EntryCount
 
 __all__ = ["check_of"]
 
@@ -34,9 +34,9 @@ def check_of(shape: Any) -> Check:
     if get_origin(inner) is Literal:
         return choice(*parts)
     for size in marks:
-        if isinstance(size, Size) and get_origin(inner) is dict:
+        if isinstance(size, EntryCount) and get_origin(inner) is dict:
             return mapped(check_of(parts[0]), check_of(parts[1]), size.most)
-        if isinstance(size, Size) and get_origin(inner) is list:
+        if isinstance(size, EntryCount) and get_origin(inner) is list:
             item = check_of(parts[0])
             same = size.least == size.most
             return tuple_of(*[item] * size.most) if same else listed(item, size.most, size.least)

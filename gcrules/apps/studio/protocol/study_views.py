@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, NotRequired, TypedDict
 
 from gcrules.apps.studio.protocol.requests import SourceJson
-from gcrules.core.shapes import Words
+from gcrules.core.shapes import OneOf
 from gcrules.views.report.stage_ids import STAGE_IDS
 from gcrules.views.scene_data import EntityView, LegEnds, LimbView, Vec3
 
@@ -162,7 +162,7 @@ class StepsItem(TypedDict):
 Item = TextItem | FactItem | FormulaItem | MonomialsItem | OrdersItem | EntitiesItem | StepsItem
 
 
-StageId = Annotated[str, Words(STAGE_IDS)]
+StageId = Annotated[str, OneOf(STAGE_IDS)]
 
 
 class StageView(TypedDict):

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from gcrules.rules.plugins import Incidence, Plugin, bracket, mul, points
+from gcrules.rules.plugins import ConditionRule, Plugin, bracket, mul, points
 
 
 def volumes(state):
@@ -12,7 +12,7 @@ def volumes(state):
 
 PLUGIN = Plugin(
     rules=(
-        Incidence(
+        ConditionRule(
             id="volumes",
             sentence="Three common brackets are six times the volumes of three tetrahedra.",
             fires=("Aa Ab Ac Bd Be Cf",),
