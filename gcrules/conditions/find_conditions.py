@@ -22,7 +22,7 @@ from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import ConditionClaim
 from gcrules.rules.couples import COUPLES
 from gcrules.rules.factorization import factored
-from gcrules.rules.generic_lines import alive, said_of_lines, written_back
+from gcrules.rules.generic_lines import alive, statement_of_lines, written_back
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.rule import StructureRule
 from gcrules.rules.sentences import sentence
@@ -219,7 +219,7 @@ def _written_back(condition: Condition, structure: Structure, oracle: Oracle) ->
     if oracle.zero(cofactor) or oracle.zero(expression):
         return None
     whole, expression = expression, alive(expression, structure)
-    statement = said_of_lines(condition.statement, structure.stand_ins) if expression == whole else None
+    statement = statement_of_lines(condition.statement, structure.stand_ins) if expression == whole else None
     c = condition.certificate
     return replace(
         condition,

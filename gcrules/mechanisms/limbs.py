@@ -13,7 +13,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
 from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.solve import solve
-from gcrules.mechanisms.kinematics.targets import read_pose, wanted_coordinates, wanted_pose
+from gcrules.mechanisms.kinematics.targets import coordinates_target, pose_target, read_pose
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian, wrench_jacobian
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws.pose import Pose
@@ -79,7 +79,7 @@ class Limbs:
         elif isinstance(at, str):
             here = solve(m, read_pose(m, at)).configuration
         else:
-            here = solve(m, wanted_pose(m, at) if isinstance(at, Pose) else wanted_coordinates(m, at)).configuration
+            here = solve(m, pose_target(m, at) if isinstance(at, Pose) else coordinates_target(m, at)).configuration
         return wrench_jacobian(m, here, margin(m, here))
 
 

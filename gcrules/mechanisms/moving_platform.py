@@ -21,7 +21,7 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import read_centre
 from gcrules.screws.rotations import Vector
 
-__all__ = ["Rig", "rig"]
+__all__ = ["MovingPlatform", "rig"]
 
 Floats = NDArray[np.float64]
 FAR = 1e12
@@ -31,7 +31,7 @@ ORIGIN: Vector = (Fraction(0), Fraction(0), Fraction(0))
 
 
 @dataclass(frozen=True)
-class Rig:
+class MovingPlatform:
     """Six legs between a base that stays and a platform that moves; the file's coordinates are the identity pose.
 
     A pose moves each joint p of the platform to R(p − c) + c + t, c being `centre` (exact, in `unit`).
@@ -116,7 +116,7 @@ def _no_length(leg: tuple[str, str], where: str = " in this pose") -> InputError
     return InputError(f"the leg {leg_text(leg)} has no length{where}: {leg[0]} and {leg[1]} are in the same place")
 
 
-def rig(structure: Structure, platform: Coordinates, about: str | Sequence[Any] = "centroid") -> Rig:
+def rig(structure: Structure, platform: Coordinates, about: str | Sequence[Any] = "centroid") -> MovingPlatform:
     """The robot of a geometry file, turned about the centroid of the platform's joints, or another centre (see
     `read_centre`), in the file's unit and frame.
 
@@ -135,7 +135,7 @@ def rig(structure: Structure, platform: Coordinates, about: str | Sequence[Any] 
     centroid = _vector([sum(c, Fraction(0)) / len(body) for c in zip(*body, strict=True)])
     centre = read_centre(about, centroid, platform.units)
     _check_floats(points, structure.platform, platform.filename)
-    return Rig(structure, points, centre, platform.units, platform.title)
+    return MovingPlatform(structure, points, centre, platform.units, platform.title)
 
 
 def _check_body(side: str, names: Sequence[str], points: Mapping[str, Vector]) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.family import Definition, Family
-from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.screws import RATIONALS, Limb
 
@@ -41,7 +41,7 @@ class Robot:
     id: str
     title: str
     family: Family
-    limbs: tuple[LimbText, ...]
+    limbs: tuple[LimbSpec, ...]
     mobility: int
     lines: tuple[tuple[str, str], ...] = ()
     platform: tuple[str, ...] = ()

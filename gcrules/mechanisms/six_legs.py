@@ -14,7 +14,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.analyze import analyze_legs
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
-from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.mechanisms.moving_platform import MovingPlatform, rig
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import parse_pose, pose_of
 
@@ -37,7 +37,7 @@ class SixLegs:
         return self.analysed or analyze_legs(self.platform)
 
     @cached_property
-    def rig(self) -> Rig:
+    def rig(self) -> MovingPlatform:
         """The platform as it moves."""
         return rig(self.analysis.structure, self.platform, self.about)
 

@@ -26,7 +26,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.load import Source
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.arrays import from_poses, matrices
 from gcrules.poses.numbers.many import PoseNumbers, numbers
 from gcrules.poses.numbers.pose_arguments import one_pose
@@ -35,7 +35,7 @@ from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.poses.paths.segment import Segment, segments
 from gcrules.poses.paths.table import load_poses
 from gcrules.poses.paths.zeros import SingularPlace, Stretch, places, stretches
-from gcrules.poses.pose_inputs import moving_robot
+from gcrules.poses.pose_inputs import six_legged
 from gcrules.poses.pose_report import report
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.pose import Pose
@@ -57,7 +57,7 @@ def path(
     threshold: str | Threshold = DEFAULT,
 ) -> PathReport:
     """The function of `gcrules.api.poses`, which says what the arguments are."""
-    analysis, moving = moving_robot(robot, about, "a path")
+    analysis, moving = six_legged(robot, about, "a path")
     limit = angle_threshold(threshold, moving.unit, "along a path")
     found, notes = _poses(poses, moving.unit)
     per_segment = _per_segment(samples, len(found) - 1)
@@ -127,13 +127,17 @@ def _per_segment(samples: Any, number: int) -> int:
     return found
 
 
-def _zero(analysis: Analysis, moving: Rig, way: Sequence[Segment], p: SingularPlace, limit: Threshold) -> Zero:
+def _zero(
+    analysis: Analysis, moving: MovingPlatform, way: Sequence[Segment], p: SingularPlace, limit: Threshold
+) -> Zero:
     pose = _at(way, p.middle)
     causes, dependence = _why(analysis, moving, pose, limit)
     return Zero(p.lower, p.upper, p.kind, p.multiplicity, pose, causes, dependence)
 
 
-def _explained(analysis: Analysis, moving: Rig, way: Sequence[Segment], s: Stretch, limit: Threshold) -> Stretch:
+def _explained(
+    analysis: Analysis, moving: MovingPlatform, way: Sequence[Segment], s: Stretch, limit: Threshold
+) -> Stretch:
     causes, dependence = _why(analysis, moving, _at(way, Fraction(s.start + s.end, 2)), limit)
     return replace(s, causes=causes, dependence=dependence)
 
@@ -143,7 +147,7 @@ def _at(way: Sequence[Segment], parameter: Fraction) -> Pose:
     return way[k].pose(parameter - k)
 
 
-def _why(analysis: Analysis, moving: Rig, pose: Pose, limit: Threshold) -> tuple[tuple[str, ...], Any]:
+def _why(analysis: Analysis, moving: MovingPlatform, pose: Pose, limit: Threshold) -> tuple[tuple[str, ...], Any]:
     """Causes, and what the legs have in common; where a leg has no length that is the cause."""
     lengths = np.linalg.norm(_ends(moving, *from_poses([pose]))[0] - moving.base, axis=1)
     short = [name for name, length in zip(moving.names, lengths, strict=True) if length <= ROUNDING * moving.size]
@@ -153,8 +157,8 @@ def _why(analysis: Analysis, moving: Rig, pose: Pose, limit: Threshold) -> tuple
     return found.causes, found.dependence
 
 
-def _ends(moving: Rig, translations: Any, rotations: Any) -> Any:
-    """As `Rig.ends`, where legs may have no length."""
+def _ends(moving: MovingPlatform, translations: Any, rotations: Any) -> Any:
+    """As `MovingPlatform.ends`, where legs may have no length."""
     centre = np.array([float(c) for c in moving.centre])
     return np.einsum("nij,kj->nki", rotations, moving.arms) + (centre + translations)[:, None, :]
 
@@ -183,7 +187,7 @@ def _verdict(zeros: Sequence[Zero], still: Sequence[Stretch], lowest: Least, lim
 
 def _samples(
     analysis: Analysis,
-    moving: Rig,
+    moving: MovingPlatform,
     way: Sequence[Segment],
     per_segment: int,
     zeros: Sequence[Zero],

@@ -19,7 +19,7 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.limbs.pose_report import first_singular_pose, posed
+from gcrules.poses.limbs.pose_report import first_singular_pose, report_at
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.many import PoseNumbers
 from gcrules.poses.numbers.pose_arguments import is_many, known_accuracy, one_pose
@@ -141,13 +141,15 @@ def _of_joints(
     beside = {kind: turn for kind, turn in turns.items() if turn is not None}
     if not is_many(at, beside) or not np.iterable(at):
         asked = one_pose(at, turns, degrees, m.unit) if beside else at
-        return posed(m.linkage, lambda: m.analysis, asked, actuators, degrees=degrees, threshold=threshold)
+        return report_at(m.linkage, lambda: m.analysis, asked, actuators, degrees=degrees, threshold=threshold)
     if beside:
         raise InputError("many poses, and a turn beside them", hint="give poses that hold their turns")
     if actuators is not None:
         raise InputError("many poses and actuators at once", hint="give one of them; the other one follows")
     every = at.tolist() if isinstance(at, np.ndarray) else at
-    return tuple(posed(m.linkage, lambda: m.analysis, one, None, degrees=degrees, threshold=threshold) for one in every)
+    return tuple(
+        report_at(m.linkage, lambda: m.analysis, one, None, degrees=degrees, threshold=threshold) for one in every
+    )
 
 
 def _first_of_joints(

@@ -15,10 +15,10 @@ from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.six_legs import SixLegs
 
-__all__ = ["moving_robot", "on_six_legs"]
+__all__ = ["on_six_legs", "six_legged"]
 
 
 def on_six_legs(found: Mechanism, what: str) -> SixLegs:
@@ -38,7 +38,7 @@ def on_six_legs(found: Mechanism, what: str) -> SixLegs:
         ) from None
 
 
-def moving_robot(source: Source, about: str | Sequence[Any], what: str) -> tuple[Analysis, Rig]:
+def six_legged(source: Source, about: str | Sequence[Any], what: str) -> tuple[Analysis, MovingPlatform]:
     """The analysis, and the platform on six legs as it moves, for `what` is computed. Raises InputError for legs
     without coordinates, for other mechanisms and for degenerate robots.
     """

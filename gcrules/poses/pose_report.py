@@ -10,7 +10,7 @@ from typing import Any
 from gcrules.algebra.evaluate import evaluate
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import EngineFault, InputError
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.nearest.poses import nearest_poses, nearest_translation
 from gcrules.poses.numbers.arrays import from_poses, normalised_note, read_arrays
 from gcrules.poses.numbers.causes import causes, near_causes, nearest_cause
@@ -33,7 +33,7 @@ __all__ = ["numbers_at", "report"]
 
 def numbers_at(
     analysis: Analysis,
-    moving: Rig,
+    moving: MovingPlatform,
     at: Any,
     turns: Mapping[str, Any],
     degrees: bool,
@@ -61,7 +61,7 @@ def numbers_at(
 
 
 def report(
-    analysis: Analysis, moving: Rig, at: Pose, *, threshold: Threshold, accuracy: float, nearest: bool = True
+    analysis: Analysis, moving: MovingPlatform, at: Pose, *, threshold: Threshold, accuracy: float, nearest: bool = True
 ) -> PoseReport:
     """All numbers of one pose. Raises InputError for a leg of no length."""
     points = moving.exact(at)
@@ -112,13 +112,13 @@ def report(
     )
 
 
-def _explained(n: NearestPose, conditions: Sequence[Condition], moving: Rig) -> NearestPose:
+def _explained(n: NearestPose, conditions: Sequence[Condition], moving: MovingPlatform) -> NearestPose:
     if n.pose is None or n.causes:
         return n
     return replace(n, causes=_causes(conditions, moving, n.pose, singular=True))
 
 
-def _causes(conditions: Sequence[Condition], moving: Rig, at: Pose, *, singular: bool) -> tuple[str, ...]:
+def _causes(conditions: Sequence[Condition], moving: MovingPlatform, at: Pose, *, singular: bool) -> tuple[str, ...]:
     points = moving.exact(at)
     names = moving.structure.names
     if superbracket_at(moving.structure.legs, points) == 0:
@@ -134,7 +134,7 @@ def _two_roads(value: Fraction, analysis: Analysis, points: dict[str, tuple[Frac
         raise EngineFault(f"the superbracket and the condition {c.expression} disagree at a pose")
 
 
-def _readings(analysis: Analysis, moving: Rig, at: Pose) -> list[PoseReading]:
+def _readings(analysis: Analysis, moving: MovingPlatform, at: Pose) -> list[PoseReading]:
     points = homogeneous(moving, *from_poses([at]))
     found = []
     for r in readings((analysis.condition, *analysis.readings), points):

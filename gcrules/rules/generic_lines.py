@@ -25,7 +25,7 @@ from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
 
-__all__ = ["alive", "said_of_lines", "written_back", "written_out"]
+__all__ = ["alive", "statement_of_lines", "written_back", "written_out"]
 
 StandIns = Sequence[tuple[Leg, Expr]]
 
@@ -75,11 +75,11 @@ def alive(e: Expr, structure: Structure) -> Expr:
     return e if len(left) == len(e.terms) else ex.add(*left, rank=structure.rank)
 
 
-def said_of_lines(statement: str, stand_ins: StandIns) -> str | None:
+def statement_of_lines(statement: str, stand_ins: StandIns) -> str | None:
     """A statement with lines in the place of their two points, alone or in a longer join; None where these stand apart.
 
     >>> from gcrules.algebra.language.syntax import parse
-    >>> print(said_of_lines("the planes au1v1 and bcd", [(("u1", "v1"), parse("abc ^ def"))]))
+    >>> print(statement_of_lines("the planes au1v1 and bcd", [(("u1", "v1"), parse("abc ^ def"))]))
     the planes (abc /\\ def) \\/ a and bcd
     """
     names = {n for ends, _ in stand_ins for n in ends}

@@ -26,14 +26,14 @@ from gcrules.screws.screw import (
     ScrewAxis,
     axis,
     from_plucker,
-    helix,
+    helical,
     line_through,
     moved,
     pitch,
     plucker,
+    prismatic,
     product,
-    slide,
-    turn,
+    revolute,
 )
 from gcrules.screws.systems import ScrewSystem, reciprocal
 
@@ -62,7 +62,7 @@ __all__ = [
     "ScrewSystem",
     "axis",
     "from_plucker",
-    "helix",
+    "helical",
     "jacobian",
     "joint",
     "limb",
@@ -71,10 +71,10 @@ __all__ = [
     "moved",
     "pitch",
     "plucker",
+    "prismatic",
     "product",
     "reciprocal",
-    "slide",
-    "turn",
+    "revolute",
 ]
 
 

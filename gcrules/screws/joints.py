@@ -27,7 +27,7 @@ from typing import Any
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.screws.fields import Field, Row, field_of
-from gcrules.screws.screw import direction, helix_of, slide_of, turn_of
+from gcrules.screws.screw import direction, helical_of, prismatic_of, revolute_of
 
 __all__ = ["JOINTS", "Joint", "JointKind", "joint"]
 
@@ -65,41 +65,41 @@ class JointKind:
 
 
 def _turn(field: Field, g: Geometry) -> tuple[Row, ...]:
-    return (turn_of(field, g["point"], g["axis"]),)
+    return (revolute_of(field, g["point"], g["axis"]),)
 
 
 def _slide(field: Field, g: Geometry) -> tuple[Row, ...]:
-    return (slide_of(g["direction"]),)
+    return (prismatic_of(g["direction"]),)
 
 
 def _helical(field: Field, g: Geometry) -> tuple[Row, ...]:
-    return (helix_of(field, g["point"], g["axis"], g["pitch"]),)
+    return (helical_of(field, g["point"], g["axis"], g["pitch"]),)
 
 
 def _cylindrical(field: Field, g: Geometry) -> tuple[Row, ...]:
-    return turn_of(field, g["point"], g["axis"]), slide_of(g["axis"])
+    return revolute_of(field, g["point"], g["axis"]), prismatic_of(g["axis"])
 
 
 def _universal(field: Field, g: Geometry) -> tuple[Row, ...]:
     if field.are_parallel(g["first"], g["second"]):
         raise InputError("the two axes of a joint U are parallel", hint="write one joint R, or two at different points")
-    return turn_of(field, g["point"], g["first"]), turn_of(field, g["point"], g["second"])
+    return revolute_of(field, g["point"], g["first"]), revolute_of(field, g["point"], g["second"])
 
 
 def _spherical(field: Field, g: Geometry) -> tuple[Row, ...]:
     axes = (field.vector(axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
-    return tuple(turn_of(field, g["point"], axis) for axis in axes)
+    return tuple(revolute_of(field, g["point"], axis) for axis in axes)
 
 
 def _planar(field: Field, g: Geometry) -> tuple[Row, ...]:
     one, other = field.normal_pair(g["normal"])
-    return slide_of(one), slide_of(other), turn_of(field, g["point"], g["normal"])
+    return prismatic_of(one), prismatic_of(other), revolute_of(field, g["point"], g["normal"])
 
 
 def _parallelogram(field: Field, g: Geometry) -> tuple[Row, ...]:
     if field.are_parallel(g["bars"], g["axis"]):
         raise InputError("the bars of a joint Pa are parallel to its axes, so that it cannot move")
-    return (slide_of(field.cross(g["axis"], g["bars"])),)
+    return (prismatic_of(field.cross(g["axis"], g["bars"])),)
 
 
 def _ball_bars(field: Field, g: Geometry) -> tuple[Row, ...]:
@@ -109,8 +109,8 @@ def _ball_bars(field: Field, g: Geometry) -> tuple[Row, ...]:
     if field.are_parallel((x, y, z), g["bars"]):
         raise InputError("the two bars of a joint 4S lie on one line")
     one, other = field.normal_pair(g["bars"])
-    turns = (turn_of(field, g["first"], d) for d in (g["bars"], (x, y, z)))
-    return slide_of(one), slide_of(other), *turns
+    turns = (revolute_of(field, g["first"], d) for d in (g["bars"], (x, y, z)))
+    return prismatic_of(one), prismatic_of(other), *turns
 
 
 _TURN, _SLIDE = "turn about the axis", "slide along the axis"

@@ -5,10 +5,10 @@ force f and its moment m about the origin. Both are rows of six numbers, and the
 twist and a force along it as a wrench; a slide as a twist is a couple as a wrench. Formulas: derived here.
 
     >>> from fractions import Fraction
-    >>> force = turn((1, 2, 3), (0, 0, 1))
+    >>> force = revolute((1, 2, 3), (0, 0, 1))
     >>> print(*force, "|", *plucker(force))
     0 0 1 2 -1 0 | 0 1 0 2 0 -1
-    >>> print(product(force, turn((1, 0, 0), (0, 1, 0))), pitch(helix((1, 0, 0), (0, 0, 2), Fraction(1, 2))))
+    >>> print(product(force, revolute((1, 0, 0), (0, 1, 0))), pitch(helical((1, 0, 0), (0, 0, 2), Fraction(1, 2))))
     0 1/2
 """
 
@@ -27,23 +27,23 @@ __all__ = [
     "axis",
     "direction",
     "from_plucker",
-    "helix",
-    "helix_of",
+    "helical",
+    "helical_of",
     "join_of",
     "line_through",
     "meet_of",
     "moved",
     "pitch",
     "plucker",
+    "prismatic",
+    "prismatic_of",
     "product",
-    "slide",
-    "slide_of",
-    "turn",
-    "turn_of",
+    "revolute",
+    "revolute_of",
 ]
 
 
-def turn(point: Any, along: Any, field: Field | None = None) -> Any:
+def revolute(point: Any, along: Any, field: Field | None = None) -> Any:
     """The unit turn about the line through a point along a direction, or the force along that line: (d; p × d).
 
     A row of six numbers; for arrays (..., 3) of floats an array (..., 6). Raises InputError for a zero direction.
@@ -51,22 +51,22 @@ def turn(point: Any, along: Any, field: Field | None = None) -> Any:
     field = field or field_of(point, along)
     p, d = field.vector(point, "a point"), direction(along, field)
     field.go_together((p, d), "a turn")
-    return field.packed(turn_of(field, p, d))
+    return field.packed(revolute_of(field, p, d))
 
 
-def slide(along: Any, field: Field | None = None) -> Any:
+def prismatic(along: Any, field: Field | None = None) -> Any:
     """The translation along a direction, or the couple with that moment: (0; d)."""
     field = field or field_of(along)
-    return field.packed(slide_of(direction(along, field)))
+    return field.packed(prismatic_of(direction(along, field)))
 
 
-def helix(point: Any, along: Any, pitch: Any, field: Field | None = None) -> Any:
+def helical(point: Any, along: Any, pitch: Any, field: Field | None = None) -> Any:
     """The screw on an axis with a pitch, the length of advance for each radian: (d; p × d + pitch · d)."""
     field = field or field_of(point, along, pitch)
     p, d = field.vector(point, "a point"), direction(along, field)
     h = field.number(pitch, "a pitch")
     field.go_together((p, d, h), "a screw")
-    return field.packed(helix_of(field, p, d, h))
+    return field.packed(helical_of(field, p, d, h))
 
 
 def direction(value: Any, field: Field, what: str = "a direction") -> Vector:
@@ -77,18 +77,18 @@ def direction(value: Any, field: Field, what: str = "a direction") -> Vector:
     return found
 
 
-def turn_of(field: Field, p: Vector, d: Vector) -> Row:
-    """`turn` of vectors that were read."""
+def revolute_of(field: Field, p: Vector, d: Vector) -> Row:
+    """`revolute` of vectors that were read."""
     return (*d, *field.cross(p, d))
 
 
-def slide_of(d: Vector) -> Row:
-    """`slide` of a vector that was read."""
+def prismatic_of(d: Vector) -> Row:
+    """`prismatic` of a vector that was read."""
     return (*(x * 0 for x in d), *d)
 
 
-def helix_of(field: Field, p: Vector, d: Vector, pitch: Any) -> Row:
-    """`helix` of a point, a direction and a pitch that were read."""
+def helical_of(field: Field, p: Vector, d: Vector, pitch: Any) -> Row:
+    """`helical` of a point, a direction and a pitch that were read."""
     return (*d, *(field.reduced(m + pitch * x) for x, m in zip(d, field.cross(p, d), strict=True)))
 
 

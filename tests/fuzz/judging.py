@@ -36,9 +36,11 @@ def judged(case: Case, found: Outcome) -> list[Fault]:
 
 
 def _asked_for(case: Case, noise: str) -> bool:
-    """Whether the folder that was left is one that the input names: `save /x`."""
+    """Whether the folder that was left is one that the input names: `save /x`, `catalog check --write`."""
     if not noise.endswith(" outside the folder"):
         return False
+    if "--write" in case.argv and "/gcrules/.gcrules-" in noise:  # the digests of the shipped catalog, beside it
+        return True
     folders = [part for part in noise.removesuffix(" outside the folder").split("/")[1:-1] if part]
     words = "\n".join((*case.argv, case.stdin))
     return "/" in words and all(part in words or part in ("tmp",) for part in folders)

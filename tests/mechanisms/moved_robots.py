@@ -11,7 +11,7 @@ from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
 from gcrules.mechanisms.kinematics.solve import Solution, free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import (
-    wanted_coordinates,
+    coordinates_target,
 )
 from gcrules.mechanisms.load import read_robot
 
@@ -36,7 +36,7 @@ def moves(m: Linkage, part: float, more: Mapping[str, float] | None = None) -> d
 @cache
 def there(name: str, part: float) -> Solution:
     m = machine(name)
-    return solve(m, wanted_coordinates(m, moves(m, part)))
+    return solve(m, coordinates_target(m, moves(m, part)))
 
 
 @cache

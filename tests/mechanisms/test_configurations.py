@@ -25,10 +25,10 @@ from gcrules.mechanisms.kinematics.margin import LimbMargin, _locked, limb_margi
 from gcrules.mechanisms.kinematics.rigid_motions import cross_matrix
 from gcrules.mechanisms.kinematics.solve import Course, Solution, goal, solve
 from gcrules.mechanisms.kinematics.targets import (
+    coordinates_target,
+    pose_target,
     read_actuators,
     read_pose,
-    wanted_coordinates,
-    wanted_pose,
 )
 from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
 from gcrules.mechanisms.load import read_robot
@@ -51,7 +51,7 @@ def test_margin_is_that_of_platforms(name: str) -> None:
     for text in ("0 0 0", "0.5 0.2 -0.7; euler zyx 20 10 -15 deg"):
         about = tuple(float(c) for c in m.centre)
         expected = gc.pose(platform, text, about=about, nearest=False)
-        s = solve(m, wanted_pose(m, parse_pose(text)))
+        s = solve(m, pose_target(m, parse_pose(text)))
         assert margin(m, s.configuration).sigma == pytest.approx(expected.margin, abs=1e-9)
         j = wrench_jacobian(m, s.configuration, margin(m, s.configuration))
         assert j.smallest_singular_value == pytest.approx(expected.smallest_singular_value, abs=1e-9)
@@ -387,7 +387,7 @@ def test_texts_are_read_or_refused(text: str) -> None:
 def test_loops_close_from_any_small_pose(numbers: tuple[float, float, float]) -> None:
     m = machine("3-rps")
     z, roll, pitch = numbers
-    s = solve(m, wanted_coordinates(m, {"z": z, "roll": roll, "pitch": pitch}))
+    s = solve(m, coordinates_target(m, {"z": z, "roll": roll, "pitch": pitch}))
     assert s.configuration.residual < 1e-9
     assert s.configuration.off < 1e-9
 

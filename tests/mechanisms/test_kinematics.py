@@ -15,7 +15,7 @@ from mechanisms.moved_robots import analysed, machine, moves, robot, there
 
 import gcrules as gc
 from gcrules.mechanisms.description.discovery import robots
-from gcrules.mechanisms.description.limb_file import LimbText, read_joints
+from gcrules.mechanisms.description.limb_file import LimbSpec, read_joints
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.kinematics.chains import SHAPES, chain_of
 from gcrules.mechanisms.kinematics.coordinates import coordinates
@@ -24,9 +24,9 @@ from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.rigid_motions import exponential, inverse, logarithm, rotations
 from gcrules.mechanisms.kinematics.solve import free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import (
-    wanted_actuators,
-    wanted_coordinates,
-    wanted_pose,
+    actuators_target,
+    coordinates_target,
+    pose_target,
 )
 from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
 from gcrules.screws import FLOATS, JOINTS, RATIONALS
@@ -123,7 +123,7 @@ def test_what_was_wanted_is_reached_and_relations_hold(name: str, part: float) -
 def test_actuators_lead_back_to_the_pose(name: str) -> None:
     m, s = machine(name), there(name, 0.6)
     amounts = {a.name: s.configuration.amounts[a.place][a.coordinate] for a in m.actuators}
-    back = solve(m, wanted_actuators(m, amounts))
+    back = solve(m, actuators_target(m, amounts))
     assert back.configuration.platform == pytest.approx(s.configuration.platform, abs=1e-8 * m.size)
 
 
@@ -135,7 +135,7 @@ def test_rates_are_those_of_the_jacobian(name: str) -> None:
     step = 1e-5
     for n in free_coordinates(m):
         ends = [
-            solve(m, wanted_coordinates(m, moves(m, 0.6, {n: sign * step / 0.6}))).configuration for sign in (1, -1)
+            solve(m, coordinates_target(m, moves(m, 0.6, {n: sign * step / 0.6}))).configuration for sign in (1, -1)
         ]
         twist = logarithm(ends[0].platform @ inverse(ends[1].platform)) / (2 * step)
         w, v = twist[:3], twist[3:] + np.cross(twist[:3], j.centre)
@@ -153,7 +153,7 @@ def test_legs_of_platforms_far_from_home(name: str) -> None:
     """Against the closed form of the leg lengths."""
     m = machine(name)
     pose = parse_pose("0.6 -0.9 1.5; euler zyx 50 -20 15 deg")
-    s = solve(m, wanted_pose(m, pose))
+    s = solve(m, pose_target(m, pose))
     rotation = np.array([[float(c) for c in row] for row in pose.rotation])
     shift = np.array([float(c) for c in pose.translation])
     for a, limb in zip(m.actuators, m.robot.limbs, strict=True):
@@ -182,7 +182,7 @@ def test_every_kind_of_joint_has_motions() -> None:
 
 @pytest.mark.parametrize("kind", SAMPLES)
 def test_motions_have_the_twists_of_the_joint(kind: str) -> None:
-    limb = LimbText("limb", read_joints(SAMPLES[kind]))
+    limb = LimbSpec("limb", read_joints(SAMPLES[kind]))
     chain = chain_of(limb, VALUES)
     twists = chain.twists(chain.links(np.zeros(len(chain.turns)))).T
     own = np.array(limb.at({n: tuple(v) for n, v in VALUES.items()}, FLOATS).twists(FLOATS))
@@ -193,7 +193,7 @@ def test_motions_have_the_twists_of_the_joint(kind: str) -> None:
 
 @pytest.mark.parametrize("kind", SAMPLES)
 def test_twists_are_the_derivatives_of_motions(kind: str) -> None:
-    chain = chain_of(LimbText("limb", read_joints(SAMPLES[kind] + " R(B, x)")), VALUES)
+    chain = chain_of(LimbSpec("limb", read_joints(SAMPLES[kind] + " R(B, x)")), VALUES)
     amounts = np.linspace(0.3, -0.4, len(chain.turns))
     links = chain.links(amounts)
     for k, twist in enumerate(chain.twists(links).T):
@@ -205,7 +205,7 @@ def test_twists_are_the_derivatives_of_motions(kind: str) -> None:
 def test_bars_swing_on_circles() -> None:
     """A parallelogram keeps the orientation; its far hinge stays at the same distance from the near one."""
     for text, amounts in (("Pa(A B, w)", [1.2]), ("4S(A, B, v)", [0.9, -0.7, 0, 0])):
-        chain = chain_of(LimbText("limb", read_joints(text)), VALUES)
+        chain = chain_of(LimbSpec("limb", read_joints(text)), VALUES)
         end = chain.links(np.array(amounts))[-1]
         assert end[:3, :3] == pytest.approx(np.eye(3), abs=1e-14)
         start, far = (VALUES["A"], VALUES["B"]) if text[0] == "P" else (VALUES["A"], VALUES["A"] + VALUES["v"])

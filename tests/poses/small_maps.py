@@ -7,7 +7,7 @@ from typing import Any
 
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.mechanisms.moving_platform import MovingPlatform, rig
 from gcrules.poses.maps.grid import Grid
 from gcrules.poses.numbers.cubic import superbracket_at
 
@@ -16,7 +16,7 @@ __all__ = ["HUNT", "TURNING", "exact_value", "ranges", "rig_of"]
 F = Fraction
 
 
-def rig_of(a: Analysis) -> Rig:
+def rig_of(a: Analysis) -> MovingPlatform:
     assert a.platform is not None
     return rig(a.structure, a.platform)
 

@@ -26,7 +26,7 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import report
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.description.platform_file import parse_platform
-from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.mechanisms.moving_platform import MovingPlatform, rig
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
 from gcrules.poses.paths import table as path_file
 from gcrules.poses.paths.report import PathReport
@@ -46,7 +46,7 @@ points:
 """
 
 
-def rig_of(a: Analysis, about: Any = "centroid") -> Rig:
+def rig_of(a: Analysis, about: Any = "centroid") -> MovingPlatform:
     assert a.platform is not None
     return rig(a.structure, a.platform, about)
 
@@ -62,7 +62,7 @@ quaternions = st.tuples(*[st.integers(-4, 4).map(F)] * 4).filter(any)
 free_poses = st.builds(Pose, translations, quaternions)
 
 
-def segment(moving: Rig, a: Pose, b: Pose) -> Segment:
+def segment(moving: MovingPlatform, a: Pose, b: Pose) -> Segment:
     assume(sum(c * d for c, d in zip(a.quaternion, b.quaternion, strict=True)))
     (found,) = segments(moving, [a, b])
     return found

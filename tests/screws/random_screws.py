@@ -19,8 +19,8 @@ from gcrules.screws import (
     ScrewSystem,
     joint,
     limb,
-    slide,
-    turn,
+    prismatic,
+    revolute,
 )
 
 __all__ = [
@@ -142,20 +142,20 @@ def rps(r: Random) -> Lines:
     leg = limb(
         joint("R", point=a, axis=axis_), joint("P", direction=sub(s, a), actuated=True), joint("S", point=s), name="RPS"
     )
-    return leg, [turn(s, sub(s, a)), turn(s, axis_)], "planar pencil"
+    return leg, [revolute(s, sub(s, a)), revolute(s, axis_)], "planar pencil"
 
 
 def prs(r: Random) -> Lines:
     a, s, axis_ = r.vector(), r.vector(), r.vector()
     leg = limb(joint("P", direction=r.vector(), actuated=True), joint("R", point=a, axis=axis_), joint("S", point=s))
-    return leg, [turn(s, sub(s, a)), turn(s, axis_)], "planar pencil"
+    return leg, [revolute(s, sub(s, a)), revolute(s, axis_)], "planar pencil"
 
 
 def driven_rps(r: Random) -> Lines:
     a, s, d = r.vector(), r.vector(), r.vector()
     leg = limb(joint("R", point=a, axis=r.vector(), actuated=True), joint("P", direction=d), joint("S", point=s))
     u, v = cross(d, X), cross(d, Y)
-    return leg, [turn(s, u), turn(s, v)], "planar pencil"
+    return leg, [revolute(s, u), revolute(s, v)], "planar pencil"
 
 
 def upu(r: Random) -> Lines:
@@ -165,7 +165,7 @@ def upu(r: Random) -> Lines:
         joint("P", direction=sub(b, a), actuated=True),
         joint("U", point=b, first=v, second=u),
     )
-    return leg, [turn(a, sub(b, a)), slide(cross(u, v))], "force and couple"
+    return leg, [revolute(a, sub(b, a)), prismatic(cross(u, v))], "force and couple"
 
 
 def ruu(r: Random) -> Lines:
@@ -175,20 +175,20 @@ def ruu(r: Random) -> Lines:
         joint("U", point=b, first=z, second=x),
         joint("U", point=c, first=x, second=z),
     )
-    return leg, [turn(b, sub(c, b)), slide(cross(z, x))], "force and couple"
+    return leg, [revolute(b, sub(c, b)), prismatic(cross(z, x))], "force and couple"
 
 
 def spherical_rr(r: Random) -> Lines:
     o, (u, v, w) = r.vector(), r.vectors(3)
     leg = limb(joint("R", point=o, axis=w, actuated=True), joint("R", point=o, axis=u), joint("R", point=o, axis=v))
-    return leg, [*(turn(o, a) for a in (X, Y, Z)), slide(cross(u, v))], "bundle and plane field"
+    return leg, [*(revolute(o, a) for a in (X, Y, Z)), prismatic(cross(u, v))], "bundle and plane field"
 
 
 def up(r: Random) -> Lines:
     o, (u, v, w) = r.vector(), r.vectors(3)
     leg = limb(joint("U", point=o, first=u, second=v), joint("P", direction=w))
-    forces = [turn(o, cross(w, a)) for a in r.vectors(2)]
-    return leg, [*forces, slide(cross(u, v))], "planar pencil and couple"
+    forces = [revolute(o, cross(w, a)) for a in r.vectors(2)]
+    return leg, [*forces, prismatic(cross(u, v))], "planar pencil and couple"
 
 
 def upr(r: Random) -> Lines:
@@ -198,13 +198,13 @@ def upr(r: Random) -> Lines:
         joint("P", direction=sub(b, a), actuated=True),
         joint("R", point=b, axis=v),
     )
-    return leg, [turn(a, sub(b, a)), turn(a, v), slide(cross(u, v))], "planar pencil and couple"
+    return leg, [revolute(a, sub(b, a)), revolute(a, v), prismatic(cross(u, v))], "planar pencil and couple"
 
 
 def spr(r: Random) -> Lines:
     a, b, s = r.vector(), r.vector(), r.vector()
     leg = limb(joint("S", point=a), joint("P", direction=sub(b, a), actuated=True), joint("R", point=b, axis=s))
-    return leg, [turn(a, sub(b, a)), turn(a, s)], "planar pencil"
+    return leg, [revolute(a, sub(b, a)), revolute(a, s)], "planar pencil"
 
 
 def rpur(r: Random) -> Lines:
@@ -215,7 +215,7 @@ def rpur(r: Random) -> Lines:
         joint("U", point=b, first=e, second=f),
         joint("R", point=c, axis=f),
     )
-    return leg, [slide(cross(e, f))], "couple"
+    return leg, [prismatic(cross(e, f))], "couple"
 
 
 def rods(r: Random) -> Lines:
@@ -224,7 +224,7 @@ def rods(r: Random) -> Lines:
         joint("R", point=r.vector(), axis=r.vector(), actuated=True),
         joint("4S", first=a, second=add(a, side), bars=d),
     )
-    return leg, [turn(a, d), turn(add(a, side), d)], "parallel pencil"
+    return leg, [revolute(a, d), revolute(add(a, side), d)], "parallel pencil"
 
 
 def orthoglide(r: Random) -> Lines:
@@ -235,8 +235,8 @@ def orthoglide(r: Random) -> Lines:
         joint("Pa", bars=d, axis=n),
         joint("R", point=add(a, times(r.nonzero(), d)), axis=e),
     )
-    normal = [slide(cross(e, x)) for x in r.vectors(2)]
-    return leg, [turn(a, d), *normal], "force and two couples"
+    normal = [prismatic(cross(e, x)) for x in r.vectors(2)]
+    return leg, [revolute(a, d), *normal], "force and two couples"
 
 
 LIMBS: dict[str, Callable[[Random], Lines]] = {

@@ -38,7 +38,7 @@ from gcrules.screws import (
     limb,
     mobility,
     product,
-    turn,
+    revolute,
 )
 
 Vec = tuple[Any, ...]
@@ -94,7 +94,7 @@ def test_joints_made_of_hinges_and_sliders(seed: int) -> None:
     ]
     for one, others in same:
         assert limb(one).system() == limb(*others).system(), one
-    rods = [ScrewSystem.span([turn(q, u)]) for q in (p, add(p, v))]
+    rods = [ScrewSystem.span([revolute(q, u)]) for q in (p, add(p, v))]
     assert limb(joint("4S", first=p, second=add(p, v), bars=u)).system() == (rods[0] | rods[1]).reciprocal()
 
 
@@ -253,7 +253,7 @@ def test_three_tetrahedra_of_the_robot_with_four_freedoms() -> None:
     assert kinds == ["bundle", "force", "planar pencil"]
     s = three.joints[-1].geometry["point"]
     a, e = (three.joints[1].geometry[part] for part in ("point", "axis"))
-    assert three.locked_system() == ScrewSystem.span([turn(s, sub(s, a)), turn(s, e)])
+    assert three.locked_system() == ScrewSystem.span([revolute(s, sub(s, a)), revolute(s, e)])
 
 
 @pytest.mark.parametrize("name", ["6-UPS", "Tricept"])

@@ -46,7 +46,7 @@ from gcrules.screws import (
     ScrewSystem,
     axis,
     from_plucker,
-    helix,
+    helical,
     jacobian,
     joint,
     limb,
@@ -55,10 +55,10 @@ from gcrules.screws import (
     moved,
     pitch,
     plucker,
+    prismatic,
     product,
     reciprocal,
-    slide,
-    turn,
+    revolute,
 )
 
 Vec = tuple[Any, ...]
@@ -78,13 +78,13 @@ def test_plucker_coordinates_are_those_of_the_oracle(ideal: str) -> None:
         assert from_plucker(plucker(wrench)) == wrench
         if not ideal:
             a, b = points["a"][:3], points["b"][:3]
-            assert wrench == turn(a, sub(b, a))
+            assert wrench == revolute(a, sub(b, a))
             assert pitch(wrench) == 0
 
 
 def test_a_couple_is_a_line_at_infinity() -> None:
-    assert line_through((*X, 0), (*Y, 0)) == slide(Z)
-    assert pitch(slide(Z)) == math.inf
+    assert line_through((*X, 0), (*Y, 0)) == prismatic(Z)
+    assert pitch(prismatic(Z)) == math.inf
 
 
 def test_product_is_the_bracket_of_the_points() -> None:
@@ -101,10 +101,10 @@ def test_lines_that_meet_are_reciprocal() -> None:
     r = Random("meet")
     for _ in range(50):
         p, q, d, e = r.vector(), r.vector(), r.vector(), r.vector()
-        assert product(turn(p, d), turn(p, e)) == 0  # in a point
-        assert product(turn(p, d), turn(q, times(r.nonzero(), d))) == 0  # parallel
-        assert (product(turn(p, d), turn(q, e)) == 0) == (dot(sub(q, p), cross(d, e)) == 0)
-        assert product(turn(p, d), slide(e)) == dot(d, e)
+        assert product(revolute(p, d), revolute(p, e)) == 0  # in a point
+        assert product(revolute(p, d), revolute(q, times(r.nonzero(), d))) == 0  # parallel
+        assert (product(revolute(p, d), revolute(q, e)) == 0) == (dot(sub(q, p), cross(d, e)) == 0)
+        assert product(revolute(p, d), prismatic(e)) == dot(d, e)
 
 
 def test_superbracket_is_minus_the_determinant() -> None:
@@ -117,7 +117,7 @@ def test_superbracket_is_minus_the_determinant() -> None:
                  joint("S", point=points[q][:3]))
             for p, q in lines
         ]  # fmt: skip
-        rows = [turn(points[p][:3], sub(points[q], points[p])[:3]) for p, q in lines]
+        rows = [revolute(points[p][:3], sub(points[q], points[p])[:3]) for p, q in lines]
         value = evaluate(parse(f"[[{','.join(lines)}]]"), points)
         assert RATIONALS.determinant(rows) == -value
         j = jacobian(legs)
@@ -133,33 +133,33 @@ def test_pitch_and_axis_of_known_screws() -> None:
     r = Random("pitch")
     for _ in range(30):
         p, d, h = r.vector(), r.vector(), r.scalar()
-        found = axis(helix(p, d, h))
-        assert found.pitch == pitch(helix(p, d, h)) == h
+        found = axis(helical(p, d, h))
+        assert found.pitch == pitch(helical(p, d, h)) == h
         assert found.direction == d
         assert cross(sub(found.point, p), d) == (0, 0, 0)
         assert dot(found.point, d) == 0
-        floating = axis(tuple(map(float, helix(p, d, h))))
+        floating = axis(tuple(map(float, helical(p, d, h))))
         assert floating.pitch == pytest.approx(float(h), abs=1e-12)
         assert floating.point == pytest.approx(tuple(map(float, found.point)), abs=1e-12)
-    assert axis(slide(X)) == type(found)(None, X, math.inf)
+    assert axis(prismatic(X)) == type(found)(None, X, math.inf)
 
 
 def test_pitch_of_many_screws() -> None:
-    rows = np.array([helix(X, Z, 0.5), slide((1.0, 0, 0)), turn(Y, (0.0, 0, 2))])
+    rows = np.array([helical(X, Z, 0.5), prismatic((1.0, 0, 0)), revolute(Y, (0.0, 0, 2))])
     assert pitch(rows).tolist() == [0.5, math.inf, 0]
     points = np.random.default_rng(0).normal(size=(7, 3))
-    lines = turn(points, (1.0, 2, 0))
+    lines = revolute(points, (1.0, 2, 0))
     assert np.allclose(from_plucker(plucker(lines)), lines)
     ends = np.hstack([points, np.ones((7, 1))])
     assert np.allclose(line_through(ends, ends + np.array([1.0, 2, 0, 0])), lines)
-    assert np.allclose(pitch(helix(points, (0.0, 1, 1), 3.0)), 3)
+    assert np.allclose(pitch(helical(points, (0.0, 1, 1), 3.0)), 3)
 
 
 @settings(max_examples=30)
 @given(seed=st.integers(0, 10**6))
 def test_a_motion_keeps_products_and_pitches(seed: int) -> None:
     r = Random(seed)
-    rows = [helix(r.vector(), r.vector(), r.scalar()) for _ in range(2)]
+    rows = [helical(r.vector(), r.vector(), r.scalar()) for _ in range(2)]
     turned = moved(rows, r.rotation(), r.vector())
     assert product(*turned) == product(*rows)
     assert list(map(pitch, turned)) == list(map(pitch, rows))
@@ -186,8 +186,8 @@ SMALL = st.integers(-2, 2)
 ROWS = st.lists(st.tuples(*[SMALL] * 6), max_size=6)
 LINES = st.lists(
     st.builds(lambda a, w: line_through((*a, w), (1, 3, -1, 1)), st.tuples(st.just(1), SMALL, SMALL), st.integers(0, 1))
-    | st.builds(lambda a: slide(a), st.tuples(SMALL, SMALL, st.just(1)))
-    | st.builds(lambda a, b: turn(a, b), st.tuples(*[SMALL] * 3), st.tuples(st.just(1), SMALL, SMALL)),
+    | st.builds(lambda a: prismatic(a), st.tuples(SMALL, SMALL, st.just(1)))
+    | st.builds(lambda a, b: revolute(a, b), st.tuples(*[SMALL] * 3), st.tuples(st.just(1), SMALL, SMALL)),
     max_size=4,
 )
 
@@ -325,8 +325,8 @@ HINGE = {"point": O, "axis": Z}
         (lambda: joint("P", direction=(1e61, 0, 0)), "is too large: over 1e+60"),
         (lambda: joint("R", point=np.ones((4, 3)), axis=np.ones((5, 3))), "of a joint R do not go together"),
         (lambda: joint("H", point=np.ones((4, 3)), axis=Z, pitch=np.ones(3)), "of a joint H do not go together"),
-        (lambda: turn(np.ones((4, 3)), np.ones((5, 3))), "shapes (4,), (5,)"),
-        (lambda: helix(np.ones((4, 3)), Z, np.ones(3)), "do not go together"),
+        (lambda: revolute(np.ones((4, 3)), np.ones((5, 3))), "shapes (4,), (5,)"),
+        (lambda: helical(np.ones((4, 3)), Z, np.ones(3)), "do not go together"),
         (lambda: product(np.ones((4, 6)), np.ones((5, 6))), "do not go together"),
         (lambda: moved(np.ones((4, 1, 6)), np.eye(3), np.ones((5, 3))), "do not go together"),
         (lambda: limb(*(joint("P", direction=np.ones((n, 3))) for n in (4, 5))).twists(), "the shapes (4,), (5,)"),
@@ -368,10 +368,10 @@ HINGE = {"point": O, "axis": Z}
         (lambda: axis((0.0,) * 6), "six zeros are no screw"),
         (lambda: axis(np.ones((2, 6))), "the axis of one screw"),
         (lambda: line_through(np.ones((4, 4)), np.ones((5, 4))), "do not go together"),
-        (lambda: turn(O, O), "a direction is zero"),
+        (lambda: revolute(O, O), "a direction is zero"),
         (lambda: line_through((1, 2, 3, 1), (2, 4, 6, 2)), "two different points"),
-        (lambda: moved([turn(O, X)], [X, Y, times(-1, Z)], O), "no orthogonal matrix of determinant 1"),
-        (lambda: moved([turn(O, X)], [X, Y], O), "a rotation needs three rows"),
+        (lambda: moved([revolute(O, X)], [X, Y, times(-1, Z)], O), "no orthogonal matrix of determinant 1"),
+        (lambda: moved([revolute(O, X)], [X, Y], O), "a rotation needs three rows"),
         (lambda: Residues(8), "no prime"),
         (lambda: Residues(13), "no prime"),
         (lambda: Floats(tolerance=0), "the tolerance 0 is not between 0 and 1"),
@@ -413,8 +413,8 @@ def test_numpy_is_loaded_for_floats_only() -> None:
 
 
 def test_text_of_a_system() -> None:
-    assert str(ScrewSystem.span([slide(X)])) == "1-system: couple along (1, 0, 0)"
-    far = ScrewSystem.span([helix((0.0, 3, 0), X, 5)], Floats(length=10.0)).classify().screw
+    assert str(ScrewSystem.span([prismatic(X)])) == "1-system: couple along (1, 0, 0)"
+    far = ScrewSystem.span([helical((0.0, 3, 0), X, 5)], Floats(length=10.0)).classify().screw
     assert far.pitch == pytest.approx(5)
     assert far.point == pytest.approx((0, 3, 0))
 

@@ -32,11 +32,11 @@ from gcrules.screws import (
     LineFamily,
     Residues,
     ScrewSystem,
-    helix,
+    helical,
     moved,
+    prismatic,
     product,
-    slide,
-    turn,
+    revolute,
 )
 
 Vec = tuple[Any, ...]
@@ -48,42 +48,51 @@ o, p, q = (0, 0, 0), (0, 0, 1), (0, 0, 2)
 D = (1, 1, 0)
 SYSTEMS: dict[str, tuple[list[Any], list[str]]] = {
     "nothing": ([], []),
-    "force": ([turn(q, X)], ["force"]),
-    "couple": ([slide(X)], ["couple"]),
-    "screw": ([helix(q, X, 2)], []),
-    "planar pencil": ([turn(q, X), turn(q, Y)], ["planar pencil"]),
-    "parallel pencil": ([turn(q, X), turn(p, X)], ["parallel pencil"]),
-    "two couples": ([slide(X), slide(Y)], ["two couples"]),
-    "two forces": ([turn(q, X), turn(o, Y)], ["force", "force"]),
-    "force and couple": ([turn(q, X), slide(D)], ["force", "couple"]),
-    "force and screw": ([turn(q, X), helix(q, Y, 1)], ["force"]),
-    "couple and screw": ([slide(Y), helix(q, X, 1)], ["couple"]),
-    "two screws": ([helix(q, X, 1), helix(q, Y, 2)], []),
-    "bundle": ([turn(q, a) for a in (X, Y, Z)], ["bundle"]),
-    "parallel bundle": ([turn(q, X), slide(Y), slide(Z)], ["parallel bundle"]),
-    "plane field": ([turn(q, X), turn(q, Y), turn(add(q, X), Y)], ["plane field"]),
-    "all couples": ([slide(X), slide(Y), slide(Z)], ["all couples"]),
-    "two planar pencils": ([turn(o, Z), turn(p, X), turn(q, Y)], ["planar pencil"] * 2),
-    "two parallel pencils": ([turn(o, X), turn(p, Y), slide(Z)], ["parallel pencil"] * 2),
-    "planar pencil and couple": ([turn(q, X), turn(q, Y), slide(add(X, Z))], ["planar pencil", "parallel pencil"]),
-    "force and two couples": ([turn(q, X), slide(X), slide(Y)], ["two couples", "parallel pencil"]),
-    "planar pencil and screw": ([turn(q, X), turn(q, Y), helix(q, Z, 1)], ["planar pencil"]),
-    "parallel pencil and screw": ([turn(q, X), slide(Z), helix(q, Y, 1)], ["parallel pencil"]),
-    "two couples and screw": ([slide(Y), slide(Z), helix(q, X, 1)], ["two couples"]),
-    "force and two screws": ([turn(q, X), helix(q, Y, 1), helix(q, Z, 2)], ["force"]),
-    "couple and two screws": ([slide(Z), helix(q, X, 1), helix(q, Y, 2)], ["couple"]),
-    "regulus": ([turn(X, Y), turn(Y, Z), turn(Z, X)], []),
-    "regulus with a couple": ([turn(o, X), turn(p, Y), turn(q, D)], []),
-    "three screws": ([helix(o, X, 1), helix(o, Y, 2), helix(o, Z, 3)], []),
-    "bundle and plane field": ([*(turn(q, a) for a in (X, Y, Z)), slide(Z)], ["bundle", "plane field"]),
+    "force": ([revolute(q, X)], ["force"]),
+    "couple": ([prismatic(X)], ["couple"]),
+    "screw": ([helical(q, X, 2)], []),
+    "planar pencil": ([revolute(q, X), revolute(q, Y)], ["planar pencil"]),
+    "parallel pencil": ([revolute(q, X), revolute(p, X)], ["parallel pencil"]),
+    "two couples": ([prismatic(X), prismatic(Y)], ["two couples"]),
+    "two forces": ([revolute(q, X), revolute(o, Y)], ["force", "force"]),
+    "force and couple": ([revolute(q, X), prismatic(D)], ["force", "couple"]),
+    "force and screw": ([revolute(q, X), helical(q, Y, 1)], ["force"]),
+    "couple and screw": ([prismatic(Y), helical(q, X, 1)], ["couple"]),
+    "two screws": ([helical(q, X, 1), helical(q, Y, 2)], []),
+    "bundle": ([revolute(q, a) for a in (X, Y, Z)], ["bundle"]),
+    "parallel bundle": ([revolute(q, X), prismatic(Y), prismatic(Z)], ["parallel bundle"]),
+    "plane field": ([revolute(q, X), revolute(q, Y), revolute(add(q, X), Y)], ["plane field"]),
+    "all couples": ([prismatic(X), prismatic(Y), prismatic(Z)], ["all couples"]),
+    "two planar pencils": ([revolute(o, Z), revolute(p, X), revolute(q, Y)], ["planar pencil"] * 2),
+    "two parallel pencils": ([revolute(o, X), revolute(p, Y), prismatic(Z)], ["parallel pencil"] * 2),
+    "planar pencil and couple": (
+        [revolute(q, X), revolute(q, Y), prismatic(add(X, Z))],
+        ["planar pencil", "parallel pencil"],
+    ),
+    "force and two couples": ([revolute(q, X), prismatic(X), prismatic(Y)], ["two couples", "parallel pencil"]),
+    "planar pencil and screw": ([revolute(q, X), revolute(q, Y), helical(q, Z, 1)], ["planar pencil"]),
+    "parallel pencil and screw": ([revolute(q, X), prismatic(Z), helical(q, Y, 1)], ["parallel pencil"]),
+    "two couples and screw": ([prismatic(Y), prismatic(Z), helical(q, X, 1)], ["two couples"]),
+    "force and two screws": ([revolute(q, X), helical(q, Y, 1), helical(q, Z, 2)], ["force"]),
+    "couple and two screws": ([prismatic(Z), helical(q, X, 1), helical(q, Y, 2)], ["couple"]),
+    "regulus": ([revolute(X, Y), revolute(Y, Z), revolute(Z, X)], []),
+    "regulus with a couple": ([revolute(o, X), revolute(p, Y), revolute(q, D)], []),
+    "three screws": ([helical(o, X, 1), helical(o, Y, 2), helical(o, Z, 3)], []),
+    "bundle and plane field": ([*(revolute(q, a) for a in (X, Y, Z)), prismatic(Z)], ["bundle", "plane field"]),
     "parallel bundle and plane field": (
-        [turn(o, X), slide(Y), slide(Z), turn(o, Y)],
+        [revolute(o, X), prismatic(Y), prismatic(Z), revolute(o, Y)],
         ["parallel bundle", "plane field"],
     ),
-    "force and three couples": ([turn(o, X), slide(X), slide(Y), slide(Z)], ["parallel bundle", "all couples"]),
-    "special complex": ([turn(o, a) for a in (X, Y, Z)] + [turn(p, X), turn(p, Y)], []),
-    "special complex with its axis at infinity": ([slide(X), slide(Y), slide(Z), turn(o, X), turn(o, Y)], []),
-    "everything": ([turn(o, a) for a in (X, Y, Z)] + [slide(a) for a in (X, Y, Z)], []),
+    "force and three couples": (
+        [revolute(o, X), prismatic(X), prismatic(Y), prismatic(Z)],
+        ["parallel bundle", "all couples"],
+    ),
+    "special complex": ([revolute(o, a) for a in (X, Y, Z)] + [revolute(p, X), revolute(p, Y)], []),
+    "special complex with its axis at infinity": (
+        [prismatic(X), prismatic(Y), prismatic(Z), revolute(o, X), revolute(o, Y)],
+        [],
+    ),
+    "everything": ([revolute(o, a) for a in (X, Y, Z)] + [prismatic(a) for a in (X, Y, Z)], []),
 }
 # Dimension 4 and 5 as what is reciprocal to 2 and 1.
 AXES = {
@@ -214,20 +223,23 @@ def test_kinds_by_their_axes(kind: str, field: Field) -> None:
 @pytest.mark.parametrize(
     ("rows", "text"),
     [
-        ([turn(q, X)], "force along (1, 0, 0) through (0, 0, 2)"),
-        ([slide(D)], "couple along (1, 1, 0)"),
-        ([helix(q, X, Fraction(1, 2))], "screw with pitch 1/2 through (0, 0, 2) along (1, 0, 0)"),
-        ([turn(q, X), turn(q, Y)], "planar pencil at (0, 0, 2) in the plane z = 2"),
-        ([turn(q, D), turn(p, D)], "parallel pencil along (1, 1, 0) in the plane x - y = 0"),
-        ([turn(q, X), turn((0, 2, 0), X)], "parallel pencil along (1, 0, 0) in the plane y + z = 2"),
-        ([slide(X), slide(Y)], "two couples normal to (0, 0, 1)"),
-        ([turn(q, a) for a in (X, Y, Z)], "bundle at (0, 0, 2)"),
-        ([turn(q, X), slide(Y), slide(Z)], "parallel bundle along (1, 0, 0)"),
-        ([turn(q, X), turn(q, Y), slide(Z)], "plane field in the plane z = 2"),
-        ([slide(X), slide(Y), slide(Z)], "all couples"),
-        ([turn(q, X), slide(D)], "force and couple (force along (1, 0, 0) through (0, 0, 2); couple along (1, 1, 0))"),
+        ([revolute(q, X)], "force along (1, 0, 0) through (0, 0, 2)"),
+        ([prismatic(D)], "couple along (1, 1, 0)"),
+        ([helical(q, X, Fraction(1, 2))], "screw with pitch 1/2 through (0, 0, 2) along (1, 0, 0)"),
+        ([revolute(q, X), revolute(q, Y)], "planar pencil at (0, 0, 2) in the plane z = 2"),
+        ([revolute(q, D), revolute(p, D)], "parallel pencil along (1, 1, 0) in the plane x - y = 0"),
+        ([revolute(q, X), revolute((0, 2, 0), X)], "parallel pencil along (1, 0, 0) in the plane y + z = 2"),
+        ([prismatic(X), prismatic(Y)], "two couples normal to (0, 0, 1)"),
+        ([revolute(q, a) for a in (X, Y, Z)], "bundle at (0, 0, 2)"),
+        ([revolute(q, X), prismatic(Y), prismatic(Z)], "parallel bundle along (1, 0, 0)"),
+        ([revolute(q, X), revolute(q, Y), prismatic(Z)], "plane field in the plane z = 2"),
+        ([prismatic(X), prismatic(Y), prismatic(Z)], "all couples"),
         (
-            [*(turn(q, a) for a in (X, Y, Z)), slide(Z)],
+            [revolute(q, X), prismatic(D)],
+            "force and couple (force along (1, 0, 0) through (0, 0, 2); couple along (1, 1, 0))",
+        ),
+        (
+            [*(revolute(q, a) for a in (X, Y, Z)), prismatic(Z)],
             "bundle and plane field (bundle at (0, 0, 2); plane field in the plane z = 2)",
         ),
     ],
@@ -246,12 +258,12 @@ def test_systems_in_words(rows: list[Any], text: str) -> None:
 
 
 def test_lines_without_rational_coordinates() -> None:
-    rows = [helix(o, X, 1), helix(o, Y, -2)]
+    rows = [helical(o, X, 1), helical(o, Y, -2)]
     exact, floats = ScrewSystem.span(rows).classify(), span(rows, FLOATS).classify()
     assert (exact.kind, exact.irrational, exact.families) == ("two forces", True, ())
     assert (floats.kind, floats.irrational, len(floats.families)) == ("two forces", False, 2)
-    assert ScrewSystem.span([*rows, turn(o, Z)]).classify().kind == "two planar pencils"
-    assert ScrewSystem.span([*rows, slide(Z)]).classify().kind == "two parallel pencils"
+    assert ScrewSystem.span([*rows, revolute(o, Z)]).classify().kind == "two planar pencils"
+    assert ScrewSystem.span([*rows, prismatic(Z)]).classify().kind == "two parallel pencils"
     congruence = ScrewSystem.span(rows).reciprocal().classify()
     assert (congruence.kind, congruence.irrational) == ("hyperbolic congruence", True)
 

@@ -22,7 +22,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS, Effort, terms_held
 from gcrules.algebra.factoring.normal import zero
 from gcrules.algebra.factoring.once import each_once
-from gcrules.algebra.factoring.pieces import Pieces, taken_apart
+from gcrules.algebra.factoring.pieces import Pieces, factor_pieces
 from gcrules.algebra.factoring.products import Groups
 from gcrules.algebra.factoring.rational import with_cofactor
 from gcrules.algebra.factoring.result import ExpressionFamily, Factorization, brackets_of
@@ -66,7 +66,7 @@ def factor(
     with within(seconds, progress=progress):
         checkpoint()
         effort = Effort(limit)
-        pieces = taken_apart(e, what="factored", points=points, ideal=ideal, rank=rank, limit=terms)
+        pieces = factor_pieces(e, what="factored", points=points, ideal=ideal, rank=rank, limit=terms)
         if not pieces.number:
             raise zero()
         if not pieces.ideal and pieces.once:

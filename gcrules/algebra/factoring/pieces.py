@@ -17,7 +17,7 @@ from gcrules.algebra.factoring.powers import number_power, powers
 from gcrules.algebra.names import step_name
 from gcrules.core.errors import InputError
 
-__all__ = ["Pieces", "taken_apart"]
+__all__ = ["Pieces", "factor_pieces"]
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Pieces:
         return set(used.values()) <= {1}
 
 
-def taken_apart(
+def factor_pieces(
     e: Expr | BracketPolynomial | ExtensorPolynomial,
     *,
     what: str,

@@ -98,7 +98,7 @@ class Whole:
         number, parts = self.number, []
         for part, n, e in zip(self.parts, self.times, alone, strict=True):
             shown = e if e is not None and _certain(part, e, terms) else None
-            content, written = primitive(in_given_order(part))
+            content, written = primitive(in_order_of_points(part))
             number = Number(number * number_power(content, n)).value
             parts.append(FactoredPart(written, n, shown, self.irreducible))
         remainder = self._product(parts, terms)
@@ -123,7 +123,7 @@ class Whole:
         if prod(len(part.polynomial) ** min(part.times, 64) for part in parts) > terms:
             raise LimitReached(f"there is no such expression, but what is left has more than {terms:,} terms")
         factors = [part.polynomial for part in parts for _ in range(part.times)]
-        return factors[0] if len(factors) == 1 else in_given_order(reduce(mul, factors))
+        return factors[0] if len(factors) == 1 else in_order_of_points(reduce(mul, factors))
 
 
 def together(certificates: Sequence[Certificate]) -> Certificate:
@@ -136,7 +136,7 @@ def together(certificates: Sequence[Certificate]) -> Certificate:
     return Certificate(PROVED.method, f"{PROVED.detail}, factor by factor")
 
 
-def in_given_order(poly: BracketPolynomial) -> BracketPolynomial:
+def in_order_of_points(poly: BracketPolynomial) -> BracketPolynomial:
     """The normal form in the order of the points that was asked for; the polynomial as it is where that is too long."""
     left = seconds_left()
     try:

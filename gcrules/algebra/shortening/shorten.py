@@ -18,7 +18,7 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Terms
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.factoring.pieces import Pieces, taken_apart
+from gcrules.algebra.factoring.pieces import Pieces, factor_pieces
 from gcrules.algebra.shortening.limits import MAX_MONOMIALS, SECONDS
 from gcrules.algebra.shortening.monomials import canonical, degree_vector
 from gcrules.algebra.shortening.result import Shortening
@@ -61,7 +61,7 @@ def shorten(
     start, seconds = monotonic(), as_float(seconds)
     limits = SearchLimits(limit, terms)
     with within(seconds, grace=max(0.0, _PREPARATION - seconds)):
-        pieces = taken_apart(e, what="shortened", points=points, ideal=ideal, rank=rank, limit=terms)
+        pieces = factor_pieces(e, what="shortened", points=points, ideal=ideal, rank=rank, limit=terms)
         rows, poly = tuple(sorted(pieces.rows.elements())), _multiplied(pieces, terms)
         kept = _canonical(poly * poly.with_terms({rows: 1}))
         if len(kept) == 1:

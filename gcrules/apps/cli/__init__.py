@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import traceback
 
 import click
@@ -71,8 +72,9 @@ def answered() -> int:
     try:
         return int(cli.main(prog_name="gcrules", standalone_mode=False) or 0)
     except click.ClickException as fault:
-        fault.message = printable(fault.message)  # it quotes words of the command line
-        fault.show()
+        shown = io.StringIO()
+        fault.show(shown)
+        click.echo(printable(shown.getvalue()), err=True, nl=False)  # it quotes words of the command line
         return fault.exit_code
     except KeyboardInterrupt:
         raise

@@ -25,7 +25,7 @@ from gcrules.apps.cli.base import (
     output_options,
     space_options,
 )
-from gcrules.apps.cli.expressions import context_of, given_text, read_expression
+from gcrules.apps.cli.expressions import argument_text, context_of, read_expression
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.verdicts import EXIT_CODES, coloured
@@ -64,7 +64,7 @@ def prove(
     3: not decided within the limit.
     """
     at = context_of(space, assumptions)
-    sides = parse_equation(given_text(claim), context=at)
+    sides = parse_equation(argument_text(claim), context=at)
     with working("proving"):
         proof = decide(*sides, points=at.points, ideal=at.ideal, rank=at.rank, given=at.given, limit=limit)
     if out.latex:

@@ -133,7 +133,10 @@ class ExpressionCommand(OutputCommand):
             elif word in declared or _LONG_OPTION.fullmatch(word):
                 options.append(word)
                 if declared.get(word):
-                    options += [value for value in [next(words, None)] if value is not None]
+                    value = next(words, None)
+                    if value is None:
+                        raise click.BadOptionUsage(word, f"Option {word!r} requires an argument.", ctx)
+                    options.append(value)
             else:
                 rest.append(word)
         try:

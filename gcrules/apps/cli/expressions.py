@@ -11,12 +11,12 @@ from gcrules.algebra.language.syntax import Context, parse
 from gcrules.apps.cli.base import SpaceOptions
 from gcrules.apps.cli.files import read_stdin, working
 
-__all__ = ["context_of", "given_text", "read_expression", "searched"]
+__all__ = ["argument_text", "context_of", "read_expression", "searched"]
 
 _Answer = TypeVar("_Answer")
 
 
-def given_text(argument: str) -> str:
+def argument_text(argument: str) -> str:
     """The argument itself, or standard input for "-"."""
     return read_stdin() if argument == "-" else argument
 
@@ -31,7 +31,7 @@ def context_of(space: SpaceOptions, assumptions: tuple[str, ...] = ()) -> Contex
 
 def read_expression(argument: str, space: SpaceOptions) -> Expr:
     """The expression of an argument, or of standard input for "-"."""
-    return parse(given_text(argument), context=context_of(space))
+    return parse(argument_text(argument), context=context_of(space))
 
 
 def searched(

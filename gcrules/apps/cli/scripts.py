@@ -20,7 +20,7 @@ from gcrules.apps.cli.base import (
     output_options,
     space_options,
 )
-from gcrules.apps.cli.expressions import context_of, given_text
+from gcrules.apps.cli.expressions import argument_text, context_of
 from gcrules.apps.cli.files import read_stdin, working
 from gcrules.apps.cli.limits import SECONDS, time_limit
 from gcrules.apps.cli.rule_options import Choice, rules_options
@@ -57,7 +57,7 @@ def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space
     collinear points and the like fire where --given says so.
     """
     at = context_of(space, assumptions)
-    e = parse(given_text(expression), context=at)
+    e = parse(argument_text(expression), context=at)
     rules = choice.rewriting()
     if not rules:
         raise InputError("no rules to rewrite by", hint="name some:  --rules mine.gca  or  --rules expansion")

@@ -11,7 +11,7 @@ from gcrules.apps.studio.export import saved
 from gcrules.apps.studio.gallery import gallery
 from gcrules.apps.studio.manual_replay import replayed
 from gcrules.apps.studio.nearest_view import nearest
-from gcrules.apps.studio.numbers import along, numbers
+from gcrules.apps.studio.numbers import margins, numbers
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import Subject
 
@@ -23,7 +23,7 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "gallery": lambda subject, args: gallery(),
     "open": lambda subject, args: study(subject),
     "pose": lambda subject, args: numbers(subject, args["pose"], args.get("threshold")),
-    "along": lambda subject, args: along(subject, args["poses"], args.get("threshold")),
+    "margins": lambda subject, args: margins(subject, args["poses"], args.get("threshold")),
     "nearest": lambda subject, args: nearest(subject, args["pose"], args.get("threshold")),
     "manual": lambda subject, args: replayed(subject, args["commands"]),
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),

@@ -7,10 +7,10 @@ from gcrules.algebra.expr import Expr
 from gcrules.apps.studio.formulas import monomials, pieces
 from gcrules.apps.studio.protocol.study_views import FactItem, FormulaItem, MonomialsItem, TextItem
 
-__all__ = ["fact", "formula", "said", "table"]
+__all__ = ["fact", "formula", "sentence", "table"]
 
 
-def said(words: str) -> TextItem:
+def sentence(words: str) -> TextItem:
     """A sentence."""
     return {"kind": "text", "text": words}
 

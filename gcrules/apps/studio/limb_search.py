@@ -16,8 +16,8 @@ from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.solve import solve
-from gcrules.mechanisms.kinematics.targets import wanted_actuators
-from gcrules.poses.limbs.around import Met, Way, along, amounts_of, begun_at, ways
+from gcrules.mechanisms.kinematics.targets import actuators_target
+from gcrules.poses.limbs.around import Heading, Met, actuator_values, begun_at, first_along, headings
 from gcrules.poses.limbs.pose_report import SINGULAR, here
 from gcrules.screws.threshold import DEFAULT, degrees
 
@@ -40,14 +40,14 @@ def first_around(subject: Subject, pose: PoseJson) -> Nearest:
     m = subject.linkage
     given = pose.get("coordinates") or [0.0] * len(m.actuators)
     now = [radians(v) if a.angle else float(v) for a, v in zip(m.actuators, given, strict=True)]
-    at = begun_at(m, solve(m, wanted_actuators(m, now)).configuration if any(now) else m.home)
+    at = begun_at(m, solve(m, actuators_target(m, now)).configuration if any(now) else m.home)
     met: list[Met] = []
     stops: list[str] = []
-    every = tuple(ways(at))
+    every = tuple(headings(at))
     for way in every:
         report(f"searching along {way}")
         try:
-            one = along(at, subject.robot, way)
+            one = first_along(at, subject.robot, way)
         except InputError:
             stops.append(str(way))
             continue
@@ -71,7 +71,7 @@ def _view(subject: Subject, at: Linkage, one: Met, now: list[float], pose: PoseJ
     for short in _SHORT:
         try:
             target = one.before(short) if short else one.solution.configuration
-            amounts = [a + b for a, b in zip(now, amounts_of(at, target), strict=True)]
+            amounts = [a + b for a, b in zip(now, actuator_values(at, target), strict=True)]
             given = [to_degrees(v) if a.angle else v for a, v in zip(at.actuators, amounts, strict=True)]
             goal: PoseJson = {**pose, "coordinates": given}
             reached = configuration(subject, goal)
@@ -97,7 +97,7 @@ def _view(subject: Subject, at: Linkage, one: Met, now: list[float], pose: PoseJ
     }
 
 
-def _note(found: list[SingularPoseView], every: tuple[Way, ...], stops: list[str], lost: list[str]) -> str:
+def _note(found: list[SingularPoseView], every: tuple[Heading, ...], stops: list[str], lost: list[str]) -> str:
     said = "Found" if found else "No singular pose was found"
     all_ways = listed([str(w) for w in every])
     words = f"{said} by a search along {all_ways}, up to 60° or 0.75 times the robot's size: {_NO_PROOF}."

@@ -8,7 +8,7 @@ from fractions import Fraction
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.legs_text import leg_text
 from gcrules.algebra.language.text import text
-from gcrules.apps.studio.items import fact, formula, said
+from gcrules.apps.studio.items import fact, formula, sentence
 from gcrules.apps.studio.protocol.study_views import Item, RobotView
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
@@ -63,9 +63,9 @@ def limb_stages(robot: RobotAnalysis) -> Iterator[tuple[str, list[Item]]]:
     ]
     words: list[Item] = [fact(f"{one.limb.name}, {one.limb.chain}", one.kind) for one in s.limbs]
     serial: list[Item] = [
-        said(f"{one.limb} by itself is singular where {sentence}.")
+        sentence(f"{one.limb} by itself is singular where {place}.")
         for one in robot.limbs
-        for _, sentence in one.conditions
+        for _, place in one.conditions
     ]
     yield "limbs", [*numbers, *words, *serial]
     yield "equivalent", list(_equivalent(robot))
@@ -78,7 +78,7 @@ def _of(limb: str) -> str:
 def _equivalent(robot: RobotAnalysis) -> Iterator[Item]:
     s = robot.structure
     if s.lines is None:
-        yield said(robot.statement)
+        yield sentence(robot.statement)
         return
     for line in s.lines:
         role = "constraint " if line.role == "constraint" else ""
@@ -95,7 +95,7 @@ def part_items(robot: RobotAnalysis) -> Iterator[Item]:
     """The factors of the condition, each with what it means for this robot."""
     if not robot.parts:
         return
-    yield said("Its factors, told apart by the ranks of the joint screws at exact singular members of the family:")
+    yield sentence("Its factors, told apart by the ranks of the joint screws at exact singular members of the family:")
     for part in robot.parts:
         yield formula(None, part.expression)
         yield fact(part.kind, _told(part))

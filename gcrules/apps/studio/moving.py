@@ -12,7 +12,7 @@ from gcrules.apps.studio.protocol.study_views import Axis
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import close_margin
 from gcrules.core.errors import InputError
-from gcrules.poses.limbs.pose_report import posed
+from gcrules.poses.limbs.pose_report import report_at
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.extensors import coordinates
 from gcrules.poses.numbers.motion import Twist
@@ -62,7 +62,7 @@ def configuration(subject: Subject, pose: PoseJson, threshold: str | None = None
     amounts = None
     if given and any(given):
         amounts = [radians(v) if a.angle else v for a, v in zip(m.actuators, given, strict=True)]
-    return posed(m, lambda: robot, None, amounts, threshold=threshold or DEFAULT)
+    return report_at(m, lambda: robot, None, amounts, threshold=threshold or DEFAULT)
 
 
 def values_at(subject: Subject, pose: PoseJson) -> dict[str, list[float]]:

@@ -22,7 +22,7 @@ from gcrules.apps.studio.thresholds import close_margin, threshold_of
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import judged, line_measure
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.moving_platform import FAR, Rig
+from gcrules.mechanisms.moving_platform import FAR, MovingPlatform
 from gcrules.poses.nearest.poses import nearest_translation
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.causes import causes, near_causes, nearest_cause
@@ -41,7 +41,7 @@ from gcrules.screws.threshold import DEFAULT, Threshold
 from gcrules.screws.verdict import CLOSE
 from gcrules.views.robots.limb_views import limb_views
 
-__all__ = ["along", "arrays", "exact_pose", "numbers"]
+__all__ = ["arrays", "exact_pose", "margins", "numbers"]
 
 Floats = NDArray[np.float64]
 
@@ -75,7 +75,7 @@ def numbers(subject: Subject, pose: PoseJson, threshold: str | None = None) -> N
     return _of_rig(subject, subject.moving, pose, limit)
 
 
-def _of_rig(subject: Subject, moving: Rig, pose: PoseJson, limit: Threshold) -> Numbers:
+def _of_rig(subject: Subject, moving: MovingPlatform, pose: PoseJson, limit: Threshold) -> Numbers:
     assert subject.analysis is not None
     assert subject.scenery is not None
     at = arrays([pose])
@@ -113,7 +113,7 @@ def _of_rig(subject: Subject, moving: Rig, pose: PoseJson, limit: Threshold) -> 
     }
 
 
-def _scaled_value(j: LegJacobians, moving: Rig) -> Floats:
+def _scaled_value(j: LegJacobians, moving: MovingPlatform) -> Floats:
     """The superbracket over ρ³ Π lengths, ρ the characteristic length, with its sign."""
     turned = sum(leg != typed for leg, typed in zip(moving.legs, moving.structure.legs, strict=True))
     found: Floats = -np.linalg.det(j.rows) * (-1) ** turned
@@ -121,7 +121,7 @@ def _scaled_value(j: LegJacobians, moving: Rig) -> Floats:
 
 
 def _causes(
-    conditions: Sequence[Condition], moving: Rig, pose: PoseJson, points: Any, zero: bool, said: str
+    conditions: Sequence[Condition], moving: MovingPlatform, pose: PoseJson, points: Any, zero: bool, said: str
 ) -> tuple[str, ...]:
     if zero:
         return causes(conditions, moving.exact(exact_pose(pose)), moving.structure.names, moving.unit)
@@ -183,7 +183,7 @@ def _sign(a: Analysis, places: Mapping[str, Sequence[float]]) -> float:
     return float(np.sign(value))
 
 
-def along(subject: Subject, poses: Sequence[PoseJson], threshold: str | None = None) -> Along:
+def margins(subject: Subject, poses: Sequence[PoseJson], threshold: str | None = None) -> Along:
     """Margin, value and verdict at many poses, for a plot."""
     moving = subject.moving
     if moving is None or subject.analysis is None:

@@ -10,7 +10,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.superbrackets.shortest import counts
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.gallery import GROUPS
-from gcrules.apps.studio.items import fact, formula, said, table
+from gcrules.apps.studio.items import fact, formula, sentence, table
 from gcrules.apps.studio.limbs import limb_stages, part_items
 from gcrules.apps.studio.protocol.study_views import Item, OrdersItem, Piece, StageView, StepView
 from gcrules.apps.studio.subject import Subject
@@ -48,7 +48,7 @@ def stage(key: str, items: Iterable[Item]) -> StageView:
 def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, list[Item]]]:
     yield "structure", [_plain(i) for i in structure_items(a)]
     n = len(a.typed.polynomial)
-    yield "superbracket", [said(f"{_terms(n)} left for the legs in the order typed."), table(a.typed.polynomial)]
+    yield "superbracket", [sentence(f"{_terms(n)} left for the legs in the order typed."), table(a.typed.polynomial)]
     if a.shortest.form:
         yield "shortest", list(_shortest(a))
     found = recognised(a)
@@ -60,22 +60,22 @@ def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, lis
     yield "condition", [formula(left, c.right_side), *_condition_words(a), *parts]
     others = [r.sentence for r in a.readings if r.statement not in ("", c.statement)]
     if robot is None:
-        yield "statement", [said(c.sentence), *(said(f"Also: {words}") for words in others)]
+        yield "statement", [sentence(c.sentence), *(sentence(f"Also: {words}") for words in others)]
     else:
-        yield "statement", [said(robot.statement), said(f"Of its lines: {c.sentence}")]
+        yield "statement", [sentence(robot.statement), sentence(f"Of its lines: {c.sentence}")]
     certified = [fact(c.certificate.method, c.certificate.detail)]
     if robot is not None:
         certified.append(fact("the robot", robot.certificate))
         if robot.published is not None:
             p = robot.published
             certified.append(fact("published condition", f"{p.condition}: {p.verdict}, {p.detail}"))
-    yield "check", [*certified, *_check(a), *map(said, a.notes)]
+    yield "check", [*certified, *_check(a), *map(sentence, a.notes)]
 
 
 def _plain(item: str | KeyValue | Formula) -> Item:
     if isinstance(item, KeyValue):
         return fact(item.key, item.value)
-    return formula(item.left, item.right) if isinstance(item, Formula) else said(item)
+    return formula(item.left, item.right) if isinstance(item, Formula) else sentence(item)
 
 
 def _terms(n: int) -> str:
@@ -87,12 +87,12 @@ def _terms(n: int) -> str:
 
 def _shortest(a: Analysis) -> Iterator[Item]:
     n = len(a.shortest.polynomial)
-    yield said(f"{_terms(n)} left in the {a.shortest.form}-term form with the legs in the best order.")
+    yield sentence(f"{_terms(n)} left in the {a.shortest.form}-term form with the legs in the best order.")
     if not a.structure.dead:  # the search leaves out vanishing brackets, the tally does not
         yield _orders(a)
     yield table(a.shortest.polynomial, a.shortest.sign)
     if a.typed.polynomial != a.shortest.polynomial:
-        yield said("Both sums are the same polynomial: they have the same normal form.")
+        yield sentence("Both sums are the same polynomial: they have the same normal form.")
 
 
 def _orders(a: Analysis) -> OrdersItem:
@@ -120,11 +120,11 @@ def _entities(a: Analysis, found: Recognised) -> Iterator[tuple[str, list[Item]]
     yield "planes", [*_shown(a, found.planes, "No three points stay together in every term."), rows]
     items = _shown(a, found.lines, "No two further points stay together in every term.")
     if found.front is not None:
-        items += [said("With the entities in front:"), formula(superbracket, found.front)]
+        items += [sentence("With the entities in front:"), formula(superbracket, found.front)]
     yield "lines", [*items, rows]
     if found.left:
         what = "the last plane" if found.left_planes else "lines"
-        items = [said(f"Left over: {', '.join(found.left)}. They are taken as {what}.")]
+        items = [sentence(f"Left over: {', '.join(found.left)}. They are taken as {what}.")]
         items += _shown(a, [*found.left_planes, *found.left_lines], "")
         yield "left-over", [*items, *(formula(superbracket, e) for e in found.dotted)]
 
@@ -135,8 +135,8 @@ def _shown(a: Analysis, entities: Sequence[Entity], none: str) -> list[Item]:
     known = [ids[k] for e in entities if (k := (e.kind, frozenset(e.points))) in ids]
     named = [e for e in entities if (e.kind, frozenset(e.points)) not in ids]
     items: list[Item] = [{"kind": "entities", "entities": list(dict.fromkeys(known))}] if known else []
-    items += [said(f"The {e.kind} {entity_label(e)}.") for e in named]
-    return items or ([said(none)] if none else [])
+    items += [sentence(f"The {e.kind} {entity_label(e)}.") for e in named]
+    return items or ([sentence(none)] if none else [])
 
 
 # --- the condition and its proof -----------------------------------------------------------------------------------
@@ -149,9 +149,9 @@ def _condition_words(a: Analysis) -> Iterator[Item]:
         "linear-complex": "No incidence of fewer entities was found; the superbracket itself is the condition.",
     }
     if c.kind in words:
-        yield said(words[c.kind])
+        yield sentence(words[c.kind])
     for name, line in c.lines:
-        yield said(f"The line {name}:" if name else "The line:")
+        yield sentence(f"The line {name}:" if name else "The line:")
         yield formula(None, line)
     for e, meaning in a.assumed:
         yield fact("assumed not to vanish", f"{e} ({meaning})" if meaning else e)
@@ -163,7 +163,7 @@ def _check(a: Analysis) -> Iterator[Item]:
     steps: list[StepView] = [
         {"rule": s.rule, "why": s.why, "before": _short(s.before), "after": _short(s.after)} for s in a.derivation
     ]
-    yield said("Replayed at exact random points: every step holds.")
+    yield sentence("Replayed at exact random points: every step holds.")
     yield {"kind": "steps", "steps": steps}
 
 

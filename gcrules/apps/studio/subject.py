@@ -31,7 +31,7 @@ from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
 from gcrules.mechanisms.limbs import feet_of
 from gcrules.mechanisms.load import is_data, kind_of, read_class, read_example, read_robot, read_text
-from gcrules.mechanisms.moving_platform import Rig, rig
+from gcrules.mechanisms.moving_platform import MovingPlatform, rig
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import RATIONALS
 from gcrules.views.drawing.sample import sample_coordinates
@@ -62,7 +62,7 @@ class Subject:
     unit: str = ""
     invented: bool = False
     scenery: Scenery | None = None
-    moving: Rig | None = None
+    moving: MovingPlatform | None = None
     why_not: str = ""
     robot: RobotAnalysis | None = None
 

@@ -17,7 +17,7 @@ from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault
 from gcrules.core.seeds import remark
 from gcrules.mechanisms.conditions.common_factor import common_factor, sees_constraints
-from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member, not_told, ranks, tell_apart
+from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member, causes_left, ranks, tell_apart
 from gcrules.mechanisms.conditions.line_conditions import condition_of_lines, factors_at
 from gcrules.mechanisms.conditions.overlaps import of_several_kinds, without_repetition
 from gcrules.mechanisms.conditions.published import MEMBERS, published
@@ -45,7 +45,7 @@ def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
     found, condition = condition_of_lines(robot, structure, search)
     family = robot.family
     cofactors, factors = factors_at(robot, structure, condition)
-    tell = tell_apart if robot.limbs else not_told
+    tell = tell_apart if robot.limbs else causes_left
     several = of_several_kinds(family, structure, factors) if robot.limbs else frozenset()
     parts, told = tell(family, robot.limbs, structure, found.structure.superbracket, factors, several)
     base = tuple(p for limb in robot.limbs for p in limb.joints[0].points if p not in robot.platform)

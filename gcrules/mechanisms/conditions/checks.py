@@ -10,7 +10,7 @@ from typing import Any
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.yaml_file import Node
 from gcrules.mechanisms.description.family import Definition
-from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import Values, combined
 from gcrules.mechanisms.robot import Consequence, Robot
 from gcrules.screws import RATIONALS, RESIDUES, Limb
@@ -108,7 +108,7 @@ def check_limbs(robot: Robot, nodes: Sequence[Node], mobility: Node) -> None:
         _check_platform(robot, limbs, mobility)
 
 
-def _check_limb(robot: Robot, text: LimbText, limb: Limb, node: Node) -> None:
+def _check_limb(robot: Robot, text: LimbSpec, limb: Limb, node: Node) -> None:
     rank = limb.rank(RESIDUES)
     if text.freedoms > 6 and text.freedoms - rank > 1:
         node.fault(
@@ -163,7 +163,7 @@ def notes(robot: Robot) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _neighbours(text: LimbText) -> list[tuple[str, str]]:
+def _neighbours(text: LimbSpec) -> list[tuple[str, str]]:
     """Kinds of neighbouring joints, prismatic and cylindrical ones between them left out."""
     return list(pairwise(j.kind for j in text.joints if j.kind not in ("P", "C")))
 

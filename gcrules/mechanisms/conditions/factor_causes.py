@@ -18,7 +18,7 @@ from gcrules.algebra.expr import ONE, Expr, points_of
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import GcrulesError
 from gcrules.mechanisms.description.family import Family, Path
-from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import Term, Values, combined
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
@@ -32,10 +32,10 @@ __all__ = [
     "KINDS",
     "FactorCause",
     "Ranks",
-    "Told",
+    "Votes",
     "at_member",
+    "causes_left",
     "constant",
-    "not_told",
     "paths",
     "ranks",
     "superbracket_at",
@@ -90,7 +90,7 @@ class FactorCause:
 
 
 @dataclass
-class Told:
+class Votes:
     """Votes for each factor where it alone vanishes, where others vanish with it (`shared`), and where points that are
     different in the family coincide (`merged`); and how many singular members were met.
     """
@@ -102,7 +102,7 @@ class Told:
     unexplained: int = 0
 
     @classmethod
-    def of(cls, factors: Sequence[Expr]) -> Told:
+    def of(cls, factors: Sequence[Expr]) -> Votes:
         """No votes yet."""
         votes, shared, merged = ({e: Counter[str]() for e in factors} for _ in range(3))
         return cls(votes, shared, merged)
@@ -112,7 +112,7 @@ class Told:
         return self.votes[e] or self.shared[e] or self.merged[e]
 
 
-def ranks(family: Family, limbs: Sequence[LimbText], values: Values, field: Field = RESIDUES) -> Ranks:
+def ranks(family: Family, limbs: Sequence[LimbSpec], values: Values, field: Field = RESIDUES) -> Ranks:
     """The ranks at a member in this field, from the joint screws alone. Raises InputError where a joint is none."""
     trivial = list(PLANAR) if family.plane else []
     held: list[Row] = list(trivial)
@@ -192,12 +192,12 @@ def upstream(family: Family, names: Sequence[str]) -> set[str]:
 
 def tell_apart(
     family: Family,
-    limbs: Sequence[LimbText],
+    limbs: Sequence[LimbSpec],
     structure: Equivalent,
     superbracket: Expr,
     factors: Sequence[Expr],
     several: Collection[Expr] = (),
-) -> tuple[tuple[FactorCause, ...], Told]:
+) -> tuple[tuple[FactorCause, ...], Votes]:
     """The kind of each factor, and how many singular members were met. `several` are factors that are known to vanish
     for more than one reason: because of them all paths are searched.
     """
@@ -209,7 +209,7 @@ def tell_apart(
     open_factors = [e for e in dict.fromkeys(factors) if e not in parts]
     names = [*points_of(superbracket), *(n for _, u, v in structure.derived for t in (u, v) for _, n in t)]
     generic = ranks(family, limbs, family.member("generic"))
-    told = Told.of(open_factors)
+    told = Votes.of(open_factors)
     value = superbracket_at(family, structure, superbracket)
     for path in paths(family, names):
         checkpoint()
@@ -232,21 +232,21 @@ def _enough(votes: Counter[str]) -> bool:
     return votes["actuation"] + votes["constraint"] >= ENOUGH
 
 
-def not_told(
+def causes_left(
     family: Family,
-    limbs: Sequence[LimbText],
+    limbs: Sequence[LimbSpec],
     structure: Equivalent,
     superbracket: Expr,
     factors: Sequence[Expr],
     several: Collection[Expr] = (),
-) -> tuple[tuple[FactorCause, ...], Told]:
+) -> tuple[tuple[FactorCause, ...], Votes]:
     """The factors of a robot that is given by lines: whose wrenches they are is not known."""
     reason = "the robot is given by its lines: actuation and constraint are not told apart"
-    return tuple(FactorCause(e, "mixed", reason=reason) for e in dict.fromkeys(factors)), Told()
+    return tuple(FactorCause(e, "mixed", reason=reason) for e in dict.fromkeys(factors)), Votes()
 
 
 def _vote(
-    family: Family, limbs: Sequence[LimbText], structure: Equivalent, values: Values, generic: Ranks, told: Told
+    family: Family, limbs: Sequence[LimbSpec], structure: Equivalent, values: Values, generic: Ranks, told: Votes
 ) -> None:
     at = at_member(family, structure, values)
     zero = [e for e in told.votes if not at.value(e)[0]]
@@ -273,7 +273,7 @@ def _vote(
         counted[e][kind] += 1
 
 
-def _imaginary(limbs: Sequence[LimbText], structure: Equivalent, values: Values) -> bool:
+def _imaginary(limbs: Sequence[LimbSpec], structure: Equivalent, values: Values) -> bool:
     """Whether a direction has length zero, as residues may have and real directions have not."""
     vectors = [combined(t, values, RESIDUES) for limb in limbs for j in limb.joints for t in j.directions]
     vectors += structure.derived_at(values).values()
@@ -289,7 +289,7 @@ def _kind(votes: Counter[str]) -> str:
     return next((k for k in ("choice", "limb") if votes[k]), "not met")
 
 
-def never(family: Family, limbs: Sequence[LimbText], structure: Equivalent, e: Expr) -> str:
+def never(family: Family, limbs: Sequence[LimbSpec], structure: Equivalent, e: Expr) -> str:
     """Why a factor cannot vanish: it is one number on all members, or that times squared lengths that are not zero.
 
     Found at exact random members, error below 1e-15; "" where no reason is found, which proves nothing.

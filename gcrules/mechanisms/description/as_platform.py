@@ -11,7 +11,7 @@ from collections.abc import Iterable
 
 from gcrules.algebra.structure import Structure
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.robot import Robot
 
@@ -59,7 +59,7 @@ def _lines(robot: Robot) -> tuple[tuple[str, str], ...]:
     return Structure(robot.lines).oriented if robot.lines else ()
 
 
-def _leg(robot: Robot, limb: LimbText) -> tuple[str, str] | None:
+def _leg(robot: Robot, limb: LimbSpec) -> tuple[str, str] | None:
     """The ends of the leg that a limb is, if it is one."""
     if len(limb.joints) != 3:
         return None

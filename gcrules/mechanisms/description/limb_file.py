@@ -19,7 +19,7 @@ from gcrules.core.hints import near
 from gcrules.mechanisms.description.relations import Term, Values, combined, pair_or_name
 from gcrules.screws import JOINTS, Field, Joint, Limb
 
-__all__ = ["JointText", "LimbText", "read_joints"]
+__all__ = ["JointSpec", "LimbSpec", "read_joints"]
 
 _JOINT = re.compile(r"\s*,?\s*([0-9A-Za-z]+)\s*(\*\d?)?\s*\(([^()]*)\)\s*")
 _NAMES = re.compile(r"[A-Za-z][\w']*(?:\s+[A-Za-z][\w']*)?")
@@ -28,7 +28,7 @@ _NOWHERE = Span(0, 0)
 
 
 @dataclass(frozen=True)
-class JointText:
+class JointSpec:
     """A joint as written: `args` are names, directions may be two points; `actuated` are places of its freedoms."""
 
     kind: str
@@ -69,11 +69,11 @@ class JointText:
 
 
 @dataclass(frozen=True)
-class LimbText:
+class LimbSpec:
     """A limb; `through` are points that lines of its wrenches may go through beside those of its joints."""
 
     name: str
-    joints: tuple[JointText, ...]
+    joints: tuple[JointSpec, ...]
     through: tuple[str, ...] = ()
 
     @property
@@ -96,12 +96,12 @@ class LimbText:
         return Limb(tuple(j.at(values, field) for j in self.joints), self.name)
 
 
-def read_joints(text: str) -> tuple[JointText, ...]:
+def read_joints(text: str) -> tuple[JointSpec, ...]:
     """Read the joints of a limb. Raises InputError with its place in the text."""
     return tuple(_joints(text))
 
 
-def _joints(text: str) -> Iterator[JointText]:
+def _joints(text: str) -> Iterator[JointSpec]:
     at = 0
     while at < len(text):
         match = _JOINT.match(text, at)
@@ -113,7 +113,7 @@ def _joints(text: str) -> Iterator[JointText]:
         raise _fault(text, 0, 1, "there are no joints", _EXAMPLE)
 
 
-def _joint(text: str, match: re.Match[str]) -> JointText:
+def _joint(text: str, match: re.Match[str]) -> JointSpec:
     symbol, star, inside = match.groups()
     start, end = match.span(1)
     if symbol not in JOINTS:
@@ -140,7 +140,7 @@ def _joint(text: str, match: re.Match[str]) -> JointText:
         else:
             args.append(pair_or_name(word))
     written = f"{symbol}{star or ''}({', '.join(parts)})"
-    return JointText(symbol, tuple(args), _actuated(text, match), written, Span(start, match.end(3) + 1))
+    return JointSpec(symbol, tuple(args), _actuated(text, match), written, Span(start, match.end(3) + 1))
 
 
 def _actuated(text: str, match: re.Match[str]) -> tuple[int, ...]:

@@ -41,7 +41,7 @@ from gcrules.mechanisms.description.file_parts import (
     read_lines,
     read_platform,
 )
-from gcrules.mechanisms.description.limb_file import LimbText, read_joints
+from gcrules.mechanisms.description.limb_file import LimbSpec, read_joints
 from gcrules.mechanisms.description.relations import AXES, RELATIONS, relation
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS
@@ -215,7 +215,7 @@ class _Reader:
 
     # --- limbs ---
 
-    def _limbs(self, node: Node, family: Family) -> Iterator[tuple[Node, LimbText]]:
+    def _limbs(self, node: Node, family: Family) -> Iterator[tuple[Node, LimbSpec]]:
         seen: set[str] = set()
         items = node.sequence()
         if node.kind == "sequence" and not items:
@@ -246,7 +246,7 @@ class _Reader:
                 else:
                     break  # the other copies have the same fault
 
-    def _limb(self, name: str, text: str, through: str, node: Node, family: Family) -> LimbText | None:
+    def _limb(self, name: str, text: str, through: str, node: Node, family: Family) -> LimbSpec | None:
         if len(text) > 4 * MAX_TEXT:
             node.fault(f"a limb of more than {4 * MAX_TEXT} characters")
             return None
@@ -270,7 +270,7 @@ class _Reader:
                         continue
                     good = False
                     self._inside(node, text, InputError(message, span=joint.place, hint=hint))
-        limb = LimbText(name, joints, tuple(through.split()))
+        limb = LimbSpec(name, joints, tuple(through.split()))
         for word in limb.through:
             if family.sorts.get(word) is None:
                 node.fault(f"{word} is not defined", near(word, family.sorts))

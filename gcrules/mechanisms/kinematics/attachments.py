@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from gcrules.mechanisms.description.limb_file import JointText
+from gcrules.mechanisms.description.limb_file import JointSpec
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.kinematics.chains import SHAPES
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import FLOATS, JOINTS
 
-__all__ = ["Ride", "disagreement", "moved", "off_relations", "rides"]
+__all__ = ["Ride", "disagreement", "moved", "residual_of_relations", "rides"]
 
 Values = Mapping[str, Floats]
 
@@ -54,7 +54,7 @@ def _firm(own: tuple[Ride, ...]) -> tuple[Ride, ...]:
     return firm or own[:1]
 
 
-def _of_joint(joint: JointText) -> Iterator[tuple[str, int, bool]]:
+def _of_joint(joint: JointSpec) -> Iterator[tuple[str, int, bool]]:
     """(name, link within the joint, loose) for all names of a joint."""
     shape = SHAPES[joint.kind]
     end = len(shape.motions)
@@ -114,7 +114,7 @@ def disagreement(
     return worst, named
 
 
-def off_relations(robot: Robot, values: Values, size: float) -> tuple[float, str]:
+def residual_of_relations(robot: Robot, values: Values, size: float) -> tuple[float, str]:
     """How far a name is from satisfying its relation, at most, and that name: distances divided by `size` for points,
     parts of its length for directions. Relations are linear in the name itself, so this is a quotient.
     """

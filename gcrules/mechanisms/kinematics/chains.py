@@ -21,7 +21,7 @@ import numpy as np
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
-from gcrules.mechanisms.description.limb_file import JointText, LimbText
+from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, exponential
 from gcrules.screws import JOINTS
 
@@ -169,7 +169,7 @@ SHAPES: Mapping[str, Shape] = FrozenMap(
 where its twists are others, are refused."""
 
 
-def geometry_of(joint: JointText, values: Values) -> dict[str, Any]:
+def geometry_of(joint: JointSpec, values: Values) -> dict[str, Any]:
     """The parts of a joint in floats, with directions of length 1; bars keep the length that they have.
 
     Raises InputError for a direction that is zero.
@@ -222,7 +222,7 @@ class Chain:
         return found
 
 
-def chain_of(limb: LimbText, values: Values) -> Chain:
+def chain_of(limb: LimbSpec, values: Values) -> Chain:
     """The chain of a limb whose points and directions have these places. Raises InputError for lost directions."""
     screws: list[Floats] = []
     uses: list[int] = []

@@ -7,7 +7,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.margin import limb_margins, margin
-from gcrules.mechanisms.kinematics.targets import Wanted
+from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.screws.pose_text import SHIFTS
 
 __all__ = ["stopped"]
@@ -15,7 +15,7 @@ __all__ = ["stopped"]
 _LOST = 0.3  # of what it was at home
 
 
-def stopped(m: Linkage, here: Configuration, wanted: Wanted, part: float, told: float, why: str) -> InputError:
+def stopped(m: Linkage, here: Configuration, wanted: Target, part: float, told: float, why: str) -> InputError:
     """The error for a course that ends at a part of the way; `here` is the last configuration that was reached, `told`
     how well the wanted coordinates determine the pose there, compared with home.
     """
@@ -44,7 +44,7 @@ def _amount(name: str, value: float, size: float) -> str:
     return f"{name}={0.0 if abs(value) < 1e-9 else value:.3g} rad"
 
 
-def _reason(m: Linkage, here: Configuration, wanted: Wanted, told: float, why: str) -> str:
+def _reason(m: Linkage, here: Configuration, wanted: Target, told: float, why: str) -> str:
     """What has become small, compared with home."""
     lost = {}
     pairs = zip(limb_margins(m, here), limb_margins(m, m.home), m.robot.limbs, strict=True)

@@ -17,17 +17,17 @@ import numpy as np
 from gcrules.core.budget import checkpoint
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.attachments import disagreement, moved, off_relations
+from gcrules.mechanisms.kinematics.attachments import disagreement, moved, residual_of_relations
 from gcrules.mechanisms.kinematics.chains import chain_of
 from gcrules.mechanisms.kinematics.coordinates import coordinates, slopes, wrapped
 from gcrules.mechanisms.kinematics.failure_reasons import stopped
 from gcrules.mechanisms.kinematics.fixed import unfixed
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, exponential, inverse, logarithm, rotation_vector
-from gcrules.mechanisms.kinematics.targets import Wanted, check_count, written
+from gcrules.mechanisms.kinematics.targets import Target, check_count, written
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["Course", "Solution", "check_wanted", "free_coordinates", "goal", "solve"]
+__all__ = ["Course", "Solution", "check_target", "free_coordinates", "goal", "solve"]
 
 _ACCURACY = 1e-9  # how far loops may be open, in parts of the robot's size
 _ENOUGH = 1e-13
@@ -46,7 +46,7 @@ class Course:
     """Wanted values as a function of the part of the way from home, 0 to 1, or beyond."""
 
     m: Linkage
-    wanted: Wanted
+    wanted: Target
 
     def error(self, part: float, here: Configuration, links: tuple[Floats, ...], amounts: tuple[Floats, ...]) -> Floats:
         """What is reached less what is wanted; lengths divided by the robot's size."""
@@ -93,7 +93,7 @@ class Course:
         return float(np.abs(self.wanted.values / self._units).max(initial=0.0))
 
 
-def part_of(w: Wanted, part: float, centre: Floats) -> Floats:
+def part_of(w: Target, part: float, centre: Floats) -> Floats:
     """The motion from home after a part of the way to a whole pose: shift and rotation vector grow evenly."""
     found = exponential(np.array([*(part * w.values[3:]), 0, 0, 0]), 1.0)
     found[:3, 3] = part * w.values[:3] + centre - found[:3, :3] @ centre
@@ -105,7 +105,7 @@ class Solution:
     """The configuration, what was wanted, the number of iterations, and the configurations on the way from home."""
 
     configuration: Configuration
-    wanted: Wanted
+    wanted: Target
     iterations: int = 0
     way: tuple[Configuration, ...] = ()
 
@@ -115,9 +115,9 @@ class Solution:
         return len(self.way)
 
 
-def solve(m: Linkage, wanted: Wanted) -> Solution:
+def solve(m: Linkage, wanted: Target) -> Solution:
     """The configuration in which the wanted values are reached. Raises InputError where it does not assemble."""
-    check_wanted(m, wanted)
+    check_target(m, wanted)
     course = Course(m, wanted)
     return goal(course, Solution(m.home, wanted), 0.0, 1.0)
 
@@ -228,7 +228,9 @@ def _configuration(
 ) -> Configuration:
     """The configuration after these amounts. Raises _NotClosed where the robot has left its family there."""
     values = moved(m.robot, m.rides, here.values, links)
-    off, name = max(disagreement(m.robot, m.rides, here.values, links, m.size), off_relations(m.robot, values, m.size))
+    off, name = max(
+        disagreement(m.robot, m.rides, here.values, links, m.size), residual_of_relations(m.robot, values, m.size)
+    )
     if off > 1e-6:
         raise _NotClosed(f"{name} would leave what its relations and its joints say of it")
     for place, coordinate, joint in m.still:
@@ -251,7 +253,7 @@ def _configuration(
     )
 
 
-def check_wanted(m: Linkage, wanted: Wanted) -> None:
+def check_target(m: Linkage, wanted: Target) -> None:
     """Raises InputError where the wanted coordinates are too few or too many or do not determine the pose near home, or
     where home itself is singular for the actuators, or where it is too far to get there step by step.
     """
@@ -286,7 +288,7 @@ def free_coordinates(m: Linkage, first: Sequence[str] = ()) -> tuple[str, ...]:
     turns = VECTOR if any(n in VECTOR for n in first) else TURNS
     order = ("x", "y", turns[-1]) if m.robot.family.plane else (*SHIFTS, *turns)
     names = [*first, *(n for n in order if n not in first)]
-    rows = _rates(Course(m, Wanted(tuple(names), np.zeros(len(names)))), m.home)
+    rows = _rates(Course(m, Target(tuple(names), np.zeros(len(names)))), m.home)
     chosen: list[str] = []
     for _ in range(m.robot.mobility):
         sizes = np.linalg.norm(rows, axis=1)

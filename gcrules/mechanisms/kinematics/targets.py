@@ -28,19 +28,19 @@ from gcrules.screws.pose_text import (
 )
 
 __all__ = [
-    "Wanted",
+    "Target",
+    "actuators_target",
     "check_count",
+    "coordinates_target",
+    "pose_target",
     "read_actuators",
     "read_pose",
-    "wanted_actuators",
-    "wanted_coordinates",
-    "wanted_pose",
     "written",
 ]
 
 
 @dataclass(frozen=True, eq=False)
-class Wanted:
+class Target:
     """Values of the names: coordinates of the pose, or actuators where `driven`; angles in radians. For a whole pose
     `whole` is its motion from home, (4, 4), about the centre.
     """
@@ -53,22 +53,22 @@ class Wanted:
     notes: tuple[str, ...] = ()
 
 
-def read_pose(m: Linkage, text: str, option: str = "--at") -> Wanted:
+def read_pose(m: Linkage, text: str, option: str = "--at") -> Target:
     """Read "z=0.2, roll=5deg" or a pose "x y z; euler zyx a b c deg". Raises InputError with the place."""
     if "=" not in text:
-        return wanted_pose(m, parse_pose(text, option=option), text.strip())
+        return pose_target(m, parse_pose(text, option=option), text.strip())
     found = read_named(text, {n: n in ANGLES for n in COORDINATES}, option=option)
-    return wanted_coordinates(m, found, text.strip())
+    return coordinates_target(m, found, text.strip())
 
 
-def read_actuators(m: Linkage, text: str, option: str = "--actuators") -> Wanted:
+def read_actuators(m: Linkage, text: str, option: str = "--actuators") -> Target:
     """Read "q1=0.1, q2=5deg". Raises InputError with the place."""
-    return wanted_actuators(
+    return actuators_target(
         m, read_named(text, {a.name: a.angle for a in m.actuators}, "", option, "actuator"), text.strip()
     )
 
 
-def wanted_pose(m: Linkage, pose: Pose, text: str = "") -> Wanted:
+def pose_target(m: Linkage, pose: Pose, text: str = "") -> Target:
     """A whole pose: the centre goes by the translation, the platform turns about it."""
     motion = np.eye(4)
     motion[:3, :3] = [[float(c) for c in row] for row in pose.rotation]
@@ -77,23 +77,23 @@ def wanted_pose(m: Linkage, pose: Pose, text: str = "") -> Wanted:
     if m.robot.family.plane and (abs(shift[2]) > 0 or np.abs(motion[2, :2]).max() > 0 or motion[2, 2] < 0):
         raise InputError("the robot moves in the plane z = 0", hint="its coordinates are x, y and yaw")
     vector = np.array(pose.rotation_vector)
-    return Wanted((*SHIFTS, *VECTOR), np.concatenate([shift, vector]), False, motion, text or str(pose), pose.notes)
+    return Target((*SHIFTS, *VECTOR), np.concatenate([shift, vector]), False, motion, text or str(pose), pose.notes)
 
 
-def wanted_coordinates(m: Linkage, given: Mapping[str, Any], text: str = "") -> Wanted:
+def coordinates_target(m: Linkage, given: Mapping[str, Any], text: str = "") -> Target:
     """Values of some coordinates; whether they determine the pose is seen in solving. A platform with six freedoms
     stays at home in those that are not named. Raises InputError.
     """
     check_known(given, COORDINATES, "coordinate of a pose")
     check_one_turn(given)
     if m.robot.mobility == len(SHIFTS) + len(TURNS):
-        return wanted_pose(m, pose_of(given), text or _shown(given))
+        return pose_target(m, pose_of(given), text or _shown(given))
     flat = [n for n in given if m.robot.family.plane and n not in ("x", "y", "yaw", "rz")]
     if flat:
         raise InputError(f"{flat[0]} is fixed: the robot moves in the plane z = 0", hint="take x, y and yaw")
     values = _numbers(given)
     _check_turn(dict(zip(given, values, strict=True)))
-    return Wanted(tuple(given), values, False, None, text or _shown(given))
+    return Target(tuple(given), values, False, None, text or _shown(given))
 
 
 def _check_turn(values: Mapping[str, float]) -> None:
@@ -105,7 +105,7 @@ def _check_turn(values: Mapping[str, float]) -> None:
         raise InputError("the rotation vector rx, ry, rz has to be shorter than half a turn", hint=hint)
 
 
-def wanted_actuators(m: Linkage, given: Mapping[str, Any] | Sequence[Any], text: str = "") -> Wanted:
+def actuators_target(m: Linkage, given: Mapping[str, Any] | Sequence[Any], text: str = "") -> Target:
     """Amounts of the actuators from home, by name or all in their order. Those that are not named stay at home."""
     if not isinstance(given, Mapping):
         values = list(given)
@@ -115,7 +115,7 @@ def wanted_actuators(m: Linkage, given: Mapping[str, Any] | Sequence[Any], text:
     check_known(given, names, "actuator", _listed(m.actuators))
     every = {n: given.get(n, 0.0) for n in names}
     angles = frozenset(a.name for a in m.actuators if a.angle)
-    return Wanted(tuple(every), _numbers(every), True, None, text or _shown(every, angles))
+    return Target(tuple(every), _numbers(every), True, None, text or _shown(every, angles))
 
 
 def check_count(given: Any, needed: int, what: str, hint: str) -> None:

@@ -9,7 +9,7 @@ from itertools import combinations, product
 
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.description.family import Family
-from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import AXES, Term, Values, Vector, combined
 from gcrules.mechanisms.lines.names import Sample, directions, key, samples
 from gcrules.mechanisms.lines.wrenches import PLANAR, LimbWrenches, WrenchLine, limb_wrenches, reciprocal_to
@@ -82,7 +82,7 @@ def _words(term: Term) -> str:
     return term[0][1] if len(term) == 1 else "".join(n for _, n in reversed(term))
 
 
-def equivalent(family: Family, limbs: Sequence[LimbText], *, frame: bool = True) -> Equivalent:
+def equivalent(family: Family, limbs: Sequence[LimbSpec], *, frame: bool = True) -> Equivalent:
     """Choose the equivalent structure of a robot on exact random members of its family.
 
     With `frame` constraints that limbs have in common may be replaced by lines that all limbs together hold.

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import combinations
 
 from gcrules.mechanisms.description.family import Family
-from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import AXES, Term, Values, Vector, combined
 from gcrules.screws import RESIDUES, Limb
 from gcrules.screws.field import Row
@@ -46,12 +46,12 @@ class Sample:
     points: dict[str, Row]
 
 
-def sample(family: Family, limbs: Sequence[LimbText], values: Values) -> Sample:
+def sample(family: Family, limbs: Sequence[LimbSpec], values: Values) -> Sample:
     """The limbs at a member, modulo the prime."""
     return Sample(values, tuple(limb.at(values, RESIDUES) for limb in limbs), family.homogeneous(values))
 
 
-def samples(family: Family, limbs: Sequence[LimbText]) -> tuple[Sample, ...]:
+def samples(family: Family, limbs: Sequence[LimbSpec]) -> tuple[Sample, ...]:
     """The members on which lines are tested."""
     return tuple(sample(family, limbs, family.member(seed)) for seed in _SEEDS)
 
@@ -70,7 +70,7 @@ def directions(family: Family, at: Sequence[Sample]) -> Mapping[Key, str]:
     return found
 
 
-def names_of_limb(family: Family, limb: LimbText, at: Sequence[Sample], one: Mapping[Key, str]) -> list[Named]:
+def names_of_limb(family: Family, limb: LimbSpec, at: Sequence[Sample], one: Mapping[Key, str]) -> list[Named]:
     """Points and directions of the limb, each with a cost; derived directions with their two factors."""
     own = dict.fromkeys((*(p for j in limb.joints for p in j.points), *limb.through))
     terms = _terms(limb)
@@ -94,7 +94,7 @@ def names_of_others(family: Family, own: Sequence[Named], one: Mapping[Key, str]
     return [(n, _COST["other" if sort == "point" else "other direction"], None) for n, sort in rest]
 
 
-def _terms(limb: LimbText) -> list[Term]:
+def _terms(limb: LimbSpec) -> list[Term]:
     """The directions of its joints."""
     return list(dict.fromkeys(d for j in limb.joints for d in j.directions))
 
@@ -134,7 +134,7 @@ def free_names(family: Family, place: int) -> Iterator[str]:
 
 
 def crosswise(
-    limb: LimbText, derived: Mapping[str, tuple[Term, Term]], at: Sequence[Sample], one: Mapping[Key, str]
+    limb: LimbSpec, derived: Mapping[str, tuple[Term, Term]], at: Sequence[Sample], one: Mapping[Key, str]
 ) -> list[Named]:
     """Directions u × (u' × v) of the limb's own and its derived ones."""
     pairs = ((t, ((Fraction(1), n),)) for t in _terms(limb) for n in derived)

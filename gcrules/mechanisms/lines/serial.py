@@ -18,7 +18,7 @@ from gcrules.core.errors import GcrulesError
 from gcrules.core.seeds import drawn
 from gcrules.mechanisms.conditions.factor_causes import ENOUGH, paths, upstream
 from gcrules.mechanisms.description.family import Family
-from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import Term, Values, Vector, combined
 from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
 from gcrules.screws import RESIDUES
@@ -50,12 +50,12 @@ class LimbSingularity:
         }
 
 
-def limb_singularities(family: Family, limbs: Sequence[LimbText]) -> tuple[LimbSingularity, ...]:
+def limb_singularities(family: Family, limbs: Sequence[LimbSpec]) -> tuple[LimbSingularity, ...]:
     """Of all limbs. Of limbs that are alike but for the numbers in their names the first is searched, and the others
     take its conditions with their own names.
     """
     found: list[LimbSingularity] = []
-    known: dict[str, tuple[LimbText, LimbSingularity]] = {}
+    known: dict[str, tuple[LimbSpec, LimbSingularity]] = {}
     for limb in limbs:
         key = _alike(family, limb)
         if key not in known:
@@ -64,11 +64,11 @@ def limb_singularities(family: Family, limbs: Sequence[LimbText]) -> tuple[LimbS
     return tuple(found)
 
 
-def _names(limb: LimbText) -> tuple[str, ...]:
+def _names(limb: LimbSpec) -> tuple[str, ...]:
     return tuple(dict.fromkeys(n for j in limb.joints for n in j.names))
 
 
-def _alike(family: Family, limb: LimbText) -> str:
+def _alike(family: Family, limb: LimbSpec) -> str:
     """The same text for limbs that differ in names only: all names by their first place."""
     places: dict[str, str] = {}
 
@@ -82,7 +82,7 @@ def _alike(family: Family, limb: LimbText) -> str:
     return re.sub(rf"(?<=')(?:{pattern})(?=')|\b(?:{pattern})(?= (?:point|direction) )", place, "; ".join(texts))
 
 
-def _renamed(first: LimbText, found: LimbSingularity, limb: LimbText) -> LimbSingularity:
+def _renamed(first: LimbSpec, found: LimbSingularity, limb: LimbSpec) -> LimbSingularity:
     new = dict(zip(_names(first), _names(limb), strict=True))
     conditions = tuple((_told(e, new), _told(s, new)) for e, s in found.conditions)
     return LimbSingularity(limb.name, conditions, found.members, found.unexplained)
@@ -94,7 +94,7 @@ def _told(sentence: str, new: dict[str, str]) -> str:
     return re.sub(rf"\b(?:{one})+(?![\w'])", lambda m: re.sub(one, lambda n: new[n[0]], m[0]), sentence)
 
 
-def _of(family: Family, limb: LimbText) -> LimbSingularity:
+def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
     found: set[tuple[str, str]] = set()
     met = unexplained = 0
 
@@ -131,7 +131,7 @@ def _of(family: Family, limb: LimbText) -> LimbSingularity:
     return LimbSingularity(limb.name, conditions, min(ENOUGH, met), min(ENOUGH, unexplained))
 
 
-def _terms(limb: LimbText) -> dict[str, Term]:
+def _terms(limb: LimbSpec) -> dict[str, Term]:
     """The limb's directions and the lines between neighbouring points, by their words."""
     terms = [d for j in limb.joints for d in j.directions]
     points = list(dict.fromkeys(p for j in limb.joints for p in j.points))
@@ -144,7 +144,7 @@ def _words(term: Term) -> str:
     return term[0][1] if len(term) == 1 else "".join(n for _, n in reversed(term))
 
 
-def _tried(family: Family, limb: LimbText, values: Values) -> Iterator[tuple[tuple[str, str], bool]]:
+def _tried(family: Family, limb: LimbSpec, values: Values) -> Iterator[tuple[tuple[str, str], bool]]:
     """Conditions in words, and whether they hold: flat brackets, right angles, directions parallel to one plane."""
     points = family.homogeneous(values)
     for four in combinations([n for n in _names(limb) if n in points], 4):
@@ -160,7 +160,7 @@ def _tried(family: Family, limb: LimbText, values: Values) -> Iterator[tuple[tup
         yield ("", f"the directions {listed(names)} are parallel to one plane"), flat
 
 
-def _imaginary(limb: LimbText, values: Values) -> bool:
+def _imaginary(limb: LimbSpec, values: Values) -> bool:
     """Whether a direction has length zero, as residues may have and real directions have not."""
     vectors = [combined(t, values, RESIDUES) for t in _terms(limb).values()]
     for j in limb.joints:

@@ -12,7 +12,7 @@ from itertools import combinations
 
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.description.family import Family
-from gcrules.mechanisms.description.limb_file import LimbText
+from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import AXES, Term
 from gcrules.mechanisms.lines.names import (
     Key,
@@ -65,7 +65,7 @@ class LimbWrenches:
     member. `derived` are directions u × v that the lines use: (name, u, v); u and v may be derived ones before it.
     """
 
-    limb: LimbText
+    limb: LimbSpec
     dimension: int
     constraints: int
     freedoms: int
@@ -93,7 +93,7 @@ def reciprocal_to(twists: Iterable[Row], wrench: Row) -> bool:
 
 def limb_wrenches(
     family: Family,
-    limb: LimbText,
+    limb: LimbSpec,
     place: int,
     at: Sequence[Sample],
     one: Mapping[Key, str],
@@ -157,7 +157,7 @@ def _kind(system: ScrewSystem, family: Family) -> str:
     return part.classify().kind
 
 
-def _real_kind(family: Family, limb: LimbText) -> str:
+def _real_kind(family: Family, limb: LimbSpec) -> str:
     """The kind of the system at rational members: residues have square roots that rational numbers have not. Where
     members differ, only its dimension is said.
     """
@@ -174,7 +174,7 @@ _Costly = tuple[float, WrenchLine]
 
 
 def _candidates(
-    limb: LimbText,
+    limb: LimbSpec,
     names: Sequence[Named],
     at: Sequence[Sample],
     twists: Sequence[Sequence[Row]],

@@ -13,7 +13,7 @@ from gcrules.core.errors import InputError
 from gcrules.poses.numbers.arrays import real_numbers
 from gcrules.screws.pose import UNIT_TOLERANCE
 
-__all__ = ["Batch", "given_joints", "given_poses", "output"]
+__all__ = ["Batch", "joint_batch", "output", "pose_batch"]
 
 Array = NDArray[Any]
 Floats = NDArray[np.float64]
@@ -72,7 +72,7 @@ def _check_unit(quaternions: Floats, start: int) -> None:
         )
 
 
-def given_poses(translations: Any, rotations: Any, quaternions: Any) -> Batch:
+def pose_batch(translations: Any, rotations: Any, quaternions: Any) -> Batch:
     """Translations and turns; one row stands for all, None for no motion. Raises InputError for wrong shapes."""
     shifts = _rows([0.0, 0.0, 0.0] if translations is None else translations, (3,), "translations")
     if quaternions is not None:
@@ -82,7 +82,7 @@ def given_poses(translations: Any, rotations: Any, quaternions: Any) -> Batch:
     return Batch(*_together({"translations": shifts, "turns": turns}), unit=quaternions is not None)
 
 
-def given_joints(points: Any, names: Sequence[str]) -> Batch:
+def joint_batch(points: Any, names: Sequence[str]) -> Batch:
     """Coordinates of the joints that move, by name or in one array. Raises InputError for wrong names and shapes."""
     if not isinstance(points, Mapping):
         found = _rows(points, (len(names), 3), "joints")

@@ -31,13 +31,13 @@ from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.analyze import analyze_legs
 from gcrules.mechanisms.load import Source, load
-from gcrules.mechanisms.moving_platform import Rig
-from gcrules.poses.compiling.batches import Batch, given_joints, given_poses, output
+from gcrules.mechanisms.moving_platform import MovingPlatform
+from gcrules.poses.compiling.batches import Batch, joint_batch, output, pose_batch
 from gcrules.poses.compiling.engines import engine_named, runner
 from gcrules.poses.compiling.tape import Program
 from gcrules.poses.compiling.tracing import Joints, Road, trace
 from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
-from gcrules.poses.pose_inputs import moving_robot
+from gcrules.poses.pose_inputs import six_legged
 
 __all__ = ["CompiledCondition", "compiled"]
 
@@ -82,11 +82,11 @@ class CompiledCondition:
         if rotations is not None and quaternions is not None:
             raise InputError("rotations and quaternions", hint="give one of them")
         kind = "matrices" if quaternions is None else "quaternions"
-        return self._run(kind, given_poses(translations, rotations, quaternions), out)
+        return self._run(kind, pose_batch(translations, rotations, quaternions), out)
 
     def at_joints(self, points: Any, *, out: Floats | None = None) -> Floats:
         """The values for coordinates of the joints that move: (N, 3) for each name, or (N, J, 3) as in `joints`."""
-        return self._run("joints", given_joints(points, self.joints), out)
+        return self._run("joints", joint_batch(points, self.joints), out)
 
     def _run(self, kind: str, batch: Batch, out: Floats | None) -> Floats:
         program = self.programs[kind]
@@ -122,7 +122,7 @@ def compiled(
     if isinstance(loaded, Structure) or (isinstance(loaded, Analysis) and loaded.platform is None):
         analysis = loaded if isinstance(loaded, Analysis) else analyze_legs(loaded)
     else:
-        analysis, moving = moving_robot(loaded, about, "a compiled condition")
+        analysis, moving = six_legged(loaded, about, "a compiled condition")
     structure = analysis.structure
     if structure.special or structure.stand_ins or structure.rank != 4:
         raise InputError("only legs between finite joints in space are compiled", hint="analyze a platform")
@@ -165,7 +165,7 @@ def _as_written(e: Expr) -> Road:
     return as_text(e), lambda places: of_expression(e, places)
 
 
-def _joints(analysis: Analysis, moving: Rig | None) -> Joints:
+def _joints(analysis: Analysis, moving: MovingPlatform | None) -> Joints:
     """The joints with their coordinates; without a platform all of them move."""
     if moving is None:
         return Joints({}, analysis.structure.names, {})

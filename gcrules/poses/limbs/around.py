@@ -9,8 +9,8 @@ nothing singular lies nearer.
 >>> from gcrules.mechanisms.analyze import analyze
 >>> analysis = analyze("3-rpr")
 >>> m = linkage(analysis.robot)
->>> first = along(m, analysis, Way("yaw", 1))
->>> round(first.distance, 4), along(m, analysis, Way("x", 1))
+>>> first = first_along(m, analysis, Heading("yaw", 1))
+>>> round(first.distance, 4), first_along(m, analysis, Heading("x", 1))
 (0.3092, None)
 """
 
@@ -23,12 +23,12 @@ import numpy as np
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.solve import Course, Solution, check_wanted, free_coordinates, goal
-from gcrules.mechanisms.kinematics.targets import Wanted
+from gcrules.mechanisms.kinematics.solve import Course, Solution, check_target, free_coordinates, goal
+from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.poses.limbs.search import first_singular
 from gcrules.screws.pose_text import ANGLES
 
-__all__ = ["Met", "Way", "along", "amounts_of", "begun_at", "ways"]
+__all__ = ["Heading", "Met", "actuator_values", "begun_at", "first_along", "headings"]
 
 REACH = np.pi / 3, 0.75
 """How far it is looked: radians, and parts of the robot's size."""
@@ -37,7 +37,7 @@ _SAMPLES = 20
 
 
 @dataclass(frozen=True)
-class Way:
+class Heading:
     """One coordinate of the platform, and whether it grows (1) or falls (−1)."""
 
     name: str
@@ -58,7 +58,7 @@ class Met:
     in parts of the robot's size.
     """
 
-    way: Way
+    way: Heading
     distance: float
     apart: float
     solution: Solution
@@ -82,19 +82,19 @@ def begun_at(m: Linkage, c: Configuration) -> Linkage:
     return replace(m, home=home, centre=turn @ m.centre + shift, ends=m.ends @ turn.T + shift)
 
 
-def ways(m: Linkage) -> Iterator[Way]:
+def headings(m: Linkage) -> Iterator[Heading]:
     """Both ways along all coordinates on which the platform's pose depends at home."""
-    return (Way(name, sign) for name in free_coordinates(m) for sign in (1, -1))
+    return (Heading(name, sign) for name in free_coordinates(m) for sign in (1, -1))
 
 
-def along(m: Linkage, analysis: RobotAnalysis, way: Way) -> Met | None:
+def first_along(m: Linkage, analysis: RobotAnalysis, way: Heading) -> Met | None:
     """The first singular configuration on a way from home, or None. Raises InputError where the robot does not assemble
     before it, or is singular at home.
     """
     names = free_coordinates(m)
     far = REACH[0] if way.angle else REACH[1] * m.size
-    wanted = Wanted(names, np.array([way.sign * far if n == way.name else 0.0 for n in names]), text=str(way))
-    check_wanted(m, wanted)
+    wanted = Target(names, np.array([way.sign * far if n == way.name else 0.0 for n in names]), text=str(way))
+    check_target(m, wanted)
     found = first_singular(m, analysis, wanted, _SAMPLES)
     if found is None:
         return None
@@ -102,6 +102,6 @@ def along(m: Linkage, analysis: RobotAnalysis, way: Way) -> Met | None:
     return Met(way, found.part * far, apart, found.solution, Course(m, wanted), found.part)
 
 
-def amounts_of(m: Linkage, c: Configuration) -> list[float]:
+def actuator_values(m: Linkage, c: Configuration) -> list[float]:
     """The amounts of the actuators in a configuration: lengths and radians."""
     return [float(c.amounts[a.place][a.coordinate]) for a in m.actuators]

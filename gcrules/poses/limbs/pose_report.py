@@ -17,14 +17,14 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.margin import LimbMargin, limb_margins, margin
-from gcrules.mechanisms.kinematics.solve import Solution, check_wanted, solve
+from gcrules.mechanisms.kinematics.solve import Solution, check_target, solve
 from gcrules.mechanisms.kinematics.targets import (
-    Wanted,
+    Target,
+    actuators_target,
+    coordinates_target,
+    pose_target,
     read_actuators,
     read_pose,
-    wanted_actuators,
-    wanted_coordinates,
-    wanted_pose,
 )
 from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
 from gcrules.poses.limbs.balance import limb_numbers
@@ -37,7 +37,7 @@ from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
 from gcrules.screws.threshold import DEFAULT, Threshold, degrees, parse_threshold
 from gcrules.screws.verdict import decide
 
-__all__ = ["SINGULAR", "first_singular_pose", "here", "posed"]
+__all__ = ["SINGULAR", "first_singular_pose", "here", "report_at"]
 
 SINGULAR = 1e-9
 """σ below which a configuration counts as singular: about as exact as configurations are solved for."""
@@ -45,7 +45,7 @@ SINGULAR = 1e-9
 _NEAR_ZERO = 1e-6  # of a factor, where the robot is singular
 
 
-def posed(
+def report_at(
     m: Linkage,
     analysis: Callable[[], RobotAnalysis],
     at: Any,
@@ -59,7 +59,7 @@ def posed(
     The `analysis` is asked for only when the joints are solved.
     """
     limit = limit_of(threshold)
-    wanted = wanted_of(m, at, actuators, degrees)
+    wanted = target_of(m, at, actuators, degrees)
     solution = solve(m, wanted) if wanted is not None else _at_home(m)
     return here(m, analysis(), solution, limit)
 
@@ -75,10 +75,10 @@ def first_singular_pose(
 ) -> RobotPose | None:
     """The numbers at the first singular configuration on the way to what is wanted, or None. Raises InputError."""
     limit = limit_of(threshold)
-    wanted = wanted_of(m, at, actuators, degrees)
+    wanted = target_of(m, at, actuators, degrees)
     if wanted is None or not wanted.values.any():
         raise InputError("no direction is given in which to look", hint="give the end of the way: z=1, roll=0deg, …")
-    check_wanted(m, wanted)
+    check_target(m, wanted)
     found = first_singular(m, analysis(), wanted)
     if found is None:
         return None
@@ -87,7 +87,7 @@ def first_singular_pose(
 
 
 def _at_home(m: Linkage) -> Solution:
-    return Solution(m.home, Wanted((), np.zeros(0), text="home"))
+    return Solution(m.home, Target((), np.zeros(0), text="home"))
 
 
 def limit_of(threshold: str | Threshold) -> Threshold:
@@ -103,7 +103,7 @@ def limit_of(threshold: str | Threshold) -> Threshold:
     return limit
 
 
-def wanted_of(m: Linkage, at: Any, actuators: Any, degrees: bool = False) -> Wanted | None:
+def target_of(m: Linkage, at: Any, actuators: Any, degrees: bool = False) -> Target | None:
     """What is asked for, or None for home; angles of mappings and of rows of actuators are in radians unless `degrees`.
     Raises InputError for both kinds at once and for what is no request."""
     if at is not None and actuators is not None:
@@ -116,23 +116,23 @@ def wanted_of(m: Linkage, at: Any, actuators: Any, degrees: bool = False) -> Wan
         case str():
             return read_pose(m, at)
         case Pose():
-            return wanted_pose(m, at)
+            return pose_target(m, at)
         case Mapping():
-            return wanted_coordinates(m, {n: _amount(v, n, degrees and n in ANGLES) for n, v in at.items()})
+            return coordinates_target(m, {n: _amount(v, n, degrees and n in ANGLES) for n, v in at.items()})
         case Sequence() if len(at) == 3:
             x, y, z = (exact(c, "the translation") for c in at)
-            return wanted_pose(m, Pose((x, y, z)))
+            return pose_target(m, Pose((x, y, z)))
     raise InputError(f"{str(at)[:60]!r} is no pose", hint='write "z=0.2, roll=5deg", or "x y z; euler zyx a b c deg"')
 
 
-def _driven(m: Linkage, given: Any, degrees: bool) -> Wanted:
+def _driven(m: Linkage, given: Any, degrees: bool) -> Target:
     angles = {a.name for a in m.actuators if a.angle}
     if isinstance(given, Mapping):
-        return wanted_actuators(m, {n: _amount(v, n, degrees and n in angles) for n, v in given.items()})
+        return actuators_target(m, {n: _amount(v, n, degrees and n in angles) for n, v in given.items()})
     values = list(given)
     if len(values) == len(m.actuators):  # else whoever reads them says what is missing
         values = [_amount(v, a.name, degrees and a.angle) for a, v in zip(m.actuators, values, strict=True)]
-    return wanted_actuators(m, values)
+    return actuators_target(m, values)
 
 
 def _amount(value: Any, name: str, in_degrees: bool) -> Any:

@@ -16,7 +16,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.solve import Course, Solution, goal
-from gcrules.mechanisms.kinematics.targets import Wanted
+from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.poses.limbs.factors import factors
 
 __all__ = ["SAMPLES", "SampledSolution", "first_singular"]
@@ -38,7 +38,7 @@ class SampledSolution:
 
 
 def first_singular(
-    m: Linkage, analysis: RobotAnalysis, wanted: Wanted, samples: int = SAMPLES
+    m: Linkage, analysis: RobotAnalysis, wanted: Target, samples: int = SAMPLES
 ) -> SampledSolution | None:
     """The first one that is found, or None. Raises InputError where the course does not assemble before it.
 

@@ -25,7 +25,7 @@ from typing import Any
 from gcrules.core.budget import checkpoint
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import cross, permutation_sign
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.cubic import EXPONENTS, interpolated
 from gcrules.screws.rotations import unscaled
 
@@ -38,7 +38,7 @@ Whole = tuple[int, int, int]
 
 
 @lru_cache(maxsize=4)  # slices of one robot ask for the same expansion
-def expansion(rig: Rig) -> Terms:
+def expansion(rig: MovingPlatform) -> Terms:
     """n³ times the superbracket of the legs as typed, n = e0² + e1² + e2² + e3²: exact, without zeros.
 
     Coordinates are those of the rig, translations in its unit.

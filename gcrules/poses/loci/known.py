@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.loci.factors import PossibleFactor, divided, primitive
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.variables import Question, images
@@ -34,7 +34,7 @@ def whole_ring(variables: Sequence[str]) -> Any:
 
 
 def candidates(
-    rig: Rig, question: Question, condition: Condition, norms: Sequence[PolynomialForm]
+    rig: MovingPlatform, question: Question, condition: Condition, norms: Sequence[PolynomialForm]
 ) -> list[PossibleFactor]:
     """Norms first, then the tetrahedra of the condition, each a bracket of four joints."""
     whole = whole_ring(question.free)
@@ -54,7 +54,7 @@ def candidates(
     return found
 
 
-def _places(rig: Rig, question: Question, ring: Any) -> Iterator[tuple[str, tuple[Vector, Any]]]:
+def _places(rig: MovingPlatform, question: Question, ring: Any) -> Iterator[tuple[str, tuple[Vector, Any]]]:
     """Each joint's coordinates times its weight, and that weight: |e|² for those of the platform, else 1."""
     shift, (w, x, y, z), _ = images(question, ring)
     norm = w * w + x * x + y * y + z * z

@@ -26,7 +26,7 @@ from gcrules.core.errors import EngineFault
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import DRAWN, PRIME, drawn
 from gcrules.mechanisms.load import Source
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.loci.expansion import Terms, expansion
 from gcrules.poses.loci.factors import MAX_TERMS, primitive
 from gcrules.poses.loci.form import PolynomialForm
@@ -34,7 +34,7 @@ from gcrules.poses.loci.known import rational_ring
 from gcrules.poses.loci.report import Locus
 from gcrules.poses.loci.variables import images, question
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
-from gcrules.poses.pose_inputs import moving_robot
+from gcrules.poses.pose_inputs import six_legged
 from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import Quaternion, Vector
 from gcrules.screws.rotations import rotation as matrix
@@ -55,7 +55,7 @@ def locus(
     limit: int = MAX_TERMS,
 ) -> Locus:
     """The function of `gcrules.api.functions`, which says what the arguments are."""
-    analysis, moving = moving_robot(robot, about, "the locus")
+    analysis, moving = six_legged(robot, about, "the locus")
     asked = question(over, fix, at, rotation, moving.unit)
     ring = rational_ring(asked.free)
     shift, turn, norms = images(asked, ring)
@@ -88,7 +88,7 @@ def _fraction(c: Any) -> Fraction:
     return Fraction(int(c.numerator), int(c.denominator))
 
 
-def _translations(moving: Rig, turn: Quaternion) -> Terms:
+def _translations(moving: MovingPlatform, turn: Quaternion) -> Terms:
     """The superbracket at a fixed turn, written as `expansion` does."""
     points = {n: (*p, Fraction(1)) for n, p in _joints(moving, (Fraction(0),) * 3, turn).items()}
     cubic = translation_polynomial(moving.structure.legs, points, moving.structure.platform, Fraction(1))
@@ -140,7 +140,7 @@ def _check(found: Locus, shift: Sequence[Any], turn: Sequence[Any]) -> None:
             raise EngineFault("the polynomial of the singular poses disagrees with the superbracket at a pose")
 
 
-def _joints(r: Rig, t: Sequence[Fraction], q: Sequence[Fraction]) -> dict[str, Vector]:
+def _joints(r: MovingPlatform, t: Sequence[Fraction], q: Sequence[Fraction]) -> dict[str, Vector]:
     w, x, y, z = q
     turn = matrix((w, x, y, z))
     found = {}
@@ -156,11 +156,11 @@ def _joints(r: Rig, t: Sequence[Fraction], q: Sequence[Fraction]) -> dict[str, V
     return found
 
 
-def _rational(r: Rig, t: Sequence[Fraction], q: Sequence[Fraction]) -> Fraction:
+def _rational(r: MovingPlatform, t: Sequence[Fraction], q: Sequence[Fraction]) -> Fraction:
     return superbracket_at(r.structure.legs, {n: (*p, Fraction(1)) for n, p in _joints(r, t, q).items()})
 
 
-def _modular(r: Rig, t: Sequence[Fraction], q: Sequence[Fraction]) -> int:
+def _modular(r: MovingPlatform, t: Sequence[Fraction], q: Sequence[Fraction]) -> int:
     points = {n: (*map(_residue, p), 1) for n, p in _joints(r, t, q).items()}
     return int(evaluate(r.structure.superbracket, points, modulus=PRIME))
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from gcrules.core.errors import LimitReached
 from gcrules.core.shown import Shown
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.loci.factors import factored
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.known import candidates, whole_ring
@@ -53,7 +53,7 @@ class Locus(Shown):
     from the expansion, exact and modulo a prime; `limit` is that of `factors`. Lengths are in the robot's unit.
     """
 
-    rig: Rig
+    rig: MovingPlatform
     condition: Condition
     question: Question
     form: PolynomialForm

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
-from gcrules.mechanisms.moving_platform import FAR, Rig
+from gcrules.mechanisms.moving_platform import FAR, MovingPlatform
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.numbers.arrays import from_poses, read_arrays
 from gcrules.poses.numbers.pose_arguments import one_pose
@@ -37,7 +37,7 @@ class Grid:
     replaced where an axis stands for it; without axes that turn the orientation is that of `at`, exactly.
     """
 
-    rig: Rig
+    rig: MovingPlatform
     axes: tuple[GridAxis, ...]
     at: Pose
     rest: Vector = (Fraction(0), Fraction(0), Fraction(0))
@@ -122,7 +122,7 @@ def _sequence(kind: str) -> str:
     return "ZYZ" if kind == "tilt" else kind
 
 
-def grid(rig: Rig, axes: tuple[GridAxis, ...], at: Any = None) -> Grid:
+def grid(rig: MovingPlatform, axes: tuple[GridAxis, ...], at: Any = None) -> Grid:
     """The slice around a pose (text as for --at, a translation or a `Pose`; the file's own by default).
 
     Raises InputError for what is no single pose and for slices that are too far away, LimitReached for too many nodes.

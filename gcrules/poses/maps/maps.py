@@ -40,7 +40,7 @@ from gcrules.poses.maps.store import Folder, Memory, Store
 from gcrules.poses.maps.summary import MapSummary, summed, together
 from gcrules.poses.maps.tracing import polished, traced
 from gcrules.poses.maps.values import KINDS, MapTask
-from gcrules.poses.pose_inputs import moving_robot
+from gcrules.poses.pose_inputs import six_legged
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of
 
 __all__ = ["MEASURES", "bytes_of", "done", "planned", "singular_map"]
@@ -95,7 +95,7 @@ def planned(
     robot: Any, over: Any, at: Any, about: Any, limits: str | None, threshold: Any, measure: str
 ) -> tuple[Analysis, MapTask, Threshold]:
     """What is to be computed, all faults of the input told."""
-    analysis, moving = moving_robot(robot, about, "a map")
+    analysis, moving = six_legged(robot, about, "a map")
     axes = read_axes(over, moving.unit)
     limit = angle_threshold(threshold, moving.unit, "in a map")
     if measure not in MEASURES:

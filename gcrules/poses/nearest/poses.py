@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.nearest.cover import free_angle, free_distance
 from gcrules.poses.nearest.multistart import Determinant, best_zero
 from gcrules.poses.nearest.zero import nearest_zero
@@ -30,7 +30,7 @@ _COVERED = 0.01  # the proof for rotations covers the angles below that of the p
 _BESIDE = 1e-9  # relative distance at which a change of sign is looked for, exactly
 
 
-def nearest_poses(rig: Rig, pose: Pose, j: LegJacobians, *, singular: bool) -> tuple[NearestPose, ...]:
+def nearest_poses(rig: MovingPlatform, pose: Pose, j: LegJacobians, *, singular: bool) -> tuple[NearestPose, ...]:
     """Translation, rotation, combined; all at distance 0 where the pose itself is `singular`. `j` is at the pose."""
     translation = nearest_translation(rig, pose, j, singular=singular)
     if singular:
@@ -54,7 +54,7 @@ def nearest_poses(rig: Rig, pose: Pose, j: LegJacobians, *, singular: bool) -> t
     return translation, rotated, _found(rig, pose, "combined", vector, free, j)
 
 
-def nearest_translation(rig: Rig, pose: Pose, j: LegJacobians, *, singular: bool) -> NearestPose:
+def nearest_translation(rig: MovingPlatform, pose: Pose, j: LegJacobians, *, singular: bool) -> NearestPose:
     """The nearest singular pose at the same orientation."""
     points = rig.exact(pose)
     if singular:
@@ -70,7 +70,7 @@ def nearest_translation(rig: Rig, pose: Pose, j: LegJacobians, *, singular: bool
     return _checked(rig, found, Pose((x, y, z), pose.quaternion))
 
 
-def _found(rig: Rig, pose: Pose, kind: str, x: Floats | None, lower: float, j: LegJacobians) -> NearestPose:
+def _found(rig: MovingPlatform, pose: Pose, kind: str, x: Floats | None, lower: float, j: LegJacobians) -> NearestPose:
     """The answer of a search, checked by an exact change of sign beyond the zero."""
     if x is None:
         return NearestPose(kind, math.inf, lower, None, None, never=kind == "rotation" and lower >= math.pi)
@@ -81,7 +81,7 @@ def _found(rig: Rig, pose: Pose, kind: str, x: Floats | None, lower: float, j: L
     return _checked(rig, found, _displaced(rig, pose, x, j.radius))
 
 
-def _superbracket(rig: Rig, pose: Pose) -> Fraction:
+def _superbracket(rig: MovingPlatform, pose: Pose) -> Fraction:
     """At a pose, 0 where a leg has no length."""
     try:
         return superbracket_at(rig.structure.legs, rig.exact(pose))
@@ -89,7 +89,7 @@ def _superbracket(rig: Rig, pose: Pose) -> Fraction:
         return Fraction(0)
 
 
-def _checked(rig: Rig, found: NearestPose, pose: Pose) -> NearestPose:
+def _checked(rig: MovingPlatform, found: NearestPose, pose: Pose) -> NearestPose:
     """With the pose and the numbers there; a leg may have no length in a singular pose."""
     exact = _superbracket(rig, pose) == 0
     try:
@@ -101,7 +101,7 @@ def _checked(rig: Rig, found: NearestPose, pose: Pose) -> NearestPose:
     return replace(found, pose=pose, sigma=sigma, exact=exact)
 
 
-def _displaced(rig: Rig, pose: Pose, x: Floats, radius: float) -> Pose:
+def _displaced(rig: MovingPlatform, pose: Pose, x: Floats, radius: float) -> Pose:
     """The pose after a displacement: a rotation vector about the centroid of the ends, after a shift if there are six
     coordinates (the last three are radius times the rotation vector).
     """

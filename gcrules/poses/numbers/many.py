@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.incidence_measures import IncidenceMeasure, readings
 from gcrules.rules.condition import Condition
 from gcrules.screws.guarantees import ROUNDING, guarantees, noise
@@ -81,7 +81,7 @@ def _finite(values: Floats) -> list[float | None]:
     return [float(v) if np.isfinite(v) else None for v in values]
 
 
-def homogeneous(rig: Rig, translations: Floats, rotations: Floats) -> dict[str, Floats]:
+def homogeneous(rig: MovingPlatform, translations: Floats, rotations: Floats) -> dict[str, Floats]:
     """Coordinates (N, 4) of every joint at N poses."""
     ends = rig.ends(translations, rotations)
     one = np.ones((len(ends), 1))
@@ -93,7 +93,11 @@ def homogeneous(rig: Rig, translations: Floats, rotations: Floats) -> dict[str, 
 
 
 def numbers(
-    rig: Rig, conditions: Sequence[Condition], poses: tuple[Floats, Floats], threshold: Threshold, accuracy: float
+    rig: MovingPlatform,
+    conditions: Sequence[Condition],
+    poses: tuple[Floats, Floats],
+    threshold: Threshold,
+    accuracy: float,
 ) -> PoseNumbers:
     """All numbers at the poses (translations, rotations). Raises InputError for a leg of no length."""
     if threshold.angle is None:
@@ -130,7 +134,7 @@ def _joined(parts: Sequence[PoseNumbers]) -> PoseNumbers:
 
 
 def _numbers(
-    rig: Rig,
+    rig: MovingPlatform,
     conditions: Sequence[Condition],
     poses: tuple[Floats, Floats],
     angle: float,

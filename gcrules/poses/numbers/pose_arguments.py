@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.pose import Pose, exact, exact_float, unit_note
 from gcrules.screws.pose_text import parse_pose, pose_of
@@ -21,7 +21,7 @@ __all__ = ["is_many", "known_accuracy", "one_pose", "read_one"]
 _COARSE = 1e6
 
 
-def known_accuracy(given: str | float | None, moving: Rig) -> float:
+def known_accuracy(given: str | float | None, moving: MovingPlatform) -> float:
     """The length up to which the joints' places are known; that of the rounding of floats where none is given."""
     if given is None:
         return ROUNDING * moving.size

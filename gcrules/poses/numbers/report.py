@@ -9,7 +9,7 @@ from typing import Any
 
 from gcrules.core.floats import as_float
 from gcrules.core.shown import Shown
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.motion import Dependence, Twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.rules.condition import Condition
@@ -61,7 +61,7 @@ class PoseReport(Shown):
     common.
     """
 
-    rig: Rig
+    rig: MovingPlatform
     pose: Pose
     condition: Condition
     verdict: str

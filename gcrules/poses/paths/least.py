@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.many import CHUNK
 from gcrules.poses.paths.segment import Segment
@@ -71,14 +71,14 @@ def least(path: Sequence[Segment], samples: int, most: int = MOST) -> Least:
     return Least(best.margin, best.parameter, max(0.0, min(proved, best.margin)), best.rounding)
 
 
-def _bounds(rig: Rig, path: Sequence[Segment], cells: Floats) -> tuple[Floats, Floats, Floats]:
+def _bounds(rig: MovingPlatform, path: Sequence[Segment], cells: Floats) -> tuple[Floats, Floats, Floats]:
     """For cells (segment, from, to): σ at the middle, a lower bound of it in the cell, what rounding may do to it."""
     parts = [_chunk(rig, path, cells[i : i + CHUNK]) for i in range(0, len(cells), CHUNK)]
     sigma, low, wrong = (np.concatenate(p) for p in zip(*parts, strict=True))
     return sigma, low, wrong
 
 
-def _chunk(rig: Rig, path: Sequence[Segment], cells: Floats) -> tuple[Floats, Floats, Floats]:
+def _chunk(rig: MovingPlatform, path: Sequence[Segment], cells: Floats) -> tuple[Floats, Floats, Floats]:
     middle = cells[:, 1:].mean(axis=1)
     shift, quaternion = np.empty((len(cells), 3)), np.empty((len(cells), 4))
     angle, moved = np.empty(len(cells)), np.empty(len(cells))

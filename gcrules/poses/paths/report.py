@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.many import PoseNumbers
 from gcrules.poses.numbers.motion import Dependence
 from gcrules.poses.paths.least import Least
@@ -79,7 +79,7 @@ class PathReport(HoldsArrays, Shown):
     `quaternions` (N, 4; w, x, y, z) are the samples, the zeros among them, and `numbers` what `gc.pose` says of these.
     """
 
-    rig: Rig
+    rig: MovingPlatform
     condition: Condition
     poses: tuple[Pose, ...]
     verdict: str

@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.errors import EngineFault, InputError
-from gcrules.mechanisms.moving_platform import Rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.cubic import whole_determinant
 from gcrules.poses.paths.roots import integers
 from gcrules.screws.pose import Pose
@@ -43,7 +43,7 @@ _Whole = tuple[dict[str, list[int]], list[list[int]], list[list[int]]]
 class Segment:
     """The motion from pose (t0, q0) to pose (t1, q1); q0 and q1 have equal length and no obtuse angle."""
 
-    rig: Rig
+    rig: MovingPlatform
     t0: Vector
     t1: Vector
     q0: Quaternion
@@ -164,7 +164,7 @@ def _common(rows: Sequence[Sequence[Fraction]]) -> int:
     return lcm(*(c.denominator for row in rows for c in row))
 
 
-def segments(rig: Rig, poses: Sequence[Pose]) -> tuple[Segment, ...]:
+def segments(rig: MovingPlatform, poses: Sequence[Pose]) -> tuple[Segment, ...]:
     """The segments between consecutive poses. Raises InputError for a turn by exactly 180° between two of them."""
     found = []
     for k, (a, b) in enumerate(pairwise(poses)):

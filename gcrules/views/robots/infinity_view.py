@@ -16,7 +16,7 @@ from gcrules.views.drawing.viewpoint import View
 from gcrules.views.robots.joint_chain import unit_vector
 from gcrules.views.robots.symbols import basis
 
-__all__ = ["SKY", "Far", "sky_shapes"]
+__all__ = ["SKY", "Far", "infinity_shapes"]
 
 SKY = 150.0
 """Width and height of the picture of the sky."""
@@ -37,7 +37,7 @@ class Far:
     marks: Sequence[XYZ] = ()
 
 
-def sky_shapes(far: Far, view: View, left: float, top: float) -> list[Shape]:
+def infinity_shapes(far: Far, view: View, left: float, top: float) -> list[Shape]:
     """The half sphere with everything on it, inside a square with this corner."""
     middle = (left + SKY / 2, top + SKY / 2)
     shapes: list[Shape] = [Circle(middle, _RADIUS, "paper", "muted", 1.2)]

@@ -13,7 +13,7 @@ from math import atan2, cos, dist, sin
 from typing import SupportsFloat
 
 from gcrules.mechanisms.description.family import Family
-from gcrules.mechanisms.description.limb_file import JointText, LimbText
+from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
 from gcrules.mechanisms.description.relations import Term, Values
 from gcrules.views.drawing.bsp import XYZ, cross, dot, minus
 from gcrules.views.drawing.frame import Unit
@@ -50,7 +50,7 @@ class Rod:
 class DrawnLimb:
     """A limb in space: its joints, its strokes, and its first and last place."""
 
-    limb: LimbText
+    limb: LimbSpec
     places: list[DrawnJoint] = field(default_factory=list)
     strokes: list[Rod] = field(default_factory=list)
     foot: XYZ = (0.0, 0.0, 0.0)
@@ -68,7 +68,7 @@ def unit_vector(v: XYZ) -> XYZ:
     return v[0] / length, v[1] / length, v[2] / length
 
 
-def chains(family: Family, limbs: Sequence[LimbText], values: Values) -> tuple[Unit, list[DrawnLimb]]:
+def chains(family: Family, limbs: Sequence[LimbSpec], values: Values) -> tuple[Unit, list[DrawnLimb]]:
     """All limbs in a configuration (Cartesian coordinates of all names)."""
     named = dict.fromkeys(n for limb in limbs for j in limb.joints for n in j.names)
     points = [_xyz(values[n]) for n in named if family.sorts[n] == "point"]
@@ -101,7 +101,7 @@ class _Builder:
     unit: Unit
     family: Family
     values: Values
-    limb: LimbText
+    limb: LimbSpec
     ground: XYZ | None  # the middle of the first joints of other limbs
 
     def chain(self) -> DrawnLimb:
@@ -110,7 +110,7 @@ class _Builder:
         if len(joints) > 1 and all(j.kind == "R" for j in joints) and len({j.points for j in joints}) == 1:
             return self._on_sphere(made)
         at: XYZ | None = None
-        waiting: list[JointText] = []
+        waiting: list[JointSpec] = []
         for j in joints:
             anchor = self._anchor(j)
             if anchor is None:
@@ -135,16 +135,16 @@ class _Builder:
     def _direction(self, term: Term) -> XYZ:
         return unit_vector(_sum(term, self.values))
 
-    def _anchor(self, j: JointText) -> XYZ | None:
+    def _anchor(self, j: JointSpec) -> XYZ | None:
         return self._point(j.points[0]) if j.points else None
 
-    def _away(self, j: JointText, anchor: XYZ) -> XYZ | None:
+    def _away(self, j: JointSpec, anchor: XYZ) -> XYZ | None:
         """The direction from a joint to the next one that has a place."""
         rest = self.limb.joints[self.limb.joints.index(j) + 1 :]
         following = next((p for k in rest if (p := self._anchor(k)) and dist(p, anchor) > 1e-9), None)
         return unit_vector(minus(following, anchor)) if following else None
 
-    def _joint(self, made: DrawnLimb, j: JointText, at: XYZ) -> XYZ:
+    def _joint(self, made: DrawnLimb, j: JointSpec, at: XYZ) -> XYZ:
         """Draw a joint that has a place; where the chain goes on."""
         axes = tuple(self._direction(d) for d in j.directions)
         if j.kind != "4S":
@@ -160,7 +160,7 @@ class _Builder:
         made.places += [DrawnJoint("pin", p) for p in (at, second, *ends)]
         return center(ends)
 
-    def _rails(self, made: DrawnLimb, slides: Sequence[JointText], at: XYZ, away: XYZ | None) -> XYZ:
+    def _rails(self, made: DrawnLimb, slides: Sequence[JointSpec], at: XYZ, away: XYZ | None) -> XYZ:
         """Carriages on rails under the first joint that has a place; where the first of them stands on the base."""
         if len(slides) == 1 and away is None:
             return self._column(made, slides[0], at)
@@ -177,7 +177,7 @@ class _Builder:
             at = self._grounded(ends)
         return at
 
-    def _column(self, made: DrawnLimb, j: JointText, at: XYZ) -> XYZ:
+    def _column(self, made: DrawnLimb, j: JointSpec, at: XYZ) -> XYZ:
         """A slide right under the only joint that has a place."""
         axis = self._direction(j.directions[0])
         foot = self._grounded((plus(at, axis, -0.75), plus(at, axis, 0.75)))
@@ -194,7 +194,7 @@ class _Builder:
     def _outwards(self, at: XYZ, axis: XYZ) -> bool:
         return round(dist(plus(at, axis, _RAIL), (0, 0, 0)), 6) > round(dist(plus(at, axis, -_RAIL), (0, 0, 0)), 6)
 
-    def _between(self, made: DrawnLimb, slides: Sequence[JointText], start: XYZ, end: XYZ) -> None:
+    def _between(self, made: DrawnLimb, slides: Sequence[JointSpec], start: XYZ, end: XYZ) -> None:
         """The link between two joints, with the sleeves or parallelograms that it carries."""
         for j in slides:
             term = j.directions[0]
@@ -216,7 +216,7 @@ class _Builder:
         if dist(start, end) > 1e-9:
             made.strokes.append(Rod(start, end))
 
-    def _slide(self, made: DrawnLimb, j: JointText, start: XYZ, end: XYZ) -> None:
+    def _slide(self, made: DrawnLimb, j: JointSpec, start: XYZ, end: XYZ) -> None:
         if j.kind != "Pa":
             made.strokes.append(Rod(start, end))
             middle = plus(start, minus(end, start), _SLEEVE)
@@ -228,7 +228,7 @@ class _Builder:
         made.strokes += [Rod(a, b, "bar") for a, b in zip(*corners, strict=True)]
         made.places += [DrawnJoint("pin", p, driven=bool(j.actuated)) for pair in corners for p in pair]
 
-    def _beyond(self, made: DrawnLimb, slides: Sequence[JointText], at: XYZ) -> XYZ:
+    def _beyond(self, made: DrawnLimb, slides: Sequence[JointSpec], at: XYZ) -> XYZ:
         """Slides after the last joint that has a place."""
         for j in slides:
             term = j.directions[0]

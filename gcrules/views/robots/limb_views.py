@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gcrules.algebra.language.legs_text import leg_text
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.description.limb_file import JointText
+from gcrules.mechanisms.description.limb_file import JointSpec
 from gcrules.mechanisms.description.relations import Term
 from gcrules.mechanisms.lines.equivalent import FRAME
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
@@ -65,7 +65,7 @@ def _sum(term: Term, places: Mapping[str, Floats]) -> Floats:
     return found
 
 
-def _joint(joint: JointText, places: Mapping[str, Floats]) -> JointView:
+def _joint(joint: JointSpec, places: Mapping[str, Floats]) -> JointView:
     forms = JOINTS[joint.kind].parts.values()
     given = [(form, _sum(arg, places)) for form, arg in zip(forms, joint.args, strict=True) if isinstance(arg, tuple)]
     points = [v for form, v in given if form == "point"]

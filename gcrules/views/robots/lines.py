@@ -22,7 +22,7 @@ from gcrules.views.robots.infinity_view import Far
 from gcrules.views.robots.joint_chain import plus, unit_vector
 from gcrules.views.robots.picture import body_pieces, dot_at, piece_shapes
 from gcrules.views.robots.scene import HEIGHT, TOP, WIDTH, Scene
-from gcrules.views.robots.symbols import arrow, turning
+from gcrules.views.robots.symbols import arrow, turn_arrow
 
 __all__ = [
     "DrawnMotion",
@@ -216,7 +216,7 @@ def motion_shapes(frame: Frame, m: DrawnMotion, apart: Sequence[XYZ] = ()) -> li
         return arrow(start, end, "mark", 4.2)
     start, end = (frame.place(plus(m.at, u, r)) for r in (-_AXIS, _AXIS))
     if dist(start, end) < 14:  # seen along the axis
-        return [Circle(start, 3.4, "mark", "paper", 1.2), *turning(frame, m.at, u, "mark", 19.0, 2.4)]
+        return [Circle(start, 3.4, "mark", "paper", 1.2), *turn_arrow(frame, m.at, u, "mark", 19.0, 2.4)]
     shapes: list[Shape] = [Stroke(start, end, "mark", 1.8, dash=(7.0, 3.0))]
     if m.pitch:
         shapes += arrow(end, frame.place(plus(m.at, u, _AXIS + 0.16)), "mark", 2.0)
@@ -226,7 +226,7 @@ def motion_shapes(frame: Frame, m: DrawnMotion, apart: Sequence[XYZ] = ()) -> li
         return round(min((dist(frame.place(plus(m.at, u, r)), q) for q in others), default=99.0), 3)
 
     best = max(_TURNS, key=lambda r: min(room(r), 34.0))
-    return [*shapes, *turning(frame, plus(m.at, u, best), u, "mark", 19.0, 2.4)]
+    return [*shapes, *turn_arrow(frame, plus(m.at, u, best), u, "mark", 19.0, 2.4)]
 
 
 def motion_extent(m: DrawnMotion) -> list[XYZ]:

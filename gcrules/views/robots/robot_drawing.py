@@ -14,7 +14,7 @@ from gcrules.views.drawing.figures import free_name
 from gcrules.views.drawing.solids import flat_normal
 from gcrules.views.robots.entities import DrawnFlat, common_normal, entities, far_directions, meeting
 from gcrules.views.robots.exact_values import Values
-from gcrules.views.robots.infinity_view import SKY, sky_shapes
+from gcrules.views.robots.infinity_view import SKY, infinity_shapes
 from gcrules.views.robots.joint_chain import plus, unit_vector
 from gcrules.views.robots.legend import SAMPLE, SIZE, Entry, entry_rows, entry_width, robot_legend
 from gcrules.views.robots.lines import (
@@ -140,7 +140,7 @@ def _sky(s: Scene, pose: SingularPose | None) -> list[Shape]:
         seen = replace(seen, points={**seen.points, **named}, circles=circles, marks=marks)
     if not (seen.points or seen.lines or seen.marks):
         return []
-    return sky_shapes(seen, s.frame.view, 2 * WIDTH, (HEIGHT - SKY) / 2)
+    return infinity_shapes(seen, s.frame.view, 2 * WIDTH, (HEIGHT - SKY) / 2)
 
 
 # --- the page ------------------------------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.legend import convex_hull
 from gcrules.views.robots.joint_chain import DrawnJoint, plus, unit_vector
 
-__all__ = ["SIGN", "arrow", "basis", "couple", "sign", "turning"]
+__all__ = ["SIGN", "arrow", "basis", "couple", "sign", "turn_arrow"]
 
 SIGN = 13.0
 """Points around the place of a joint that its sign covers."""
@@ -162,7 +162,7 @@ def _head(tip: XY, along: XY, size: float, role: str) -> Polygon:
     return Polygon((tip, (x - wide * uy, y + wide * ux), (x + wide * uy, y - wide * ux)), role)
 
 
-def turning(frame: Frame, at: XYZ, axis: XYZ, role: str, radius: float = 15.0, width: float = 2.2) -> list[Shape]:
+def turn_arrow(frame: Frame, at: XYZ, axis: XYZ, role: str, radius: float = 15.0, width: float = 2.2) -> list[Shape]:
     """Three quarters of a circle about an axis, with a head: a turn or a moment in the right-handed sense."""
     u, v = basis(axis)
     steps = 18
@@ -184,4 +184,4 @@ def turning(frame: Frame, at: XYZ, axis: XYZ, role: str, radius: float = 15.0, w
 def couple(frame: Frame, at: XYZ, axis: XYZ, role: str, dash: tuple[float, float] | None = None) -> list[Shape]:
     """A moment: an arrow with two heads along its direction, and the turn about it."""
     start, end = (frame.place(plus(at, axis, s / frame.scale)) for s in (-6, 30))
-    return [*turning(frame, at, axis, role, radius=12.0, width=1.8), *arrow(start, end, role, 2.0, dash, heads=2)]
+    return [*turn_arrow(frame, at, axis, role, radius=12.0, width=1.8), *arrow(start, end, role, 2.0, dash, heads=2)]
