@@ -85,7 +85,7 @@ def test_search(ratio: Callable[..., Any], class_id: str) -> None:
     """Every expression tested, none found: matrices modulo a prime against a loop in Python."""
     poly = superbracket(class_id)
     ratio(
-        lambda: factor(poly).found,
+        lambda: factor(poly).exists,
         {"loop": lambda: one_after_the_other(poly)},
         agree=lambda a, b: a == b,
         within=0.5,
@@ -98,13 +98,13 @@ def test_search(ratio: Callable[..., Any], class_id: str) -> None:
 @pytest.mark.parametrize("class_id", list(LEGS))
 def test_class(ratio: Callable[..., Any], class_id: str) -> None:
     poly = superbracket(class_id)
-    ratio(lambda: factor(poly).found, {}, within=1, rounds=3)
+    ratio(lambda: factor(poly).exists, {}, within=1, rounds=3)
 
 
 def test_all_classes(ratio: Callable[..., Any]) -> None:
     """The 24 that are one expression, and the ten that are not."""
     polynomials = [superbracket(c) for c in LEGS]
-    ratio(lambda: sum(factor(p).found for p in polynomials), {}, within=6, rounds=2)
+    ratio(lambda: sum(factor(p).exists for p in polynomials), {}, within=6, rounds=2)
 
 
 NO_INCIDENCE = [c["id"] for c in REGULAR if not c["incidence"] and c["id"] != "6-6"]

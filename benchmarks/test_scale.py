@@ -87,8 +87,8 @@ def test_factor(ratio: Callable[..., Any], rank: int, expression: str) -> None:
     """6 to 16 points: an expression is found again from its normal form."""
     poly = straighten(parse(expression, rank=rank))
     assert isinstance(poly, BracketPolynomial)
-    assert factor(poly).found
-    ratio(lambda: factor(poly).found, {}, within=1, rounds=3)
+    assert factor(poly).exists
+    ratio(lambda: factor(poly).exists, {}, within=1, rounds=3)
 
 
 OCTAHEDRON = "ab af cb cd ed ef"

@@ -41,7 +41,7 @@ class Transversals(Shown):
     definite: bool = True
 
     @property
-    def found(self) -> bool:
+    def exists(self) -> bool:
         """Whether there is a condition."""
         return bool(self.readings)
 

@@ -25,7 +25,7 @@ Vector = tuple[Fraction, Fraction, Fraction]
 class Consequence:
     """What the file says follows from the relations, as a relation of a name, and as written."""
 
-    said: Definition
+    relation: Definition
     text: str
 
 

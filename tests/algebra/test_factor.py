@@ -76,9 +76,9 @@ def test_the_classes_of_platforms() -> None:
     for c in REGULAR:
         e = parse(f"[[{', '.join(c['legs'])}]]")
         f = found[c["id"]] = factor(e)
-        assert f.found == c["incidence"], c["id"]
+        assert f.exists == c["incidence"], c["id"]
         assert sorted(str(b).strip("[]") for b in f.factors) == sorted(c["factors"])
-        if f.found:
+        if f.exists:
             assert f.certificate.method == "normal-form"
             whole = f.to_expr()
             assert whole is not None
@@ -88,7 +88,7 @@ def test_the_classes_of_platforms() -> None:
             left = ex.mul(ex.Number(f.coefficient), *f.factors, f.remainder.to_expr())
             assert vanishes(sub(e, left))
             assert c["id"] == "6-6" or f.certificate.data["irreducible"] is True
-    assert Counter(f.found for f in found.values()) == {True: 24, False: 10}
+    assert Counter(f.exists for f in found.values()) == {True: 24, False: 10}
     assert str(found["3-3.3"].expression) == "ABC /\\ Aab /\\ Bac /\\ Cbc"
     assert "catalog" not in " ".join(m for m in sys.modules if m.startswith("gcrules.algebra.factoring"))
 
@@ -108,7 +108,7 @@ def test_planted_expressions_are_found(case: tuple[int, Expr]) -> None:
 @given(planted({3: [15], 4: [16]}))
 def test_longer_planted_expressions_are_found(case: tuple[int, Expr]) -> None:
     rank, e = case
-    assert factor(normal(e, rank)).found
+    assert factor(normal(e, rank)).exists
 
 
 @settings(max_examples=40)
@@ -144,7 +144,7 @@ def test_two_algorithms_agree_on_multilinear_sums(seed: int, shape: tuple[int, i
     assert len(rows) == len(f.factors)
     if left.degrees():
         written, _ = search(left, Effort())
-        assert bool(written) == f.found
+        assert bool(written) == f.exists
 
 
 @pytest.mark.parametrize("rank", [2, 3, 4, 5, 6])
@@ -266,7 +266,7 @@ def test_brackets_come_out(seed: int, rank: int, number: int) -> None:
 )
 def test_examples(text: str, rank: int, ideal: str, expected: str) -> None:
     f = gc.factor(text, rank=rank, ideal=ideal)
-    assert f.found
+    assert f.exists
     assert f.certificate.method == "normal-form"
     whole, wanted = f.to_expr(), parse(expected, rank=rank)
     assert whole is not None
@@ -278,7 +278,7 @@ def test_examples(text: str, rank: int, ideal: str, expected: str) -> None:
 def test_pascal() -> None:
     """The conic through six points, each of degree two, in the plane."""
     f = gc.factor("[abc][ade][bdf][cef] - [abd][ace][bcf][def]", rank=3, all=True)
-    assert f.found
+    assert f.exists
     assert len(f.alternatives) > 10
     for form in f.alternatives[:5]:
         p = parse("[abc][ade][bdf][cef] - [abd][ace][bcf][def]", rank=3)
@@ -314,7 +314,7 @@ def test_large_coefficients() -> None:
     assert abs(f.coefficient) == int(big)
     assert str(f.expression) == "abc /\\ fgh /\\ de"
     assert json.loads(json.dumps(f.to_json()))["coefficient"] == f.coefficient
-    assert not gc.factor(f"{big}[abcd][efgh] - {big[:-1]}8[abce][dfgh]").found
+    assert not gc.factor(f"{big}[abcd][efgh] - {big[:-1]}8[abce][dfgh]").exists
 
 
 def test_forty_points() -> None:
@@ -324,11 +324,11 @@ def test_forty_points() -> None:
     product = "".join(f"[{''.join(r)}]" for r in rows)
     swapped = product.replace("p3]", "p4]", 1).replace("[p4p5", "[p3p5", 1)
     f = gc.factor(f"{product} - {swapped}")
-    assert f.found
+    assert f.exists
     assert len(f.factors) == 8
     assert str(f.expression) == "p0p1p2 /\\ p5p6p7 /\\ p3p4"
     f = gc.factor(f"({product} - {swapped}) [p0p1p4p8] (p8p12p16 /\\ p9p13p17 /\\ p10p14)")
-    assert f.found
+    assert f.exists
     assert len(f.factors) == 9
     with pytest.raises(LimitReached, match="more than"):
         gc.factor(f"({product} - {swapped}) [[p0p4, p1p5, p2p6, p8p12, p9p13, p10p14]]", seconds=3)
@@ -399,7 +399,7 @@ def test_one_incidence_with_a_bracket(legs: str, first: str) -> None:
     """These classes are one incidence times a bracket; those before the first one that works are excluded."""
     e = parse(f"[[{', '.join(legs.split())}]]")
     f = factor(e, cofactor=True)
-    assert not f.found
+    assert not f.exists
     (form,) = f.rational
     assert str(form.cofactor) == f"[{first}]"
     assert vanishes(sub(ex.mul(form.cofactor, e), form.product()))
@@ -419,7 +419,7 @@ def test_cofactors_of_reducible_polynomials(polynomial: str, cofactor: str) -> N
     """What is excluded must hold for the whole input, and not only for what its factors leave."""
     f = gc.factor(polynomial, rank=3, cofactor=True)
     (form,) = f.rational
-    assert not f.found
+    assert not f.exists
     assert str(form.cofactor) == cofactor
     assert vanishes(sub(ex.mul(form.cofactor, gc.parse(polynomial, rank=3)), form.product()), rank=3)
     assert not any(cofactor in words for words in f.excluded)
@@ -592,7 +592,7 @@ def test_what_was_proved_stands_where_the_search_for_a_cofactor_ends_early(monke
 
     monkeypatch.setattr(rational, "bracket_cofactors", limited)
     f = gc.factor("[[Aa, Ab, Bc, Cd, De, Ef]]", cofactor=True)
-    assert not f.found
+    assert not f.exists
     assert not f.rational
     assert f.undecided
     assert "undecided" in f.text()

@@ -148,7 +148,7 @@ def test_points_apart_exclude_no_expression(text: str, rank: int) -> None:
 def test_all_irreducible_factors_are_shown() -> None:
     text = "(ef /\\ bc /\\ da)([fbe][cga] + 2 [fbc][ega])"
     f = gc.factor(text, rank=3)
-    assert not f.found
+    assert not f.exists
     assert [str(part.expression) for part in f.parts] == ["ad /\\ bc /\\ ef", "None"]
     assert all(part.irreducible and part.times == 1 for part in f.parts)
     assert "  factor       ad /\\ bc /\\ ef\n" in f.text()
@@ -168,7 +168,7 @@ def test_what_is_not_proved_says_so(text: str, monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(certify, "proved", too_long)
     with repeated(7):
         f = gc.factor(text)
-    assert f.found
+    assert f.exists
     assert not f.proved
     assert f.certificate.method == "random-points"
     assert "not proved" in f.certificate.detail

@@ -319,7 +319,7 @@ def test_undo_takes_back_one_input(before: list[str], text: str) -> None:
         said(repl, line)
     state, past = repl.state, repl.past
     said(repl, text)
-    if repl.state.kept != state.kept:
+    if repl.state.settled != state.settled:
         said(repl, ":undo")
         assert repl.state == state
     assert repl.past == past
@@ -332,7 +332,7 @@ def test_undo_leads_back_to_the_beginning(inputs: list[str]) -> None:
         said(repl, line)
     for _ in inputs:
         said(repl, ":undo")
-    assert repl.state.kept == PromptState().kept
+    assert repl.state.settled == PromptState().settled
     assert fault(repl, ":undo").message == "there is nothing to take back"
 
 
@@ -348,7 +348,7 @@ def test_what_is_saved_runs_and_leads_to_the_same(inputs: list[str]) -> None:
     again = Interpreter()
     for line in repl.state.statements:
         said(again, line)
-    assert again.state.kept[0] == repl.state.context
+    assert again.state.settled[0] == repl.state.context
     assert again.state.statements == repl.state.statements
 
 
@@ -361,7 +361,7 @@ def test_save_and_load(repl: Interpreter, tmp_path: Path) -> None:
     assert text == "rank 3\nlet p = ab /\\\n  cd\nclaim p == [acd] b - [bcd] a\n"
     other = Interpreter()
     assert said(other, f":load {path}") == ["line 4: proved: p == [acd] b - [bcd] a"]
-    assert other.state.kept == repl.state.kept
+    assert other.state.settled == repl.state.settled
     done = CliRunner().invoke(cli, ["run", str(path)])
     assert (done.exit_code, done.stdout.splitlines()[-1]) == (0, "1 claim: 1 proved")
 

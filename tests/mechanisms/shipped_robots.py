@@ -50,7 +50,7 @@ def singular_members(
 ) -> Iterator[Values]:
     """Members at which a polynomial in the parameters vanishes, on `number` paths that each move one name."""
     family = robot(name).family
-    names = [n for n in family.moving if n in among or not among]
+    names = [n for n in family.parametrized if n in among or not among]
     random.Random(f"{name} {seed}").shuffle(names)
     for n in range(number):
         path: MemberPath = family.path((seed, n), names[n % len(names)])

@@ -107,7 +107,7 @@ def power(m: Linkage, c: Configuration, found: LimbMargin, place: int) -> float:
         velocity = v + np.cross(w, end - found.centre)
         wrenches = _locked(m, k, chain, end)
         above += float(((wrenches[:, :3] @ velocity + wrenches[:, 3:] @ (m.size * w)) ** 2).sum())
-        below += float(velocity @ velocity) + (0 if m.firm[k] else m.size**2 * float(w @ w))
+        below += float(velocity @ velocity) + (0 if m.ball_ended[k] else m.size**2 * float(w @ w))
     return (above / below) ** 0.5
 
 
@@ -159,7 +159,7 @@ def test_singular_configurations_are_found_and_true(name: str) -> None:
     m = machine(name)
     part = float(found.wanted.partition("%")[0]) / 100
     way = Course(m, read_pose(m, SINGULAR[name]))
-    s = goal(way, Solution(m.home, way.wanted), 0.0, part)
+    s = goal(way, Solution(m.home, way.target), 0.0, part)
     assert largest_turn(m, m.home, s.configuration) >= np.arcsin(margin(m, m.home).sigma) - 1e-6
 
 
@@ -389,7 +389,7 @@ def test_loops_close_from_any_small_pose(numbers: tuple[float, float, float]) ->
     z, roll, pitch = numbers
     s = solve(m, coordinates_target(m, {"z": z, "roll": roll, "pitch": pitch}))
     assert s.configuration.residual < 1e-9
-    assert s.configuration.off < 1e-9
+    assert s.configuration.disagreement < 1e-9
 
 
 def test_cross_matrices() -> None:

@@ -122,7 +122,7 @@ def test_what_was_wanted_is_reached_and_relations_hold(name: str, part: float) -
 @pytest.mark.parametrize("name", IDS)
 def test_actuators_lead_back_to_the_pose(name: str) -> None:
     m, s = machine(name), there(name, 0.6)
-    amounts = {a.name: s.configuration.amounts[a.place][a.coordinate] for a in m.actuators}
+    amounts = {a.name: s.configuration.joint_values[a.place][a.coordinate] for a in m.actuators}
     back = solve(m, actuators_target(m, amounts))
     assert back.configuration.platform == pytest.approx(s.configuration.platform, abs=1e-8 * m.size)
 
@@ -140,7 +140,7 @@ def test_rates_are_those_of_the_jacobian(name: str) -> None:
         twist = logarithm(ends[0].platform @ inverse(ends[1].platform)) / (2 * step)
         w, v = twist[:3], twist[3:] + np.cross(twist[:3], j.centre)
         rates = [
-            (ends[0].amounts[a.place][a.coordinate] - ends[1].amounts[a.place][a.coordinate]) / (2 * step)
+            (ends[0].joint_values[a.place][a.coordinate] - ends[1].joint_values[a.place][a.coordinate]) / (2 * step)
             for a in m.actuators
         ]
         power = j.rows[:, :3] @ v + j.rows[:, 3:] @ w
@@ -161,7 +161,7 @@ def test_legs_of_platforms_far_from_home(name: str) -> None:
         A, B = m.home.values[start], m.home.values[end]
         moved = rotation @ (B - m.centre) + m.centre + shift
         length = np.linalg.norm(moved - A) - np.linalg.norm(B - A)
-        assert s.configuration.amounts[a.place][a.coordinate] == pytest.approx(length, abs=1e-9)
+        assert s.configuration.joint_values[a.place][a.coordinate] == pytest.approx(length, abs=1e-9)
 
 
 # --- single joints ---------------------------------------------------------------------------------------------------
@@ -273,7 +273,7 @@ home: {A1: [0, 0, 0], A2: [10, 0, 0], A3: [5, 9, 0], B1: [1, 4, 0], B2: [9, 1, 0
 
 def test_driven_ends_pass_on_moments() -> None:
     m = linkage(parse_robot(DRIVEN_AT_THE_PLATFORM))
-    assert m.firm == (False, False, False)
+    assert m.ball_ended == (False, False, False)
     assert margin(m, m.home).singular_values[0] <= 1
 
 

@@ -120,7 +120,7 @@ def test_classes(class_id: str) -> None:
     """33 of the 34 classes have a reading, all but two of them with the cofactor 1; each is right and proved."""
     found = gc.transversals(text_of(REGULAR[class_id]["legs"]))
     if class_id == "6-6":
-        assert not found.found
+        assert not found.exists
         assert found.definite
         assert "square root" in found.reason
         return
@@ -138,7 +138,7 @@ def test_classes(class_id: str) -> None:
 @pytest.mark.parametrize("class_id", list(SINGULAR))
 def test_always_singular(class_id: str) -> None:
     found = gc.transversals(text_of(SINGULAR[class_id]["legs"]), every=True)
-    assert not found.found
+    assert not found.exists
     assert "singular in every pose" in found.text()
 
 
@@ -277,9 +277,9 @@ def test_lines_and_assumptions() -> None:
     assert str(special.expression) == "(AB /\\ Df)(Aab /\\ Bcd /\\ Ce)"
     assert "Ce crosses p in every pose" in special.statement
     couples = gc.transversals("Aa Bb Cc Dd ij kl", ideal="i j k l")
-    assert not couples.found
+    assert not couples.exists
     assert not couples.definite
-    assert not gc.transversals(read_legs("ab cd ef", rank=3)).found
+    assert not gc.transversals(read_legs("ab cd ef", rank=3)).exists
 
 
 def test_words_for_points_at_infinity() -> None:

@@ -73,7 +73,7 @@ def factor(
             found = each_once(pieces, terms)
         else:
             found = _in_groups(pieces, effort, terms, every)
-        return with_cofactor(found, effort, terms=terms, every=every) if cofactor and not found.found else found
+        return with_cofactor(found, effort, terms=terms, every=every) if cofactor and not found.exists else found
 
 
 def _in_groups(pieces: Pieces, effort: Effort, terms: int, every: bool) -> Factorization:

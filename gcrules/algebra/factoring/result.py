@@ -109,7 +109,7 @@ class Factorization(Shown):
     parts: tuple[FactoredPart, ...] = ()
 
     @property
-    def found(self) -> bool:
+    def exists(self) -> bool:
         """Whether there is an expression."""
         return self.expression is not None
 

@@ -48,4 +48,4 @@ def factor(
     with limited(seconds, AROUND):
         found = searched("factoring", factored, expression, space, limit, seconds, every=every, cofactor=cofactor)
         out.show(found)
-    ctx.exit(1 if not found.found else 0 if found.proved else 3)
+    ctx.exit(1 if not found.exists else 0 if found.proved else 3)

@@ -110,7 +110,7 @@ def analyze(
     come from a prompt, from standard input, or from --propose. Then the exit code is 1 if anything was refused.
     """
     special = assumptions or space.rank != 4 or search != SECONDS
-    if manual.wanted:
+    if manual.requested:
         refused = recheck or full or catalogs or figure or choice.words or choice.without or out.latex or special
         _check_manual(legs, refused, manual)
         run_manual(_six_legs(legs, space, choice) if legs else None, order, manual, space, out, seconds)

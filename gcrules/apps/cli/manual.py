@@ -49,13 +49,13 @@ save FILE, quit          write a session file (--session FILE resumes it), end
 class ManualOptions:
     """What --manual, --propose and --session say."""
 
-    asked: bool = False
+    flag: bool = False
     proposals: tuple[str, ...] = ()
     path: str | None = None
 
     @property
-    def wanted(self) -> bool:
-        return self.asked or bool(self.proposals) or self.path is not None
+    def requested(self) -> bool:
+        return self.flag or bool(self.proposals) or self.path is not None
 
 
 def manual_options(command: Callable[..., Any]) -> Callable[..., Any]:

@@ -46,4 +46,4 @@ def transversals(
     with working("looking for transversals"):
         found = compared(source, every=every, points=space.points, ideal=space.ideal, given=assumptions)
     out.show(found)
-    ctx.exit(0 if found.found else 1 if found.definite else NOT_DECIDED)
+    ctx.exit(0 if found.exists else 1 if found.definite else NOT_DECIDED)

@@ -170,7 +170,7 @@ class Interpreter:
         try:
             yield
         finally:
-            if self.state.kept != before.kept:
+            if self.state.settled != before.settled:
                 self.past = (*self.past, before)
 
     def run(self, source: Source, *, lines: bool = False) -> Answers:

@@ -31,7 +31,7 @@ class PromptState:
     results: tuple[Expr, ...] = ()
 
     @property
-    def kept(self) -> tuple[Any, ...]:
+    def settled(self) -> tuple[Any, ...]:
         """All but the results."""
         return self.context, self.rules, self.statements, self.ranked
 

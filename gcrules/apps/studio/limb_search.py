@@ -17,7 +17,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.kinematics.targets import actuators_target
-from gcrules.poses.limbs.around import Heading, Met, actuator_values, begun_at, first_along, headings
+from gcrules.poses.limbs.around import Heading, SingularAlong, actuator_values, begun_at, first_along, headings
 from gcrules.poses.limbs.pose_report import SINGULAR, here
 from gcrules.screws.threshold import DEFAULT, degrees
 
@@ -41,7 +41,7 @@ def first_around(subject: Subject, pose: PoseJson) -> Nearest:
     given = pose.get("coordinates") or [0.0] * len(m.actuators)
     now = [radians(v) if a.angle else float(v) for a, v in zip(m.actuators, given, strict=True)]
     at = begun_at(m, solve(m, actuators_target(m, now)).configuration if any(now) else m.home)
-    met: list[Met] = []
+    met: list[SingularAlong] = []
     stops: list[str] = []
     every = tuple(headings(at))
     for way in every:
@@ -64,7 +64,9 @@ def first_around(subject: Subject, pose: PoseJson) -> Nearest:
     return {"found": views, "note": _note(views, every, stops, lost)}
 
 
-def _view(subject: Subject, at: Linkage, one: Met, now: list[float], pose: PoseJson) -> SingularPoseView | None:
+def _view(
+    subject: Subject, at: Linkage, one: SingularAlong, now: list[float], pose: PoseJson
+) -> SingularPoseView | None:
     """What was met, with the actuators that take the robot there; None where they do not."""
     assert subject.robot is not None
     there = here(at, subject.robot, one.solution, DEFAULT)

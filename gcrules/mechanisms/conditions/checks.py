@@ -54,7 +54,7 @@ def check_family(robot: Robot, places: Mapping[str, Node], facts: Sequence[tuple
                 f"{a} and {b} are one point in every member of the family", "use one name for both, or move one of them"
             )
     for node, fact in facts:
-        said = fact.said
+        said = fact.relation
         if any(any(said.relation.residual(said.sort, RESIDUES, m, m[said.name])) for m in members):
             node.fault(
                 f"{fact.text!r} contradicts the relations: it fails on a random member of the family",

@@ -175,7 +175,7 @@ def superbracket_at(family: Family, structure: Equivalent, superbracket: Expr) -
 def paths(family: Family, names: Sequence[str], seed: object = 0) -> Iterator[Path]:
     """Paths of members, each moving one name on which these names depend, all in turn."""
     needed = upstream(family, names)
-    moving = [n for n in family.moving if n in needed]
+    moving = [n for n in family.parametrized if n in needed]
     for n in range(max(_MOST_PATHS, len(moving))):
         if moving:
             yield family.path((seed, n), moving[n % len(moving)])

@@ -58,7 +58,7 @@ class Family:
         return {**dict.fromkeys(AXES, "direction"), **{d.name: d.sort for d in self.definitions}}
 
     @cached_property
-    def moving(self) -> tuple[str, ...]:
+    def parametrized(self) -> tuple[str, ...]:
         """Names that have parameters of their own."""
         return tuple(d.name for d in self.definitions if d.parameters)
 

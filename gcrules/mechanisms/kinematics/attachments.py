@@ -15,13 +15,13 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import FLOATS, JOINTS
 
-__all__ = ["Ride", "disagreement", "moved", "residual_of_relations", "rides"]
+__all__ = ["Attachment", "attachments", "disagreement", "moved", "residual_of_relations"]
 
 Values = Mapping[str, Floats]
 
 
 @dataclass(frozen=True)
-class Ride:
+class Attachment:
     """A link that carries a name: the places of the limb and, from the base at 0, of the link. A `loose` one counts
     only where there is no other.
     """
@@ -31,25 +31,25 @@ class Ride:
     loose: bool = False
 
 
-def rides(robot: Robot) -> dict[str, tuple[Ride, ...]]:
+def attachments(robot: Robot) -> dict[str, tuple[Attachment, ...]]:
     """All links that carry each name. Names of the platform that no joint has ride on it; names without a ride are
     made from others or stay where they are.
     """
-    found: dict[str, dict[Ride, None]] = {}
+    found: dict[str, dict[Attachment, None]] = {}
     last = 0
     for place, limb in enumerate(robot.limbs):
         start = 0
         for joint in limb.joints:
             for name, link, loose in _of_joint(joint):
-                found.setdefault(name, {})[Ride(place, start + link, loose)] = None
+                found.setdefault(name, {})[Attachment(place, start + link, loose)] = None
             start += len(SHAPES[joint.kind].motions)
         last = start if place == 0 else last
     for name in robot.platform:
-        found.setdefault(name, {Ride(0, last): None})
+        found.setdefault(name, {Attachment(0, last): None})
     return {name: _firm(tuple(own)) for name, own in found.items()}
 
 
-def _firm(own: tuple[Ride, ...]) -> tuple[Ride, ...]:
+def _firm(own: tuple[Attachment, ...]) -> tuple[Attachment, ...]:
     firm = tuple(r for r in own if not r.loose)
     return firm or own[:1]
 
@@ -61,7 +61,7 @@ def _of_joint(joint: JointSpec) -> Iterator[tuple[str, int, bool]]:
     for part, arg in zip(JOINTS[joint.kind].parts, joint.args, strict=True):
         if not isinstance(arg, tuple):
             continue
-        first, last = shape.rides[part]
+        first, last = shape.attachments[part]
         if len(arg) == 1:
             yield from ((arg[0][1], link, part in shape.loose) for link in range(first, last + 1))
             continue
@@ -74,7 +74,7 @@ def _of_joint(joint: JointSpec) -> Iterator[tuple[str, int, bool]]:
             yield from ((name, link, True) for name in (near, far) for link in range(first, last + 1))
 
 
-def moved(robot: Robot, own: Mapping[str, tuple[Ride, ...]], values: Values, links: Sequence[Floats]) -> Values:
+def moved(robot: Robot, own: Mapping[str, tuple[Attachment, ...]], values: Values, links: Sequence[Floats]) -> Values:
     """The places of all names after the links of each limb went as `links` (K + 1, 4, 4) say."""
     found: dict[str, Any] = {name: np.array(axis, dtype=float) for name, axis in AXES.items()}
     for d in robot.family.definitions:
@@ -87,14 +87,14 @@ def moved(robot: Robot, own: Mapping[str, tuple[Ride, ...]], values: Values, lin
     return found
 
 
-def _by(ride: Ride, sort: str, value: Floats, links: Sequence[Floats]) -> Floats:
+def _by(ride: Attachment, sort: str, value: Floats, links: Sequence[Floats]) -> Floats:
     motion = links[ride.limb][ride.link]
     turned = motion[:3, :3] @ value
     return np.asarray(turned + motion[:3, 3] if sort == "point" else turned)
 
 
 def disagreement(
-    robot: Robot, own: Mapping[str, tuple[Ride, ...]], values: Values, links: Sequence[Floats], size: float
+    robot: Robot, own: Mapping[str, tuple[Attachment, ...]], values: Values, links: Sequence[Floats], size: float
 ) -> tuple[float, str]:
     """How far the links that carry one name carry it to different places, at most, and that name: distances divided by
     `size` for points, sines of angles for directions.

@@ -49,14 +49,14 @@ class Shape:
     """The motions of a kind of joint, and on which of its links each part rides: link n comes after n motions.
 
     A part rides on all links from the first to the second number. `loose` parts fix only a line, so that another joint
-    that names the same point has precedence. `still` are freedoms that have to stay at 0 for the joint to be one of its
-    kind.
+    that names the same point has precedence. `locked` are freedoms that have to stay at 0 for the joint to be one of
+    its kind.
     """
 
     motions: tuple[ElementaryMotion, ...]
-    rides: Mapping[str, tuple[int, int]]
+    attachments: Mapping[str, tuple[int, int]]
     loose: tuple[str, ...] = ()
-    still: tuple[int, ...] = ()
+    locked: tuple[int, ...] = ()
 
 
 def _turn(point: Floats, axis: Floats) -> Floats:
@@ -161,7 +161,7 @@ SHAPES: Mapping[str, Shape] = FrozenMap(
                 ),
             ),
             {"first": (0, 0), "second": (0, 0), "bars": (2, 2)},
-            still=(2,),
+            locked=(2,),
         ),
     }
 )

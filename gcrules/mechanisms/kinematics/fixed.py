@@ -21,7 +21,7 @@ def unfixed(m: Linkage, before: Sequence[Chain], links: Sequence[Floats], after:
     their new places. What is compared are spans of twists: 0 where they agree, at most 1, with moments about the
     platform's centre at home and lengths divided by the robot's size. Freedoms that stay at 0 are left out.
     """
-    still = {(place, coordinate) for place, coordinate, _ in m.still}
+    still = {(place, coordinate) for place, coordinate, _ in m.locked}
     worst, named = 0.0, ""
     for place, limb in enumerate(m.robot.limbs):
         old = _scaled(before[place].twists(links[place]), m)

@@ -12,7 +12,7 @@ import numpy as np
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import ranks
-from gcrules.mechanisms.kinematics.attachments import Ride, rides
+from gcrules.mechanisms.kinematics.attachments import Attachment, attachments
 from gcrules.mechanisms.kinematics.chains import SHAPES, Chain, chain_of, geometry_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.robot import Robot
@@ -48,16 +48,16 @@ class Configuration:
     """Where the robot is: the places of all names, and from home the motions of all links of each limb, (K + 1, 4, 4)
     each, and the amounts of their coordinates (rad and the file's unit of length).
 
-    `residual` is how far the loops are open, `off` how far links that carry one name disagree and names are from their
-    relations; all divided by the robot's size (angles in rad). `chains` are the limbs from here.
+    `residual` is how far the loops are open, `disagreement` how far links that carry one name disagree and names are
+    from their relations; all divided by the robot's size (angles in rad). `chains` are the limbs from here.
     """
 
     values: Mapping[str, Floats]
     links: tuple[Floats, ...]
-    amounts: tuple[Floats, ...]
+    joint_values: tuple[Floats, ...]
     chains: tuple[Chain, ...] = field(repr=False)
     residual: float = 0.0
-    off: float = 0.0
+    disagreement: float = 0.0
 
     @property
     def platform(self) -> Floats:
@@ -67,25 +67,25 @@ class Configuration:
 
 @dataclass(frozen=True, eq=False)
 class Linkage:
-    """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `firm` tells of each whether the limb ends
-    in a passive ball joint there (a hinge, in the plane), so that it passes on forces through that point alone.
-    `centre` is what poses turn about, the centroid of the places of the ends if nothing else is chosen; `size` is the
-    root mean square of the ends' distances from their mean (of all points, where it is 0). `ranks` are those of each
-    limb's twists in the family, with `passive_ranks` of the undriven ones. `still` are coordinates that have to stay at
-    0: the places of limb and coordinate, and the joint as written.
+    """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `ball_ended` tells of each whether the
+    limb ends in a passive ball joint there (a hinge, in the plane), so that it passes on forces through that point
+    alone. `centre` is what poses turn about, the centroid of the places of the ends if nothing else is chosen; `size`
+    is the root mean square of the ends' distances from their mean (of all points, where it is 0). `ranks` are those of
+    each limb's twists in the family, with `passive_ranks` of the undriven ones. `locked` are coordinates that have to
+    stay at 0: the places of limb and coordinate, and the joint as written.
     """
 
     robot: Robot
-    rides: Mapping[str, tuple[Ride, ...]]
+    attachments: Mapping[str, tuple[Attachment, ...]]
     home: Configuration
     actuators: tuple[Actuator, ...]
     ends: Floats
-    firm: tuple[bool, ...]
+    ball_ended: tuple[bool, ...]
     centre: Floats
     size: float
     ranks: tuple[int, ...]
     passive_ranks: tuple[int, ...]
-    still: tuple[tuple[int, int, str], ...]
+    locked: tuple[tuple[int, int, str], ...]
 
 
 def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
@@ -123,7 +123,7 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
     every, passive = (tuple(pair[k] for pair in family) for k in (0, 1))
     return Linkage(
         robot,
-        rides(robot),
+        attachments(robot),
         home,
         tuple(_actuators(robot)),
         ends,
@@ -156,7 +156,7 @@ def _still(robot: Robot) -> Iterator[tuple[int, int, str]]:
     for place, limb in enumerate(robot.limbs):
         start = 0
         for joint in limb.joints:
-            yield from ((place, start + n, joint.text) for n in SHAPES[joint.kind].still)
+            yield from ((place, start + n, joint.text) for n in SHAPES[joint.kind].locked)
             start += len(JOINTS[joint.kind].freedoms)
 
 

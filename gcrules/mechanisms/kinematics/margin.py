@@ -85,7 +85,7 @@ def margin(m: Linkage, here: Configuration) -> LimbMargin:
         owners += [place] * len(wrenches)
         velocity = np.concatenate([np.eye(3), -cross_matrix(arm)], axis=1)
         metric += velocity.T @ velocity
-        if not m.firm[place]:
+        if not m.ball_ended[place]:
             metric[3:, 3:] += np.eye(3)
     every = np.concatenate(rows)
     keep = list(_PLANE) if m.robot.family.plane else list(range(6))

@@ -46,13 +46,13 @@ class Course:
     """Wanted values as a function of the part of the way from home, 0 to 1, or beyond."""
 
     m: Linkage
-    wanted: Target
+    target: Target
 
     def error(self, part: float, here: Configuration, links: tuple[Floats, ...], amounts: tuple[Floats, ...]) -> Floats:
         """What is reached less what is wanted; lengths divided by the robot's size."""
-        w, m = self.wanted, self.m
+        w, m = self.target, self.m
         if w.driven:
-            reached = [here.amounts[a.place][a.coordinate] + amounts[a.place][a.coordinate] for a in m.actuators]
+            reached = [here.joint_values[a.place][a.coordinate] + amounts[a.place][a.coordinate] for a in m.actuators]
             return (np.array(reached) - part * w.values) / self._units
         motion = links[0][-1] @ here.platform
         if w.whole is None:
@@ -63,7 +63,7 @@ class Course:
 
     def rows(self, here: Configuration, links: tuple[Floats, ...], twists: list[Floats]) -> Floats:
         """Its derivatives by all amounts."""
-        w, m = self.wanted, self.m
+        w, m = self.target, self.m
         starts = np.cumsum([0, *(t.shape[1] for t in twists)])
         if w.driven:
             found = np.zeros((len(m.actuators), starts[-1]))
@@ -82,7 +82,7 @@ class Course:
 
     @property
     def _units(self) -> Floats:
-        w = self.wanted
+        w = self.target
         if w.driven:
             return np.array([1.0 if a.angle else self.m.size for a in self.m.actuators])
         return np.array([self.m.size if n in SHIFTS else 1.0 for n in w.names])
@@ -90,7 +90,7 @@ class Course:
     @property
     def length(self) -> float:
         """How far it goes: the largest of its values, lengths divided by the robot's size."""
-        return float(np.abs(self.wanted.values / self._units).max(initial=0.0))
+        return float(np.abs(self.target.values / self._units).max(initial=0.0))
 
 
 def part_of(w: Target, part: float, centre: Floats) -> Floats:
@@ -105,7 +105,7 @@ class Solution:
     """The configuration, what was wanted, the number of iterations, and the configurations on the way from home."""
 
     configuration: Configuration
-    wanted: Target
+    target: Target
     iterations: int = 0
     way: tuple[Configuration, ...] = ()
 
@@ -140,19 +140,19 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
             if step < _SHORTEST * max(far, 1e-3):
                 reached = at + done * float(np.sign(end - at))
                 here = found.configuration
-                named = course.wanted.whole is None and not course.wanted.driven
+                named = course.target.whole is None and not course.target.driven
                 told = _told(course, here) / _told(course, course.m.home) if named else 1.0
-                raise stopped(course.m, here, course.wanted, reached, told, str(fault)) from None
+                raise stopped(course.m, here, course.target, reached, told, str(fault)) from None
             continue
         done += step
         step *= 2
         if len(found.way) >= _MOST_STEPS:
             raise InputError(
                 f"{course.m.robot.id} comes {100 * (at + done * float(np.sign(end - at))):.3g}% of the way to"
-                f" {course.wanted.text} in {_MOST_STEPS:,} steps",
+                f" {course.target.text} in {_MOST_STEPS:,} steps",
                 hint="check the unit, and ask for less",
             )
-        found = Solution(there, course.wanted, found.iterations + iterations, (*found.way, there))
+        found = Solution(there, course.target, found.iterations + iterations, (*found.way, there))
     return found
 
 
@@ -227,13 +227,13 @@ def _configuration(
     m: Linkage, here: Configuration, links: tuple[Floats, ...], amounts: tuple[Floats, ...], residual: float
 ) -> Configuration:
     """The configuration after these amounts. Raises _NotClosed where the robot has left its family there."""
-    values = moved(m.robot, m.rides, here.values, links)
+    values = moved(m.robot, m.attachments, here.values, links)
     off, name = max(
-        disagreement(m.robot, m.rides, here.values, links, m.size), residual_of_relations(m.robot, values, m.size)
+        disagreement(m.robot, m.attachments, here.values, links, m.size), residual_of_relations(m.robot, values, m.size)
     )
     if off > 1e-6:
         raise _NotClosed(f"{name} would leave what its relations and its joints say of it")
-    for place, coordinate, joint in m.still:
+    for place, coordinate, joint in m.locked:
         if abs(amounts[place][coordinate]) > _STILL:
             raise _NotClosed(f"the bars of {joint} would not stay parallel")
     try:
@@ -246,7 +246,7 @@ def _configuration(
     return Configuration(
         values,
         tuple(k @ before for k, before in zip(links, here.links, strict=True)),
-        tuple(a + before for a, before in zip(amounts, here.amounts, strict=True)),
+        tuple(a + before for a, before in zip(amounts, here.joint_values, strict=True)),
         chains,
         residual,
         max(off, loose),

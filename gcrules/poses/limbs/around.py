@@ -28,7 +28,7 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.poses.limbs.search import first_singular
 from gcrules.screws.pose_text import ANGLES
 
-__all__ = ["Heading", "Met", "actuator_values", "begun_at", "first_along", "headings"]
+__all__ = ["Heading", "SingularAlong", "actuator_values", "begun_at", "first_along", "headings"]
 
 REACH = np.pi / 3, 0.75
 """How far it is looked: radians, and parts of the robot's size."""
@@ -53,7 +53,7 @@ class Heading:
 
 
 @dataclass(frozen=True, eq=False)
-class Met:
+class SingularAlong:
     """A singular configuration on a way, `distance` (a length or radians) from its start; `apart` is that in radians or
     in parts of the robot's size.
     """
@@ -67,7 +67,7 @@ class Met:
 
     def before(self, short: float) -> Configuration:
         """The configuration that lies short of it by this part of the way. Raises InputError."""
-        start = Solution(self.course.m.home, self.course.wanted)
+        start = Solution(self.course.m.home, self.course.target)
         return goal(self.course, start, 0.0, self.part * (1 - short)).configuration
 
 
@@ -77,7 +77,7 @@ def begun_at(m: Linkage, c: Configuration) -> Linkage:
     home = replace(
         c,
         links=tuple(np.broadcast_to(np.eye(4), k.shape) for k in c.links),
-        amounts=tuple(np.zeros_like(a) for a in c.amounts),
+        joint_values=tuple(np.zeros_like(a) for a in c.joint_values),
     )
     return replace(m, home=home, centre=turn @ m.centre + shift, ends=m.ends @ turn.T + shift)
 
@@ -87,7 +87,7 @@ def headings(m: Linkage) -> Iterator[Heading]:
     return (Heading(name, sign) for name in free_coordinates(m) for sign in (1, -1))
 
 
-def first_along(m: Linkage, analysis: RobotAnalysis, way: Heading) -> Met | None:
+def first_along(m: Linkage, analysis: RobotAnalysis, way: Heading) -> SingularAlong | None:
     """The first singular configuration on a way from home, or None. Raises InputError where the robot does not assemble
     before it, or is singular at home.
     """
@@ -99,9 +99,9 @@ def first_along(m: Linkage, analysis: RobotAnalysis, way: Heading) -> Met | None
     if found is None:
         return None
     apart = found.part * (REACH[0] if way.angle else REACH[1])
-    return Met(way, found.part * far, apart, found.solution, Course(m, wanted), found.part)
+    return SingularAlong(way, found.part * far, apart, found.solution, Course(m, wanted), found.part)
 
 
 def actuator_values(m: Linkage, c: Configuration) -> list[float]:
     """The amounts of the actuators in a configuration: lengths and radians."""
-    return [float(c.amounts[a.place][a.coordinate]) for a in m.actuators]
+    return [float(c.joint_values[a.place][a.coordinate]) for a in m.actuators]

@@ -82,7 +82,7 @@ def first_singular_pose(
     found = first_singular(m, analysis(), wanted)
     if found is None:
         return None
-    part = replace(found.solution, wanted=replace(wanted, text=f"{100 * found.part:.6g}% of the way to {wanted.text}"))
+    part = replace(found.solution, target=replace(wanted, text=f"{100 * found.part:.6g}% of the way to {wanted.text}"))
     return here(m, analysis(), part, limit)
 
 
@@ -151,17 +151,17 @@ def here(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Thresho
     return RobotPose(
         robot=m.robot.id,
         title=m.robot.title,
-        wanted=solution.wanted.text,
+        target=solution.target.text,
         verdict=verdict,
         reason=reason,
         causes=_causes(values, verdict),
         coordinates={n: without_noise(v, 1.0 if n in ANGLES else m.size) for n, v in numbers},
         centre=tuple(map(float, m.centre)),
         actuators=tuple(
-            (a, without_noise(c.amounts[a.place][a.coordinate], 1.0 if a.angle else m.size)) for a in m.actuators
+            (a, without_noise(c.joint_values[a.place][a.coordinate], 1.0 if a.angle else m.size)) for a in m.actuators
         ),
         residual=c.residual,
-        off=c.off,
+        disagreement=c.disagreement,
         steps=solution.steps,
         iterations=solution.iterations,
         mode=_mode(m, analysis, values, solution),
@@ -178,7 +178,7 @@ def here(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Thresho
             d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
             for d in m.robot.family.definitions
         },
-        notes=(*solution.wanted.notes, *_notes(m, own)),
+        notes=(*solution.target.notes, *_notes(m, own)),
     )
 
 

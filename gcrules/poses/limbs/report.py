@@ -25,16 +25,16 @@ class RobotPose(HoldsArrays, Shown):
 
     `verdict` is regular | close | singular, `reason` the sentence with it, `causes` the factors that vanish, in words.
     `coordinates` are x, y, z of the platform's `centre`, roll, pitch, yaw and the rotation vector; `actuators` holds
-    each driven freedom with its amount. `residual` is how far the loops are open and `off` how far names are from their
-    relations, in parts of the robot's size; `steps` and `iterations` are those of the solution, `mode` says on which
-    assembly mode it lies. `margin` is σ in [0, 1] and `turn` = asin σ its guarantee (see docs/robot-numbers.md).
-    `factors` are those of the condition; `motions` what the platform gains where it is singular, `softest` the motion
-    that the limbs notice least, `points` the places of all points and directions.
+    each driven freedom with its amount. `residual` is how far the loops are open and `disagreement` how far names are
+    from their relations, in parts of the robot's size; `steps` and `iterations` are those of the solution, `mode` says
+    on which assembly mode it lies. `margin` is σ in [0, 1] and `turn` = asin σ its guarantee (see
+    docs/robot-numbers.md). `factors` are those of the condition; `motions` what the platform gains where it is
+    singular, `softest` the motion that the limbs notice least, `points` the places of all points and directions.
     """
 
     robot: str
     title: str
-    wanted: str
+    target: str
     verdict: str
     reason: str
     causes: tuple[str, ...]
@@ -42,7 +42,7 @@ class RobotPose(HoldsArrays, Shown):
     centre: tuple[float, ...]
     actuators: tuple[tuple[Actuator, float], ...]
     residual: float
-    off: float
+    disagreement: float
     steps: int
     iterations: int
     mode: str
@@ -73,7 +73,7 @@ class RobotPose(HoldsArrays, Shown):
             "schema": 1,
             "robot": self.robot,
             "title": self.title,
-            "wanted": self.wanted,
+            "target": self.target,
             "verdict": self.verdict,
             "reason": self.reason,
             "causes": list(self.causes),
@@ -92,7 +92,7 @@ class RobotPose(HoldsArrays, Shown):
             ],
             "assembly": {
                 "residual": self.residual,
-                "relations": self.off,
+                "relations": self.disagreement,
                 "steps": self.steps,
                 "iterations": self.iterations,
                 "mode": self.mode,

@@ -52,7 +52,7 @@ class Grid:
         return math.prod(self.shape)
 
     @property
-    def turning(self) -> GridAxis | None:
+    def rotation_axis(self) -> GridAxis | None:
         """An axis that turns, if there is one."""
         return next((a for a in self.axes if a.kind != "translation"), None)
 
@@ -68,7 +68,7 @@ class Grid:
         for k, axis in enumerate(self.axes):
             if axis.kind == "translation":
                 shift[:, axis.place] = coordinates[:, k]
-        turning = self.turning
+        turning = self.rotation_axis
         if turning is None:
             return shift, self._orientation
         angles = np.repeat(np.array([[float(c) for c in self.rest]]), len(coordinates), axis=0)
@@ -88,7 +88,7 @@ class Grid:
         for axis, value in zip(self.axes, coordinates, strict=True):
             (shift if axis.kind == "translation" else angles)[axis.place] = value
         x, y, z = shift
-        turning = self.turning
+        turning = self.rotation_axis
         if turning is None:
             return Pose((x, y, z), self.at.quaternion)
         degrees = turning.unit == "deg"

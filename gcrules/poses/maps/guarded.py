@@ -76,7 +76,7 @@ def reach(g: Grid, half: float) -> tuple[float, float]:
         for a in g.axes
         if a.kind != "translation"
     }
-    kind = g.turning.kind if g.turning is not None else ""
+    kind = g.rotation_axis.kind if g.rotation_axis is not None else ""
     if kind == "tilt" and "azimuth" in turn:
         turn["azimuth"] *= 2 * np.sin(min(_largest_tilt(g), np.pi) / 2)
     angle = np.linalg.norm(list(turn.values())) if kind == "vector" else sum(turn.values())
@@ -87,5 +87,5 @@ def _largest_tilt(g: Grid) -> float:
     """Over the whole slice, in radians."""
     axis = next((a for a in g.axes if a.name == "tilt"), None)
     largest = max(abs(axis.start), abs(axis.stop)) if axis else abs(g.rest[1])
-    assert g.turning is not None
-    return float(np.radians(float(largest))) if g.turning.unit == "deg" else float(largest)
+    assert g.rotation_axis is not None
+    return float(np.radians(float(largest))) if g.rotation_axis.unit == "deg" else float(largest)

@@ -103,7 +103,7 @@ def planned(
     reached = parse_limits(limits, moving.names, moving.unit) if limits is not None else None
     g = grid(moving, axes, at)
     condition = compiled(analysis, about=about)
-    moved = g.turning is not None
+    moved = g.rotation_axis is not None
     everywhere = vanishes(g) if moved else not slice_polynomial(g)
     task = MapTask(g, condition, measure, reached, None if moved else factors(g), everywhere)
     return analysis, task, limit

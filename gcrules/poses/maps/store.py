@@ -73,7 +73,7 @@ class Folder:
             lock = _Lock(folder / _LOCK)
         except OSError as fault:
             raise written(fault, path) from None
-        if not lock.taken():
+        if not lock.acquired():
             lock.close()
             raise FileError(
                 "another run is at work on this map", filename=path, hint="wait for it, or give the map another name"
@@ -163,7 +163,7 @@ class _Lock:
     def __init__(self, path: Path) -> None:
         self.file = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
 
-    def taken(self) -> bool:
+    def acquired(self) -> bool:
         """Whether no other process has it. Always true where the system or the disk knows no such locks."""
         try:
             import fcntl  # not on Windows

@@ -31,7 +31,7 @@ def _lines(r: RobotPose) -> Iterator[str]:
     j = r.jacobian
     yield from table(
         [
-            ("robot", f"{r.title} ({r.robot}), at {r.wanted}"),
+            ("robot", f"{r.title} ({r.robot}), at {r.target}"),
             ("pose", _pose(r)),
             ("margin", f"σ = {_small(r.margin)} (0 singular, at most 1; knows neither frame nor unit)"),
             (
@@ -41,7 +41,7 @@ def _lines(r: RobotPose) -> Iterator[str]:
             ),
             (
                 "assembled",
-                f"loops open by {_off(r.residual)} of the robot's size, relations off by {_off(r.off)}; "
+                f"loops open by {_off(r.residual)} of the robot's size, relations off by {_off(r.disagreement)}; "
                 f"{_counted(r.steps, 'step')} from home, {_counted(r.iterations, 'iteration')}",
             ),
             ("mode", r.mode),

@@ -198,7 +198,7 @@ def _candidates(
 def _moves(robot: Robot, home: Values) -> Iterator[tuple[tuple[str, ...], tuple[int, ...]]]:
     """Which names move, and in which direction of their parameters."""
     plane = robot.family.plane
-    sets: list[tuple[str, ...]] = [(n,) for n in robot.family.moving]
+    sets: list[tuple[str, ...]] = [(n,) for n in robot.family.parametrized]
     free = {d.name for d in robot.family.definitions if d.relation.kind == "free" and d.sort == "point"}
     if len(robot.platform) > 2 and free.issuperset(robot.platform):
         sets.append(robot.platform)
