@@ -157,7 +157,7 @@ def test_singular_configurations_are_found_and_true(name: str) -> None:
     assert np.linalg.svd(rows, compute_uv=False)[-1] < 1e-8
     # the guarantee of home held on the way
     m = machine(name)
-    part = float(found.wanted.partition("%")[0]) / 100
+    part = float(found.target.partition("%")[0]) / 100
     way = Course(m, read_pose(m, SINGULAR[name]))
     s = goal(way, Solution(m.home, way.target), 0.0, part)
     assert largest_turn(m, m.home, s.configuration) >= np.arcsin(margin(m, m.home).sigma) - 1e-6
@@ -257,7 +257,7 @@ def test_ways_to_ask() -> None:
         assert same.margin == pytest.approx(here.margin, abs=1e-9)
         assert same.coordinates == pytest.approx(here.coordinates, abs=1e-9)
     assert gc.pose(r, (0, 0, 0.2)).margin == pytest.approx(gc.pose(r, "0 0 0.2").margin)
-    assert gc.pose(r).wanted == "home"
+    assert gc.pose(r).target == "home"
     assert [one.margin for one in gc.pose(r, ["0 0 0.2", {"z": 0.2, "roll": 0, "pitch": 0}])] == pytest.approx(
         [0.609] * 2, abs=1e-3
     )
