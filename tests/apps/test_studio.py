@@ -23,11 +23,11 @@ from gcrules.core.errors import InputError
 from gcrules.core.shapes import OneOf
 from gcrules.mechanisms.description.discovery import examples
 from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.poses.limbs.exact_values import value_at
 from gcrules.screws.verdict import VERDICTS
 from gcrules.views import scene_data
 from gcrules.views.formulas.latex import latex
 from gcrules.views.report.stage_ids import STAGE_IDS
-from gcrules.views.robots.exact_values import value_at
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 

@@ -24,6 +24,8 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.load import read_robot
+from gcrules.poses.limbs.singular_members import SingularPose, home_parameters, live_parts, singular_pose
+from gcrules.poses.paths.rational_roots import polynomial, rational_roots
 from gcrules.screws import JOINTS, RATIONALS, RESIDUES
 from gcrules.screws.screw import product
 from gcrules.views.drawing import bsp, frame, labels, legend, solids
@@ -41,9 +43,7 @@ from gcrules.views.robots import robot_drawing
 from gcrules.views.robots import scene as robot_scene
 from gcrules.views.robots import symbols as robot_symbols
 from gcrules.views.robots.joint_chain import DrawnJoint
-from gcrules.views.robots.rational_roots import polynomial, rational_roots
 from gcrules.views.robots.robot_drawing import draw_robot, draw_singular, robot_thumbnail
-from gcrules.views.robots.singular_poses import SingularPose, home_parameters, live_parts, singular_pose
 from gcrules.views.robots.symbols import sign
 
 ALL = [one.id for one in robots()]

@@ -20,6 +20,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import FILE
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.mechanisms.robot import Robot
+from gcrules.poses.limbs.singular_members import SingularPose, live_parts, singular_pose
 from gcrules.rules.plugins import shipped_folder
 from gcrules.views.formulas.latex import latex_lines
 from gcrules.views.pages.catalog_pages import bibliography
@@ -29,7 +30,6 @@ from gcrules.views.pages.robot_index import HEAD, gallery
 from gcrules.views.pages.robot_pages_singular import singular_section
 from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, sections
 from gcrules.views.robots.robot_drawing import draw_robot, draw_singular, robot_thumbnail
-from gcrules.views.robots.singular_poses import SingularPose, live_parts, singular_pose
 
 __all__ = ["FIGURES", "HEAD", "robot_pages"]
 

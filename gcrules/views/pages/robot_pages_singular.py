@@ -8,11 +8,11 @@ from fractions import Fraction
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.poses.limbs.exact_values import Vector
+from gcrules.poses.limbs.meeting import exact_meeting
+from gcrules.poses.limbs.singular_members import SingularPose
 from gcrules.screws import RATIONALS
 from gcrules.views.pages.markdown import inline
-from gcrules.views.robots.entities import exact_meeting
-from gcrules.views.robots.exact_values import Vector
-from gcrules.views.robots.singular_poses import SingularPose
 
 __all__ = ["singular_section"]
 

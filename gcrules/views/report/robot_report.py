@@ -14,6 +14,8 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.as_platform import as_platform
+from gcrules.poses.limbs.exact_values import lines_at
+from gcrules.poses.limbs.singular_members import live_parts
 from gcrules.views.drawing.bsp import XYZ
 from gcrules.views.drawing.figures import graph_figure
 from gcrules.views.drawing.solids import flat_normal
@@ -23,11 +25,9 @@ from gcrules.views.report.scene_json import drawable, scene
 from gcrules.views.report.stages import Formula
 from gcrules.views.results.robot import CONDITION, FACTORS, sections
 from gcrules.views.robots.entities import DrawnFlat, entities
-from gcrules.views.robots.exact_values import lines_at
 from gcrules.views.robots.joint_chain import unit_vector
 from gcrules.views.robots.limb_views import limb_views
 from gcrules.views.robots.robot_drawing import draw_robot
-from gcrules.views.robots.singular_poses import live_parts
 from gcrules.views.scene_data import PlaneView, SceneData
 
 __all__ = ["analysis_of_legs", "robot_report", "robot_scene"]

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from gcrules.poses.limbs.meeting import meeting
+from gcrules.poses.limbs.singular_members import SingularPose
 from gcrules.screws import JOINTS
 from gcrules.views.drawing.bsp import XYZ
 from gcrules.views.drawing.drawing import Circle, Polygon, Run, Shape, Stroke, Text, mapped, name_runs, text_width
 from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.viewpoint import View
-from gcrules.views.robots.entities import DrawnFlat, meeting
+from gcrules.views.robots.entities import DrawnFlat
 from gcrules.views.robots.joint_chain import DrawnJoint
 from gcrules.views.robots.lines import DrawnMotion, entity_role_of
 from gcrules.views.robots.picture import CONSTRAINT_DASH
 from gcrules.views.robots.scene import Scene
-from gcrules.views.robots.singular_poses import SingularPose
 from gcrules.views.robots.symbols import arrow, couple, sign
 
 __all__ = ["SAMPLE", "SIZE", "Entry", "entry_rows", "entry_width", "robot_legend"]

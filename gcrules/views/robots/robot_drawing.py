@@ -8,12 +8,14 @@ from fractions import Fraction
 from math import dist
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.poses.limbs.exact_values import Values
+from gcrules.poses.limbs.meeting import meeting
+from gcrules.poses.limbs.singular_members import SingularPose, live_parts
 from gcrules.views.drawing.bsp import XYZ, cross, dot
 from gcrules.views.drawing.drawing import Drawing, Run, Shape, Stroke, Text, mapped, scaled, without_text
 from gcrules.views.drawing.figures import free_name
 from gcrules.views.drawing.solids import flat_normal
-from gcrules.views.robots.entities import DrawnFlat, common_normal, entities, far_directions, meeting
-from gcrules.views.robots.exact_values import Values
+from gcrules.views.robots.entities import DrawnFlat, common_normal, entities, far_directions
 from gcrules.views.robots.infinity_view import SKY, infinity_shapes
 from gcrules.views.robots.joint_chain import plus, unit_vector
 from gcrules.views.robots.legend import SAMPLE, SIZE, Entry, entry_rows, entry_width, robot_legend
@@ -28,7 +30,6 @@ from gcrules.views.robots.lines import (
 )
 from gcrules.views.robots.picture import robot_shapes
 from gcrules.views.robots.scene import HEIGHT, WIDTH, Scene, scene
-from gcrules.views.robots.singular_poses import SingularPose, live_parts
 
 __all__ = ["draw_robot", "draw_singular", "motion_of", "robot_thumbnail"]
 

@@ -8,12 +8,12 @@ from itertools import combinations
 from math import dist
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.poses.limbs.exact_values import Values, lines_at
 from gcrules.views.drawing.bsp import XYZ, minus
 from gcrules.views.drawing.frame import Frame, Unit, framed
 from gcrules.views.drawing.palette import entity_role
 from gcrules.views.drawing.solids import center, flat_normal
 from gcrules.views.drawing.viewpoint import View, choose_view
-from gcrules.views.robots.exact_values import Values, lines_at
 from gcrules.views.robots.forces import REACH, forces
 from gcrules.views.robots.joint_chain import DrawnLimb, chains, plus, unit_vector
 

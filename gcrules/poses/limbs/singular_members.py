@@ -23,10 +23,10 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.robot import Robot
+from gcrules.poses.limbs.exact_values import Values, Vector, gained, value_at
+from gcrules.poses.limbs.meeting import meeting
+from gcrules.poses.paths.rational_roots import polynomial, rational_roots
 from gcrules.screws import RATIONALS
-from gcrules.views.robots.entities import meeting
-from gcrules.views.robots.exact_values import Values, Vector, gained, value_at
-from gcrules.views.robots.rational_roots import polynomial, rational_roots
 
 __all__ = ["SingularPose", "home_parameters", "live_parts", "singular_pose"]
 
