@@ -44,14 +44,14 @@ from gcrules.algebra.expr import (
     points_of,
     too_many_bits,
 )
-from gcrules.algebra.scalars import superbracket, written_out
+from gcrules.algebra.scalars import written_out
 from gcrules.algebra.superbrackets.determinant import Pair, determinant_terms
 from gcrules.algebra.superbrackets.superbracket import form_terms
 from gcrules.core.budget import MORE_TERMS, checkpoint, watched
 from gcrules.core.errors import LimitReached
 from gcrules.core.linear_algebra import permutation_sign
 
-__all__ = ["MAX_BRACKETS", "MAX_TERMS", "Expander", "Multivector", "expand", "expand_superbracket", "shuffles"]
+__all__ = ["MAX_BRACKETS", "MAX_TERMS", "Expander", "Multivector", "expand", "shuffles"]
 
 MAX_TERMS = 200_000
 MAX_BRACKETS = 1_000_000  # in one monomial
@@ -88,24 +88,6 @@ def expand(
         return BracketPolynomial(rank, order, parts.get((), {}), ideal_count)
     polynomials = {row: BracketPolynomial(rank, order, terms, ideal_count) for row, terms in parts.items()}
     return ExtensorPolynomial(rank, order, e.step, polynomials, ideal_count)
-
-
-def expand_superbracket(
-    lines: Iterable[Expr],
-    *,
-    rank: int = 4,
-    points: Iterable[str] = (),
-    ideal: Iterable[str] = (),
-    limit: int = MAX_TERMS,
-) -> BracketPolynomial:
-    """The superbracket of n(n − 1)/2 lines (any extensors of step 2) in rank n; the rest as for `expand`.
-
-    In rank 2 this is the bracket, in rank 3 the meet of the three lines, in rank 4 the 24-term form, above what
-    `determinant` finds. Raises StepError for another number of lines, or entries that are none.
-    """
-    found = expand(superbracket(*lines, rank=rank), points=points, ideal=ideal, rank=rank, limit=limit)
-    assert isinstance(found, BracketPolynomial)
-    return found
 
 
 class Expander:

@@ -16,9 +16,10 @@ from platform_classes import CLASSES
 
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, evaluate, random_points, random_rational_points
-from gcrules.algebra.expand import expand_superbracket
+from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Number, join, mul, sub
 from gcrules.algebra.parts import substitute
+from gcrules.algebra.scalars import superbracket
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.determinant import determinant_terms
 from gcrules.algebra.superbrackets.shortest import Line, counts, shortest_forms, superbracket_form
@@ -321,7 +322,7 @@ SIZES = [
 
 @pytest.mark.parametrize(("rank", "lines", "terms"), SIZES)
 def test_numbers_of_terms(rank: int, lines: Graph, terms: int) -> None:
-    found = expand_superbracket([gc.parse(a + b, rank=rank) for a, b in lines], rank=rank)
+    found = expand(superbracket(*(gc.parse(a + b, rank=rank) for a, b in lines), rank=rank), rank=rank)
     points = random_points(names(lines), rank=rank, seed=7)
     assert len(found) == terms
     assert value_of(found, points) == determinant(rows_of(lines, points, rank), PRIME)
@@ -357,7 +358,7 @@ def test_lines_that_are_meets_in_every_rank(rank: int, entries: list[str]) -> No
     lines = [gc.parse(e, rank=rank) for e in entries]
     points = random_points("abcdefghij", rank=rank, seed=2)
     expected = determinant([list(gc.evaluate(e, points, modulus=PRIME)) for e in lines], PRIME)
-    assert value_of(expand_superbracket(lines, rank=rank), points) == expected
+    assert value_of(expand(superbracket(*lines, rank=rank), rank=rank), points) == expected
     assert gc.evaluate(written_lines(entries), points, rank=rank, modulus=PRIME) == expected
 
 

@@ -14,7 +14,7 @@ from fractions import Fraction
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.notation import Digits, Mark, Raised, Row, Sign, Term, parts, signs, split_name, terms
 
-__all__ = ["latex", "latex_aligned", "latex_lines", "latex_name", "latex_parts"]
+__all__ = ["latex", "latex_lines", "latex_name", "latex_parts"]
 
 _MARKS = {
     "∨": r" \vee ",
@@ -83,11 +83,6 @@ def _broken(line: str, width: int) -> Iterator[str]:
         now += piece
         used += size
     yield now
-
-
-def latex_aligned(e: Expr, width: int = 60) -> str:
-    r"""`latex_lines` inside `\begin{aligned} … \end{aligned}` (package amsmath)."""
-    return "\\begin{aligned}\n" + " \\\\\n".join(latex_lines(e, width)) + "\n\\end{aligned}"
 
 
 def latex_name(name: str, dotted: bool = False) -> str:
