@@ -15,6 +15,7 @@ from gcrules.mechanisms.analyze import analyze_legs
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.mechanisms.moving_platform import MovingPlatform, rig
+from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import parse_pose, pose_of
 
@@ -79,11 +80,9 @@ class SixLegs:
         shift = np.array([[float(c) for c in pose.translation]])
         ends = moving.ends(shift, turn)[0]
         centre = np.array(self.centre) + shift[0]
-        along = ends - moving.base
-        forces = along / np.linalg.norm(along, axis=1)[:, None]
+        j = jacobian(moving.base, ends[None])
+        forces = j.directions[0]
         rows = np.concatenate([forces, np.cross(ends - centre, forces)], axis=1)
-        arms = ends - ends.mean(axis=0)
-        size = float(np.sqrt((arms**2).sum(axis=1).mean()))
-        values = np.linalg.svd(np.concatenate([forces, np.cross(arms / size, forces)], axis=1), compute_uv=False)
+        values = j.singular_values[0]
         condition = float(values[0] / values[5]) if values[5] > 1e-12 * values[0] else float("inf")
-        return WrenchJacobian(self.actuators, rows, centre, size, float(values[5]), condition)
+        return WrenchJacobian(self.actuators, rows, centre, j.radius, float(values[5]), condition)
