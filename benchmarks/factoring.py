@@ -38,7 +38,7 @@ rank, expressions = json.load(sys.stdin)
 forms = [straighten(parse(e, rank=rank)) for e in expressions]
 start = time.process_time()
 found = [factor(form) for form in forms]
-print(json.dumps([time.process_time() - start, max(len(f.terms) for f in forms), [f.found for f in found]]))
+print(json.dumps([time.process_time() - start, max(len(f.terms) for f in forms), [f.exists for f in found]]))
 """
 
 # Points are (x, y, …, 1), as one would set them up; multiplying out is not counted.

@@ -39,7 +39,7 @@ from gcrules.poses.pose_inputs import six_legged
 from gcrules.poses.pose_report import report
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.pose import Pose
-from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of
+from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import decide
 
 __all__ = ["MAX_SAMPLES", "SAMPLES", "path"]
@@ -177,7 +177,7 @@ def _verdict(zeros: Sequence[Zero], still: Sequence[Stretch], lowest: Least, lim
     assert limit.angle is not None
     if decide(lowest.margin, lowest.rounding) == "singular":
         return "singular", f"σ = {lowest.margin:.2g} is 0 within rounding (to 1e-12 of the robot's size)."
-    turn = 2 * float(np.arcsin(lowest.bound / 2))
+    turn = turn_of(lowest.bound)
     words = f"some leg has to turn by {degrees(turn)} relative to the platform before one is (threshold {limit.text})."
     word = decide(lowest.bound, close=margin_of(limit.angle))
     if word == "regular":

@@ -1,8 +1,9 @@
 r"""What the measure σ guarantees: how far the platform can go before it can be singular, and what noise does to σ.
 
 Proofs stand in docs/pose.md, derived here. In a singular pose some twist moves every joint b_i across its leg: w′_i·v_i
-= 0, all seen from the platform. So Σ (w_i·v_i)² = Σ ((w_i − w′_i)·v_i)² ≤ max |w_i − w′_i|² Σ |v_i|², that is
-σ ≤ 2 sin(θ/2) with θ the largest turn of a leg relative to the platform. The rest is how fast legs can turn.
+= 0, all seen from the platform: v_i lies in the plane across w′_i, where w_i has a part of the length sin θ_i, θ_i the
+angle between the two. So Σ (w_i·v_i)² ≤ max sin² θ_i Σ |v_i|², that is σ ≤ sin θ_i for some leg. The rest is how fast
+legs can turn.
 """
 
 from __future__ import annotations
@@ -57,7 +58,7 @@ def guarantees(j: LegJacobians) -> Guarantees:
     convex, so asin(x/l) ≤ κ x/l up to the angle θ, κ = θ/sin θ, and x ≤ |d| + rφ for an end at the distance r.
     """
     sigma = np.maximum(j.sigma - _ROUNDING, 0.0)
-    turn = 2 * np.arcsin(sigma / 2)
+    turn = np.arcsin(np.minimum(sigma, 1.0))
     kappa = 1 / np.sinc(turn / np.pi)[:, None]
     per_shift = kappa / j.lengths  # turn of each leg for each unit of translation
     per_angle = 1 + per_shift * j.reach  # and for each radian of rotation

@@ -19,6 +19,7 @@ __all__ = [
     "parse_length",
     "parse_threshold",
     "threshold_of",
+    "turn_of",
 ]
 
 _ANGLES = {"deg": math.pi / 180, "°": math.pi / 180, "rad": 1.0}
@@ -36,8 +37,17 @@ class Threshold:
 
 
 def margin_of(angle: float) -> float:
-    """The margin σ that guarantees this turn of a leg (radians): turn = 2 asin(σ/2)."""
-    return 2 * math.sin(min(angle, math.pi) / 2)
+    """The margin σ that guarantees this turn (radians) of a leg, or of a limb's wrenches: its sine. No margin, which is
+    at most 1, guarantees more than a right angle: 2 for that.
+    """
+    return math.sin(angle) if angle <= math.pi / 2 else 2.0
+
+
+def turn_of(margin: float) -> float:
+    """The turn (radians) that a margin guarantees: no pose is singular before some leg, or the wrenches of some limb,
+    have turned by asin σ relative to the platform.
+    """
+    return math.asin(min(max(margin, 0.0), 1.0))
 
 
 DEFAULT = Threshold(angle=math.radians(0.5), text="0.5 deg")
@@ -54,10 +64,18 @@ def threshold_of(given: str | Threshold, unit: str = "") -> Threshold:
 
 
 def angle_threshold(given: str | Threshold, unit: str, where: str) -> Threshold:
-    """The same `where` only angles have a meaning ("in a map")."""
-    found = threshold_of(given, unit)
+    """The same `where` only angles have a meaning ("in a map"). Raises InputError for a length, in whatever unit."""
+    if not isinstance(given, str):
+        found = threshold_of(given, unit)
+    elif (word := _parts(given)[1]) and word not in _ANGLES:
+        found = Threshold(text=given.strip())
+    else:
+        found = parse_threshold(given, unit)
     if found.angle is None:
-        raise InputError(f"{where} the threshold is an angle", hint="how far a leg may turn, as in 2deg")
+        raise InputError(
+            f"{where} the threshold is an angle, not {found.text[:40]}",
+            hint="how far a leg, or a limb's wrenches, may turn relative to the platform, as in 2deg",
+        )
     return found
 
 

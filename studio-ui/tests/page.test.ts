@@ -142,7 +142,7 @@ test("formulas are split into operator, bracket and parentheses of others", () =
 });
 
 test("thresholds are angles or lengths; the gauge is logarithmic", () => {
-  assert.ok(Math.abs(degreesOf(2 * Math.sin((7 * Math.PI) / 360)) - 7) < 1e-12);
+  assert.ok(Math.abs(degreesOf(Math.sin((7 * Math.PI) / 180)) - 7) < 1e-12);
   assert.deepEqual([0, 1e-4, 1e-2, 1, 3].map((s) => Math.round(along(s) * 100)), [0, 0, 50, 100, 100]);
 });
 

@@ -232,8 +232,8 @@ def told(found):
         return found.verdict
     if hasattr(found, "condition"):
         return found.condition.kind
-    if hasattr(found, "found"):
-        return "found" if found.found else "none"
+    if hasattr(found, "exists"):
+        return "found" if found.exists else "none"
     return f"{len(found)} terms"
 
 def outcome(source):

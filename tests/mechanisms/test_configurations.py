@@ -306,7 +306,7 @@ FAULTS = {
     "pitch": (["3-rps", "--at", "z=0, roll=0deg, pitch=90deg"], "between -90deg and 90deg"),
     "rotation vector": (["3-rps", "--at", "z=0, rx=0deg, ry=200deg"], "shorter than half a turn"),
     "far out of reach": (["6-rus", "--at", "0 0 1e6"], "of the way"),
-    "threshold": (["3-rps", "--threshold", "5mm"], "names no unit"),
+    "threshold": (["3-rps", "--threshold", "5mm"], "the threshold is an angle, not 5mm"),
     "unknown robot": (["3-rp"], "did you mean 3-rps"),
 }
 

@@ -102,7 +102,7 @@ def test_the_page_without_a_server_has_its_bound_from_here(height: str) -> None:
 def test_the_default_threshold_is_the_bound() -> None:
     assert DEFAULT.angle is not None
     assert margin_of(DEFAULT.angle) == CLOSE
-    assert 2 * math.asin(CLOSE / 2) == pytest.approx(math.radians(0.5))
+    assert math.asin(CLOSE) == pytest.approx(math.radians(0.5))
 
 
 @pytest.mark.parametrize(

@@ -2,14 +2,12 @@ r"""A robot described by its joints, in one configuration: solve, then all numbe
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from gcrules.core.arguments import described
 from gcrules.core.english import agreeing
 from gcrules.core.errors import InputError
 from gcrules.core.floats import without_noise
@@ -34,7 +32,7 @@ from gcrules.poses.limbs.search import first_singular
 from gcrules.poses.numbers.motion import Twist, twist_of
 from gcrules.screws.pose import Pose, exact
 from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
-from gcrules.screws.threshold import DEFAULT, Threshold, degrees, parse_threshold
+from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import decide
 
 __all__ = ["SINGULAR", "first_singular_pose", "here", "report_at"]
@@ -58,7 +56,7 @@ def report_at(
 
     The `analysis` is asked for only when the joints are solved.
     """
-    limit = limit_of(threshold)
+    limit = angle_threshold(threshold, "", "for robots described by joints")
     wanted = target_of(m, at, actuators, degrees)
     solution = solve(m, wanted) if wanted is not None else _at_home(m)
     return here(m, analysis(), solution, limit)
@@ -74,7 +72,7 @@ def first_singular_pose(
     threshold: str | Threshold = DEFAULT,
 ) -> RobotPose | None:
     """The numbers at the first singular configuration on the way to what is wanted, or None. Raises InputError."""
-    limit = limit_of(threshold)
+    limit = angle_threshold(threshold, "", "for robots described by joints")
     wanted = target_of(m, at, actuators, degrees)
     if wanted is None or not wanted.values.any():
         raise InputError("no direction is given in which to look", hint="give the end of the way: z=1, roll=0deg, …")
@@ -88,19 +86,6 @@ def first_singular_pose(
 
 def _at_home(m: Linkage) -> Solution:
     return Solution(m.home, Target((), np.zeros(0), text="home"))
-
-
-def limit_of(threshold: str | Threshold) -> Threshold:
-    """The threshold, an angle. Raises InputError for a length."""
-    if not isinstance(threshold, (str, Threshold)):
-        raise InputError(f"the threshold {described(threshold)} has no unit", hint='write threshold="2 deg"')
-    limit = parse_threshold(threshold) if isinstance(threshold, str) else threshold
-    if limit.angle is None:
-        raise InputError(
-            f"the threshold {limit.text} is a length: for robots described by joints it is an angle",
-            hint="say how far a limb's wrenches may turn relative to the platform, for example 2deg",
-        )
-    return limit
 
 
 def target_of(m: Linkage, at: Any, actuators: Any, degrees: bool = False) -> Target | None:
@@ -166,7 +151,7 @@ def here(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Thresho
         iterations=solution.iterations,
         mode=_mode(m, analysis, values, solution),
         margin=near.sigma,
-        turn=math.asin(near.sigma),
+        turn=turn_of(near.sigma),
         threshold=limit,
         jacobian=wrench_jacobian(m, c, near),
         factors=values,
@@ -183,10 +168,9 @@ def here(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Thresho
 
 
 def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshold) -> tuple[str, str]:
-    sigma, turn = near.sigma, math.asin(near.sigma)
+    sigma, turn = near.sigma, turn_of(near.sigma)
     assert limit.angle is not None
-    # Here σ guarantees a turn of asin σ, which is at most 90°.
-    word = decide(sigma, SINGULAR, close=math.sin(limit.angle) if limit.angle <= math.pi / 2 else math.inf)
+    word = decide(sigma, SINGULAR, close=margin_of(limit.angle))
     if word == "singular":
         return word, "σ is 0 within rounding: the wrenches of all limbs do not hold the platform."
     lost = [limb.name for limb, c in zip(m.robot.limbs, own, strict=True) if c <= SINGULAR]

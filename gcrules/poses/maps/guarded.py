@@ -2,7 +2,7 @@ r"""Cells of any slice that are free of singular poses, proved by the margin σ 
 
 Within a cell the platform shifts by at most d and turns by at most φ from the pose in the middle; then the end of leg i
 moves by at most x = d + 2 r_i sin(φ/2), r_i its distance from the centre, and the leg turns by at most asin(x/l_i) + φ
-relative to the platform. No pose is singular before some leg has turned by 2 asin(σ/2) (docs/pose.md).
+relative to the platform. No pose is singular before some leg has turned by asin σ (docs/pose.md).
 
 φ is at most the length of the change of a rotation vector, since the exponential map of rotations shortens distances,
 or the sum of the changes of Euler angles. Turning the direction of a tilt θ by δ turns the platform by at most

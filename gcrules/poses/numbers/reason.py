@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.screws.guarantees import Guarantees
 from gcrules.screws.margin import LegJacobians
-from gcrules.screws.threshold import Threshold, degrees, margin_of
+from gcrules.screws.threshold import Threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import CLOSE, decide
 
 __all__ = ["verdict"]
@@ -47,7 +46,7 @@ def verdict(
             return "regular", "At this orientation there is no singular pose at all."
         words = f"t this orientation no singular pose is nearer than {length} (threshold {threshold.text})."
         return ("regular", f"A{words}") if safe else ("close", f"Singular poses may be near: a{words}")
-    safe_turn = 2 * math.asin((sigma - spread) / 2)
+    safe_turn = turn_of(sigma - spread)
     words = f"singular pose before some leg has turned by {degrees(min(turn, safe_turn))} relative to the platform"
     if word == "regular":
         return word, f"No {words} (threshold {threshold.text})."

@@ -19,7 +19,7 @@ from gcrules.poses.paths.least import Least
 from gcrules.poses.paths.zeros import Stretch
 from gcrules.rules.condition import Condition
 from gcrules.screws.pose import Pose
-from gcrules.screws.threshold import Threshold, degrees
+from gcrules.screws.threshold import Threshold, degrees, turn_of
 
 if TYPE_CHECKING:
     pass
@@ -165,6 +165,6 @@ class PathReport(HoldsArrays, Shown):
         return self._show("plot")
 
     def __repr__(self) -> str:
-        angle = degrees(2 * float(np.arcsin(self.least.bound / 2)))
+        angle = degrees(turn_of(self.least.bound))
         found = f"{len(self.zeros)} zeros" + (f", {len(self.stretches)} stretches" if self.stretches else "")
         return f"<PathReport {self.verdict}: {found}, margin at least {self.least.bound:.4g}, {angle}>"

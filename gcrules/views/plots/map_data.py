@@ -114,7 +114,7 @@ def _variables(m: SingularMap) -> dict[str, Variable]:
         "margin": {
             "long_name": "margin sigma, 0 in singular poses, at most 1",
             "units": "1",
-            "comment": "no pose is singular before some leg has turned by 2 asin(sigma/2) relative to the platform",
+            "comment": "no pose is singular before some leg has turned by asin(sigma) relative to the platform",
             "threshold": m.sigma,
         },
         "leg_length": {"long_name": "lengths of the legs", **_unit(unit)},

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.screws.margin import jacobian
+from gcrules.screws.threshold import margin_of
 from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, text_width
 
 __all__ = ["plot", "svg"]
@@ -64,7 +65,7 @@ def plot(r: PathReport) -> Drawing:
     shapes += _frame(x, sigma, "margin σ (no unit; 0 is singular)", last=False)
     shapes += _frame(x, det, "superbracket / (leg lengths · ρ³) (no unit)", last=True)
     assert r.threshold.angle is not None
-    limit = 2 * math.sin(min(r.threshold.angle, math.pi) / 2)
+    limit = margin_of(r.threshold.angle)
     if limit < sigma.high:
         shapes.append(Stroke((x.start, sigma(limit)), (x.end, sigma(limit)), "muted", 1.0, dash=(5, 3)))
     if det.low < 0 < det.high:

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from gcrules.poses.numbers.motion import Dependence
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.screws.pose import Pose
-from gcrules.screws.threshold import degrees
+from gcrules.screws.threshold import degrees, turn_of
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
 
 __all__ = ["as_latex", "as_text"]
@@ -83,7 +83,7 @@ def _least(r: PathReport) -> Iterator[tuple[str, str]]:
     if r.zeros or r.stretches:
         return
     at = f"σ = {r.least.margin:.4g} at parameter {r.least.parameter:.4g} (0 singular, at most 1)"
-    turn = degrees(2 * math.asin(r.least.bound / 2))
+    turn = degrees(turn_of(r.least.bound))
     yield "closest", at
     yield "free of", f"singular poses, proved: σ ≥ {r.least.bound:.4g} on the whole path, any leg's turn by {turn}"
 

@@ -7,5 +7,5 @@ export const along = (sigma: number): number =>
 
 const DEGREE = Math.PI / 180;
 
-/** The threshold angle that warns below a margin: no leg has turned by θ before a singular pose if σ > 2 sin(θ/2). */
-export const degreesOf = (sigma: number): number => (2 * Math.asin(Math.min(sigma, 2) / 2)) / DEGREE;
+/** The threshold angle that warns below a margin: no leg has turned by θ before a singular pose if σ > sin θ. */
+export const degreesOf = (sigma: number): number => Math.asin(Math.min(sigma, 1)) / DEGREE;
