@@ -42,7 +42,7 @@ from gcrules.mechanisms.load import load as _load
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.library import Library
-from gcrules.rules.plugins import Plugin
+from gcrules.rules.plugin import Plugin
 from gcrules.rules.plugins import load_rules as _load_rules
 from gcrules.rules.rewriting import Rewriting
 from gcrules.rules.rewriting import rewrite as _rewrite
@@ -254,7 +254,7 @@ def _rewriting_rules(rules: Iterable[str | RewriteRule]) -> list[RewriteRule]:
         if isinstance(rule, RewriteRule):
             found.append(rule)
         elif rule.endswith(".gca"):
-            found += Plugin(files=(rule,)).identities()
+            found += Plugin(rule_files=(rule,)).identities()
         else:
             named = _load_rules()[rule]
             if not isinstance(named, RewriteRule):

@@ -36,6 +36,7 @@ from gcrules.rules.derivation import Derivation
 from gcrules.rules.deriving import derived, derived_zero
 from gcrules.rules.factorization import SECONDS
 from gcrules.rules.foreign import PluginFault
+from gcrules.rules.plugin import packs
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.strategy import SHORTEST, Strategy
 
@@ -135,6 +136,7 @@ def analyze(
     recheck: bool = False,
     strategy: Strategy | None = None,
     search: float = SECONDS,
+    plugins: Iterable[str | PathLike[str]] = (),
 ) -> Analysis:
     """Analyse six legs: when is the platform singular, and why.
 
@@ -143,10 +145,11 @@ def analyze(
     the shortest one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points
     (as `gcrules.prove` takes it), and `rank` another space, in which there are n (n − 1) / 2 lines.
 
-    `catalogs` adds files of the user's own; `strategy` says which rules run. With `recheck` readings that are instances
-    of catalog identities are proved from scratch. Where no rule finds a condition, a factorization is sought for
-    `search` seconds. Raises InputError for the wrong number of lines, for what is no line, and for assumptions that are
-    not resolved.
+    `catalogs` adds files of the user's own, `plugins` folders whose rules and catalogs take part; `strategy` says which
+    rules run, then those of `plugins` too where it names them. With `recheck` readings that are instances of catalog
+    identities are proved from scratch. Where no rule finds a condition, a factorization is sought for `search` seconds.
+    Raises InputError for the wrong number of lines, for what is no line, and for assumptions that are not
+    resolved.
     """
     if isinstance(legs, Structure):
         if points or ideal or given or rank not in (4, legs.rank):
@@ -154,8 +157,9 @@ def analyze(
         structure = legs
     else:
         structure = read_legs(legs, points=points, ideal=ideal, given=given, rank=rank, built=True)
-    strategy = strategy or load_rules(identities=False).strategy()
-    catalog = load(catalogs, (r.id for r in strategy.incidences))
+    folders = tuple(plugins)
+    strategy = strategy or load_rules(folders=folders, identities=bool(folders)).strategy()
+    catalog = load(catalogs, (r.id for r in strategy.incidences), packs(folders, "catalogs"))
     typed = forms.typed_form(structure)
     chosen = _chosen(order, structure, strategy)
     matches = [] if structure.stand_ins else list(catalog.matches(structure))

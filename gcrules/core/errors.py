@@ -70,6 +70,11 @@ class GcrulesError(Exception):
             self.span = self.span or span
         return self
 
+    def of(self, owner: str) -> GcrulesError:
+        """Say whose fault it is, where that is known, and return the error itself, for `raise e.of(...)`."""
+        self.message = f"{owner}: {self.message}" if owner else self.message
+        return self
+
     @property
     def place(self) -> str | None:
         """`file:line:column`, or None where no place is known."""
@@ -124,6 +129,11 @@ class _Many(FileError):
     def __init__(self, faults: list[GcrulesError]) -> None:
         super().__init__(f"{len(faults)} faults", filename=faults[0].filename)
         self.faults = tuple(faults)
+
+    def of(self, owner: str) -> GcrulesError:
+        for fault in self.faults:
+            fault.of(owner)
+        return self
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _Many, (list(self.faults),)

@@ -50,10 +50,11 @@ def analyze(
     shortest one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points (as
     `gcrules.prove` takes it), and `rank` another space, in which there are n (n − 1) / 2 lines.
 
-    `catalogs` adds files of the user's own; `strategy` says which rules run. With `recheck` readings that are instances
-    of catalog identities are proved from scratch. Where no rule finds a condition, a factorization is sought for
-    `search` seconds. Raises InputError for the wrong number of lines, for what is no line, for assumptions that are not
-    resolved, and for options that the source does not take: robots of joints take `search` only.
+    `catalogs` adds files of the user's own, `plugins` folders whose rules and catalogs take part; `strategy` says which
+    rules run, then those of `plugins` too where it names them. With `recheck` readings that are instances of catalog
+    identities are proved from scratch. Where no rule finds a condition, a factorization is sought for `search` seconds.
+    Raises InputError for the wrong number of lines, for what is no line, for assumptions that are not
+    resolved, and for options that the source does not take: robots of joints take `search` and `plugins` only.
     """
     loaded = load(source, plugins=plugins, points=points, ideal=ideal, given=given, rank=rank)
     options: dict[str, Any] = {
@@ -77,7 +78,7 @@ def analyze(
         return loaded
     if isinstance(loaded, Robot):
         return analyze_robot(loaded, search=search)
-    return analyze_legs(loaded, search=search, **chosen)
+    return analyze_legs(loaded, search=search, plugins=plugins, **chosen)
 
 
 def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:

@@ -31,8 +31,10 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import examples, find_robot, robots
 from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
 from gcrules.mechanisms.robot import Robot
+from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load as load_catalog
+from gcrules.rules.plugin import packs
 
 __all__ = [
     "LOADED",
@@ -64,7 +66,7 @@ _LEG = re.compile(rf"(?:{SHORT_NAME.pattern})\s*[-–]?\s*(?:{SHORT_NAME.pattern
 
 _IDS: Mapping[str, Callable[[Folders], list[str]]] = {
     "robot": lambda plugins: [one.id for one in robots(plugins)],
-    "class": lambda _: [e.id for e in load_catalog().entries],
+    "class": lambda plugins: [e.id for e in _catalog(plugins).entries],
     "example": lambda _: list(examples()),
 }
 """The ids of each kind, in the sequence in which they are looked up."""
@@ -84,8 +86,8 @@ def load(
     """What a source says: a `Structure` of legs, a `Platform` with coordinates, or a `Robot` of joints.
 
     A text is, in this sequence, the text of a geometry file or robot file; the name of such a file (with its ending, a
-    folder, or there on the disk); the id of a robot (shipped, or of `plugins`, folders of the user's own), of a class
-    of the catalog, or of an example; else legs. Legs may be a sequence of pairs, too, and are read with `points`,
+    folder, or there on the disk); the id of a robot or of a class of a catalog (shipped, or of `plugins`, folders of
+    the user's own), or of an example; else legs. Legs may be a sequence of pairs, too, and are read with `points`,
     `ideal`, `given` and `rank` as for `gcrules.analyze`. A mapping holds the data of a file. What was loaded or
     analysed before is given back as it is. `filename` names texts and data in messages; "-" is standard input where
     there is one.
@@ -104,7 +106,7 @@ def load(
     else:
         kind = kind_of(source, plugins) if isinstance(source, str) else "legs"
     if kind == "class":
-        source, kind = legs_text(read_class(str(source)).legs), "legs"
+        source, kind = legs_text(read_class(str(source), plugins).legs), "legs"
     if kind == "legs":
         if not isinstance(source, Iterable):
             raise InputError(f"{described(source)} is no source", hint="give legs, a file, an id, or data")
@@ -157,12 +159,16 @@ def read_robot(name: str | PathLike[str], plugins: Folders = ()) -> Robot:
     return _robot(_load_robot(found.path, found.owner))
 
 
-def read_class(class_id: str) -> Entry:
-    """The class of the catalog. Raises InputError for an id that is not there."""
-    entries = {e.id: e for e in load_catalog().entries}
+def read_class(class_id: str, plugins: Folders = ()) -> Entry:
+    """The class of the catalog, or of one that a plugin brings. Raises InputError for an id that is not there."""
+    entries = {e.id: e for e in _catalog(plugins).entries}
     if class_id not in entries:
         raise InputError(f"there is no class {class_id[:40]!r}", hint=near(class_id, entries))
     return entries[class_id]
+
+
+def _catalog(plugins: Folders) -> Catalog:
+    return load_catalog(plugins=packs(plugins, "catalogs"))
 
 
 def read_example(name: str) -> Platform:

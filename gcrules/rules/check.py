@@ -21,7 +21,8 @@ from gcrules.core.yaml_file import read_text
 from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.foreign import place_of
 from gcrules.rules.library import ENGINE, Library
-from gcrules.rules.plugins import load_rules, packs
+from gcrules.rules.plugin import packs
+from gcrules.rules.plugins import load_rules
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.recognition_state import RecognitionState
 from gcrules.rules.rule import SHIPPED, ConditionRule, EntityRule, RewriteRule, Rule, StructureRule
@@ -75,7 +76,7 @@ def check_rules(
     for one in sorted(named):
         known[one]  # raises where it is not there
     yield from (check_cases(rule, library) for rule in library if everything or rule.id in named)
-    brought = [fspath(f) for p in found for f in p.files]
+    brought = [fspath(f) for p in found for f in p.rule_files]
     for path in brought if everything or named else ():
         script = parse_script(read_text(path), path)
         yield from (check_rule(rule, script) for rule in script.rules if everything or rule.id in named)

@@ -38,7 +38,8 @@ _Twists = Callable[[Field, Geometry], tuple[Row, ...]]
 @dataclass(frozen=True)
 class JointKind:
     """`parts` names the geometry and says what each part is: point, direction or number. `freedoms` are the twists in
-    words, in their order; `drives` are those that the geometry determines one by one, so that they can be actuated.
+    words, in their order from the base; `drives` are those that the geometry determines one by one, so that they can
+    be actuated.
     """
 
     symbol: str

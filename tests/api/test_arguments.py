@@ -166,7 +166,7 @@ METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
         lambda **given: gc.Structure(**{"legs": PLATFORM.legs, **given}),
         ("legs", "points", "ideal", "given", "rank", "stand_ins"),
     ),
-    "Plugin": (gc.Plugin, ("rules", "files", "owner")),
+    "Plugin": (gc.Plugin, ("rules", "rule_files", "robots", "catalogs", "owner")),
     "Platform": (
         lambda **given: gc.Platform(**{"legs": PLATFORM.legs, "points": PLATFORM.points, **given}),
         ("legs", "points", "title", "units"),

@@ -12,11 +12,11 @@ from click.testing import CliRunner
 from mechanisms.shipped_robots import GOOD
 
 from gcrules.apps.cli import cli
-from gcrules.core.errors import InputError
+from gcrules.core.errors import FileError, InputError
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.load import read_robot
-from gcrules.rules.plugins import shipped_folder
+from gcrules.rules.plugin import Plugin, shipped_folder
 
 IDS = tuple(one.id for one in robots())
 
@@ -62,15 +62,30 @@ def test_a_file_of_code_beside_a_robot_is_not_run(folder: Path) -> None:
     assert analyze_robot(read_robot("mine", plugins=[folder])).structure.mobility == 3
 
 
-def test_robots_of_installed_packages(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    package = folder / "robots_of_others"
-    package.mkdir()
-    (package / "__init__.py").write_text("raise SystemExit(7)", "utf-8")  # finding robots does not run it
-    (folder / "mine").rename(package / "mine")
-    monkeypatch.syspath_prepend(str(folder))
-    entry = type("Entry", (), {"name": "others", "value": "robots_of_others", "dist": None})
-    monkeypatch.setattr("gcrules.mechanisms.description.discovery.metadata.entry_points", lambda group: [entry])
-    assert read_robot("mine").owner == "package robots_of_others"
+NAMED = {
+    "a folder of folders": (".", "mine"),
+    "a folder": ("mine", "mine"),
+    "a file": ("mine/robot.yaml", "mine"),
+    "a file with a name of its own": ("other.yaml", "other"),
+}
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_robots_of_installed_packages(folder: Path, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    path, robot_id = NAMED[name]
+    (folder / "other.yaml").write_text(GOOD, "utf-8")
+    brought = Plugin(robots=(folder / path,), owner="package others")
+    monkeypatch.setattr("gcrules.mechanisms.description.discovery.installed", lambda: (brought,))
+    assert read_robot(robot_id).owner == "package others"
+
+
+@pytest.mark.parametrize(("path", "words"), [("none", "cannot be read as robots"), (".", "no robots are here")])
+def test_robots_that_are_not_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, path: str, words: str) -> None:
+    brought = Plugin(robots=(tmp_path / path,), owner="package others")
+    monkeypatch.setattr("gcrules.mechanisms.description.discovery.installed", lambda: (brought,))
+    with pytest.raises(FileError, match=f"package others: {words}") as caught:
+        read_robot("mine")
+    assert caught.value.filename == str(tmp_path / path)
 
 
 def test_commands(folder: Path) -> None:

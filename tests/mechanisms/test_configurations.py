@@ -32,7 +32,7 @@ from gcrules.mechanisms.kinematics.targets import (
 )
 from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
 from gcrules.mechanisms.load import read_robot
-from gcrules.rules.plugins import shipped_folder
+from gcrules.rules.plugin import shipped_folder
 from gcrules.screws.pose_text import parse_pose
 
 IDS = tuple(one.id for one in robots())

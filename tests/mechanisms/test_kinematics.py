@@ -17,7 +17,7 @@ import gcrules as gc
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.limb_file import LimbSpec, read_joints
 from gcrules.mechanisms.description.robot_file import parse_robot
-from gcrules.mechanisms.kinematics.chains import SHAPES, chain_of
+from gcrules.mechanisms.kinematics.chains import _by_twists, chain_of, shape_of
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
 from gcrules.mechanisms.kinematics.margin import margin
@@ -177,7 +177,26 @@ VALUES = {n: np.array(v, dtype=float) for n, v in PLACES.items()}
 
 
 def test_every_kind_of_joint_has_motions() -> None:
-    assert set(SHAPES) == set(SAMPLES) == set(JOINTS)
+    assert set(SAMPLES) == set(JOINTS)
+
+
+# Links on which the parts of a joint ride, written out: of R both sides, of U each axis on the cross and on its side.
+ATTACHMENTS = {
+    "R": ({"point": (0, 1), "axis": (0, 1)}, ()),
+    "P": ({"direction": (0, 1)}, ()),
+    "H": ({"point": (0, 0), "axis": (0, 1)}, ("point",)),
+    "C": ({"point": (0, 1), "axis": (0, 2)}, ("point",)),
+    "U": ({"point": (0, 2), "first": (0, 1), "second": (1, 2)}, ()),
+    "S": ({"point": (0, 3)}, ()),
+    "E": ({"point": (2, 3), "normal": (0, 3)}, ("point",)),
+}
+
+
+@pytest.mark.parametrize("kind", ATTACHMENTS)
+def test_parts_ride_on_the_links_that_leave_them_in_place(kind: str) -> None:
+    found = shape_of(kind)
+    assert (found.attachments, found.loose) == ATTACHMENTS[kind]
+    assert _by_twists(JOINTS[kind]).attachments == found.attachments  # E, which moves in a way of its own, too
 
 
 @pytest.mark.parametrize("kind", SAMPLES)

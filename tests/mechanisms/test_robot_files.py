@@ -24,7 +24,7 @@ from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.description.skeleton import skeleton
 from gcrules.mechanisms.lines.singular import interpolated, roots
 from gcrules.mechanisms.load import read_robot
-from gcrules.rules.plugins import shipped_folder
+from gcrules.rules.plugin import shipped_folder
 from gcrules.screws import JOINTS, RESIDUES
 
 IDS = tuple(one.id for one in robots())

@@ -17,7 +17,7 @@ from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.load import read_robot
 from gcrules.poses.limbs.remark import home_remark
-from gcrules.rules.plugins import shipped_folder
+from gcrules.rules.plugin import shipped_folder
 
 ROBOTS = [one.id for one in robots(())]
 

@@ -26,7 +26,7 @@ from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.relations import Values
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.lines.singular import interpolated, roots
-from gcrules.rules.plugins import shipped_folder
+from gcrules.rules.plugin import shipped_folder
 from gcrules.screws import RATIONALS, RESIDUES
 
 IDS = tuple(one.id for one in robots())

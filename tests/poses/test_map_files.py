@@ -242,7 +242,8 @@ def test_a_full_disk(
     if where == "chunk":
         monkeypatch.setattr("numpy.savez", full)
     elif where == "file":
-        monkeypatch.setattr(outputs, "netcdf", full)
+        broken = {**outputs.MAP_FORMATS, ".nc": outputs.MapFormat(full)}
+        monkeypatch.setattr(outputs, "MAP_FORMATS", broken)
     else:
         full_at = "gcrules.core.files.os.replace"
         monkeypatch.setattr(full_at, lambda a, b: full() if str(b).endswith(".nc") else os.rename(a, b))

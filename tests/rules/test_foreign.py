@@ -14,6 +14,7 @@ import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.core.errors import FileError, LimitReached
 from gcrules.rules import foreign
+from gcrules.rules.plugin import installed
 from gcrules.rules.plugins import ConditionRule, load_rules
 
 LEGS = "Aa Ab Ac Bd Be Cf"
@@ -316,8 +317,8 @@ PACKAGES = {
     ),
     "files that are numbers": (
         "broken:PLUGIN",
-        "from gcrules.rules.plugins import Plugin\nPLUGIN = Plugin(files=(1,))",
-        "`files` must be a sequence of names of files, got a tuple of 1 that holds 1",
+        "from gcrules.rules.plugins import Plugin\nPLUGIN = Plugin(rule_files=(1,))",
+        "`rule_files` must be a sequence of names of files, got a tuple of 1 that holds 1",
     ),
     "ends the program": ("broken:PLUGIN", "raise SystemExit(0)", "package broken cannot be loaded: SystemExit: 0"),
 }
@@ -333,15 +334,13 @@ def test_a_package_is_the_culprit(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     (tmp_path / "broken.py").write_text(code, encoding="utf-8")
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.delitem(sys.modules, "broken", raising=False)
-    from gcrules.rules.plugins import _installed
-
-    _installed.cache_clear()
+    installed.cache_clear()
     try:
         for command in COMMANDS[:1] + COMMANDS[6:7]:
             done = CliRunner().invoke(cli, command)
             assert_named(done.exit_code, done.stdout, done.stderr, "broken", words)
     finally:
-        _installed.cache_clear()
+        installed.cache_clear()
 
 
 def test_rules_are_checked_by_their_ids() -> None:

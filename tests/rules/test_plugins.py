@@ -17,7 +17,8 @@ import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.core.errors import FileError, InputError
 from gcrules.rules.check import check_rules
-from gcrules.rules.plugins import load_rules, plugins_in, shipped_folder
+from gcrules.rules.plugin import plugins_in, shipped_folder
+from gcrules.rules.plugins import load_rules
 
 RULE = """
 from gcrules.rules.plugins import ConditionRule, bracket, mul, points
@@ -201,6 +202,62 @@ def test_a_catalog_may_have_kinds_that_a_plugin_brings(folder: Callable[..., Pat
     assert "'mine' is not one of" in refused.stderr
 
 
+def test_a_folder_brings_its_catalog(folder: Callable[..., Path]) -> None:
+    """Its entries are found by their ids, may be of the kinds of its rules, and make readings."""
+    plugins = folder(RULE)
+    (plugins / "mine" / "catalog.yaml").write_text(OWN, encoding="utf-8")
+    assert gc.load("own-1", plugins=[plugins]) == gc.load(LEGS)
+    a = gc.analyze("own-1", plugins=[plugins])
+    assert {"In my own words."} < {r.statement for r in (a.condition, *a.readings)}
+    words = ["--plugins", str(plugins)]
+    found = json.loads(CliRunner().invoke(cli, ["analyze", LEGS, "--json", *words]).output)
+    assert "In my own words." in {r["statement"] for r in found["readings"]}
+    named = CliRunner().invoke(cli, ["analyze", LEGS, "--json", "--rules", "four-planes", *words])
+    assert named.exit_code == 0  # the kinds of a plugin's rules are known to its catalog whatever rules run
+    checked = CliRunner().invoke(cli, ["catalog", "check", *words])
+    assert (checked.exit_code, "own-1" in checked.output) == (0, True)
+    assert "In my own words." not in {r.statement for r in gc.analyze(LEGS).readings}
+
+
+REFUSED = {
+    "no catalog": ("classes: 1", "plugin mine: expected a list", "catalog.yaml:1"),
+    "another kind": (OWN.replace("kind: mine", "kind: yours"), "plugin mine: 'yours' is not one of", "catalog.yaml:5"),
+    "a class that is known": (OWN.replace("own-1", "3-3.3"), "class 3-3.3 stands in ", "catalog.yaml:3"),
+    "two faults": (OWN.replace("mine", "yours").replace("[Aabc]", "[Aabz]"), "plugin mine: 'yours'", "catalog.yaml:5"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_a_wrong_catalog_is_told_with_its_plugin_and_place(folder: Callable[..., Path], name: str) -> None:
+    text, words, place = REFUSED[name]
+    plugins = folder(RULE)
+    (plugins / "mine" / "catalog.yaml").write_text(text, encoding="utf-8")
+    with pytest.raises(FileError) as caught:
+        gc.analyze(LEGS, plugins=[plugins])
+    assert words in str(caught.value)
+    assert place in str(caught.value)
+
+
+def test_a_false_entry_of_a_plugin_is_no_answer(folder: Callable[..., Path]) -> None:
+    plugins = folder(RULE)
+    false = OWN.replace("[Aabc][ABde][ABCf]", "[Aabc][ABde][ABCd]")
+    (plugins / "mine" / "catalog.yaml").write_text(false, encoding="utf-8")
+    with pytest.raises(FileError, match=r"catalog.yaml:5:41: the reading .* is not an identity: it fails at"):
+        gc.analyze(LEGS, plugins=[plugins])
+    checked = CliRunner().invoke(cli, ["catalog", "check", "--plugins", str(plugins)])
+    assert checked.exit_code == 1
+
+
+def test_code_is_run_only_for_rules_and_catalogs(folder: Callable[..., Path]) -> None:
+    plugins = folder("raise SystemExit(7)")
+    assert list(plugins_in(plugins, "robots")) == list(plugins_in(plugins, "catalogs")) == []
+    (plugins / "mine" / "catalog.yaml").write_text(OWN, encoding="utf-8")
+    assert [len(p.catalogs) for p in plugins_in(plugins, "robots")] == [1]
+    for bringing in ("catalogs", "rules"):
+        with pytest.raises(FileError, match="plugin mine cannot be loaded: SystemExit: 7"):
+            list(plugins_in(plugins, bringing))
+
+
 @pytest.fixture(scope="module")
 def outside(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the distribution of tests/outside installed."""
@@ -227,10 +284,14 @@ def test_an_outside_package_plugs_in(outside: Path, root: Path) -> None:
     assert rules["volumes"]["owner"] == "package gcrules-outside"
     assert rules["outside"]["owner"] == "package gcrules-outside, outside.gca:1"
     found = json.loads(run(outside, root, "analyze", LEGS, "--json").stdout)
-    (reading,) = (r for r in found["readings"] if r["kind"] == "volumes")
-    assert reading["statement"].startswith("The robot is singular exactly when the product of the volumes of ")
+    statements = {r["statement"] for r in found["readings"] if r["kind"] == "volumes"}
+    assert any(s.startswith("The robot is singular exactly when the product of the volumes of ") for s in statements)
     rewritten = run(outside, root, "rewrite", "pq /\\ rs", "--rules", "outside", "--json")
     assert json.loads(rewritten.stdout)["after"] == "[pqrs]"
+    assert "(package gcrules-outside)" in run(outside, root, "robot", "list").stdout
+    assert json.loads(run(outside, root, "robot", "analyze", "outside-rps", "--json").stdout)["condition"]
+    assert "Three volumes, one of which is 0." in statements
+    assert "outside-1" in run(outside, root, "catalog", "list").stdout
     checked = run(outside, root, "rules", "check")
     assert checked.returncode == 0
     assert "volumes" in checked.stdout

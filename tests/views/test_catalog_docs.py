@@ -46,9 +46,10 @@ def known(pages: Pages, monkeypatch: pytest.MonkeyPatch) -> None:
         sources: dict[str, str],
         catalogs: Sequence[str] = (),
         strategy: Strategy | None = None,
+        plugins: Sequence[str] = (),
     ) -> Pages:
         own = Catalog(tuple(e for e in catalog.entries if e.id not in shipped), catalog.statements)
-        return pages | (catalog_pages(own, sources, catalogs, strategy) if own.entries else {})
+        return pages | (catalog_pages(own, sources, catalogs, strategy, plugins) if own.entries else {})
 
     monkeypatch.setattr(renderer, "catalog_pages", quick)
 

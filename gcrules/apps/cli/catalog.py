@@ -23,6 +23,7 @@ from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.file import load
 from gcrules.rules.catalog.proofs import is_shipped
 from gcrules.rules.condition import Condition
+from gcrules.rules.plugin import packs
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.random_witness import Oracle
 from gcrules.rules.sentences import sentence
@@ -69,9 +70,9 @@ def list_(catalogs: tuple[str, ...], folders: tuple[str, ...], out: Output) -> N
 
 
 def _loaded(catalogs: tuple[str, ...], folders: tuple[str, ...]) -> Catalog:
-    """The catalog with the user's files; rules of plugins may bring kinds of condition."""
+    """The catalog with those of plugins and the user's files; rules of plugins may bring kinds of condition."""
     rules = load_rules(folders=folders, identities=bool(folders)).strategy()
-    return load(catalogs, (r.id for r in rules.incidences))
+    return load(catalogs, (r.id for r in rules.incidences), packs(folders, "catalogs"))
 
 
 @click.command()

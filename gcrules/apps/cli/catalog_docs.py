@@ -17,6 +17,7 @@ from gcrules.core.errors import FileError, GcrulesError, join_faults
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import SHIPPED
 from gcrules.rules.catalog.file import load
+from gcrules.rules.plugin import packs
 from gcrules.rules.plugins import load_rules
 from gcrules.views.pages.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages
 
@@ -44,13 +45,13 @@ def docs(
     gcrules catalog docs --out build/catalog --catalog mine.yaml
     """
     strategy = load_rules(folders=folders, identities=bool(folders)).strategy()
-    loaded = load(catalogs, (r.id for r in strategy.incidences))
+    loaded = load(catalogs, (r.id for r in strategy.incidences), packs(folders, "catalogs"))
     own = [*(("catalog", path) for path in catalogs), *(("plugins", folder) for folder in folders)]
     options = "".join(f" --{word} {shlex.quote(path)}" for word, path in own)
     with working("proving the entries"):
         _prove(loaded, options)
     with working("computing the pages"):
-        pages = catalog_pages(loaded, bibliography(), catalogs, strategy)
+        pages = catalog_pages(loaded, bibliography(), catalogs, strategy, folders)
     command = f"gcrules catalog docs{options}" + (f" --out {shlex.quote(out)}" if out != OUT else "")
     done = renew(pages, out, head=HEAD, figures=FIGURES, command=command, check=check)
     Output(json=as_json).show(done)

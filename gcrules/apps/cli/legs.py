@@ -243,6 +243,7 @@ def _analyzed(
             recheck=recheck,
             strategy=choice.strategy(),
             search=search,
+            plugins=choice.folders,
             **given,
         )
     for warning in answer.platform.warnings if isinstance(answer, Analysis) and answer.platform else ():

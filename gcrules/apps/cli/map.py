@@ -20,7 +20,7 @@ from gcrules.poses.maps.axes import read_axes
 from gcrules.poses.maps.maps import MEASURES, bytes_of, done, planned
 from gcrules.poses.maps.store import check_room
 from gcrules.poses.pose_inputs import on_six_legs
-from gcrules.views.plots.map_files import SUFFIXES, check_outputs
+from gcrules.views.plots.map_files import MAP_FORMATS, check_outputs
 
 __all__ = ["map_"]
 
@@ -63,7 +63,7 @@ __all__ = ["map_"]
     type=OutputFile(),
     multiple=True,
     metavar="FILE",
-    help=f"Write a file, as often as you like; its suffix says what: {' '.join(SUFFIXES)}.",
+    help=f"Write a file, as often as you like; its suffix says what: {' '.join(MAP_FORMATS)}.",
 )
 def map_(
     file: str,

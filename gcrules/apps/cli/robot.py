@@ -19,12 +19,13 @@ from gcrules.core.errors import FileError, GcrulesError, LimitReached
 from gcrules.core.files import write_file
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import notes
-from gcrules.mechanisms.description.discovery import FILE, robots
+from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.family import Definition
 from gcrules.mechanisms.description.skeleton import skeleton
 from gcrules.mechanisms.load import read_robot
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.factorization import SECONDS
+from gcrules.rules.plugin import ROBOT_FILE
 
 __all__ = ["robot"]
 
@@ -230,7 +231,7 @@ def new_command(robot_id: str, path: str | None) -> None:
             folder.mkdir(exist_ok=True)
         except OSError as fault:
             raise FileError(f"cannot be made: {fault.strerror}", filename=str(folder)) from None
-        path = str(folder / FILE)
+        path = str(folder / ROBOT_FILE)
     if path != "-" and os.path.exists(path):
         raise FileError("there is a file of this name already", filename=path)
     write_file(path, text)

@@ -23,7 +23,7 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "gallery": lambda subject, args: gallery(),
     "open": lambda subject, args: study(subject),
     "pose": lambda subject, args: numbers(subject, args["pose"], args.get("threshold")),
-    "margins": lambda subject, args: margins(subject, args["poses"], args.get("threshold")),
+    "along": lambda subject, args: margins(subject, args["poses"], args.get("threshold")),
     "nearest": lambda subject, args: nearest(subject, args["pose"], args.get("threshold")),
     "manual": lambda subject, args: replayed(subject, args["commands"]),
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),

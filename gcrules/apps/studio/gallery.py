@@ -17,6 +17,7 @@ from gcrules.mechanisms.load import read_example, read_robot
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load as load_catalog
+from gcrules.rules.plugin import packs
 from gcrules.views.drawing.sample import sample_coordinates
 
 __all__ = ["gallery"]
@@ -49,7 +50,7 @@ GROUPS = {
 def gallery() -> Gallery:
     """All that can be opened by name."""
     return {
-        "classes": [_of_class(e) for e in load_catalog().entries],
+        "classes": [_of_class(e) for e in load_catalog(plugins=packs(bringing="catalogs")).entries],
         "robots": [item for one in robots() if (item := _of_robot(one))],
         "examples": [_of_example(name) for name in examples()],
     }

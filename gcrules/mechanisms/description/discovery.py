@@ -1,29 +1,24 @@
-"""Where robots are found: with gcrules, in folders of plugins, in installed packages. No code of theirs is run."""
+"""Where robots are found: with gcrules, in folders of plugins, whose code is not run, and in installed packages."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from importlib import metadata, util
 from os import PathLike, fspath
 from pathlib import Path
 
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.hints import near
-from gcrules.rules.plugins import shipped_folder
+from gcrules.rules.plugin import ROBOT_FILE, Plugin, installed, plugins_in, shipped, shipped_folder
 
-__all__ = ["FILE", "GROUP", "RobotFile", "examples", "find_robot", "robots"]
-
-FILE = "robot.yaml"
-GROUP = "gcrules.robots"
-"""The entry point group of installed packages: the value is a package, whose folders hold robot files."""
+__all__ = ["RobotFile", "examples", "find_robot", "robots"]
 
 Folders = Iterable[str | PathLike[str]]
 
 
 @dataclass(frozen=True)
 class RobotFile:
-    """A robot file with its id (the name of its folder) and its owner in messages."""
+    """A robot file with its id (the name of its folder, or its own) and its owner in messages."""
 
     id: str
     path: str
@@ -48,7 +43,7 @@ def find_robot(name: str | PathLike[str], folders: Folders = ()) -> RobotFile:
     word = fspath(name)
     path = Path(word)
     if path.suffix in (".yaml", ".yml") or len(path.parts) > 1 or path.is_file():
-        return RobotFile(path.parent.name if path.name == FILE else path.stem, word, "")
+        return RobotFile(_id_of(path), word, "")
     known = {one.id: one for one in robots(folders)}
     if word not in known:
         hint = near(word, known) or f"there are {', '.join(known)}."
@@ -64,26 +59,35 @@ def examples() -> dict[str, Path]:
     return {path.stem: path for path in found}
 
 
+def _id_of(path: Path) -> str:
+    return path.parent.name if path.name == ROBOT_FILE else path.stem
+
+
 def _all(folders: Folders) -> Iterator[RobotFile]:
-    shipped = shipped_folder()
-    if shipped:
-        yield from _in(shipped, "gcrules")
-    for entry in sorted(metadata.entry_points(group=GROUP), key=lambda e: e.name):
-        package = entry.dist.name if entry.dist else entry.value
-        spec = util.find_spec(entry.value.partition(".")[0])
-        if spec is None or not spec.submodule_search_locations:
-            raise FileError(f"{entry.value} is no package with folders of robots", filename=f"package {package}")
-        for root in spec.submodule_search_locations:
-            yield from _in(Path(root, *entry.value.split(".")[1:]), f"package {package}")
+    for plugin in shipped("robots"):
+        yield from _of(plugin, "gcrules")
+    for plugin in installed():
+        yield from _of(plugin, plugin.owner)
     for folder in folders:
-        yield from _in(Path(folder), f"folder {fspath(folder)}")
+        for plugin in plugins_in(Path(folder), "robots"):
+            yield from _of(plugin, f"folder {fspath(folder)}")
 
 
-def _in(folder: Path, owner: str) -> Iterator[RobotFile]:
+def _of(plugin: Plugin, owner: str) -> Iterator[RobotFile]:
+    for named in map(Path, plugin.robots):
+        yield from (RobotFile(_id_of(path), str(path), owner) for path in _files(named, plugin))
+
+
+def _files(named: Path, plugin: Plugin) -> list[Path]:
+    """The robot files that a plugin names: the file itself, or those of a folder. Raises FileError where none is."""
+    if named.is_file():
+        return [named]
     try:
-        inside = sorted(p for p in folder.iterdir() if (p / FILE).is_file())
+        found = [path for folder in (named, *sorted(named.iterdir())) if (path := folder / ROBOT_FILE).is_file()]
     except (OSError, ValueError) as fault:
         why = getattr(fault, "strerror", None) or fault
-        raise FileError(f"cannot be read as a folder of plugins: {why}", filename=str(folder)) from None
-    for path in inside:
-        yield RobotFile(path.name, str(path / FILE), owner)
+        raise FileError(f"{plugin.owner}: cannot be read as robots: {why}", filename=str(named)) from None
+    if not found:
+        hint = f"name files, or folders that hold a {ROBOT_FILE} or folders with one"
+        raise FileError(f"{plugin.owner}: no robots are here", filename=str(named), hint=hint)
+    return found

@@ -10,7 +10,7 @@ import numpy as np
 
 from gcrules.mechanisms.description.limb_file import JointSpec
 from gcrules.mechanisms.description.relations import AXES
-from gcrules.mechanisms.kinematics.chains import SHAPES
+from gcrules.mechanisms.kinematics.chains import shape_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import FLOATS, JOINTS
@@ -42,7 +42,7 @@ def attachments(robot: Robot) -> dict[str, tuple[Attachment, ...]]:
         for joint in limb.joints:
             for name, link, loose in _of_joint(joint):
                 found.setdefault(name, {})[Attachment(place, start + link, loose)] = None
-            start += len(SHAPES[joint.kind].motions)
+            start += len(shape_of(joint.kind).motions)
         last = start if place == 0 else last
     for name in robot.platform:
         found.setdefault(name, {Attachment(0, last): None})
@@ -56,7 +56,7 @@ def _firm(own: tuple[Attachment, ...]) -> tuple[Attachment, ...]:
 
 def _of_joint(joint: JointSpec) -> Iterator[tuple[str, int, bool]]:
     """(name, link within the joint, loose) for all names of a joint."""
-    shape = SHAPES[joint.kind]
+    shape = shape_of(joint.kind)
     end = len(shape.motions)
     for part, arg in zip(JOINTS[joint.kind].parts, joint.args, strict=True):
         if not isinstance(arg, tuple):

@@ -6,14 +6,15 @@ turn back about its far end what the bar carries moves along a circle and keeps 
 does; so two motions may share one amount.
 
 >>> from gcrules.mechanisms.description.limb_file import read_joints
->>> [m.name for joint in read_joints("R(A, z) Pa(A B, n)") for m in SHAPES[joint.kind].motions]
-['turn', 'swing', 'swing back']
+>>> [m.name for joint in read_joints("R(A, z) Pa(A B, n)") for m in shape_of(joint.kind).motions]
+['turn about the axis', 'swing', 'swing back']
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -23,9 +24,10 @@ from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, exponential
-from gcrules.screws import JOINTS
+from gcrules.screws import FLOATS, JOINTS, RATIONALS, JointKind
+from gcrules.screws.fields import Row
 
-__all__ = ["SHAPES", "Chain", "ElementaryMotion", "Shape", "chain_of", "geometry_of"]
+__all__ = ["Chain", "ElementaryMotion", "Shape", "chain_of", "geometry_of", "shape_of"]
 
 Values = Mapping[str, Floats]
 Geometry = Mapping[str, Any]
@@ -86,47 +88,8 @@ def _swing(place: int, back: bool) -> Callable[[Geometry], Floats]:
     return lambda g: _turn(g["first"] + g["bars"] * back, _across(_unit(g["bars"]), place))
 
 
-def _roll(place: int) -> Callable[[Geometry], Floats]:
-    return lambda g: _turn(g["point"], np.eye(3)[place])
-
-
-_ROLLS = tuple(ElementaryMotion(f"turn about {c}", n, 1, True, _roll(n)) for n, c in enumerate("xyz"))
-
-SHAPES: Mapping[str, Shape] = FrozenMap(
+_OWN: Mapping[str, Shape] = FrozenMap(
     {
-        "R": Shape(
-            (ElementaryMotion("turn", 0, 1, True, _about("point", "axis")),),
-            {"point": (0, 1), "axis": (0, 1)},
-        ),
-        "P": Shape(
-            (ElementaryMotion("slide", 0, 1, False, lambda g: _slide(g["direction"])),),
-            {"direction": (0, 1)},
-        ),
-        "H": Shape(
-            (
-                ElementaryMotion(
-                    "screw", 0, 1, True, lambda g: _turn(g["point"], g["axis"]) + g["pitch"] * _slide(g["axis"])
-                ),
-            ),
-            {"point": (0, 0), "axis": (0, 1)},
-            ("point",),
-        ),
-        "C": Shape(
-            (
-                ElementaryMotion("turn", 0, 1, True, _about("point", "axis")),
-                ElementaryMotion("slide", 1, 1, False, lambda g: _slide(g["axis"])),
-            ),
-            {"point": (0, 1), "axis": (0, 2)},
-            ("point",),
-        ),
-        "U": Shape(
-            (
-                ElementaryMotion("first turn", 0, 1, True, _about("point", "first")),
-                ElementaryMotion("second turn", 1, 1, True, _about("point", "second")),
-            ),
-            {"point": (0, 2), "first": (0, 1), "second": (1, 2)},
-        ),
-        "S": Shape(_ROLLS, {"point": (0, 3)}),
         "E": Shape(
             (
                 ElementaryMotion("slide", 0, 1, False, lambda g: _slide(_across(g["normal"], 0))),
@@ -165,8 +128,56 @@ SHAPES: Mapping[str, Shape] = FrozenMap(
         ),
     }
 )
-"""The motions of every kind of joint. The turn of 4S about the bar is 0 wherever its bars are parallel; other places,
-where its twists are others, are refused."""
+"""Kinds that move otherwise than by their twists one after the other: the slides of E are lengths; bars swing. The turn
+of 4S about the bar is 0 wherever its bars are parallel; other places, where its twists are others, are refused.
+"""
+
+
+def shape_of(symbol: str) -> Shape:
+    """How a kind of joint moves: by the twists of its row in `JOINTS`, one after the other from the base, unless it is
+    one of those that move in a way of their own.
+    """
+    return _OWN.get(symbol) or _by_twists(JOINTS[symbol])
+
+
+@cache
+def _by_twists(kind: JointKind) -> Shape:
+    sample = {part: _SAMPLES[form][n] for n, (part, form) in enumerate(kind.parts.items())}
+    twists = kind.twists(sample, RATIONALS)
+    motions = tuple(
+        ElementaryMotion(freedom, n, 1, any(twists[n][:3]), _twist(kind, n)) for n, freedom in enumerate(kind.freedoms)
+    )
+    vectors = {part: form for part, form in kind.parts.items() if form != "number"}
+    links = {part: _longest([_fixes(row, sample[part], form) for row in twists]) for part, form in vectors.items()}
+    loose = (part for part, form in vectors.items() if form == "point" and links[part] != (0, len(twists)))
+    return Shape(motions, FrozenMap(links), tuple(loose))
+
+
+_SAMPLES: Mapping[str, tuple[Any, ...]] = FrozenMap(
+    {
+        "point": ((2, 3, 5), (7, 1, 4), (3, 8, 2), (1, 6, 9)),
+        "direction": ((1, 4, 2), (5, 1, 3), (2, 7, 1), (3, 2, 8)),
+        "number": (2, 3, 5, 7),
+    }
+)
+"""Parts in general position, on which it is seen what each motion leaves where it is."""
+
+
+def _twist(kind: JointKind, place: int) -> Callable[[Geometry], Floats]:
+    return lambda g: np.array(kind.rows(FLOATS, g)[place], dtype=float)
+
+
+def _fixes(twist: Row, part: tuple[int, int, int], form: str) -> bool:
+    """Whether a motion leaves a point (ω × p + v = 0) or a direction (ω × d = 0) where it is."""
+    velocity = RATIONALS.cross(twist[:3], part)
+    return not any(a + b if form == "point" else a for a, b in zip(velocity, twist[3:], strict=True))
+
+
+def _longest(fixed: Sequence[bool]) -> tuple[int, int]:
+    """The first and last link of the longest run of links between which a part stays; of equal ones the first."""
+    ends = [k for k, stays in enumerate(fixed) if not stays]
+    runs = list(zip([0, *(k + 1 for k in ends)], [*ends, len(fixed)], strict=True))
+    return max(runs, key=lambda run: run[1] - run[0])
 
 
 def geometry_of(joint: JointSpec, values: Values) -> dict[str, Any]:
@@ -231,9 +242,9 @@ def chain_of(limb: LimbSpec, values: Values) -> Chain:
     for joint in limb.joints:
         geometry = geometry_of(joint, values)
         start = len(turns)
-        kinds = {m.freedom: m.turns for m in SHAPES[joint.kind].motions}
+        kinds = {m.freedom: m.turns for m in shape_of(joint.kind).motions}
         turns += [kinds[n] for n in range(len(kinds))]
-        for m in SHAPES[joint.kind].motions:
+        for m in shape_of(joint.kind).motions:
             screws.append(m.screw(geometry))
             uses.append(start + m.freedom)
             signs.append(m.sign)

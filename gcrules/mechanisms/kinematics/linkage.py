@@ -13,7 +13,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import ranks
 from gcrules.mechanisms.kinematics.attachments import Attachment, attachments
-from gcrules.mechanisms.kinematics.chains import SHAPES, Chain, chain_of, geometry_of
+from gcrules.mechanisms.kinematics.chains import Chain, chain_of, geometry_of, shape_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS
@@ -156,7 +156,7 @@ def _still(robot: Robot) -> Iterator[tuple[int, int, str]]:
     for place, limb in enumerate(robot.limbs):
         start = 0
         for joint in limb.joints:
-            yield from ((place, start + n, joint.text) for n in SHAPES[joint.kind].locked)
+            yield from ((place, start + n, joint.text) for n in shape_of(joint.kind).locked)
             start += len(JOINTS[joint.kind].freedoms)
 
 
@@ -165,7 +165,7 @@ def _actuators(robot: Robot) -> Iterator[Actuator]:
     for place, limb in enumerate(robot.limbs):
         start = 0
         for joint in limb.joints:
-            turns = {m.freedom: m.turns for m in SHAPES[joint.kind].motions}
+            turns = {m.freedom: m.turns for m in shape_of(joint.kind).motions}
             freedoms = JOINTS[joint.kind].freedoms
             for n in joint.actuated:
                 number += 1

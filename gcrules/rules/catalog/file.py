@@ -3,10 +3,11 @@ r"""Catalog files: the shipped one and the user's own. The shipped file's header
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import cache
 from importlib.resources import files
 from os import PathLike, fspath
+from pathlib import Path
 from string import Formatter
 from typing import Any
 
@@ -23,20 +24,21 @@ from gcrules.rules.catalog.catalog import FROM_CATALOG, LABELS, Catalog
 from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.proofs import is_shipped_sentence
 from gcrules.rules.condition_rule import INCIDENCES
+from gcrules.rules.plugin import Plugin
 
 __all__ = ["KINDS", "STATUSES", "load", "load_file"]
 
 
-def load(own: Iterable[str | PathLike[str]] = (), kinds: Iterable[str] = ()) -> Catalog:
-    """The shipped catalog with the user's own files, in which kinds of condition that plugins bring may stand too.
+def load(own: Iterable[str | PathLike[str]] = (), kinds: Iterable[str] = (), plugins: Iterable[Plugin] = ()) -> Catalog:
+    """The shipped catalog with those of plugins and the user's own files, in which `kinds` of condition that plugins
+    bring may stand too; in the catalogs of a plugin those of its own rules anyway.
 
     Raises FileError for faults and for ids that clash.
     """
-    shipped = _shipped()
+    shipped, kinds = _shipped(), tuple(kinds)
     entries, statements = list(shipped.entries), dict(shipped.statements)
     sources = {k: SHIPPED for k, sentence in statements.items() if not is_shipped_sentence(k, sentence)}
-    for path in own:
-        more = load_file(path, kinds)
+    for path, more in (*_brought(plugins, kinds), *((path, load_file(path, kinds)) for path in own)):
         clashes = [(e, other) for e in more.entries for other in entries if e.id == other.id]
         if clashes:
             raise join_faults(
@@ -46,6 +48,20 @@ def load(own: Iterable[str | PathLike[str]] = (), kinds: Iterable[str] = ()) -> 
         statements |= more.statements
         sources |= dict.fromkeys(more.statements, fspath(path))
     return Catalog(tuple(entries), FrozenMap(statements), FrozenMap(sources))
+
+
+def _brought(plugins: Iterable[Plugin], kinds: tuple[str, ...]) -> Iterator[tuple[str | PathLike[str], Catalog]]:
+    """The catalogs of plugins, each file once. Raises FileError that names the plugin."""
+    files: set[Path] = set()
+    for plugin in plugins:
+        for path in plugin.catalogs:
+            if (place := Path(path).resolve()) in files:
+                continue
+            files.add(place)
+            try:
+                yield path, load_file(path, (*kinds, *plugin.kinds))
+            except FileError as fault:
+                raise fault.of(plugin.owner) from None
 
 
 @cache

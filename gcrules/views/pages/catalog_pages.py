@@ -52,18 +52,19 @@ def catalog_pages(
     bibliography: Mapping[str, str],
     catalogs: Sequence[str | PathLike[str]] = (),
     strategy: Strategy | None = None,
+    plugins: Sequence[str | PathLike[str]] = (),
 ) -> dict[str, str]:
     """File names (relative to the folder of the pages) and contents.
 
     `bibliography` gives a line for each source; `catalogs` names the files that the catalog was loaded from besides the
-    shipped one, `strategy` the rules that run, for the analysis.
+    shipped one, `plugins` the folders of plugins, `strategy` the rules that run, for the analysis.
     """
     names = page_names(e.id for e in catalog.entries)
     links = neighbours(catalog)
     pages: dict[str, str] = {}
     for number, entry in enumerate(catalog.entries, 1):
         report(f"{entry.id}, {number} of {len(catalog.entries)}")
-        a = analyze(entry.structure, catalogs=catalogs, recheck=True, strategy=strategy)
+        a = analyze(entry.structure, catalogs=catalogs, recheck=True, strategy=strategy, plugins=plugins)
         poses = _worked(a)
         at = {word: _cartesian(pose) for word, pose in poses.items()}
         name = names[entry.id]

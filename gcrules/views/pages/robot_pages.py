@@ -17,11 +17,10 @@ from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.description.discovery import FILE
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.mechanisms.robot import Robot
 from gcrules.poses.limbs.singular_members import SingularPose, live_parts, singular_pose
-from gcrules.rules.plugins import shipped_folder
+from gcrules.rules.plugin import ROBOT_FILE, shipped_folder
 from gcrules.views.formulas.latex import latex_lines
 from gcrules.views.pages.catalog_pages import bibliography
 from gcrules.views.pages.markdown import inline, reference
@@ -172,9 +171,9 @@ def _file(robot: Robot) -> Iterator[str]:
     yield ""
     path, shipped = Path(robot.filename), shipped_folder()
     if shipped and path.parent.parent.resolve() == shipped.resolve():
-        target = posixpath.join("..", "..", "plugins", path.parent.name, FILE)
-        yield f"[`plugins/{path.parent.name}/{FILE}`]({target}) describes this robot; copy it and change it."
+        target = posixpath.join("..", "..", "plugins", path.parent.name, ROBOT_FILE)
+        yield f"[`plugins/{path.parent.name}/{ROBOT_FILE}`]({target}) describes this robot; copy it and change it."
     else:
-        yield f"`{FILE}` in the folder `{inline(path.parent.name)}`."
+        yield f"`{ROBOT_FILE}` in the folder `{inline(path.parent.name)}`."
     yield f"`gcrules robot analyze {robot.id}` prints the analysis, `gcrules robot new` writes a file to begin with."
     yield ""

@@ -4,23 +4,77 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.files import check_target, replacing
+from gcrules.core.frozen import FrozenMap
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.maps.store import written
 from gcrules.views.plots.map_data import netcdf
 from gcrules.views.plots.map_meshes import glb, ply
 
-__all__ = ["PICTURES", "SUFFIXES", "check_outputs", "save"]
+__all__ = ["MAP_FORMATS", "MapFormat", "check_outputs", "save"]
 
 picture = deferred("gcrules.views.plots.map_plot:picture")
 
-PICTURES = (".svg", ".pdf", ".png")
-_MESHES = {".ply": ply, ".glb": glb}
-SUFFIXES = (".nc", *PICTURES, *_MESHES, ".json")
+_Write = Callable[[SingularMap, str], None]
+
+
+@dataclass(frozen=True)
+class MapFormat:
+    """A kind of file: `write` makes a new file of this name. `needs` are libraries with what needs them, `in_space`
+    those that maps over three coordinates need too; a `surface` is of such maps only.
+    """
+
+    write: _Write
+    needs: tuple[tuple[str, str], ...] = ()
+    in_space: tuple[tuple[str, str], ...] = ()
+    surface: bool = False
+
+
+def _data(made: Callable[[SingularMap], bytes]) -> _Write:
+    """A file of the bytes that a function makes."""
+
+    def write(m: SingularMap, path: str) -> None:
+        data = made(m)
+        with open(path, "xb") as file:
+            file.write(data)
+
+    return write
+
+
+def _picture(form: str) -> MapFormat:
+    needs = (("matplotlib", "pictures need matplotlib"),)
+    return MapFormat(_data(lambda m: picture(m, form)), needs, (_SURFACES,))
+
+
+def _mesh(made: Callable[[Any], bytes], *needs: tuple[str, str]) -> MapFormat:
+    return MapFormat(_data(lambda m: made(m.mesh)), needs, (_SURFACES,), surface=True)
+
+
+def _json(m: SingularMap) -> bytes:
+    return (json.dumps(m.to_json(), indent=2) + "\n").encode()
+
+
+_SURFACES = ("skimage", "surfaces need scikit-image")
+_HDF = (("h5netcdf", "NetCDF files need h5netcdf"), ("h5py", "NetCDF files need h5py"))
+
+MAP_FORMATS: Mapping[str, MapFormat] = FrozenMap(
+    {
+        ".nc": MapFormat(netcdf, _HDF),
+        ".svg": _picture("svg"),
+        ".pdf": _picture("pdf"),
+        ".png": _picture("png"),
+        ".ply": _mesh(ply),
+        ".glb": _mesh(glb, ("trimesh", "GLB files need trimesh")),
+        ".json": MapFormat(_data(_json)),
+    }
+)
+"""Every kind of file, by its suffix."""
 
 
 def check_outputs(paths: Sequence[str], axes: int) -> None:
@@ -28,20 +82,13 @@ def check_outputs(paths: Sequence[str], axes: int) -> None:
     FileError for folders that are not there. Best called before anything is computed.
     """
     for path in paths:
-        suffix = _suffix(path)
-        if suffix not in SUFFIXES:
-            raise InputError(f"{path}: no kind of output", hint=f"outputs end in {', '.join(SUFFIXES)}")
-        if suffix in _MESHES and axes != 3:
+        form = MAP_FORMATS.get(_suffix(path))
+        if form is None:
+            raise InputError(f"{path}: no kind of output", hint=f"outputs end in {', '.join(MAP_FORMATS)}")
+        if form.surface and axes != 3:
             raise InputError(f"{path}: a surface needs three coordinates", hint="give --over three times")
-        if suffix in _MESHES or (suffix in PICTURES and axes == 3):
-            _need("skimage", "surfaces need scikit-image")
-        if suffix == ".glb":
-            _need("trimesh", "GLB files need trimesh")
-        if suffix in PICTURES:
-            _need("matplotlib", "pictures need matplotlib")
-        if suffix == ".nc":
-            _need("h5netcdf", "NetCDF files need h5netcdf")
-            _need("h5py", "NetCDF files need h5py")
+        for library, words in (*(form.in_space if axes == 3 else ()), *form.needs):
+            _need(library, words)
         check_target(path)
     twice = next((p for i, p in enumerate(paths) if p in paths[:i]), None)
     if twice is not None:
@@ -65,20 +112,6 @@ def save(m: SingularMap, paths: Sequence[str]) -> None:
     for path in paths:
         try:
             with replacing(path) as temporary:
-                _write(m, temporary, _suffix(path))
+                MAP_FORMATS[_suffix(path)].write(m, temporary)
         except OSError as fault:
             raise written(fault, path) from None
-
-
-def _write(m: SingularMap, path: str, suffix: str) -> None:
-    if suffix == ".nc":
-        netcdf(m, path)
-        return
-    if suffix in PICTURES:
-        data = picture(m, suffix[1:])
-    elif suffix in _MESHES:
-        data = _MESHES[suffix](m.mesh)
-    else:
-        data = (json.dumps(m.to_json(), indent=2) + "\n").encode()
-    with open(path, "xb") as file:
-        file.write(data)

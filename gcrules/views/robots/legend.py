@@ -46,7 +46,14 @@ def entry_rows(entries: Iterable[Entry], width: float) -> list[list[Entry]]:
 
 _FLAT = Frame(View.at(-62, 22), 1.0, (0.0, 0.0), 0.8)
 _SMALL = Frame(View.at(-62, 22), 1.0, (0.0, 0.0), 0.58)
-_SHOWN = {"R": (1.0, 0.0, 0.0), "P": (1.0, 0.0, 0.0), "H": (1.0, 0.0, 0.0), "C": (1.0, 0.0, 0.0), "E": (0.0, 0.0, 1.0)}
+_X, _Z = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+_MADE_OF_BARS = ("Pa", "4S")  # which are drawn as bars between pins
+
+
+def _sample(kind: str) -> DrawnJoint:
+    """A joint by itself, its directions along x and z; a plate lies level."""
+    directions = [form for form in JOINTS[kind].parts.values() if form == "direction"]
+    return DrawnJoint(kind, (0.0, 0.0, 0.0), (_Z,) if kind == "E" else (_X, _Z)[: len(directions)])
 
 
 def robot_legend(
@@ -60,10 +67,9 @@ def robot_legend(
     for limb, role in s.roles.items():
         entries.append(([Stroke((-12, 0), (12, 0), role, 4.4)], (Run(limb),)))
     if pose is None:
-        kinds = dict.fromkeys(j.kind for limb in s.a.robot.limbs for j in limb.joints if j.kind in (*_SHOWN, "U", "S"))
+        kinds = dict.fromkeys(j.kind for limb in s.a.robot.limbs for j in limb.joints if j.kind not in _MADE_OF_BARS)
         for kind in kinds:
-            axes = ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)) if kind == "U" else (_SHOWN.get(kind, (0.0, 0.0, 1.0)),)
-            sample = sign(DrawnJoint(kind, (0.0, 0.0, 0.0), axes), _SMALL if kind in "CHE" else _FLAT, "muted")
+            sample = sign(_sample(kind), _SMALL if kind in ("C", "H", "E") else _FLAT, "muted")
             entries.append((sample, (Run(JOINTS[kind].name),)))
         entries.append(
             (sign(DrawnJoint("P", (0.0, 0.0, 0.0), ((1.0, 0.0, 0.0),), True), _FLAT, "ink"), (Run("driven"),))

@@ -7,10 +7,12 @@ planar one a plate on its normal. What is driven has the colour of drives.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from math import cos, hypot, pi, sin
 
+from gcrules.core.frozen import FrozenMap
+from gcrules.screws import JOINTS
 from gcrules.views.drawing.bsp import XYZ, cross, dot
 from gcrules.views.drawing.drawing import XY, Circle, Polygon, Shape, Stroke
 from gcrules.views.drawing.frame import Frame
@@ -34,31 +36,52 @@ def basis(axis: XYZ) -> tuple[XYZ, XYZ]:
 
 
 def sign(place: DrawnJoint, frame: Frame, role: str) -> list[Shape]:
-    """The sign of a joint in the colour of its limb."""
+    """The sign of a joint in the colour of its limb: one of its own, or one that its freedoms and axes make."""
+    return SIGNS.get(place.kind, _by_freedoms)(place, frame, role, "drive" if place.driven else role)
+
+
+def _by_freedoms(place: DrawnJoint, frame: Frame, ink: str, fill: str) -> list[Shape]:
+    """A box along what only slides, a cylinder about one axis, pins about several, a ball where there is none."""
     at, axes = place.at, place.axes
-    ink, fill = role, "drive" if place.driven else role
-    match place.kind:
-        case "R":
-            return _cylinder(frame, at, axes[0], 12, 6.4, ink, fill)
-        case "C" | "H":
-            rod = [_rod(frame, at, axes[0], 24, ink)]
-            thread = _thread(frame, at, axes[0], ink) if place.kind == "H" else []
-            return [*rod, *_cylinder(frame, at, axes[0], 13, 6.4, ink, fill), *thread]
-        case "carriage":
-            return _box(frame, at, axes[0], (17, 7.6, 7.6), ink, fill)
-        case "P" | "Pa":
-            return _box(frame, at, axes[0], (13, 6.6, 6.6), ink, fill)
-        case "U":
-            pins = sorted(axes, key=lambda u: abs(round(dot(u, frame.view.eye), 6)))
-            return [s for u in pins for s in _cylinder(frame, at, u, 10, 3.3, ink, fill)]
-        case "E":
-            plate = _box(frame, at, axes[0], (2, 13, 13), ink, fill)
-            return [*plate, *_cylinder(frame, plus(at, axes[0], 4 * frame.point), axes[0], 5, 4.0, ink, fill)]
-        case "pin":
-            return [Circle(frame.place(at), 4.2 * frame.size, fill if place.driven else "paper", ink, 1.8)]
-    x, y = frame.place(at)
-    r, shine = _BALL * frame.size, 2.0 * frame.size
-    return [Circle((x, y), r, fill, "ink", 1.2), Circle((x - shine, y - shine), 0.75 * shine, "paper", "paper", 0.4)]
+    if not axes:
+        (x, y), r, shine = frame.place(at), _BALL * frame.size, 2.0 * frame.size
+        gloss = Circle((x - shine, y - shine), 0.75 * shine, "paper", "paper", 0.4)
+        return [Circle((x, y), r, fill, "ink", 1.2), gloss]
+    if all(freedom.startswith("slide") for freedom in JOINTS[place.kind].freedoms):
+        return _box(frame, at, axes[0], (13, 6.6, 6.6), ink, fill)
+    if len(axes) == 1:
+        return _cylinder(frame, at, axes[0], 12, 6.4, ink, fill)
+    pins = sorted(axes, key=lambda u: abs(round(dot(u, frame.view.eye), 6)))
+    return [s for u in pins for s in _cylinder(frame, at, u, 10, 3.3, ink, fill)]
+
+
+def _cylindrical(place: DrawnJoint, frame: Frame, ink: str, fill: str) -> list[Shape]:
+    at, axis = place.at, place.axes[0]
+    return [_rod(frame, at, axis, 24, ink), *_cylinder(frame, at, axis, 13, 6.4, ink, fill)]
+
+
+def _helical(place: DrawnJoint, frame: Frame, ink: str, fill: str) -> list[Shape]:
+    return [*_cylindrical(place, frame, ink, fill), *_thread(frame, place.at, place.axes[0], ink)]
+
+
+def _carriage(place: DrawnJoint, frame: Frame, ink: str, fill: str) -> list[Shape]:
+    return _box(frame, place.at, place.axes[0], (17, 7.6, 7.6), ink, fill)
+
+
+def _planar(place: DrawnJoint, frame: Frame, ink: str, fill: str) -> list[Shape]:
+    at, normal = place.at, place.axes[0]
+    plate = _box(frame, at, normal, (2, 13, 13), ink, fill)
+    return [*plate, *_cylinder(frame, plus(at, normal, 4 * frame.point), normal, 5, 4.0, ink, fill)]
+
+
+def _pin(place: DrawnJoint, frame: Frame, ink: str, fill: str) -> list[Shape]:
+    return [Circle(frame.place(place.at), 4.2 * frame.size, fill if place.driven else "paper", ink, 1.8)]
+
+
+SIGNS: Mapping[str, Callable[[DrawnJoint, Frame, str, str], list[Shape]]] = FrozenMap(
+    {"C": _cylindrical, "H": _helical, "E": _planar, "carriage": _carriage, "pin": _pin}
+)
+"""Signs that the freedoms alone would not make: of kinds of joints, and of places that a drawing adds."""
 
 
 def _solid(points: Sequence[XY], ink: str, fill: str, shade: float) -> list[Shape]:

@@ -1,8 +1,10 @@
-"""A plugin from outside: one incidence rule in Python, one identity in the language."""
+"""A plugin from outside: one incidence rule in Python, one identity in the language, a robot and a catalog."""
 
 from pathlib import Path
 
 from gcrules.rules.plugins import ConditionRule, Plugin, bracket, mul, points
+
+FOLDER = Path(__file__).parent
 
 
 def volumes(state):
@@ -22,5 +24,7 @@ PLUGIN = Plugin(
             statement="The robot is singular exactly when the product of the volumes of {tetrahedra} is 0.",
         ),
     ),
-    files=(Path(__file__).with_name("outside.gca"),),
+    rule_files=(FOLDER / "outside.gca",),
+    robots=(FOLDER / "robots",),
+    catalogs=(FOLDER / "catalog.yaml",),
 )
