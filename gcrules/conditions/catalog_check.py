@@ -149,15 +149,15 @@ def factors(structure: Structure) -> Iterator[tuple[str, ...]]:
     """Brackets that divide the superbracket: those on whose zeros (a point moved into the plane of the other three,
     at exact random points) it vanishes too.
     """
-    for four in combinations(structure.names, 4):
+    drawn = random_points(structure.names, seed=("factors", structure.text()))
+    weights = [w for w, *_ in random_points("abc", seed=("weights", structure.text())).values()]
+    superbracket = structure.superbracket
+    for *three, last in combinations(structure.names, 4):
         checkpoint()
-        points = random_points(structure.names, seed=("factors", structure.text()))
-        weights = random_points(four[:3], seed=("weights", structure.text()))
-        points[four[3]] = tuple(
-            sum(weights[n][0] * points[n][i] for n in four[:3]) % PRIME for i in range(len(points[four[0]]))
-        )
-        if evaluate(structure.superbracket, points, modulus=PRIME) == 0:
-            yield tuple(sorted(four))
+        rows = zip(*(drawn[n] for n in three), strict=True)
+        moved = tuple(sum(w * c for w, c in zip(weights, row, strict=True)) % PRIME for row in rows)
+        if evaluate(superbracket, {**drawn, last: moved}, modulus=PRIME) == 0:
+            yield tuple(sorted((*three, last)))
 
 
 def _proved(reading: CatalogIdentity, structure: Structure) -> list[str]:

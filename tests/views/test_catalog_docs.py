@@ -16,14 +16,13 @@ import pytest
 from click.testing import CliRunner, Result
 from commands import invoke
 
-from gcrules.apps.cli import cli
+from gcrules.apps.cli import catalog_docs, cli
 from gcrules.core.budget import within
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.file import load
 from gcrules.rules.strategy import Strategy
 from gcrules.views.drawing import bsp, graph, labels, legend, sample, scene, solids
 from gcrules.views.drawing import viewpoint as view
-from gcrules.views.pages import catalog_pages as renderer
 from gcrules.views.pages.catalog_pages import FIGURES, HEAD, bibliography, catalog_pages
 from gcrules.views.pages.markdown import inline, reference
 from gcrules.views.pages.page_names import page_names
@@ -47,11 +46,14 @@ def known(pages: Pages, monkeypatch: pytest.MonkeyPatch) -> None:
         catalogs: Sequence[str] = (),
         strategy: Strategy | None = None,
         plugins: Sequence[str] = (),
+        only: Sequence[str] = (),
     ) -> Pages:
+        if only:
+            return catalog_pages(catalog, sources, catalogs, strategy, plugins, only)
         own = Catalog(tuple(e for e in catalog.entries if e.id not in shipped), catalog.statements)
         return pages | (catalog_pages(own, sources, catalogs, strategy, plugins) if own.entries else {})
 
-    monkeypatch.setattr(renderer, "catalog_pages", quick)
+    monkeypatch.setattr(catalog_docs, "catalog_pages", quick)
 
 
 def run(*arguments: str) -> Result:
@@ -103,6 +105,30 @@ def test_stale_missing_and_left_over_pages(tmp_path: Path, pages: Pages) -> None
     assert contents(tmp_path) == before
     assert "2 written, 3 removed" in run("--out", str(tmp_path)).stdout
     assert contents(tmp_path) == pages | {"notes.md": "by hand"}
+
+
+@pytest.mark.usefixtures("known")
+def test_only_the_pages_of_some_classes(tmp_path: Path, pages: Pages) -> None:
+    assert run("--out", str(tmp_path)).exit_code == 0
+    for name in ("6-6.md", "6-5.md", "README.md"):
+        (tmp_path / name).write_text("edited", encoding="utf-8")
+    (tmp_path / "7-7.md").write_text(HEAD, encoding="utf-8")
+    (tmp_path / "6-2-singular.svg").write_text("", encoding="utf-8")
+    only = ("--only", "6-5", "--only", "6-2", "--out", str(tmp_path))
+    stale = run("--check", *only)
+    assert stale.exit_code == 1
+    assert stale.stdout.splitlines()[:-1] == ["6-5.md is stale", "6-2-singular.svg is no longer generated"]
+    assert f"`gcrules catalog docs --only 6-5 --only 6-2 --out {tmp_path}`" in stale.stdout
+    assert "1 written, 1 removed" in run(*only).stdout
+    assert contents(tmp_path) == pages | {"6-6.md": "edited", "README.md": "edited", "7-7.md": HEAD}
+
+
+def test_only_a_class_that_is_not_there(tmp_path: Path) -> None:
+    result = run("--only", "6-5", "--only", "6-55", "--out", str(tmp_path / "pages"))
+    assert result.exit_code == 2
+    assert "'6-55'" in result.stderr
+    assert "6-5?" in result.stderr
+    assert not (tmp_path / "pages").exists()
 
 
 @pytest.mark.usefixtures("known")
@@ -269,7 +295,7 @@ def test_false_entries_are_refused_before_pages_are_computed(tmp_path: Path, mon
     def never(*_: object, **__: object) -> Pages:
         raise AssertionError("no page may be computed")
 
-    monkeypatch.setattr(renderer, "catalog_pages", never)
+    monkeypatch.setattr(catalog_docs, "catalog_pages", never)
     path = tmp_path / "my own.yaml"
     path.write_text(own_catalog("ab bc ca ad be cf", "[abcd][abce][abcf]"), encoding="utf-8")
     result = run("--out", str(tmp_path / "pages"), "--catalog", str(path))

@@ -322,6 +322,18 @@ def one_robot(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("one_robot")
+def test_only_the_pages_of_one_robot(tmp_path: Path, folder: Path) -> None:
+    out = tmp_path / "pages"
+    done = run("--only", "3-rpr", "--out", str(out), "--plugins", str(folder))
+    assert done.exit_code == 0, done.output
+    assert (out / "3-rpr.md").is_file()
+    assert not any((out / name).exists() for name in ("my-robot.md", "index.md"))
+    wrong = run("--only", "3-rpn", "--out", str(out))
+    assert wrong.exit_code == 2
+    assert "3-rpr" in wrong.output
+
+
+@pytest.mark.usefixtures("one_robot")
 def test_stale_missing_and_left_over_pages(tmp_path: Path, folder: Path) -> None:
     out = tmp_path / "pages"
     done = run("--out", str(out), "--plugins", str(folder))

@@ -21,7 +21,7 @@ from gcrules.apps.cli.base import (
 )
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import beside, limited, time_limit
-from gcrules.apps.cli.manual import ManualOptions, manual_options, run_manual
+from gcrules.apps.cli.manual_options import ManualOptions, manual_options
 from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.sources import read_source
 from gcrules.conditions.analysis import Analysis
@@ -37,6 +37,7 @@ from gcrules.rules.factorization import SECONDS
 
 __all__ = ["analyze", "report"]
 
+run_manual = deferred("gcrules.apps.cli.manual:run_manual")
 rendered = deferred("gcrules.views.report.report:report")
 save = deferred("gcrules.views.drawing.drawing_files:save")
 graph_figure = deferred("gcrules.views.drawing.figures:graph_figure")

@@ -1,4 +1,4 @@
-"""`gcrules analyze --manual`: proposals from a prompt, from standard input or from options."""
+"""A session in manual mode: proposals from a prompt, from standard input or from options."""
 
 from __future__ import annotations
 
@@ -6,17 +6,15 @@ import json
 import os
 import sys
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import wraps
-from typing import Any
 
 import click
 
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.text import SHORT_NAME
-from gcrules.apps.cli.base import Output, SpaceOptions, decorated
+from gcrules.apps.cli.base import Output, SpaceOptions
 from gcrules.apps.cli.files import read_stdin
 from gcrules.apps.cli.limits import limited
+from gcrules.apps.cli.manual_options import ManualOptions
 from gcrules.conditions.manual import MOVES, PROPOSALS, ManualSession, analysis_of, load_session, save_session
 from gcrules.conditions.manual.forms import orders_text
 from gcrules.conditions.manual.words import CommandWords, relocated
@@ -26,7 +24,7 @@ from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.hints import near
 from gcrules.mechanisms.description.platform_file import Platform
 
-__all__ = ["ManualOptions", "manual_options", "run_manual"]
+__all__ = ["run_manual"]
 
 HELP = """\
 order 2 1 3 4 6 5        write the superbracket with the legs in this order (numbers or legs)
@@ -43,43 +41,6 @@ show, left, history      the board, the left-over points, what was proposed
 statement, analysis      the condition in words, all stages
 save FILE, quit          write a session file (--session FILE resumes it), end
 """
-
-
-@dataclass(frozen=True)
-class ManualOptions:
-    """What --manual, --propose and --session say."""
-
-    flag: bool = False
-    proposals: tuple[str, ...] = ()
-    path: str | None = None
-
-    @property
-    def requested(self) -> bool:
-        return self.flag or bool(self.proposals) or self.path is not None
-
-
-def manual_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """--manual, --propose, --session; the command receives them as `manual`."""
-
-    @wraps(command)
-    def with_manual(**options: Any) -> Any:
-        asked, proposals, path = (options.pop(key) for key in ("manual", "proposals", "session_path"))
-        return command(manual=ManualOptions(asked, proposals, path), **options)
-
-    decorators = [
-        click.option("--manual", is_flag=True, help="Propose entities and the condition yourself, at a prompt."),
-        click.option(
-            "--propose",
-            "proposals",
-            multiple=True,
-            metavar="COMMAND",
-            help='Manual mode with these commands: --propose "plane abc"; "help" lists them.',
-        ),
-        click.option(
-            "--session", "session_path", metavar="FILE", help="Manual mode: resume from this file and save to it."
-        ),
-    ]
-    return decorated(with_manual, decorators)
 
 
 def run_manual(

@@ -50,15 +50,23 @@ class PageSummary:
 
 
 def renew(
-    pages: Mapping[str, str], out: str, *, head: str, figures: Sequence[str], command: str, check: bool
+    pages: Mapping[str, str],
+    out: str,
+    *,
+    head: str,
+    figures: Sequence[str],
+    command: str,
+    check: bool,
+    complete: bool = True,
 ) -> PageSummary:
-    """Write pages and figures (names and contents) into the folder `out`, and remove those of earlier runs.
+    """Write pages and figures (names and contents) into the folder `out`, and remove those of earlier runs; where the
+    pages are not `complete`, only figures that these pages no longer have.
 
     Pages of earlier runs begin with `head`; their figures bear the page's name, a hyphen and one of `figures`. With
     `check` nothing is written. Raises FileError for what cannot be written.
     """
     folder = Path(out)
-    gone = _left_over(folder, pages, head, figures)
+    gone = _left_over(folder, pages, head if complete else None, figures)
     stale = {name: "stale" if (folder / name).exists() else "missing" for name in _stale(folder, pages)}
     stale |= dict.fromkeys(gone, "no longer generated")
     if not check:
@@ -85,11 +93,13 @@ def _read(path: Path) -> str | None:
         return None
 
 
-def _left_over(folder: Path, pages: Mapping[str, str], head: str, figures: Sequence[str]) -> list[str]:
-    """Pages that an earlier run wrote for what is gone, and figures that their pages no longer have."""
+def _left_over(folder: Path, pages: Mapping[str, str], head: str | None, figures: Sequence[str]) -> list[str]:
+    """Pages that an earlier run wrote for what is gone (none of them without `head`), and figures that their pages no
+    longer have.
+    """
     gone = []
     for path in sorted(folder.glob("*.md")):
-        if path.name not in pages and not (_read(path) or "").startswith(head):
+        if path.name not in pages and (head is None or not (_read(path) or "").startswith(head)):
             continue
         mine = [path, *(path.with_name(f"{path.stem}-{kind}.svg") for kind in figures)]
         gone += [p.name for p in mine if p.name not in pages and p.is_file()]

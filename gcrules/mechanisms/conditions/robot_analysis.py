@@ -9,12 +9,6 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.shown import Shown
-from gcrules.mechanisms.conditions.common_factor import CommonFactor
-from gcrules.mechanisms.conditions.factor_causes import FactorCause
-from gcrules.mechanisms.conditions.published import Published
-from gcrules.mechanisms.lines.equivalent import Equivalent
-from gcrules.mechanisms.lines.home import HomeWrench
-from gcrules.mechanisms.lines.serial import LimbSingularity
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 

@@ -42,9 +42,11 @@ def label_box(text: Text) -> Box:
 
 def overlap(a: Box, b: Box, margin: float = 0.0) -> float:
     """The area common to two boxes, one of them enlarged by a margin."""
+    if a[2] <= b[0] - margin or b[2] + margin <= a[0] or a[3] <= b[1] - margin or b[3] + margin <= a[1]:
+        return 0.0
     width = min(a[2], b[2] + margin) - max(a[0], b[0] - margin)
     height = min(a[3], b[3] + margin) - max(a[1], b[1] - margin)
-    return max(width, 0.0) * max(height, 0.0)
+    return width * height
 
 
 def place_labels(
@@ -122,13 +124,16 @@ def _cost(
 
 def _inside(box: Box, start: XY, end: XY) -> float:
     """The length of a stroke inside a box (Liang and Barsky's clipping)."""
-    dx, dy = end[0] - start[0], end[1] - start[1]
+    (x, y), (u, v), (left, top, right, bottom) = start, end, box
+    if (x < left and u < left) or (x > right and u > right) or (y < top and v < top) or (y > bottom and v > bottom):
+        return 0.0
+    dx, dy = u - x, v - y
     low, high = 0.0, 1.0
     for p, q in (
-        (-dx, start[0] - box[0]),
-        (dx, box[2] - start[0]),
-        (-dy, start[1] - box[1]),
-        (dy, box[3] - start[1]),
+        (-dx, x - left),
+        (dx, right - x),
+        (-dy, y - top),
+        (dy, bottom - y),
     ):
         if abs(p) < 1e-12:
             if q < 0:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from math import cos, hypot, radians, sin
+from math import cos, hypot, inf, radians, sin
 
 from gcrules.views.drawing.bsp import XYZ, cross, dot
 from gcrules.views.drawing.drawing import XY
@@ -14,6 +14,9 @@ __all__ = ["View", "choose_view", "distance_to_stroke"]
 
 _AZIMUTHS = range(0, 360, 10)
 _ELEVATIONS = (14, 20, 27)
+_OFF_LEGS = 0.05  # sizes of the picture from a joint to a leg of others
+_OFF_AXIS = 0.3  # of what is seen edge on or from its end
+_ROUNDING = 1e-6  # costs are compared in so large steps
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,10 +56,18 @@ def choose_view(
     unit normals should not be seen edge on, nor lines with the given unit directions from their ends. `elevations` are
     angles in degrees. Equal merits are decided by the order of the viewpoints.
     """
-    views = enumerate(_views(elevations))
-    scored = ((round(_clutter(v, points, legs, normals, directions, apart), 6), i, v) for i, v in views)
-    cost, _, view = min(scored, key=lambda s: s[:2])
-    return view, cost
+    views = list(_views(elevations))
+    best, least = views[0], inf
+    for view in views:
+        total = 0.0
+        for fault in _clutter(view, points, legs, normals, directions, apart):
+            total += fault
+            if total > least + _ROUNDING:
+                break
+        else:
+            if round(total, 6) < least:
+                best, least = view, round(total, 6)
+    return best, least
 
 
 def distance_to_stroke(p: XY, start: XY, end: XY) -> float:
@@ -80,22 +91,25 @@ def _clutter(
     normals: Sequence[XYZ],
     directions: Sequence[XYZ],
     apart: float,
-) -> float:
+) -> Iterator[float]:
+    """What speaks against a viewpoint, each part positive; who adds them up may stop at any."""
     at = {name: view.flat(p) for name, p in points.items()}
     xs, ys = [x for x, _ in at.values()], [y for _, y in at.values()]
     size = max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
-    total = 0.0
     for p, q in combinations(at.values(), 2):
-        total += _near(hypot(p[0] - q[0], p[1] - q[1]) / size, apart)
-    for name, p in at.items():
-        for a, b in legs:
-            if name not in (a, b):
-                total += _near(distance_to_stroke(p, at[a], at[b]) / size, 0.05)
+        if (distance := hypot(p[0] - q[0], p[1] - q[1]) / size) < apart:
+            yield _near(distance, apart)
+    reach = _OFF_LEGS * size
+    strokes = [(a, b, at[a], at[b], sorted((at[a][0], at[b][0])), sorted((at[a][1], at[b][1]))) for a, b in legs]
+    for name, (x, y) in at.items():
+        for a, b, start, end, (left, right), (top, bottom) in strokes:
+            if left - x > reach or x - right > reach or top - y > reach or y - bottom > reach or name in (a, b):
+                continue
+            yield _near(distance_to_stroke((x, y), start, end) / size, _OFF_LEGS)
     for normal in normals:
-        total += _near(abs(dot(normal, view.eye)), 0.3)
+        yield _near(abs(dot(normal, view.eye)), _OFF_AXIS)
     for direction in directions:
-        total += _near(1 - abs(dot(direction, view.eye)), 0.3)
-    return total
+        yield _near(1 - abs(dot(direction, view.eye)), _OFF_AXIS)
 
 
 def _near(distance: float, enough: float) -> float:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 from importlib.resources import files
 from itertools import combinations
@@ -53,17 +53,20 @@ def catalog_pages(
     catalogs: Sequence[str | PathLike[str]] = (),
     strategy: Strategy | None = None,
     plugins: Sequence[str | PathLike[str]] = (),
+    only: Collection[str] = (),
 ) -> dict[str, str]:
     """File names (relative to the folder of the pages) and contents.
 
     `bibliography` gives a line for each source; `catalogs` names the files that the catalog was loaded from besides the
-    shipped one, `plugins` the folders of plugins, `strategy` the rules that run, for the analysis.
+    shipped one, `plugins` the folders of plugins, `strategy` the rules that run, for the analysis. With ids in `only`,
+    the pages of these classes alone, without the index.
     """
     names = page_names(e.id for e in catalog.entries)
     links = neighbours(catalog)
     pages: dict[str, str] = {}
-    for number, entry in enumerate(catalog.entries, 1):
-        report(f"{entry.id}, {number} of {len(catalog.entries)}")
+    chosen = [e for e in catalog.entries if not only or e.id in only]
+    for number, entry in enumerate(chosen, 1):
+        report(f"{entry.id}, {number} of {len(chosen)}")
         a = analyze(entry.structure, catalogs=catalogs, recheck=True, strategy=strategy, plugins=plugins)
         poses = _worked(a)
         at = {word: _cartesian(pose) for word, pose in poses.items()}
@@ -75,7 +78,8 @@ def catalog_pages(
         pages |= {f"{name}-{kind}.svg": figure.svg() for kind, figure in drawn.items()}
         found = [(what, other, names[other]) for what, other in links[entry.id]]
         pages[f"{name}.md"] = _page(entry, a, poses, name, found, bibliography)
-    pages["README.md"] = index_page(catalog.entries, names)
+    if not only:
+        pages["README.md"] = index_page(catalog.entries, names)
     return pages
 
 

@@ -7,12 +7,13 @@ be compared.
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Superbracket
 from gcrules.algebra.language.text import text
+from gcrules.core.budget import report
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import FactorCause
@@ -47,12 +48,16 @@ _CAPTION = (
 )
 
 
-def robot_pages(robots: Sequence[Robot]) -> dict[str, str]:
-    """File names (relative to the folder of the pages) and contents."""
+def robot_pages(robots: Sequence[Robot], only: Collection[str] = ()) -> dict[str, str]:
+    """File names (relative to the folder of the pages) and contents. With ids in `only`, the pages of these robots
+    alone, without the gallery.
+    """
     names = page_names(r.id for r in robots)
     pages: dict[str, str] = {}
     found: list[RobotAnalysis] = []
-    for robot in robots:
+    chosen = [r for r in robots if not only or r.id in only]
+    for number, robot in enumerate(chosen, 1):
+        report(f"{robot.id}, {number} of {len(chosen)}")
         a = analyze_robot(robot)
         found.append(a)
         name = names[robot.id]
@@ -66,8 +71,9 @@ def robot_pages(robots: Sequence[Robot]) -> dict[str, str]:
             if pose:
                 pages[f"{name}-singular-{n}.svg"] = draw_singular(a, pose).svg()
         pages[f"{name}.md"] = "\n".join(_page(a, name, poses, f"{name}-robot.svg" in pages))
-    drawn = {r.id for r in robots if f"{names[r.id]}-small.svg" in pages}
-    pages["index.md"] = gallery(found, names, drawn)
+    if not only:
+        drawn = {r.id for r in robots if f"{names[r.id]}-small.svg" in pages}
+        pages["index.md"] = gallery(found, names, drawn)
     return pages
 
 

@@ -37,8 +37,13 @@ def telling_singular(a: Analysis) -> WorkedPose | None:
 def _best(a: Analysis, poses: Iterable[WorkedPose]) -> WorkedPose | None:
     """The pose with the fewest faults; how much hides each other is slow to find, and looked at for finalists only."""
     sample = _in_ball(sample_points(a))
-    rated = [(_faults(a, pose, sample), i, pose) for i, pose in enumerate(poses)]
-    finalists = sorted(rated, key=lambda r: r[:2])[:_FINALISTS]
+    rated = sorted(((_seen_faults(a, pose, sample), i, pose) for i, pose in enumerate(poses)), key=lambda r: r[:2])
+    finalists: list[tuple[float, int, WorkedPose]] = []
+    for seen, i, pose in rated:
+        if len(finalists) == _FINALISTS and seen > finalists[-1][0]:
+            break  # this one and all that follow are worse, whatever their incidences
+        finalists.append((round(seen + _incidence_faults(a, pose), 6), i, pose))
+        finalists = sorted(finalists, key=lambda r: r[:2])[:_FINALISTS]
     final = [(round(fault + _clutter(a, pose), 6), i, pose) for fault, i, pose in finalists]
     return min(final, key=lambda r: r[:2])[2] if final else None
 
@@ -54,12 +59,11 @@ def _cartesian(pose: WorkedPose) -> dict[str, XYZ]:
     return {n: (float(x), float(y), float(z)) for n, (x, y, z, _) in pose.points.items()}
 
 
-def _faults(a: Analysis, pose: WorkedPose, sample: dict[str, XYZ]) -> float:
-    """What speaks against a pose, in units of about one fault that is seen at once."""
+def _seen_faults(a: Analysis, pose: WorkedPose, sample: dict[str, XYZ]) -> float:
+    """What speaks against a pose by the places of joints, in units of about one fault that is seen at once."""
     at = _in_ball(_cartesian(pose))
     total = 0.4 * log2(max(pose.height, 5) / 5)
     total += sum(_lack(_length(minus(p, q)), 0.45) for p, q in combinations(at.values(), 2))
-    total += _incidence_faults(a, pose, at)
     total += 5 * sum(_length(minus(p, sample[n])) for n, p in at.items()) / len(at)
     for e in shown_entities(a.condition):
         corners = [at[n] for n in e.points]
@@ -71,8 +75,12 @@ def _faults(a: Analysis, pose: WorkedPose, sample: dict[str, XYZ]) -> float:
     return round(total, 6)
 
 
-def _incidence_faults(a: Analysis, pose: WorkedPose, at: dict[str, XYZ]) -> float:
-    """In a singular pose: one factor vanishes, rather a meet than a bracket, and its common point is in the picture."""
+def _incidence_faults(a: Analysis, pose: WorkedPose) -> float:
+    """In a singular pose: one factor vanishes, rather a meet than a bracket, and its common point is in the picture.
+
+    Slow, for it computes exactly.
+    """
+    at = _in_ball(_cartesian(pose))
     zero = vanishing(a.condition.expression, pose.points)
     if not zero:
         return 0.0
