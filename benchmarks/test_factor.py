@@ -20,7 +20,7 @@ from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.scalars import bracket
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import superbracket_form
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.transversals import find
 
 DATA = Path(__file__).resolve().parent.parent / "tests" / "data" / "gsp_classes.yaml"
@@ -122,6 +122,6 @@ def test_transversals(ratio: Callable[..., Any]) -> None:
 
     def found() -> int:
         structures = [Structure(tuple(map(tuple, LEGS[c]))) for c in LEGS]
-        return sum(bool(find(s, Oracle(s))) for s in structures)
+        return sum(bool(find(s, RandomWitness(s))) for s in structures)
 
     ratio(found, {}, within=6, rounds=2)

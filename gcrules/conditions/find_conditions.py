@@ -23,7 +23,7 @@ from gcrules.rules.condition_rule import ConditionClaim
 from gcrules.rules.couples import COUPLES
 from gcrules.rules.factorization import factored
 from gcrules.rules.generic_lines import alive, statement_of_lines, written_back
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.rule import StructureRule
 from gcrules.rules.sentences import sentence
 from gcrules.rules.strategy import CATALOG, FACTORIZATION, MAX_TERMS, SHORTEST, Strategy, of_plugins, recognise
@@ -44,7 +44,7 @@ class Readings:
     conditions: tuple[Condition, ...]
     form: SuperbracketForm
     forms: tuple[SuperbracketForm, ...]
-    oracle: Oracle
+    oracle: RandomWitness
     claim: ConditionClaim | None = None
     notes: tuple[str, ...] = ()
 
@@ -83,7 +83,7 @@ def read(
     """All conditions that are found: those of rules, of the catalog, and where these leave something to be wished,
     one of a factorization, sought for `search` seconds.
     """
-    oracle = Oracle(structure)
+    oracle = RandomWitness(structure)
     if structure.rank != 4:
         some = forms.shortest(structure, strategy)
         found = Readings((), some[0], some, oracle)
@@ -92,11 +92,11 @@ def read(
     else:
         found = _recognised(structure, oracle, matches, catalog, strategy, chosen=chosen, recheck=recheck)
     if FACTORIZATION in strategy.ids:
-        found = _with_factorization(found, structure, matches, strategy, search)
+        found = _with_factorization(found, structure, matches, search)
     return found if found.conditions else replace(found, notes=(*found.notes, *_other_names(structure, oracle)))
 
 
-def _other_names(structure: Structure, oracle: Oracle) -> list[str]:
+def _other_names(structure: Structure, oracle: RandomWitness) -> list[str]:
     """What would show more under the assumptions: joints that are one point, and points on legs as their joints."""
     names = structure.construction.names if structure.given else ()
     one = [(a, b) for a, b in combinations(names, 2) if oracle.zero(ex.join(Point(a), Point(b), rank=structure.rank))]
@@ -116,7 +116,7 @@ def _other_names(structure: Structure, oracle: Oracle) -> list[str]:
 
 def _recognised(
     structure: Structure,
-    oracle: Oracle,
+    oracle: RandomWitness,
     matches: Sequence[Match],
     catalog: Catalog,
     strategy: Strategy,
@@ -185,7 +185,7 @@ def _of_rule(rule: StructureRule, condition: Condition, structure: Structure) ->
 
 def _of_any_lines(
     structure: Structure,
-    oracle: Oracle,
+    oracle: RandomWitness,
     catalog: Catalog,
     strategy: Strategy,
     *,
@@ -197,9 +197,9 @@ def _of_any_lines(
     lifted = structure.lifted
     some = forms.shortest(structure, strategy) if chosen is None else forms.in_order(structure, chosen, strategy)
     matches = list(catalog.matches(lifted))
-    general = _recognised(lifted, Oracle(lifted), matches, catalog, strategy, chosen=chosen, recheck=recheck)
+    general = _recognised(lifted, RandomWitness(lifted), matches, catalog, strategy, chosen=chosen, recheck=recheck)
     if FACTORIZATION in strategy.ids:
-        general = _with_factorization(general, lifted, matches, strategy, min(search, _LIFTED_SECONDS))
+        general = _with_factorization(general, lifted, matches, min(search, _LIFTED_SECONDS))
     found = [c for r in general.conditions if (c := _written_back(r, structure, oracle)) is not None]
     built = ", ".join(str(line) for _, line in structure.stand_ins)
     note = f"{built}: taken as any line through two points of its own; what is found for it holds for this one"
@@ -209,7 +209,7 @@ def _of_any_lines(
 _LIFTED_SECONDS = 2.0
 
 
-def _written_back(condition: Condition, structure: Structure, oracle: Oracle) -> Condition | None:
+def _written_back(condition: Condition, structure: Structure, oracle: RandomWitness) -> Condition | None:
     """The identity with the lines written back, which is proved if that of any lines is; None where their points occur
     apart, and where it says nothing here.
     """
@@ -235,9 +235,7 @@ def _written_back(condition: Condition, structure: Structure, oracle: Oracle) ->
     )
 
 
-def _with_factorization(
-    found: Readings, structure: Structure, matches: Sequence[Match], strategy: Strategy, seconds: float
-) -> Readings:
+def _with_factorization(found: Readings, structure: Structure, matches: Sequence[Match], seconds: float) -> Readings:
     """The readings with one of a factorization where there is no other; in special position also where the others have
     a cofactor. Classes of the catalog are known in general position.
     """
@@ -258,7 +256,7 @@ def _with_factorization(
     return replace(found, conditions=(*found.conditions, outcome.condition), notes=notes)
 
 
-def _said(condition: Condition, structure: Structure, oracle: Oracle) -> str:
+def _said(condition: Condition, structure: Structure, oracle: RandomWitness) -> str:
     """The sentence of an identity to which a catalog gives none."""
     return sentence(condition.expression, structure, oracle, condition.cofactor)
 
@@ -271,7 +269,7 @@ def _unordered(e: Expr) -> str:
     return f"{type(e).__name__}({' '.join(parts)})"
 
 
-def _alike(a: Condition, b: Condition, oracle: Oracle) -> bool:
+def _alike(a: Condition, b: Condition, oracle: RandomWitness) -> bool:
     """Whether two readings say the same in the same words, or compare turns about the same two lines."""
     if not a.statement and (a.kind, _unordered(a.expression)) == (b.kind, _unordered(b.expression)):
         return True

@@ -19,7 +19,7 @@ from gcrules.core.shown import Shown
 from gcrules.rules.claims import certify, in_special_position
 from gcrules.rules.condition import Condition
 from gcrules.rules.degenerate import explain
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.transversals import readings
 from gcrules.rules.two_transversals import TransversalCondition
 
@@ -92,7 +92,7 @@ def transversals(
         structure = legs
     else:
         structure = read_legs(legs, points=points, ideal=ideal, given=given, built=True)
-    found = readings(structure, oracle := Oracle(structure))
+    found = readings(structure, oracle := RandomWitness(structure))
     if not found:
         reason, definite = _reason(structure, oracle)
         return Transversals(structure, (), reason=reason, definite=definite)
@@ -103,7 +103,7 @@ def transversals(
     return Transversals(structure, proved, len(found) - len(shown))
 
 
-def _reason(structure: Structure, oracle: Oracle) -> tuple[str, bool]:
+def _reason(structure: Structure, oracle: RandomWitness) -> tuple[str, bool]:
     """Why there is no reading, and whether there can be none."""
     if oracle.zero(structure.superbracket):
         return f"the robot is singular in every pose: {explain(structure).reason}", True

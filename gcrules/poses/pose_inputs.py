@@ -39,7 +39,7 @@ def on_six_legs(found: Mechanism, what: str) -> SixLegs:
 
 
 def six_legged(source: Source, about: str | Sequence[Any], what: str) -> tuple[Analysis, MovingPlatform]:
-    """The analysis, and the platform on six legs as it moves, for `what` is computed. Raises InputError for legs
+    """The analysis, and the platform on six legs as it moves, on which `what` is computed. Raises InputError for legs
     without coordinates, for other mechanisms and for degenerate robots.
     """
     found = on_six_legs(mechanism(source, about=about), what)

@@ -23,7 +23,7 @@ from gcrules.rules.foreign import place_of
 from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.plugin import packs
 from gcrules.rules.plugins import load_rules
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import RecognitionState
 from gcrules.rules.rule import SHIPPED, ConditionRule, EntityRule, RewriteRule, Rule, StructureRule
 from gcrules.rules.rule_file import RuleCheck, check_rule, check_script, identities
@@ -140,7 +140,7 @@ def fires_on(rule: Rule, case: str, library: Library | None = None) -> bool:
         return rule.rewrite(parse(case), Space()) is not None
     legs, _, ideal = case.partition(" ideal ")
     structure = read_legs(legs, ideal=ideal)
-    oracle = Oracle(structure)
+    oracle = RandomWitness(structure)
     if isinstance(rule, StructureRule):
         return bool(rule.find(structure, oracle))
     forms = shortest_forms(structure.neutral, points=structure.points, ideal=structure.ideal)

@@ -15,7 +15,7 @@ from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.core.frozen import FrozenMap
 from gcrules.rules.condition import Condition, Entity, starred
 from gcrules.rules.condition_rule import ConditionClaim
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor
 from gcrules.rules.sentences import sentence
 
@@ -28,7 +28,7 @@ PROVED_HERE = Certificate(
 _TESTED = Certificate("random-points", "holds at exact random points")
 
 
-def best_first(claims: Sequence[ConditionClaim], structure: Structure, oracle: Oracle) -> list[ConditionClaim]:
+def best_first(claims: Sequence[ConditionClaim], structure: Structure, oracle: RandomWitness) -> list[ConditionClaim]:
     """Claims by how much they tell: lines that all other legs meet, planes of legs and of the two bodies, then text.
 
     Neither signs nor the way the legs are written play a part.
@@ -51,7 +51,7 @@ def _legs_in(plane: tuple[str, ...], structure: Structure) -> int:
     return sum(set(leg) <= set(plane) for leg in structure.legs)
 
 
-def turns(claim: ConditionClaim, structure: Structure, oracle: Oracle) -> bool:
+def turns(claim: ConditionClaim, structure: Structure, oracle: RandomWitness) -> bool:
     """Whether g and h are legs and p and q meet all the others, so that the platform could turn about p and q."""
     if claim.pencils is None or claim.single is None:
         return False
@@ -76,7 +76,7 @@ def entities_of(claim: ConditionClaim) -> tuple[Entity, ...]:
 def describe(
     claim: ConditionClaim,
     structure: Structure,
-    oracle: Oracle,
+    oracle: RandomWitness,
     statements: Mapping[str, str],
     sources: Mapping[str, str] = FrozenMap(),
 ) -> Condition:
@@ -159,7 +159,7 @@ def certify(condition: Condition, structure: Structure, *, claimed_by: str = "")
     raise EngineFault(f"{condition.cofactor} * superbracket != {condition.coefficient} * ({condition.expression})")
 
 
-def in_special_position(condition: Condition, structure: Structure, oracle: Oracle) -> Condition:
+def in_special_position(condition: Condition, structure: Structure, oracle: RandomWitness) -> Condition:
     """The condition with a sentence that takes account of points at infinity."""
     if not structure.ideal:
         return condition

@@ -16,7 +16,7 @@ from gcrules.algebra.language.legs_text import Leg
 from gcrules.core.errors import StepError
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES
 from gcrules.rules.foreign import foreign, place_of
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import RecognitionState, extensor
 from gcrules.rules.rule import ConditionRule
 
@@ -50,7 +50,9 @@ class ConditionClaim:
         return (a, b), (c, d)
 
 
-def claims(incidence: ConditionRule, states: Sequence[RecognitionState], oracle: Oracle) -> Iterator[ConditionClaim]:
+def claims(
+    incidence: ConditionRule, states: Sequence[RecognitionState], oracle: RandomWitness
+) -> Iterator[ConditionClaim]:
     """The claims of one rule that hold, in any of the states.
 
     Raises PluginFault, with the plugin's file and line, where the code of a plugin's rule fails.
@@ -63,7 +65,9 @@ def claims(incidence: ConditionRule, states: Sequence[RecognitionState], oracle:
     yield from found
 
 
-def _claims(incidence: ConditionRule, states: Sequence[RecognitionState], oracle: Oracle) -> Iterator[ConditionClaim]:
+def _claims(
+    incidence: ConditionRule, states: Sequence[RecognitionState], oracle: RandomWitness
+) -> Iterator[ConditionClaim]:
     for state in states:
         for reached in incidence.reached(state):
             expression = incidence.expression(reached)

@@ -17,7 +17,7 @@ from gcrules.algebra.expr import ONE, Expr, Point
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.scalars import bracket
 from gcrules.rules.condition import Condition
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.rule import StructureRule
 from gcrules.rules.sentences import sentence
 
@@ -28,7 +28,7 @@ COUPLES = "forces-and-couples"
 _TESTED = Certificate("random-points", "holds at exact random points")
 
 
-def forces_and_couples(structure: Structure, oracle: Oracle) -> list[Condition]:
+def forces_and_couples(structure: Structure, oracle: RandomWitness) -> list[Condition]:
     """The condition, not yet proved, of a structure in rank 4 with three lines at infinity and three others."""
     place = structure.names.index
     legs = sorted(structure.neutral, key=lambda leg: [place(n) for n in leg])
@@ -47,7 +47,7 @@ def forces_and_couples(structure: Structure, oracle: Oracle) -> list[Condition]:
     return []
 
 
-def _planes(far: list[Expr], near: list[Expr], oracle: Oracle) -> Iterator[tuple[Expr, Expr, Expr]]:
+def _planes(far: list[Expr], near: list[Expr], oracle: RandomWitness) -> Iterator[tuple[Expr, Expr, Expr]]:
     """A cofactor, three points at infinity joined, and (the common point of two couples) ∨ (the third)."""
     for one, two, three in permutations(far):
         shared = [p for p in one.children if p in two.children]

@@ -13,7 +13,7 @@ from gcrules.algebra.language.legs_text import Leg, Structure, leg_text
 from gcrules.core.budget import checkpoint
 from gcrules.core.english import listed
 from gcrules.core.linear_algebra import rank
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor
 
 __all__ = ["Degeneracy", "explain"]
@@ -76,7 +76,7 @@ def _few_dimensions(s: Structure) -> Degeneracy | None:
                 words = listed([s.words[i] for i in three])
                 reason = f"the legs {words} meet in {a} and lie in one plane, where at most two lines are independent"
                 return Degeneracy(reason, tuple(s.legs[i] for i in three))
-    oracle = Oracle(s)
+    oracle = RandomWitness(s)
     joined = [i for i, leg in enumerate(s.oriented) if leg in s.joined]
     for some in combinations(joined, 4):
         checkpoint()
@@ -96,7 +96,7 @@ def _common_line(s: Structure) -> Degeneracy | None:
     for line, words, why in _candidates(s):
         if any(points.value(line)) and not any(points.value(meet(line, leg))[0] for leg in s.lines):
             motion = "turn, to first order, about this line"
-            if s.ideal and Oracle(s).at_infinity(line):
+            if s.ideal and RandomWitness(s).at_infinity(line):
                 motion = "shift, to first order, at right angles to the directions in this line at infinity"
             reason = f"{why}all six legs meet {words}, so the platform can always {motion}"
             return Degeneracy(reason, s.legs, line)

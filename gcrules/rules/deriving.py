@@ -15,7 +15,7 @@ from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import ConditionClaim
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.factorization import BRACKETS_ONLY
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import RecognitionState
 from gcrules.rules.rule import EntityRule, Rule
 from gcrules.rules.strategy import FACTORIZATION
@@ -28,7 +28,7 @@ def derived(
     form: SuperbracketForm,
     condition: Condition,
     claim: ConditionClaim | None,
-    oracle: Oracle,
+    oracle: RandomWitness,
     *,
     own_order: bool = False,
 ) -> Derivation:
@@ -76,7 +76,7 @@ def from_catalog(structure: Structure, condition: Condition) -> Derivation:
 
 
 def from_claim(
-    structure: Structure, claim: ConditionClaim, condition: Condition, oracle: Oracle, *, own_order: bool = False
+    structure: Structure, claim: ConditionClaim, condition: Condition, oracle: RandomWitness, *, own_order: bool = False
 ) -> Derivation:
     """What the rules recorded on the way to a claim."""
     found = terms_of(structure, claim.state.form, claim.cofactor, own_order=own_order)
@@ -94,7 +94,7 @@ def from_claim(
     return found.then(claim.kind, condition.right_side, " ".join(reasons))
 
 
-def _recorded(rule: Rule, state: RecognitionState, oracle: Oracle) -> tuple[Expr | None, str]:
+def _recorded(rule: Rule, state: RecognitionState, oracle: RandomWitness) -> tuple[Expr | None, str]:
     """What the superbracket equals after a rule on the trail of a claim, if the rule rewrote it, and why."""
     if isinstance(rule, EntityRule):
         return rule.after(state, oracle), rule.why(state)

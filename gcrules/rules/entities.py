@@ -13,7 +13,7 @@ from itertools import combinations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
 from gcrules.algebra.expr import Expr
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import RecognitionState
 from gcrules.rules.rule import EntityRule
 
@@ -41,7 +41,7 @@ def _tetrahedra(state: RecognitionState, _: int) -> Iterator[RecognitionState]:
     yield replace(state, rest=rest, tetrahedra=found, homes=((),) * len(rest))
 
 
-def _factored(state: RecognitionState, _: Oracle) -> Expr | None:
+def _factored(state: RecognitionState, _: RandomWitness) -> Expr | None:
     if not state.tetrahedra:
         return None
     return ex.mul(ex.Number(state.sign), *state.brackets, state.rest.to_expr())
@@ -80,7 +80,7 @@ def _chosen(state: RecognitionState, candidates: list[Row], number: int) -> Iter
             yield from _chosen(grown, candidates[n:], number - 1)
 
 
-def _collected(state: RecognitionState, _: Oracle) -> Expr:
+def _collected(state: RecognitionState, _: RandomWitness) -> Expr:
     return ex.signed(state.sign, state.collected())
 
 
@@ -109,7 +109,7 @@ def _left_over(state: RecognitionState, size: int) -> Iterator[RecognitionState]
         yield replace(state, taken=(state.left,))
 
 
-def _dotted(state: RecognitionState, oracle: Oracle) -> Expr | None:
+def _dotted(state: RecognitionState, oracle: RandomWitness) -> Expr | None:
     dotted = state.dotted()
     factor = oracle.coefficient(dotted)
     return None if factor is None else ex.mul(ex.Number(factor), dotted)

@@ -20,7 +20,7 @@ from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError, LimitReached
 from gcrules.rules.claims import certify
 from gcrules.rules.condition import Condition
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.sentences import sentence
 from gcrules.rules.strategy import FACTORIZATION
 
@@ -50,7 +50,7 @@ class FactorizationOutcome:
 def factored(
     polynomials: Iterable[BracketPolynomial],
     structure: Structure,
-    oracle: Oracle,
+    oracle: RandomWitness,
     *,
     seconds: float = SECONDS,
     cofactor: bool = True,
@@ -143,7 +143,7 @@ def _expressions(found: Factorization) -> Iterator[tuple[Expr, Expr]]:
 
 
 def _condition(
-    expression: Expr, cofactor: Expr, structure: Structure, oracle: Oracle, kind: str = FACTORIZATION
+    expression: Expr, cofactor: Expr, structure: Structure, oracle: RandomWitness, kind: str = FACTORIZATION
 ) -> Condition | None:
     coefficient = oracle.coefficient(expression, cofactor)
     if coefficient is None:
@@ -160,7 +160,7 @@ def _condition(
     return certify(condition, structure)
 
 
-def _without_sum(expression: Expr, structure: Structure, oracle: Oracle) -> str:
+def _without_sum(expression: Expr, structure: Structure, oracle: RandomWitness) -> str:
     """The sentence of the brackets; of the rest it says only that no expression was found."""
     factors = expression.factors if isinstance(expression, ex.Product) else (expression,)
     said = sentence(ex.mul(*(f for f in factors if not isinstance(f, ex.Sum))), structure, oracle)

@@ -29,7 +29,7 @@ from gcrules.algebra.expr import Expr, Point, meet
 from gcrules.algebra.scalars import bracket, superbracket
 from gcrules.core.budget import checkpoint
 from gcrules.rules.common_lines import FREE, CommonLine, FourLegs, letters
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor
 
 __all__ = ["Balance", "balance", "compared", "quotient"]
@@ -75,7 +75,7 @@ def balance(four: FourLegs, p: CommonLine, q: CommonLine) -> Balance | None:
     return None
 
 
-def quotient(e: Expr, divisor: Expr, oracle: Oracle, names: Sequence[str]) -> Factors | None:
+def quotient(e: Expr, divisor: Expr, oracle: RandomWitness, names: Sequence[str]) -> Factors | None:
     """The brackets of the joints `names` whose product is ± e / divisor; None where there are none."""
     more, less = letters(e), letters(divisor)
     for brackets in _products(more - less, (), names) if less <= more else ():

@@ -8,7 +8,7 @@ from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.language.legs_text import Structure
 
-__all__ = ["SAMPLES", "Oracle"]
+__all__ = ["SAMPLES", "RandomWitness"]
 
 SAMPLES = 2
 _MOST = 1 << 30
@@ -16,7 +16,7 @@ _TRIES = 100  # small positions that are drawn until one satisfies what is assum
 _ONE = Number(1)
 
 
-class Oracle:
+class RandomWitness:
     """Values of expressions and of the superbracket at two exact random points modulo a prime (see `seeds`), and at
     one with small whole coordinates, where a multiple of the prime shows (left out where assumptions leave none that is
     found). All satisfy what is assumed.

@@ -20,7 +20,7 @@ from gcrules.core.errors import EngineFault, InputError
 from gcrules.rules.condition import Condition
 from gcrules.rules.fields import FIELDS, RESULTS, expression_or_none, is_text
 from gcrules.rules.foreign import Guarded, PluginFault, foreign, is_foreign, place_of
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import RecognitionState
 
 __all__ = ["SHIPPED", "ConditionRule", "Elementary", "EntityRule", "RewriteRule", "Rule", "StructureRule", "reductions"]
@@ -142,7 +142,7 @@ class EntityRule(Rule):
     family: ClassVar[str] = "entities"
 
     find: Callable[[RecognitionState, int], Iterator[RecognitionState]]
-    after: Callable[[RecognitionState, Oracle], Expr | None]
+    after: Callable[[RecognitionState, RandomWitness], Expr | None]
     why: Callable[[RecognitionState], str]
 
     def applied(self, state: RecognitionState, number: int = 1) -> Iterator[RecognitionState]:
@@ -216,5 +216,5 @@ class StructureRule(Rule):
 
     family: ClassVar[str] = "structure"
 
-    find: Callable[[Structure, Oracle], list[Condition]]
+    find: Callable[[Structure, RandomWitness], list[Condition]]
     last_resort: bool = False

@@ -3,7 +3,7 @@ r"""What a product of brackets, joins and meets says: geometric sentences.
 >>> from gcrules.algebra.language.syntax import parse
 >>> from gcrules.algebra.language.legs_text import read_legs
 >>> structure = read_legs("ab bc ca de fg hi")
->>> sentence(parse(r"ab /\ de"), structure, Oracle(structure))
+>>> sentence(parse(r"ab /\ de"), structure, RandomWitness(structure))
 'The robot is singular exactly when the lines ab and de meet (possibly at infinity).'
 """
 
@@ -18,7 +18,7 @@ from gcrules.algebra.expr import ONE, Bracket, Expr, Join, Meet, Number, Point, 
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.text import text
 from gcrules.core.english import listed, together
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 
 __all__ = ["factors_of", "sentence"]
 
@@ -38,7 +38,7 @@ def factors_of(e: Expr) -> Iterator[Expr]:
             yield e
 
 
-def sentence(e: Expr, structure: Structure, oracle: Oracle, cofactor: Expr = ONE) -> str:
+def sentence(e: Expr, structure: Structure, oracle: RandomWitness, cofactor: Expr = ONE) -> str:
     """When the robot is singular, for an expression that equals the superbracket, or `cofactor` times it."""
     words = _Words(structure, oracle)
     outside = words.clauses(cofactor)
@@ -55,7 +55,7 @@ class _Words:
     """Words for extensors and for what makes a factor vanish; constructed extensors inside others are given names."""
 
     structure: Structure
-    oracle: Oracle
+    oracle: RandomWitness
     lets: list[str] = field(default_factory=list)
     names: dict[Expr, str] = field(default_factory=dict)
     more: list[str] = field(default_factory=list)  # clauses about planes at infinity that must be planes

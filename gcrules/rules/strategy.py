@@ -14,7 +14,7 @@ from gcrules.core.errors import InputError, LimitReached
 from gcrules.rules.condition_rule import ConditionClaim, claims
 from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.identity import Identity, rewritten
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import RecognitionState
 from gcrules.rules.rule import SHIPPED, ConditionRule, EntityRule, Rule, StructureRule
 
@@ -90,7 +90,7 @@ class Strategy:
 
 
 def recognise(
-    forms: Sequence[SuperbracketForm], structure: Structure, oracle: Oracle, strategy: Strategy
+    forms: Sequence[SuperbracketForm], structure: Structure, oracle: RandomWitness, strategy: Strategy
 ) -> list[ConditionClaim]:
     """All claims that hold for the first incidence rule of the strategy that finds any.
 
@@ -101,7 +101,7 @@ def recognise(
 
 
 def of_plugins(
-    forms: Sequence[SuperbracketForm], structure: Structure, oracle: Oracle, strategy: Strategy, found: str
+    forms: Sequence[SuperbracketForm], structure: Structure, oracle: RandomWitness, strategy: Strategy, found: str
 ) -> list[list[ConditionClaim]]:
     """The claims of each incidence rule that a plugin brought, the rule that `found` the condition left out."""
     brought = [r for r in strategy.incidences if r.owner != SHIPPED and r.id != found]
@@ -120,7 +120,7 @@ def _with_tetrahedra(states: Sequence[RecognitionState], strategy: Strategy) -> 
     return list(states)
 
 
-def _first(states: Sequence[RecognitionState], oracle: Oracle, strategy: Strategy) -> list[ConditionClaim]:
+def _first(states: Sequence[RecognitionState], oracle: RandomWitness, strategy: Strategy) -> list[ConditionClaim]:
     states = _with_tetrahedra(states, strategy)
     for incidence in strategy.incidences:
         checkpoint()

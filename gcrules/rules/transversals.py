@@ -9,7 +9,7 @@ Every choice of g and h is tried. p and q are rational in the joints where two o
 
 >>> from gcrules.algebra.language.legs_text import read_legs
 >>> structure = read_legs("Aa Ab Ba Cc Dd Ee")
->>> best = find(structure, Oracle(structure))[0]
+>>> best = find(structure, RandomWitness(structure))[0]
 >>> print(best.cofactor, "|", *(line for _, line in best.lines))
 [ACac] | ABa /\ ACc Aab /\ Cac
 """
@@ -27,19 +27,19 @@ from gcrules.core.budget import checkpoint
 from gcrules.rules.common_lines import FourLegs
 from gcrules.rules.condition import Condition
 from gcrules.rules.line_cofactors import balance
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.rule import StructureRule
 from gcrules.rules.two_transversals import KIND, TransversalCondition, reading_of, written_into
 
 __all__ = ["TRANSVERSALS", "find", "readings"]
 
 
-def find(structure: Structure, oracle: Oracle) -> list[Condition]:
+def find(structure: Structure, oracle: RandomWitness) -> list[Condition]:
     """All transversal conditions, as `readings` orders them."""
     return [reading.condition for reading in readings(structure, oracle)]
 
 
-def readings(structure: Structure, oracle: Oracle) -> list[TransversalCondition]:
+def readings(structure: Structure, oracle: RandomWitness) -> list[TransversalCondition]:
     """All transversal conditions, not yet proved: those with the smallest cofactor first, then those with the fewest
     operations, then those whose lines p and q are alike.
 
@@ -72,15 +72,15 @@ def _shape(e: Expr) -> str:
     return "." if not e.children else f"{type(e).__name__}({' '.join(map(_shape, e.children))})"
 
 
-def _of_lines(structure: Structure, oracle: Oracle) -> Iterator[TransversalCondition]:
+def _of_lines(structure: Structure, oracle: RandomWitness) -> Iterator[TransversalCondition]:
     """Those of general lines in the place of legs that are lines built from points, with these written back."""
-    for r in readings(structure.lifted, Oracle(structure.lifted)):
+    for r in readings(structure.lifted, RandomWitness(structure.lifted)):
         found = written_into(r, structure, oracle)
         if found is not None:
             yield found
 
 
-def _of_joints(structure: Structure, oracle: Oracle) -> Iterator[TransversalCondition]:
+def _of_joints(structure: Structure, oracle: RandomWitness) -> Iterator[TransversalCondition]:
     names = structure.names
     legs = sorted(structure.neutral, key=lambda leg: [names.index(n) for n in leg])
     if structure.rank != 4 or oracle.zero(structure.superbracket):

@@ -19,7 +19,7 @@ from gcrules.rules.common_lines import CommonLine
 from gcrules.rules.condition import Condition
 from gcrules.rules.generic_lines import alive, written_back
 from gcrules.rules.line_cofactors import Balance, compared, quotient
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor
 from gcrules.rules.sentences import sentence
 
@@ -43,7 +43,7 @@ def reading_of(
     single: tuple[Leg, Leg],
     lines: tuple[CommonLine, CommonLine],
     factors: Balance,
-    oracle: Oracle,
+    oracle: RandomWitness,
 ) -> TransversalCondition | None:
     """The condition for the single legs g, h and the lines p, q, not yet proved; None where both sides vanish."""
     p, q = (line.expression for line in lines)
@@ -66,7 +66,9 @@ def reading_of(
     return TransversalCondition(condition, single, lines)
 
 
-def written_into(reading: TransversalCondition, structure: Structure, oracle: Oracle) -> TransversalCondition | None:
+def written_into(
+    reading: TransversalCondition, structure: Structure, oracle: RandomWitness
+) -> TransversalCondition | None:
     """A reading of the lifted structure with the lines in the place of their stand-ins; None where these occur apart or
     both sides vanish.
     """
@@ -123,7 +125,7 @@ class _Comparison:
         single: tuple[Leg, Leg],
         lines: tuple[Expr, Expr],
         factors: Balance,
-        oracle: Oracle,
+        oracle: RandomWitness,
     ) -> _Comparison | None:
         legs = dict(zip("gh", map(extensor, single), strict=True))
         named = dict(zip("pq", lines, strict=True))

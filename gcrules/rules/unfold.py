@@ -23,7 +23,7 @@ from gcrules.core.budget import Count
 from gcrules.core.errors import LimitReached
 from gcrules.rules.elementary import ELEMENTARY
 from gcrules.rules.instance import structures_in
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.rule import RewriteRule, Rule, StructureRule, reductions
 from gcrules.rules.step import Step
 
@@ -94,7 +94,7 @@ def follows(step: Step, space: Space, rules: Iterable[Rule]) -> bool:
 def _read(rule: StructureRule, e: Expr, space: Space) -> Iterator[tuple[Expr, Expr]]:
     """cofactor · superbracket and coefficient · expression, for the conditions of the legs in an expression."""
     for structure in structures_in(e, space):
-        for c in rule.find(structure, Oracle(structure)):
+        for c in rule.find(structure, RandomWitness(structure)):
             yield mul(c.cofactor, structure.superbracket), c.right_side
 
 

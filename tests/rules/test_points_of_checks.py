@@ -25,7 +25,7 @@ from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.prove import prove
 from gcrules.core import seeds
 from gcrules.core.errors import InputError
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.step import Step
 
 # --- points and primes ---------------------------------------------------------------------------------------------
@@ -47,8 +47,8 @@ def test_no_check_takes_a_false_identity_for_true(false: Expr) -> None:
     difference = sub(s.superbracket, false)
     assert not vanishes(difference)
     assert not s.construction.vanishes(difference)
-    assert not Oracle(s).zero(difference)
-    assert Oracle(s).coefficient(false) is None
+    assert not RandomWitness(s).zero(difference)
+    assert RandomWitness(s).coefficient(false) is None
     assert not Step("a rule", s.superbracket, false, "because").check()
     assert not prove(s.superbracket, false).proved
     assert invoke("prove", f"{s.superbracket} == {false}").exit_code == 1

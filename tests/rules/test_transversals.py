@@ -24,7 +24,7 @@ from gcrules.core.errors import InputError
 from gcrules.rules.common_lines import FourLegs
 from gcrules.rules.condition import Condition
 from gcrules.rules.line_cofactors import balance
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor
 from gcrules.rules.transversals import TRANSVERSALS, find, readings
 
@@ -146,7 +146,7 @@ def test_always_singular(class_id: str) -> None:
 def test_every_reading(class_id: str) -> None:
     """All are right and proved; p and q meet four legs; the smallest cofactor comes first."""
     found = gc.transversals(text_of(REGULAR[class_id]["legs"]), every=True)
-    oracle = Oracle(found.structure)
+    oracle = RandomWitness(found.structure)
     assert len(found.readings) > 5
     assert found.more == 0
     cofactors = []
@@ -206,7 +206,7 @@ def test_neither_order_nor_direction_matters(class_id: str, rng: random.Random) 
     legs = [tuple(leg) for leg in REGULAR[class_id]["legs"]]
     other = [leg if rng.random() < 0.5 else leg[::-1] for leg in rng.sample(legs, 6)]
     one, two = (Structure(tuple((a, b) for a, b in written)) for written in (legs, other))
-    first, second = (find(s, Oracle(s)) for s in (one, two))
+    first, second = (find(s, RandomWitness(s)) for s in (one, two))
     assert [(str(c.expression), str(c.cofactor)) for c in first] == [
         (str(c.expression), str(c.cofactor)) for c in second
     ]
@@ -224,7 +224,7 @@ def test_labels_do_not_matter(class_id: str, rng: random.Random) -> None:
     found = []
     for written in (legs, [new[a] + new[b] for a, b in legs]):
         structure = read_legs(" ".join(written))
-        found.append(sorted(len(str(r.condition.cofactor)) for r in readings(structure, Oracle(structure))))
+        found.append(sorted(len(str(r.condition.cofactor)) for r in readings(structure, RandomWitness(structure))))
     assert found[0] == found[1]
 
 
@@ -233,7 +233,7 @@ def test_labels_do_not_matter(class_id: str, rng: random.Random) -> None:
 def test_some_reading_wherever_two_legs_share_a_joint(number: int, rng: random.Random) -> None:
     pairs = [(a, b) for a in "abcdefghijkl"[:number] for b in "abcdefghijkl"[:number] if a < b]
     structure = Structure(tuple(rng.sample(pairs, 6)))
-    oracle = Oracle(structure)
+    oracle = RandomWitness(structure)
     found = find(structure, oracle)
     if oracle.zero(structure.superbracket):
         assert not found
@@ -293,10 +293,10 @@ def test_words_for_points_at_infinity() -> None:
 def test_rule() -> None:
     for case in TRANSVERSALS.fires:
         structure = read_legs(case)
-        assert TRANSVERSALS.find(structure, Oracle(structure))
+        assert TRANSVERSALS.find(structure, RandomWitness(structure))
     for case in TRANSVERSALS.silent:
         structure = read_legs(case)
-        assert not TRANSVERSALS.find(structure, Oracle(structure))
+        assert not TRANSVERSALS.find(structure, RandomWitness(structure))
     assert TRANSVERSALS.id == "transversals"
 
 

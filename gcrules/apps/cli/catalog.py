@@ -25,7 +25,7 @@ from gcrules.rules.catalog.proofs import is_shipped
 from gcrules.rules.condition import Condition
 from gcrules.rules.plugin import packs
 from gcrules.rules.plugins import load_rules
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.sentences import sentence
 from gcrules.views.pages.catalog_index import degrees_text
 
@@ -214,7 +214,7 @@ def _sentence(entry: Entry, reading: CatalogIdentity) -> str:
         return reading.statement.translate({ord("{"): None, ord("}"): None})
     a = analyze(entry.structure)
     found = next((c.statement for c in (a.condition, *a.readings) if c.kind == reading.kind), "")
-    return found or sentence(reading.expression, entry.structure, Oracle(entry.structure), reading.cofactor)
+    return found or sentence(reading.expression, entry.structure, RandomWitness(entry.structure), reading.cofactor)
 
 
 @dataclass(frozen=True)

@@ -188,7 +188,7 @@ class Interpreter:
         with source.placed():
             self._check_rank(source)
             script = parse_script(source.parsed, source.filename, context)
-            found = [self._result(s, source, script.context, script.statements) for s in script.statements]
+            found = [self._result(s, source, script.context) for s in script.statements]
         after = replace(before, context=without_results(script.context))
         if all(r.verdict in ("proved", "shown") for r in found):
             names = (*before.context.points, *before.context.ideal)
@@ -215,7 +215,7 @@ class Interpreter:
                 hint=":reset forgets the statements so far",
             )
 
-    def _result(self, asked: Statement, source: Source, context: Context, among: tuple[Statement, ...] = ()) -> Result:
+    def _result(self, asked: Statement, source: Source, context: Context) -> Result:
         if isinstance(asked, RuleText):
             if any(r.id == asked.id for r in self.state.rules):
                 raise InputError(

@@ -12,7 +12,7 @@ from gcrules.rules.claims import best_first
 from gcrules.rules.condition_rule import ConditionClaim, claims
 from gcrules.rules.entities import TETRAHEDRA
 from gcrules.rules.plugins import load_rules
-from gcrules.rules.random_witness import Oracle
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import RecognitionState
 from gcrules.rules.strategy import MAX_TERMS, Strategy
 
@@ -32,9 +32,9 @@ def automatic(structure: Structure) -> Analysis:
 
 
 @lru_cache(maxsize=32)
-def oracle_of(structure: Structure) -> Oracle:
+def oracle_of(structure: Structure) -> RandomWitness:
     """The exact points on which claims about a structure are tested."""
-    return Oracle(structure)
+    return RandomWitness(structure)
 
 
 @lru_cache(maxsize=64)

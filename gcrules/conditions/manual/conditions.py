@@ -59,7 +59,7 @@ def _from_entities(board: Board) -> tuple[Board, ProposalOutcome]:
         condition = certify(describe(claim, structure, oracle, load(()).statements), structure)
         said: tuple[str, ...] = (f"{condition.kind}: {claim.sentence}", condition.sentence)
         said = (*said, f"{condition.certificate.detail}.")
-        return replace(board, condition=condition), confirmed("incidence", *said, formulas=_identity(condition, board))
+        return replace(board, condition=condition), confirmed("incidence", *said, formulas=_identity(condition))
     if found.wrong:
         _, outcome = _judge(board, found.wrong[0], ONE)
         said = ("the incidence of these entities is not the superbracket", *outcome.words)
@@ -70,7 +70,7 @@ def _from_entities(board: Board) -> tuple[Board, ProposalOutcome]:
     return board, refused("missing", *said, missing=listed)
 
 
-def _identity(condition: Condition, board: Board) -> tuple[NamedValue, ...]:
+def _identity(condition: Condition) -> tuple[NamedValue, ...]:
     left = [NamedValue("cofactor", condition.cofactor)] if condition.cofactor != ONE else []
     name = "cofactor · superbracket" if left else "superbracket"
     return (*left, NamedValue(name, condition.right_side))
@@ -130,7 +130,7 @@ def _proved(board: Board, e: Expr, cofactor: Expr, c: Fraction) -> tuple[Board, 
     if factor != ONE and condition.kind != "expression":
         said.insert(2, "Where the cofactor is zero the expression says nothing.")
     new = replace(board, condition=condition)
-    return new, confirmed("proved", *said, formulas=_identity(condition, board), coefficient=c)
+    return new, confirmed("proved", *said, formulas=_identity(condition), coefficient=c)
 
 
 def _number(e: Expr) -> tuple[Fraction, Expr]:

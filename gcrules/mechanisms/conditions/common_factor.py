@@ -12,7 +12,7 @@ they span, are in the ratio of the superbrackets (Laplace). Derived here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from math import comb
@@ -27,7 +27,6 @@ from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
 from gcrules.mechanisms.conditions.words import RobotWords
 from gcrules.mechanisms.description.family import Family
-from gcrules.mechanisms.description.relations import Values
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.random_lines import LineOfLimbs
 from gcrules.mechanisms.lines.singular import PRIME, Poly, divided, gcd, radical
@@ -37,7 +36,6 @@ from gcrules.screws import RESIDUES
 __all__ = ["CommonFactor", "Subset", "common_factor", "sees_constraints"]
 
 _MOST = 200  # subsets that are listed
-Value = Callable[[Values], int]
 Pair = tuple[str, str]
 
 

@@ -42,7 +42,7 @@ def first_singular(
 ) -> SampledSolution | None:
     """The first one that is found, or None. Raises InputError where the course does not assemble before it.
 
-    What is wanted has passed `check_wanted`.
+    What is wanted has passed `check_target`.
     """
     course = Course(m, wanted)
     way = [Solution(m.home, wanted)]

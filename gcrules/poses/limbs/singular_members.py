@@ -174,7 +174,7 @@ def _candidates(
     moving -= {n for limb in a.robot.limbs for n in limb.joints[0].names}
     wanted = [*points_of(part.expression), *(n for _, *terms in structure.derived for t in terms for _, n in t)]
     needed = upstream(family, wanted)
-    for names, step in _moves(a.robot, home):
+    for names, step in _moves(a.robot):
         if needed.isdisjoint(names):
             continue
         counts = {n: len(parameters[n]) for n in names}
@@ -188,14 +188,14 @@ def _candidates(
         f = polynomial(lambda t, at=at: value_at(family, structure, at(t), part.expression))  # type: ignore[misc]
         for t in rational_roots(f, _REACH * _scale(family, home, names[0], size)) if f else ():
             values = at(t)
-            cost = _cost(a.robot, home, values, t, size)
+            cost = _cost(a.robot, home, values, size)
             if cost is not None:
                 cost += 3 * sum(value_at(family, structure, values, e) == 0 for e in others)
                 cost += 0.3 * (sum(map(abs, step)) - 1) + _UNLIKE_A_POSE * (not moving.issuperset(names))
                 yield round(cost, 6), values, names
 
 
-def _moves(robot: Robot, home: Values) -> Iterator[tuple[tuple[str, ...], tuple[int, ...]]]:
+def _moves(robot: Robot) -> Iterator[tuple[tuple[str, ...], tuple[int, ...]]]:
     """Which names move, and in which direction of their parameters."""
     plane = robot.family.plane
     sets: list[tuple[str, ...]] = [(n,) for n in robot.family.parametrized]
@@ -221,7 +221,7 @@ def _scale(family: Family, home: Values, name: str, size: float) -> Fraction:
     return Fraction(round(float(length) * 16), 16) or Fraction(1)
 
 
-def _cost(robot: Robot, home: Values, values: Values, t: Fraction, size: float) -> float | None:
+def _cost(robot: Robot, home: Values, values: Values, size: float) -> float | None:
     """How far from home a member is and how long its numbers are; None where it is no good to be shown."""
     family = robot.family
     shift = 0.0

@@ -1,6 +1,6 @@
 r"""The catalog of six-legged platforms as values: matching a structure to its class, instances of its identities.
 
-`catalog_file` reads it, `catalog_check` proves what it says.
+`file` reads it; `conditions.catalog_check` proves what it says.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from gcrules.rules.catalog.isomorphism import isomorphism
 from gcrules.rules.catalog.proofs import Standing, is_shipped, standing
 from gcrules.rules.claims import certify
 from gcrules.rules.condition import Condition
-from gcrules.rules.random_witness import SAMPLES, Oracle
+from gcrules.rules.random_witness import SAMPLES, RandomWitness
 
 __all__ = ["FROM_CATALOG", "LABELS", "Catalog", "Match"]
 
@@ -76,7 +76,7 @@ class Catalog:
         """The first of the `matches`; shipped classes come before the user's own."""
         return next(self.matches(structure), None)
 
-    def dropped(self, structure: Structure, match: Match, oracle: Oracle) -> list[Expr]:
+    def dropped(self, structure: Structure, match: Match, oracle: RandomWitness) -> list[Expr]:
         """The cofactors of the class's identities that are zero wherever the points of a special position may be."""
         if not structure.special:
             return []
@@ -84,7 +84,9 @@ class Catalog:
         cofactors = (substitute(r.cofactor, names) for r in (match.entry.condition, *match.entry.readings))
         return [e for e in dict.fromkeys(cofactors) if oracle.zero(e)]
 
-    def readings(self, structure: Structure, match: Match, oracle: Oracle, *, recheck: bool = False) -> list[Condition]:
+    def readings(
+        self, structure: Structure, match: Match, oracle: RandomWitness, *, recheck: bool = False
+    ) -> list[Condition]:
         """The identities of the matched class in the structure's labels, each proved and checked afresh at exact random
         points (proved from scratch with `recheck`). The condition itself comes first unless a rule of the engine finds
         it. Left out are those whose cofactor is zero wherever the points of a special position may be.

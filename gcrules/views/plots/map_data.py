@@ -54,7 +54,7 @@ def netcdf(m: SingularMap, path: str) -> None:
     small = _coordinates(m) | _curves(m)
     large = _variables(m)
     with h5netcdf.File(path, "w") as file:
-        file.dimensions = _sizes(m, small)
+        file.dimensions = _sizes(small)
         for name, v in small.items():
             assert v.values is not None
             kind = _text_type() if v.values.dtype.kind == "U" else v.values.dtype
@@ -77,7 +77,7 @@ def _text_type() -> Any:
     return h5py.string_dtype()
 
 
-def _sizes(m: SingularMap, small: Mapping[str, Variable]) -> dict[str, int]:
+def _sizes(small: Mapping[str, Variable]) -> dict[str, int]:
     found: dict[str, int] = {}
     for v in small.values():
         assert v.values is not None

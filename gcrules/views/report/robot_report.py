@@ -2,7 +2,7 @@ r"""The report of a robot that is described by its joints: limbs, equivalent lin
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from html import escape
 from math import dist
@@ -31,8 +31,6 @@ from gcrules.views.robots.robot_drawing import draw_robot
 from gcrules.views.scene_data import PlaneView, SceneData
 
 __all__ = ["analysis_of_legs", "robot_report", "robot_scene"]
-
-Values = Mapping[str, Sequence[float]]
 
 
 def robot_report(a: RobotAnalysis, *, interactive: bool = True) -> str:

@@ -245,7 +245,7 @@ def _parts(pose: Pose | Mapping[str, Sequence[float]]) -> tuple[XYZ, Sequence[Se
 
 
 def _rotation(w: float, x: float, y: float, z: float) -> list[list[float]]:
-    """The matrix of a quaternion of any length but 0, in floats (that of `turns` is exact, and slow)."""
+    """The matrix of a quaternion of any length but 0, in floats (that of `screws.rotations` is exact, and slow)."""
     n = w * w + x * x + y * y + z * z
     return [
         [(w * w + x * x - y * y - z * z) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n],

@@ -37,7 +37,6 @@ __all__ = [
 
 _BEYOND = 0.16  # how far a line reaches beyond its points
 _RAY = 0.6  # the length of a line to a point at infinity
-_BALL = 1.5
 _LEAST = 0.12
 _AXIS = 0.62  # half the length of the axis of a motion
 _TURNS = (0.4, -0.4, 0.5, -0.5, 0.28, -0.28, 0.14, -0.14, 0.0)  # where on the axis the turn is drawn

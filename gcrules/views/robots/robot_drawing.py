@@ -45,7 +45,6 @@ def draw_robot(a: RobotAnalysis, values: Values) -> Drawing:
     s = s.holding(structure_extent(s, shown))
     right = structure_shapes(s, shown) if a.structure.lines else []
     return _beside(
-        s,
         robot_shapes(s),
         right,
         _sky(s, None) if right else [],
@@ -70,7 +69,7 @@ def draw_singular(a: RobotAnalysis, pose: SingularPose) -> Drawing:
     over = motion_shapes(s.frame, motion, places_of(s)) if motion else []
     right = structure_shapes(s, shown, marks, motion)
     title = f"{a.robot.title} in a singular configuration"
-    return _beside(s, robot_shapes(s, over), right, _sky(s, pose), robot_legend(s, shown, pose, marks, motion), title)
+    return _beside(robot_shapes(s, over), right, _sky(s, pose), robot_legend(s, shown, pose, marks, motion), title)
 
 
 def _as_long(a: RobotAnalysis, values: Values) -> Values:
@@ -148,7 +147,6 @@ def _sky(s: Scene, pose: SingularPose | None) -> list[Shape]:
 
 
 def _beside(
-    s: Scene,
     left: Sequence[Shape],
     right: Sequence[Shape],
     sky: Sequence[Shape],
