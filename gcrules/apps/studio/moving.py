@@ -12,12 +12,12 @@ from gcrules.apps.studio.protocol.study_views import Axis
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import close_margin
 from gcrules.core.errors import InputError
+from gcrules.poses.limbs.factors import superbracket_value
 from gcrules.poses.limbs.pose_report import report_at
 from gcrules.poses.limbs.report import RobotPose
-from gcrules.poses.numbers.extensors import coordinates
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.threshold import DEFAULT
-from gcrules.views.robots.limb_views import Values, all_places, directions, limb_views
+from gcrules.views.robots.limb_views import limb_views
 from gcrules.views.scene_data import MotionView
 
 __all__ = ["actuator_axes", "configuration", "motion_view", "robot_numbers", "values_at"]
@@ -83,10 +83,11 @@ def robot_numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> Nu
     values = values_of(subject, found)
     names = subject.points
     near = found.verdict != "regular"
+    value = superbracket_value(robot, {n: np.asarray(v) for n, v in values.items()})
     return {
         "pose": pose,
         "points": {n: values[n] for n in names},
-        "value": _value(subject, values, found.margin),
+        "value": found.margin if value is None else value,
         "margin": found.margin,
         "close": close_margin(found.threshold),
         "verdict": found.verdict,
@@ -109,29 +110,6 @@ def robot_numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> Nu
         "limbs": limb_views(robot, values),
         "notes": [*found.notes, f"Assembly mode: {found.mode}."],
     }
-
-
-def _value(subject: Subject, values: Values, margin: float) -> float:
-    """The superbracket of the equivalent lines by the lengths of their coordinates, with its sign, the points at unit
-    scale about their centroid and directions of length 1; the margin where there are no lines.
-    """
-    robot, a = subject.robot, subject.analysis
-    if robot is None or a is None:
-        return margin
-    far, all_of = directions(robot), all_places(robot, values)
-    finite = np.array([all_of[n] for n in a.structure.names if n not in far])
-    centre = finite.mean(axis=0)
-    size = float(np.sqrt(((finite - centre) ** 2).sum(axis=1).mean())) or 1.0
-    keep = [0, 1, 3] if robot.robot.family.plane else [0, 1, 2, 3]
-    at = {}
-    for n in a.structure.names:
-        v = all_of[n]
-        row = [*(v / (np.linalg.norm(v) or 1.0)), 0.0] if n in far else [*((v - centre) / size), 1.0]
-        at[n] = np.array([row])[:, keep]
-    found = float(coordinates(a.structure.superbracket, at)[0, 0])
-    for line in a.structure.lines:
-        found /= float(np.linalg.norm(coordinates(line, at))) or 1.0
-    return found
 
 
 def motion_view(twist: Twist, centre: tuple[float, ...], unit: str) -> MotionView:

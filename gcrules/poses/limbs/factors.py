@@ -16,7 +16,7 @@ from gcrules.mechanisms.description.relations import Term
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.numbers.extensors import coordinates
 
-__all__ = ["ConditionFactor", "factors"]
+__all__ = ["ConditionFactor", "factors", "superbracket_value"]
 
 
 @dataclass(frozen=True)
@@ -53,6 +53,16 @@ def factors(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> tuple[Cond
     at = _unit_scale(analysis, values, used)
     names = analysis.lines.structure.names
     return tuple(_factor(part, at, names) for part in analysis.parts)
+
+
+def superbracket_value(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> float | None:
+    """The value of the superbracket of the equivalent lines, made a number as those of `factors`; None where the
+    robot's wrenches are no lines of its points.
+    """
+    if analysis.lines is None:
+        return None
+    structure = analysis.lines.structure
+    return _value(structure.superbracket, _unit_scale(analysis, values, dict.fromkeys(structure.names)))
 
 
 def _factor(part: FactorCause, at: Mapping[str, Floats], names: tuple[str, ...]) -> ConditionFactor:
