@@ -65,12 +65,10 @@ def threshold_of(given: str | Threshold, unit: str = "") -> Threshold:
 
 def angle_threshold(given: str | Threshold, unit: str, where: str) -> Threshold:
     """The same `where` only angles have a meaning ("in a map"). Raises InputError for a length, in whatever unit."""
-    if not isinstance(given, str):
-        found = threshold_of(given, unit)
-    elif (word := _parts(given)[1]) and word not in _ANGLES:
+    if isinstance(given, str) and _parts(given)[1] not in _ANGLES:
         found = Threshold(text=given.strip())
     else:
-        found = parse_threshold(given, unit)
+        found = threshold_of(given, unit)
     if found.angle is None:
         raise InputError(
             f"{where} the threshold is an angle, not {found.text[:40]}",

@@ -20,7 +20,7 @@ from gcrules.apps.studio.numbers import numbers
 from gcrules.apps.studio.subject import read_subject
 from gcrules.mechanisms.description.platform_file import Platform, parse_platform
 from gcrules.mechanisms.description.robot_file import parse_robot
-from gcrules.screws.threshold import DEFAULT, margin_of
+from gcrules.screws.threshold import DEFAULT, margin_of, turn_of
 from gcrules.screws.verdict import CLOSE, VERDICTS, decide, rank
 from gcrules.views.report.scene_json import Scenery
 
@@ -120,3 +120,18 @@ def test_the_default_threshold_is_the_bound() -> None:
 def test_the_decision(sigma: float, floor: float, spread: float, close: float, word: str) -> None:
     assert decide(sigma, floor, spread, close) == word
     assert np.array(VERDICTS)[rank(np.array([sigma, sigma]), floor, spread, close)].tolist() == [word, word]
+
+
+@pytest.mark.parametrize("degrees", [0.1, 1.0, 23.5, 23.9, 24.1, 60.0, 90.0, 120.0])
+def test_a_threshold_means_the_same_for_legs_and_limbs(degrees: float) -> None:
+    """The octahedral platform at home has σ = 0.4064 and asin σ = 23.98°: as limbs, and as six legs."""
+    threshold = f"{degrees} deg"
+    limbs, legs = gc.pose("octahedral", threshold=threshold), gc.pose("octahedral", threshold=threshold, accuracy="0")
+    assert limbs.margin == pytest.approx(legs.margin)
+    assert limbs.verdict == legs.verdict == ("regular" if degrees < 23.98 else "close")
+
+
+@pytest.mark.parametrize("turn", [0.0, 1e-9, 0.01, 0.5, math.pi / 2])
+def test_a_margin_guarantees_its_turn(turn: float) -> None:
+    assert turn_of(margin_of(turn)) == pytest.approx(turn)
+    assert margin_of(math.pi / 2 + turn + 1e-6) > 1  # which no margin reaches
