@@ -236,7 +236,16 @@ class Structure:
     @cached_property
     def sign(self) -> int:
         """superbracket(legs) = sign · superbracket(neutral)."""
-        return -1 if sum(x != y for x, y in zip(self.legs, self.neutral, strict=True)) % 2 else 1
+        return self._sign_of(self.neutral)
+
+    @cached_property
+    def orientation(self) -> int:
+        """superbracket(legs) = orientation · superbracket(oriented)."""
+        return self._sign_of(self.oriented)
+
+    def _sign_of(self, turned: tuple[Leg, ...]) -> int:
+        """−1 where an odd number of legs is turned round."""
+        return -1 if sum(x != y for x, y in zip(self.legs, turned, strict=True)) % 2 else 1
 
     @cached_property
     def superbracket(self) -> Expr:

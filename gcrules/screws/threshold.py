@@ -65,10 +65,10 @@ def threshold_of(given: str | Threshold, unit: str = "") -> Threshold:
 
 def angle_threshold(given: str | Threshold, unit: str, where: str) -> Threshold:
     """The same `where` only angles have a meaning ("in a map"). Raises InputError for a length, in whatever unit."""
-    if isinstance(given, str) and _parts(given)[1] not in _ANGLES:
-        found = Threshold(text=given.strip())
-    else:
-        found = threshold_of(given, unit)
+    word = _parts(given)[1] if isinstance(given, str) else None
+    if word == "":
+        raise InputError("a threshold without a unit", hint="write 2deg or 0.03rad")
+    found = Threshold(text=str(given).strip()) if word and word not in _ANGLES else threshold_of(given, unit)
     if found.angle is None:
         raise InputError(
             f"{where} the threshold is an angle, not {found.text[:40]}",

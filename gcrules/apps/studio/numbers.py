@@ -28,14 +28,14 @@ from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.causes import causes, near_causes, nearest_cause
 from gcrules.poses.numbers.cubic import superbracket_at
 from gcrules.poses.numbers.incidence_measures import readings
-from gcrules.poses.numbers.many import homogeneous
+from gcrules.poses.numbers.many import homogeneous, scaled_superbracket
 from gcrules.poses.numbers.many import numbers as numbers_of
 from gcrules.poses.numbers.motion import scaled, softest_twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.poses.numbers.reason import verdict
 from gcrules.rules.condition import Condition
 from gcrules.screws.guarantees import ROUNDING, guarantees, noise
-from gcrules.screws.margin import LegJacobians, jacobian
+from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold
 from gcrules.screws.verdict import CLOSE
@@ -83,7 +83,7 @@ def _of_rig(subject: Subject, moving: MovingPlatform, pose: PoseJson, limit: Thr
     bounds = guarantees(j)
     sigma = float(j.sigma[0])
     floor, spread = float(noise(j, ROUNDING * moving.size)[0]), 0.0
-    value = _scaled_value(j, moving)
+    value = scaled_superbracket(moving, j)
     exact = Fraction(1)
     if sigma <= _MAY_BE_ZERO:
         exact = superbracket_at(moving.structure.legs, moving.exact(exact_pose(pose)))
@@ -111,13 +111,6 @@ def _of_rig(subject: Subject, moving: MovingPlatform, pose: PoseJson, limit: Thr
         "limbs": limb_views(subject.robot, {**subject.home, **places}) if subject.robot else [],
         "notes": [],
     }
-
-
-def _scaled_value(j: LegJacobians, moving: MovingPlatform) -> Floats:
-    """The superbracket over ρ³ Π lengths, ρ the characteristic length, with its sign."""
-    turned = sum(leg != typed for leg, typed in zip(moving.legs, moving.structure.legs, strict=True))
-    found: Floats = -np.linalg.det(j.rows) * (-1) ** turned
-    return found
 
 
 def _causes(
@@ -201,6 +194,6 @@ def margins(subject: Subject, poses: Sequence[PoseJson], threshold: str | None =
     j = jacobian(moving.base, moving.ends(*at))
     return {
         "margin": many.margin.tolist(),
-        "value": _scaled_value(j, moving).tolist(),
+        "value": scaled_superbracket(moving, j).tolist(),
         "verdicts": many.verdict.tolist(),
     }

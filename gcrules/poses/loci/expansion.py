@@ -47,7 +47,6 @@ def expansion(rig: MovingPlatform) -> Terms:
     base = [_whole(rig.points[a], unit) for a, _ in rig.legs]
     arms = [_sub(_whole(rig.points[b], unit), _whole(rig.centre, unit)) for _, b in rig.legs]
     centre = _whole(rig.centre, unit)
-    flipped = sum(leg != typed for leg, typed in zip(rig.legs, rig.structure.legs, strict=True))
     norm, turned = _turns(arms)
     values: dict[tuple[int, ...], dict[Any, int]] = {}
     for shift in EXPONENTS:
@@ -57,7 +56,7 @@ def expansion(rig: MovingPlatform) -> Terms:
         for powers, c in form.terms():
             checkpoint()
             values.setdefault(tuple(powers), dict.fromkeys(EXPONENTS, 0))[shift] = int(c)
-    scale = Fraction((-1) ** (flipped + 1), unit**9)
+    scale = Fraction(-rig.structure.orientation, unit**9)
     found: dict[tuple[int, ...], Fraction] = {}
     for powers, at in values.items():
         checkpoint()

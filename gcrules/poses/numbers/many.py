@@ -16,11 +16,11 @@ from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.incidence_measures import IncidenceMeasure, readings
 from gcrules.rules.condition import Condition
 from gcrules.screws.guarantees import ROUNDING, guarantees, noise
-from gcrules.screws.margin import jacobian
+from gcrules.screws.margin import LegJacobians, jacobian
 from gcrules.screws.threshold import Threshold, margin_of
 from gcrules.screws.verdict import VERDICTS, rank
 
-__all__ = ["PoseNumbers", "homogeneous", "numbers"]
+__all__ = ["PoseNumbers", "homogeneous", "numbers", "scaled_superbracket"]
 
 Floats = NDArray[np.float64]
 
@@ -133,6 +133,12 @@ def _joined(parts: Sequence[PoseNumbers]) -> PoseNumbers:
     return replace(first, readings=joined, notes=notes, **arrays)
 
 
+def scaled_superbracket(moving: MovingPlatform, j: LegJacobians) -> Floats:
+    """The superbracket over ρ³ Π lengths in N poses, shape (N,), with its sign; ρ is the characteristic length."""
+    found: Floats = -moving.structure.orientation * np.linalg.det(j.rows)
+    return found
+
+
 def _numbers(
     rig: MovingPlatform,
     conditions: Sequence[Condition],
@@ -146,9 +152,8 @@ def _numbers(
     j = jacobian(rig.base, ends)
     bounds = guarantees(j)
     spread, floor = noise(j, accuracy), noise(j, ROUNDING * rig.size)
-    turned = sum(leg != typed for leg, typed in zip(rig.legs, rig.structure.legs, strict=True))
     with np.errstate(over="ignore", under="ignore"):
-        value = -np.linalg.det(j.rows) * j.radius**3 * j.lengths.prod(axis=1) * (-1) ** turned
+        value = scaled_superbracket(rig, j) * j.radius**3 * j.lengths.prod(axis=1)
     return PoseNumbers(
         value=value,
         margin=j.sigma,

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.poses.numbers.arrays import matrices
+from gcrules.poses.numbers.many import scaled_superbracket
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.screws.margin import jacobian
 from gcrules.screws.threshold import margin_of
@@ -88,9 +89,7 @@ def plot(r: PathReport) -> Drawing:
 def _determinant(r: PathReport) -> Floats:
     """The superbracket over the lengths of the legs and the cube of the characteristic length ρ."""
     j = jacobian(r.rig.base, r.rig.ends(r.translations, matrices(r.quaternions)))
-    typed = zip(r.rig.legs, r.rig.structure.legs, strict=True)
-    sign = -((-1) ** sum(leg != other for leg, other in typed))  # each leg that the user wrote from platform to base
-    found: Floats = np.where(r.numbers.margin == 0, 0.0, sign * np.linalg.det(j.rows))
+    found: Floats = np.where(r.numbers.margin == 0, 0.0, scaled_superbracket(r.rig, j))
     return found
 
 

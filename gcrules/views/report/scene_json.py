@@ -215,7 +215,6 @@ class Scenery:
         """How lines and common points are constructed from joints, as nested lists: a page without a server evaluates
         them by itself. ["join", "a", "b"] and ["meet", …] have further ones as operands; sums are left out.
         """
-        turned = sum(x != y for x, y in zip(self.structure.legs, self.structure.oriented, strict=True))
         lines = [(i, name, nested(e)) for i, (name, e) in enumerate(self.lines, len(self.entities))]
         points = [(one, [of for p in one.parts if (of := nested(p))]) for one in self.incidences]
         return {
@@ -225,7 +224,7 @@ class Scenery:
                 for one, of in points
                 if len(of) == len(one.parts)
             ],
-            "sign": -1 if turned % 2 else 1,
+            "sign": 1 if self.structure.orientation > 0 else -1,
             "thresholds": {
                 "close": CLOSE,
                 "rounding": resolved(ROUNDING),
