@@ -1,7 +1,7 @@
 r"""Screw systems: spans of twists or wrenches, and those reciprocal to them.
 
->>> from gcrules.screws.screw import turn
->>> pencil = ScrewSystem.span([turn((0, 0, 0), (1, 0, 0)), turn((0, 0, 0), (0, 1, 0))])
+>>> from gcrules.screws.screw import revolute
+>>> pencil = ScrewSystem.span([revolute((0, 0, 0), (1, 0, 0)), revolute((0, 0, 0), (0, 1, 0))])
 >>> pencil.dimension, pencil.reciprocal().dimension, pencil.reciprocal().reciprocal() == pencil
 (2, 4, True)
 >>> pencil.classify().kind, pencil.reciprocal().classify().kind

@@ -5,7 +5,7 @@ r"""Factorization: is a bracket polynomial a product of brackets and one express
 abc /\ aef /\ bdf /\ cde
 >>> print(factor(parse("[[Aa, Ab, Ac, Bd, Be, Cf]]")).to_expr())
 [ABCf][ABde][Aabc]
->>> factor(parse("[[ab, cd, ef, gh, ij, kl]]")).found
+>>> factor(parse("[[ab, cd, ef, gh, ij, kl]]")).exists
 False
 """
 
