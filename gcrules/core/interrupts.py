@@ -114,9 +114,12 @@ def _send(thread: int, number: int) -> None:
 
 
 def _unraisable(ignored: UnraisableHookArgs, /) -> None:
-    """An interrupt where Python only prints exceptions is raised again soon."""
-    if issubclass(ignored.exc_type, KeyboardInterrupt) and _heard.number is not None:
-        _heard.silent_until = 0.0
+    """An interrupt where Python only prints exceptions is raised again soon; what else is said there meanwhile are
+    complaints of destructors about what the interrupt left half made.
+    """
+    if _heard.number is not None:
+        if issubclass(ignored.exc_type, KeyboardInterrupt):
+            _heard.silent_until = 0.0
     elif _heard.ended and ignored.exc_type is OSError and ignored.object is None:
         pass  # Python says that a signal came in the moment in which its handler was taken away
     else:

@@ -151,6 +151,11 @@ LOST = {
         "for _ in range(3):\n        try:\n            signal.raise_signal(signal.SIGINT); time.sleep(30)\n"
         "        except BaseException: pass"
     ),
+    "in a constructor, and the destructor fails": (
+        "class A:\n        def __init__(self): signal.raise_signal(signal.SIGINT); time.sleep(30); self.part = 1\n"
+        "        def __del__(self): del self.part\n"
+        "    A()"
+    ),
     "twice": "signal.raise_signal(signal.SIGINT); signal.raise_signal(signal.SIGINT)",
     "while deferred": "with interrupts.deferred(): signal.raise_signal(signal.SIGINT)\n    time.sleep(30)",
 }
