@@ -58,7 +58,7 @@ def path(
 ) -> PathReport:
     """The function of `gcrules.api.poses`, which says what the arguments are."""
     analysis, moving = six_legged(robot, about, "a path")
-    limit = angle_threshold(threshold, moving.unit, "along a path")
+    limit = angle_threshold(threshold, "along a path")
     found, notes = _poses(poses, moving.unit)
     per_segment = _per_segment(samples, len(found) - 1)
     moving.ends(*from_poses(found))  # refuses poses that are too far away, and legs of no length

@@ -63,18 +63,18 @@ def threshold_of(given: str | Threshold, unit: str = "") -> Threshold:
     return parse_threshold(given, unit)
 
 
-def angle_threshold(given: str | Threshold, unit: str, where: str) -> Threshold:
+def angle_threshold(given: str | Threshold, where: str) -> Threshold:
     """The same `where` only angles have a meaning ("in a map"). Raises InputError for a length, in whatever unit."""
-    word = _parts(given)[1] if isinstance(given, str) else None
-    if word == "":
+    word = _parts(given)[1] if isinstance(given, str) else "rad"
+    if not word:
         raise InputError("a threshold without a unit", hint="write 2deg or 0.03rad")
-    found = Threshold(text=str(given).strip()) if word and word not in _ANGLES else threshold_of(given, unit)
-    if found.angle is None:
+    if word not in _ANGLES or (isinstance(given, Threshold) and given.angle is None):
+        shown = given.text if isinstance(given, Threshold) else str(given).strip()
         raise InputError(
-            f"{where} the threshold is an angle, not {found.text[:40]}",
+            f"{where} the threshold is an angle, not {shown[:40]}",
             hint="how far a leg, or a limb's wrenches, may turn relative to the platform, as in 2deg",
         )
-    return found
+    return threshold_of(given)
 
 
 def parse_threshold(text: str, unit: str = "") -> Threshold:

@@ -128,6 +128,7 @@ def _asks_json(case: Case) -> bool:
     at = argv.index("--json")
     before = argv[at - 1] if at else ""
     flag = before in ("--full", "--recheck", "--all", "--cofactor", "--steps", "--ascii", "--unicode")
+    flag |= before == "--search" and _command(case) == "robot pose"  # elsewhere it takes seconds
     if _TAKES_VALUE.fullmatch(before) and not flag:
         return False
     return not _redirected(case)

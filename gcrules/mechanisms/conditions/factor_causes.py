@@ -19,7 +19,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.errors import GcrulesError
 from gcrules.mechanisms.description.family import Family, Path
 from gcrules.mechanisms.description.limb_file import LimbSpec
-from gcrules.mechanisms.description.relations import Term, Values, combined
+from gcrules.mechanisms.description.relations import Term, Values, combined, name_of
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
 from gcrules.mechanisms.lines.wrenches import PLANAR
@@ -303,9 +303,9 @@ def never(family: Family, limbs: Sequence[LimbSpec], structure: Equivalent, e: E
     if not all(numbers):
         return ""
     terms: list[Term] = list(dict.fromkeys(d for limb in limbs for j in limb.joints for d in j.directions))
-    lengths = {_words(t): [_square(combined(t, m, RESIDUES)) for m in at] for t in terms}
+    lengths = {name_of(t): [_square(combined(t, m, RESIDUES)) for m in at] for t in terms}
     for u, v in (j.directions for limb in limbs for j in limb.joints if j.kind == "U"):
-        lengths[f"{_words(u)} × {_words(v)}"] = [
+        lengths[f"{name_of(u)} × {name_of(v)}"] = [
             _square(RESIDUES.cross(combined(u, m, RESIDUES), combined(v, m, RESIDUES))) for m in at
         ]
     for size in (1, 2):
@@ -325,7 +325,3 @@ def _product(numbers: Iterator[int]) -> int:
     for n in numbers:
         found = found * n % PRIME
     return found
-
-
-def _words(term: Term) -> str:
-    return term[0][1] if len(term) == 1 else "".join(n for _, n in reversed(term))

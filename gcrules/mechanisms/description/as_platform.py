@@ -28,9 +28,10 @@ def as_platform(robot: Robot) -> Platform:
     """
     legs = [_leg(robot, limb) for limb in robot.limbs]
     other = next((limb for limb, leg in zip(robot.limbs, legs, strict=True) if leg is None), None)
-    found = _lines(robot) or tuple(leg for leg in legs if leg is not None)
+    lines = _lines(robot)
+    found = lines or tuple(leg for leg in legs if leg is not None)
     reason = ""
-    if len(robot.limbs) != 6 and not _lines(robot):
+    if len(robot.limbs) != 6 and not lines:
         reason = f"it has {len(robot.limbs) or 'no'} limbs, not six"
     elif other is not None:
         reason = f"{other.name or 'a limb'} ({other.chain}) is no leg UP*S between two points"

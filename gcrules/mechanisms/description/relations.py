@@ -21,7 +21,7 @@ from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.core.errors import InputError
 from gcrules.screws import Field
 
-__all__ = ["AXES", "RELATIONS", "Relation", "Term", "Values", "combined", "pair_or_name", "relation"]
+__all__ = ["AXES", "RELATIONS", "Relation", "Term", "Values", "combined", "name_of", "pair_or_name", "relation"]
 
 Vector = tuple[Any, Any, Any]
 Values = Mapping[str, Vector]
@@ -176,6 +176,11 @@ class Relation:
 
     def _form(self, sort: str) -> Residual:
         return RELATIONS[sort][self.kind].residual
+
+
+def name_of(term: Term) -> str:
+    """A name, or the two points of a difference in the order in which one goes: AB for B − A."""
+    return term[0][1] if len(term) == 1 else "".join(n for _, n in reversed(term))
 
 
 def combined(term: Term, values: Values, field: Field) -> Vector:

@@ -10,7 +10,7 @@ from itertools import combinations, product
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
-from gcrules.mechanisms.description.relations import AXES, Term, Values, Vector, combined
+from gcrules.mechanisms.description.relations import AXES, Term, Values, Vector, combined, name_of
 from gcrules.mechanisms.lines.names import Sample, directions, key, samples
 from gcrules.mechanisms.lines.wrenches import PLANAR, LimbWrenches, WrenchLine, limb_wrenches, reciprocal_to
 from gcrules.screws import RESIDUES, Field
@@ -55,7 +55,7 @@ class Equivalent:
     @property
     def named(self) -> tuple[tuple[str, str], ...]:
         """Derived directions with what they are in words: u × v."""
-        return tuple((n, f"{_words(u)} × {_words(v)}") for n, u, v in self.derived)
+        return tuple((n, f"{name_of(u)} × {name_of(v)}") for n, u, v in self.derived)
 
     def points(self, family: Family, values: Values, field: Field = RESIDUES) -> dict[str, Row]:
         """Homogeneous coordinates of all points at a member in this field, derived ones among them."""
@@ -76,10 +76,6 @@ class Equivalent:
             "given": list(self.incidences),
             "derived points": dict(self.named),
         }
-
-
-def _words(term: Term) -> str:
-    return term[0][1] if len(term) == 1 else "".join(n for _, n in reversed(term))
 
 
 def equivalent(family: Family, limbs: Sequence[LimbSpec], *, frame: bool = True) -> Equivalent:

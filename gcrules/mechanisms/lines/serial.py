@@ -19,7 +19,7 @@ from gcrules.core.seeds import drawn
 from gcrules.mechanisms.conditions.factor_causes import ENOUGH, paths, upstream
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
-from gcrules.mechanisms.description.relations import Term, Values, Vector, combined
+from gcrules.mechanisms.description.relations import Term, Values, Vector, combined, name_of
 from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
 from gcrules.screws import RESIDUES
 from gcrules.screws.field import Row
@@ -137,11 +137,7 @@ def _terms(limb: LimbSpec) -> dict[str, Term]:
     points = list(dict.fromkeys(p for j in limb.joints for p in j.points))
     one = {p: next(a for j in limb.joints for a in j.args if isinstance(a, tuple) and a[0][1] == p) for p in points}
     terms += [((one[b][0][0], b), (-one[a][0][0], a)) for a, b in pairwise(points)]
-    return {_words(t): t for t in terms}
-
-
-def _words(term: Term) -> str:
-    return term[0][1] if len(term) == 1 else "".join(n for _, n in reversed(term))
+    return {name_of(t): t for t in terms}
 
 
 def _tried(family: Family, limb: LimbSpec, values: Values) -> Iterator[tuple[tuple[str, str], bool]]:

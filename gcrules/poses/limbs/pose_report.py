@@ -56,7 +56,7 @@ def report_at(
 
     The `analysis` is asked for only when the joints are solved.
     """
-    limit = angle_threshold(threshold, "", "for robots described by joints")
+    limit = angle_threshold(threshold, "for robots described by joints")
     wanted = target_of(m, at, actuators, degrees)
     solution = solve(m, wanted) if wanted is not None else _at_home(m)
     return here(m, analysis(), solution, limit)
@@ -72,7 +72,7 @@ def first_singular_pose(
     threshold: str | Threshold = DEFAULT,
 ) -> RobotPose | None:
     """The numbers at the first singular configuration on the way to what is wanted, or None. Raises InputError."""
-    limit = angle_threshold(threshold, "", "for robots described by joints")
+    limit = angle_threshold(threshold, "for robots described by joints")
     wanted = target_of(m, at, actuators, degrees)
     if wanted is None or not wanted.values.any():
         raise InputError("no direction is given in which to look", hint="give the end of the way: z=1, roll=0deg, …")

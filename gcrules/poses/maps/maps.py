@@ -97,7 +97,7 @@ def planned(
     """What is to be computed, all faults of the input told."""
     analysis, moving = six_legged(robot, about, "a map")
     axes = read_axes(over, moving.unit)
-    limit = angle_threshold(threshold, moving.unit, "in a map")
+    limit = angle_threshold(threshold, "in a map")
     if measure not in MEASURES:
         raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
     reached = parse_limits(limits, moving.names, moving.unit) if limits is not None else None
