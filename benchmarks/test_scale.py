@@ -69,7 +69,9 @@ def test_the_proof_of_6_5(ratio: Callable[..., Any]) -> None:
     (reading,) = (r for r in entry.readings if r.kind == "one-incidence")
     superbracket = entry.structure.superbracket
     claim = Certificate("none", "to be proved")
-    condition = Condition(reading.kind, reading.expression, "", claim, reading.cofactor, reading.coefficient)
+    condition = Condition(
+        reading.kind, reading.expression, reading.meaning, claim, reading.cofactor, reading.coefficient
+    )
     poly = expand(condition.identity(superbracket))
     assert isinstance(poly, BracketPolynomial)
     ratio(

@@ -38,6 +38,7 @@ from gcrules.rules.factorization import SECONDS
 from gcrules.rules.foreign import PluginFault
 from gcrules.rules.plugin import packs
 from gcrules.rules.plugins import load_rules
+from gcrules.rules.statement import say
 from gcrules.rules.strategy import SHORTEST, Strategy
 
 __all__ = ["Analysis", "analyze"]
@@ -170,7 +171,7 @@ def analyze(
         condition = Condition(
             kind="always-singular",
             expression=ex.ZERO,
-            statement=catalog.statements["always-singular"].format(reason=why.reason),
+            meaning=say(catalog.statements["always-singular"], reason=why.reason),
             statement_source=catalog.statement_sources.get("always-singular", ""),
             certificate=zero,
             entities=starred([("line", tuple(map(str, why.line.children)))]) if isinstance(why.line, ex.Join) else (),

@@ -163,8 +163,8 @@ def factors(structure: Structure) -> Iterator[tuple[str, ...]]:
 def _proved(reading: CatalogIdentity, structure: Structure) -> list[str]:
     if vanishes(reading.cofactor):
         return [f"the cofactor {reading.cofactor_text} is zero identically, so the identity says nothing"]
-    statement = reading.statement or ""
-    condition = Condition(reading.kind, reading.expression, statement, _CLAIM, reading.cofactor, reading.coefficient)
+    r = reading
+    condition = Condition(r.kind, r.expression, r.meaning, _CLAIM, r.cofactor, r.coefficient)
     answer = prove(condition.identity(structure.superbracket), ZERO)
     if answer.proved:
         return []

@@ -26,6 +26,7 @@ from gcrules.rules.generic_lines import alive, statement_of_lines, written_back
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.rule import StructureRule
 from gcrules.rules.sentences import sentence
+from gcrules.rules.statement import Statement, say
 from gcrules.rules.strategy import CATALOG, FACTORIZATION, MAX_TERMS, SHORTEST, Strategy, of_plugins, recognise
 
 __all__ = ["Readings", "always_zero", "linear_complex", "read"]
@@ -150,7 +151,7 @@ def _recognised(
         readings = catalog.readings(structure, m, oracle, recheck=recheck)
         new = (r for r in readings if not any(_alike(r, c, oracle) for c in conditions))
         conditions.extend(
-            r if r.statement else replace(r, statement=_said(r, structure, oracle), statement_source="") for r in new
+            r if r.meaning else replace(r, meaning=_meaning(r, structure, oracle), statement_source="") for r in new
         )
 
     for m in known:
@@ -219,14 +220,14 @@ def _written_back(condition: Condition, structure: Structure, oracle: RandomWitn
     if oracle.zero(cofactor) or oracle.zero(expression):
         return None
     whole, expression = expression, alive(expression, structure)
-    statement = statement_of_lines(condition.statement, structure.stand_ins) if expression == whole else None
+    meaning = statement_of_lines(condition.meaning, structure.stand_ins) if expression == whole else None
     c = condition.certificate
     return replace(
         condition,
         expression=expression,
         cofactor=cofactor,
-        statement=statement or sentence(expression, structure, oracle, cofactor),
-        statement_source=condition.statement_source if statement else "",
+        meaning=meaning or sentence(expression, structure, oracle, cofactor),
+        statement_source=condition.statement_source if meaning else "",
         certificate=Certificate(c.method, f"{c.detail}, for any lines in the place of those built from points", c.data),
         entities=(),
         lines=tuple(
@@ -256,7 +257,7 @@ def _with_factorization(found: Readings, structure: Structure, matches: Sequence
     return replace(found, conditions=(*found.conditions, outcome.condition), notes=notes)
 
 
-def _said(condition: Condition, structure: Structure, oracle: RandomWitness) -> str:
+def _meaning(condition: Condition, structure: Structure, oracle: RandomWitness) -> Statement:
     """The sentence of an identity to which a catalog gives none."""
     return sentence(condition.expression, structure, oracle, condition.cofactor)
 
@@ -271,7 +272,7 @@ def _unordered(e: Expr) -> str:
 
 def _alike(a: Condition, b: Condition, oracle: RandomWitness) -> bool:
     """Whether two readings say the same in the same words, or compare turns about the same two lines."""
-    if not a.statement and (a.kind, _unordered(a.expression)) == (b.kind, _unordered(b.expression)):
+    if not a.meaning and (a.kind, _unordered(a.expression)) == (b.kind, _unordered(b.expression)):
         return True
     if str(a.expression) == str(b.expression) and a.statement == b.statement:
         return True
@@ -283,14 +284,14 @@ def _alike(a: Condition, b: Condition, oracle: RandomWitness) -> bool:
 
 def linear_complex(structure: Structure, catalog: Catalog) -> Condition:
     """The reading that always holds: the superbracket itself."""
-    statement, source = catalog.statements["linear-complex"], catalog.statement_sources.get("linear-complex", "")
+    meaning, source = say(catalog.statements["linear-complex"]), catalog.statement_sources.get("linear-complex", "")
     if structure.rank != 4:
         number = {3: "three"}.get(len(structure.legs), str(len(structure.legs)))
-        statement, source = f"The robot is singular exactly when its {number} lines are linearly dependent.", ""
+        meaning, source = say("The robot is singular exactly when its {} lines are linearly dependent.", number), ""
     return Condition(
         kind="linear-complex",
         expression=structure.superbracket,
-        statement=statement,
+        meaning=meaning,
         statement_source=source,
         certificate=Certificate("normal-form", "holds by definition of the superbracket"),
     )

@@ -13,11 +13,13 @@ from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.core.frozen import FrozenMap
+from gcrules.rules.common_lines import line_of_joints
 from gcrules.rules.condition import Condition, Entity, starred
 from gcrules.rules.condition_rule import ConditionClaim
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor
 from gcrules.rules.sentences import sentence
+from gcrules.rules.statement import Part, Statement, filled, listing, say
 
 __all__ = ["PROVED", "PROVED_HERE", "best_first", "certify", "describe", "entities_of", "in_special_position", "listed"]
 
@@ -87,28 +89,28 @@ def describe(
     kind = claim.kind
     key = f"{kind}/no-turn" if claim.pencils and not turning else kind
     entities = entities_of(claim)
-    tetrahedra = [e for e in entities if e.kind == "tetrahedron"]
-    planes = [e for e in entities if e.kind == "plane"]
-    parts = {
-        "tetrahedra": listed([_tetrahedron(e) for e in tetrahedra]),
-        "planes": listed(sorted(str(extensor(e.points)) for e in planes)),
-        "lines": listed([str(extensor(e.points)) for e in entities if e.kind == "line"]),
-        "expression": str(claim.expression),
+    flats = {k: [extensor(e.points) for e in entities if e.kind == k] for k in ("tetrahedron", "plane", "line")}
+    parts: dict[str, Part] = {
+        "tetrahedra": listing(flats["tetrahedron"]),
+        "planes": listing(sorted(flats["plane"], key=str)),
+        "lines": listing(flats["line"]),
+        "expression": claim.expression,
     }
-    if kind == "three-tetrahedra" and len(set(map(_tetrahedron, tetrahedra))) == 1:
+    if kind == "three-tetrahedra" and len(set(flats["tetrahedron"])) == 1:
         key = "three-tetrahedra/one"
     if kind == "tetrahedron-planes-line":
-        parts["line"] = str(extensor(entities[-1].points))
+        parts["line"] = extensor(entities[-1].points)
     if claim.pencils and claim.single:
-        parts |= {name: line_in_words(line, structure) for name, line in zip("pq", claim.pencils, strict=True)}
-        parts |= {name: str(extensor(leg)) for name, leg in zip("gh", claim.single, strict=True)}
+        parts |= {name: _line_in_words(line, structure) for name, line in zip("pq", claim.pencils, strict=True)}
+        parts |= {name: extensor(leg) for name, leg in zip("gh", claim.single, strict=True)}
+    said = statements.get(key, claim.statement)
     return Condition(
         kind=kind,
         expression=claim.expression,
         cofactor=claim.cofactor,
         coefficient=claim.coefficient,
         group=claim.group,
-        statement=statements.get(key, claim.statement).format(**parts),
+        meaning=said if isinstance(said, Statement) else filled(said, parts.__getitem__),
         statement_source=sources.get(key, "") if key in statements else claim.source,
         certificate=_TESTED,
         entities=entities,
@@ -116,25 +118,16 @@ def describe(
     )
 
 
-def _tetrahedron(entity: Entity) -> str:
-    return str(extensor(entity.points))
-
-
-def line_in_words(line: Expr, structure: Structure) -> str:
+def _line_in_words(line: Expr, structure: Structure) -> Statement:
     """ "the line AB through the joints A and B", "the common line of the leg planes Aab and Bcd"."""
     match line:
         case Join(args=(Point(name=a), Point(name=b))):
-            finite = [n for n in (a, b) if n not in structure.ideal]
-            if not finite:
-                return f"the line at infinity {line}"
-            if len(finite) == 1:
-                return f"the line {line} through the joint {finite[0]} in the direction {b if a in finite else a}"
-            return f"the line {line} through the joints {a} and {b}"
+            return line_of_joints(a, b, structure.ideal)
         case Meet(args=(Join() as x, Join() as y)):
             names = [tuple(str(p) for p in plane.args) for plane in (x, y)]
             word = "leg planes" if all(sum(set(g) <= set(n) for g in structure.legs) > 1 for n in names) else "planes"
-            return f"the common line of the {word} {x} and {y}"
-    return f"the line {line}"
+            return say("the common line of the {} {} and {}", word, x, y)
+    return say("the line {}", line)
 
 
 def certify(condition: Condition, structure: Structure, *, claimed_by: str = "") -> Condition:
@@ -165,13 +158,13 @@ def in_special_position(condition: Condition, structure: Structure, oracle: Rand
         return condition
     if condition.kind in _SAID_BY_WORDS:
         words = sentence(condition.expression, structure, oracle, condition.cofactor)
-        return replace(condition, statement=words, statement_source="")
+        return replace(condition, meaning=words, statement_source="")
     far = [name for name, line in condition.lines if name and oracle.at_infinity(line)]
     if not far:
         return condition
     lies = "lies at infinity, a turn about it is a translation" if len(far) == 1 else _BOTH
     where = f"{listed(far)} {lies} at right angles to the directions in it."
-    return replace(condition, statement=f"{condition.statement} Here {where}")
+    return replace(condition, meaning=say("{} Here {}", condition.meaning, where))
 
 
 _SAMPLES = 3

@@ -3,7 +3,7 @@ four legs are rational in the joints.
 
 >>> four = FourLegs((("A", "a"), ("A", "b"), ("B", "c"), ("B", "d")))
 >>> for line in four.lines:
-...     print(line.expression, "-", line.words)
+...     print(line.expression, "-", line.meaning)
 AB - the line AB through the joints A and B
 Aab /\ Bcd - the common line of the leg planes Aab and Bcd
 """
@@ -19,12 +19,13 @@ from itertools import combinations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, Point, join, meet
-from gcrules.algebra.language.legs_text import Leg, leg_text
+from gcrules.algebra.language.legs_text import Leg
 from gcrules.algebra.names import point_key
 from gcrules.core.budget import checkpoint
 from gcrules.rules.recognition_state import extensor
+from gcrules.rules.statement import Statement, say
 
-__all__ = ["FREE", "CommonLine", "FourLegs", "letters"]
+__all__ = ["FREE", "CommonLine", "FourLegs", "letters", "line_of_joints"]
 
 FREE = ("free 1", "free 2", "free 3", "free 4")
 """Four more points at the random positions; these are no names of joints."""
@@ -42,7 +43,7 @@ class CommonLine:
     """A line, and what it is in words."""
 
     expression: Expr
-    words: str
+    meaning: Statement
 
     @cached_property
     def letters(self) -> Counter[str]:
@@ -96,21 +97,22 @@ class FourLegs:
         for a, b in combinations(self.joints, 2):
             checkpoint()
             if not self._missed((a, b), ()):
-                yield CommonLine(extensor((a, b)), self._line_of_joints(a, b))
+                yield CommonLine(extensor((a, b)), line_of_joints(a, b, self.ideal))
         planes = [self._plane(*g, *h) for g, h in combinations(self.legs, 2) if len({*g, *h}) == 3]
-        for x, y in combinations(dict.fromkeys(planes), 2):
+        for two in combinations(dict.fromkeys(planes), 2):
             checkpoint()
-            if not self._missed((), (x, y)):
-                words = f"the common line of the leg planes {extensor(x)} and {extensor(y)}"
-                yield CommonLine(meet(extensor(x), extensor(y)), words)
+            if not self._missed((), two):
+                x, y = map(extensor, two)
+                yield CommonLine(meet(x, y), say("the common line of the leg planes {} and {}", x, y))
         for a in self.joints:
             missed = self._missed((a,), ())
             if len(missed) == 2:
                 g, h = missed
                 line = meet(extensor(self._plane(a, *g)), extensor(self._plane(a, *h)))
-                yield CommonLine(line, f"the line {self._through(a)} that crosses {leg_text(g)} and {leg_text(h)}")
-        for x in dict.fromkeys(planes):
-            yield from self._in_plane(x)
+                words = say("the line {} that crosses {} and {}", self._through(a), extensor(g), extensor(h))
+                yield CommonLine(line, words)
+        for plane in dict.fromkeys(planes):
+            yield from self._in_plane(plane)
 
     def _in_plane(self, x: tuple[str, ...]) -> Iterator[CommonLine]:
         """Lines in a plane of two legs, through one of its joints or across two legs."""
@@ -119,27 +121,18 @@ class FourLegs:
         if len(missed) == 2:
             g, h = missed
             line = join(meet(extensor(g), plane), meet(extensor(h), plane))
-            where = "at infinity" if set(x) <= set(self.ideal) else f"in the plane {plane}"
-            yield CommonLine(line, f"the line {where} that crosses {leg_text(g)} and {leg_text(h)}")
+            where = "at infinity" if set(x) <= set(self.ideal) else say("in the plane {}", plane)
+            yield CommonLine(line, say("the line {} that crosses {} and {}", where, *map(extensor, missed)))
         for a in x:
             missed = self._missed((a,), (x,))
             if len(missed) == 1:
                 (g,) = missed
                 line = join(Point(a), meet(extensor(g), plane))
-                yield CommonLine(line, f"the line {self._through(a)} in the plane {plane} that crosses {leg_text(g)}")
+                words = "the line {} in the plane {} that crosses {}"
+                yield CommonLine(line, say(words, self._through(a), plane, extensor(g)))
 
-    def _line_of_joints(self, a: str, b: str) -> str:
-        line = extensor((a, b))
-        finite = [n for n in (a, b) if n not in self.ideal]
-        if not finite:
-            return f"the line at infinity {line}"
-        if len(finite) == 2:
-            return f"the line {line} through the joints {a} and {b}"
-        (direction,) = {a, b} - set(finite)
-        return f"the line {line} through the joint {finite[0]} in the direction {direction}"
-
-    def _through(self, a: str) -> str:
-        return f"in the direction {a}" if a in self.ideal else f"through {a}"
+    def _through(self, a: str) -> Statement:
+        return say("in the direction {}" if a in self.ideal else "through {}", Point(a))
 
     def _plane(self, *names: str) -> tuple[str, ...]:
         return tuple(sorted(set(names), key=self.joints.index))
@@ -147,6 +140,17 @@ class FourLegs:
     def _missed(self, points: tuple[str, ...], planes: tuple[tuple[str, ...], ...]) -> list[Leg]:
         """The legs that go through none of the points and lie in none of the planes."""
         return [g for g in self.legs if not set(g) & set(points) and not any(set(g) <= set(x) for x in planes)]
+
+
+def line_of_joints(a: str, b: str, ideal: Sequence[str]) -> Statement:
+    """What the line through two joints is, of which some may be at infinity."""
+    line, finite = extensor((a, b)), [n for n in (a, b) if n not in ideal]
+    if not finite:
+        return say("the line at infinity {}", line)
+    if len(finite) == 2:
+        return say("the line {} through the joints {} and {}", line, Point(a), Point(b))
+    (direction,) = {a, b} - set(finite)
+    return say("the line {} through the joint {} in the direction {}", line, Point(finite[0]), Point(direction))
 
 
 def _scaled(values: Sequence[int]) -> list[int]:

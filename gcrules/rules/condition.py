@@ -9,6 +9,7 @@ from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import ONE, Expr, Number, mul, signed, sub
 from gcrules.algebra.language.text import text
 from gcrules.core.shown import Shown
+from gcrules.rules.statement import Statement
 
 __all__ = ["Condition", "Entity", "starred"]
 
@@ -43,17 +44,17 @@ def starred(kinds_and_points: list[tuple[str, tuple[str, ...]]]) -> tuple[Entity
 
 @dataclass(frozen=True)
 class Condition(Shown):
-    """cofactor · superbracket = coefficient · expression, for the legs exactly as typed.
+    """cofactor · superbracket = coefficient · expression, for the legs exactly as typed, and what that means.
 
-    `lines` are the lines that the statement names (p and q, about which the platform could turn); `group` is the
-    group of entities in the published procedure, a … g, where the condition comes from one. Whether the `statement`
-    says in words what the expression does cannot be told by a machine: `statement_source` names the catalog or rule
-    that it comes from, "" for the sentences of gcrules itself.
+    `lines` are the lines that the meaning names (p and q, about which the platform could turn); `group` is the group of
+    entities in the published procedure, a … g, where the condition comes from one. Whether the `meaning` is what the
+    expression says cannot be told by a machine: `statement_source` names the catalog or rule that it comes from, "" for
+    the sentences of gcrules itself.
     """
 
     kind: str
     expression: Expr
-    statement: str
+    meaning: Statement
     certificate: Certificate
     cofactor: Expr = ONE
     coefficient: int = 1
@@ -63,11 +64,19 @@ class Condition(Shown):
     statement_source: str = ""
 
     @property
+    def statement(self) -> str:
+        """The meaning in words."""
+        return str(self.meaning)
+
+    @property
     def sentence(self) -> str:
         """The statement as it is shown: with whose words it is where it comes from outside."""
-        if not self.statement_source or not self.statement:
-            return self.statement
-        return f"In the words of {self.statement_source}: {self.statement}"
+        return f"{self.whose}{self.statement}" if self.meaning else ""
+
+    @property
+    def whose(self) -> str:
+        """What stands before a statement that comes from outside."""
+        return f"In the words of {self.statement_source}: " if self.statement_source else ""
 
     @property
     def right_side(self) -> Expr:

@@ -19,6 +19,7 @@ from gcrules.rules.foreign import foreign, place_of
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import RecognitionState, extensor
 from gcrules.rules.rule import ConditionRule
+from gcrules.rules.statement import Statement
 
 __all__ = ["INCIDENCES", "ConditionClaim", "claims"]
 
@@ -37,7 +38,7 @@ class ConditionClaim:
     coefficient: int
     cofactor: Expr = ONE
     pencils: tuple[Expr, Expr] | None = None
-    statement: str = ""
+    statement: str | Statement = ""
     group: str | None = None
     source: str = ""
 
@@ -89,7 +90,7 @@ def _claims(
                     coefficient=coefficient,
                     cofactor=cofactor,
                     pencils=incidence.pencils(reached) if incidence.pencils else None,
-                    statement=incidence.sentence_for(reached),
+                    statement=incidence.meaning(reached),
                     group=incidence.group,
                     source=incidence.named_outside,
                 )

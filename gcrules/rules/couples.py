@@ -42,8 +42,8 @@ def forces_and_couples(structure: Structure, oracle: RandomWitness) -> list[Cond
             e = ex.meet(common, ex.join(ex.meet(plane, f), g), h)
             coefficient = oracle.coefficient(e, cofactor)
             if coefficient is not None:
-                said = sentence(e, structure, oracle, cofactor)
-                return [Condition(COUPLES, e, said, _TESTED, cofactor, coefficient)]
+                meaning = sentence(e, structure, oracle, cofactor)
+                return [Condition(COUPLES, e, meaning, _TESTED, cofactor, coefficient)]
     return []
 
 

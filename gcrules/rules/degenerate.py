@@ -11,10 +11,11 @@ from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, join, meet
 from gcrules.algebra.language.legs_text import Leg, Structure, leg_text
 from gcrules.core.budget import checkpoint
-from gcrules.core.english import listed
 from gcrules.core.linear_algebra import rank
+from gcrules.rules.common_lines import line_of_joints
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor
+from gcrules.rules.statement import Part, Statement, listing, say
 
 __all__ = ["Degeneracy", "explain"]
 
@@ -25,7 +26,7 @@ class Degeneracy:
     determine; `legs` are the dependent legs.
     """
 
-    reason: str
+    reason: Statement
     legs: tuple[Leg, ...]
     line: Expr | None = None
 
@@ -47,12 +48,9 @@ def _equal_legs(s: Structure) -> Degeneracy | None:
 
 
 def _one_line(s: Structure, i: int, j: int) -> Degeneracy:
-    same = f"legs {i + 1} and {j + 1} lie on one line {s.words[i]}"
-    number = len(s.legs)
-    reason = (
-        f"{same}, so at most {_WORDS.get(number - 1, number - 1)} of the {_WORDS.get(number, number)} are independent"
-    )
-    return Degeneracy(reason, (s.legs[i], s.legs[j]))
+    some = [_WORDS.get(n, str(n)) for n in (len(s.legs) - 1, len(s.legs))]
+    same = say("legs {} and {} lie on one line {}", str(i + 1), str(j + 1), s.words[i])
+    return Degeneracy(say("{}, so at most {} of the {} are independent", same, *some), (s.legs[i], s.legs[j]))
 
 
 def _same_line(s: Structure) -> Degeneracy | None:
@@ -73,8 +71,8 @@ def _few_dimensions(s: Structure) -> Degeneracy | None:
         there = [i for i, leg in enumerate(s.legs) if a in leg]
         for three in combinations(there, 3):
             if rank([points.value(s.lines[i]) for i in three], PRIME) < 3:
-                words = listed([s.words[i] for i in three])
-                reason = f"the legs {words} meet in {a} and lie in one plane, where at most two lines are independent"
+                words = "the legs {} meet in {} and lie in one plane, where at most two lines are independent"
+                reason = say(words, listing(s.words[i] for i in three), Point(a))
                 return Degeneracy(reason, tuple(s.legs[i] for i in three))
     oracle = RandomWitness(s)
     joined = [i for i, leg in enumerate(s.oriented) if leg in s.joined]
@@ -82,10 +80,10 @@ def _few_dimensions(s: Structure) -> Degeneracy | None:
         checkpoint()
         ends = [points.value(Point(n)) for i in some for n in s.legs[i]]
         if rank(ends, PRIME) < 4:
-            words = listed([s.words[i] for i in some])
             couples = all(oracle.at_infinity(s.lines[i]) for i in some)
             where = "are couples (lines at infinity)" if couples else "lie in one plane"
-            reason = f"the legs {words} {where}, of which at most three are independent"
+            legs = listing(s.words[i] for i in some)
+            reason = say("the legs {} {}, of which at most three are independent", legs, where)
             return Degeneracy(reason, tuple(s.legs[i] for i in some))
     return None
 
@@ -98,7 +96,7 @@ def _common_line(s: Structure) -> Degeneracy | None:
             motion = "turn, to first order, about this line"
             if s.ideal and RandomWitness(s).at_infinity(line):
                 motion = "shift, to first order, at right angles to the directions in this line at infinity"
-            reason = f"{why}all six legs meet {words}, so the platform can always {motion}"
+            reason = say("{}all six legs meet {}, so the platform can always {}", why, words, motion)
             return Degeneracy(reason, s.legs, line)
     return None
 
@@ -107,29 +105,32 @@ def _evaluator(s: Structure) -> Evaluator:
     return Evaluator(s.construction.random_points(("degenerate", s.text())), s.rank, PRIME)
 
 
-def _candidates(s: Structure) -> Iterator[tuple[Expr, str, str]]:
+def _candidates(s: Structure) -> Iterator[tuple[Expr, Statement, Part]]:
     """Lines that the joints and legs determine, with their description and what else there is to say."""
     joints = _busiest(s)
     lines = {leg: dict(s.stand_ins).get(leg) or extensor(leg) for leg in s.oriented}
     for a, b in combinations(joints, 2):
-        yield extensor((a, b)), f"the line {leg_text((a, b))} through the joints {a} and {b}", ""
+        yield extensor((a, b)), line_of_joints(a, b, s.ideal), ""
     number = Counter(n for leg in s.legs for n in leg)
     for a in joints:
         if number[a] < 4:
             break
-        point = extensor((a,))
-        why = f"{_WORDS[number[a]]} legs meet in the joint {a}, where at most three lines are independent; "
+        point = Point(a)
+        words = "{} legs meet in the joint {}, where at most three lines are independent; "
+        why = say(words, _WORDS[number[a]], point)
         for g, h in combinations([leg for leg in s.oriented if a not in leg], 2):
             line = meet(join(point, lines[g]), join(point, lines[h]))
-            yield line, f"the line through {a} that crosses {lines[g]} and {lines[h]}", why
+            yield line, say("the line through {} that crosses {} and {}", point, lines[g], lines[h]), why
     planes = sorted({tuple(sorted({*g, *h})) for g, h in combinations(s.legs, 2) if len({*g, *h}) == 3})
-    for x, y in combinations(planes, 2):
-        yield meet(extensor(x), extensor(y)), f"the common line of the planes {extensor(x)} and {extensor(y)}", ""
-    for x in planes:
-        for a in x:
+    for two in combinations(planes, 2):
+        x, y = map(extensor, two)
+        yield meet(x, y), say("the common line of the planes {} and {}", x, y), ""
+    for plane in planes:
+        x = extensor(plane)
+        for a in plane:
             for g in s.oriented:
-                line = join(extensor((a,)), meet(lines[g], extensor(x)))
-                yield line, f"the line through {a} in the plane {extensor(x)} that crosses {lines[g]}", ""
+                line = join(Point(a), meet(lines[g], x))
+                yield line, say("the line through {} in the plane {} that crosses {}", Point(a), x, lines[g]), ""
 
 
 _WORDS = {2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}
@@ -139,8 +140,8 @@ def _crowded_joint(s: Structure) -> Degeneracy | None:
     for name in _busiest(s):
         here = s.legs_at(name)
         if len(here) >= 4:
-            reason = f"{_WORDS[len(here)]} legs meet in the joint {name}, where at most three lines are independent"
-            return Degeneracy(reason, here)
+            words = "{} legs meet in the joint {}, where at most three lines are independent"
+            return Degeneracy(say(words, _WORDS[len(here)], Point(name)), here)
     return None
 
 
@@ -154,7 +155,7 @@ def _dependent_legs(s: Structure) -> Degeneracy | None:
             checkpoint()
             if rank([rows[i] for i in chosen], PRIME) < size:
                 names = ", ".join(s.words[i] if s.stand_ins else leg_text(s.oriented[i]) for i in chosen)
-                reason = f"the {size} legs {names} are dependent for {where}"
+                reason = say("the {} legs {} are dependent for {}", str(size), names, where)
                 return Degeneracy(reason, tuple(s.oriented[i] for i in chosen))
     return None
 

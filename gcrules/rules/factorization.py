@@ -148,20 +148,22 @@ def _condition(
     coefficient = oracle.coefficient(expression, cofactor)
     if coefficient is None:
         return None
-    said = _without_sum(expression, structure, oracle) if kind == BRACKETS_ONLY else None
+    known, besides = (_without_sum(expression), (_NO_INCIDENCE,)) if kind == BRACKETS_ONLY else (expression, ())
     condition = Condition(
         kind=kind,
         expression=expression,
         cofactor=cofactor,
         coefficient=coefficient,
-        statement=said or sentence(expression, structure, oracle, cofactor),
+        meaning=sentence(known, structure, oracle, cofactor, besides=besides),
         certificate=_TESTED,
     )
     return certify(condition, structure)
 
 
-def _without_sum(expression: Expr, structure: Structure, oracle: RandomWitness) -> str:
-    """The sentence of the brackets; of the rest it says only that no expression was found."""
+_NO_INCIDENCE = "the other factor is zero, for which no incidence was found"
+
+
+def _without_sum(expression: Expr) -> Expr:
+    """The brackets, without the rest."""
     factors = expression.factors if isinstance(expression, ex.Product) else (expression,)
-    said = sentence(ex.mul(*(f for f in factors if not isinstance(f, ex.Sum))), structure, oracle)
-    return f"{said.removesuffix('.')}, or the other factor is zero, for which no incidence was found."
+    return ex.mul(*(f for f in factors if not isinstance(f, ex.Sum)))

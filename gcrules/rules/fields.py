@@ -10,6 +10,7 @@ from gcrules.algebra.expr import Expr, Power
 from gcrules.rules.condition import Condition
 from gcrules.rules.foreign import Misfit
 from gcrules.rules.recognition_state import RecognitionState
+from gcrules.rules.statement import Statement, say
 
 __all__ = ["FIELDS", "MAX_WEIGHT", "RESULTS", "expression_or_none", "is_text"]
 
@@ -56,6 +57,13 @@ def _text(value: Any) -> str:
     return value
 
 
+def _statement(value: Any) -> Statement:
+    if isinstance(value, Statement):
+        _text(str(value))
+        return value
+    return say("{}", _text(value))
+
+
 def _all(kind: type, values: Any) -> list[Any]:
     found = list(islice(values, _MOST + 1))
     if len(found) > _MOST:
@@ -82,7 +90,7 @@ RESULTS: Mapping[tuple[str, str], Callable[[Any], Any]] = {
     ("incidence", "expression"): expression_or_none,
     ("incidence", "cofactor"): _expression,
     ("incidence", "pencils"): _pair,
-    ("incidence", "statement"): _text,
+    ("incidence", "statement"): _statement,
     ("structure", "find"): _conditions,
 }
 """The functions of each family of rules, and what becomes of their results where a plugin brought them."""

@@ -13,7 +13,6 @@ True
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 
 from gcrules.algebra import expr as ex
@@ -21,9 +20,9 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Terms
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Bracket, Expr, Join, Point, points_of
 from gcrules.algebra.language.legs_text import Leg, Structure
-from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
+from gcrules.rules.statement import Statement
 
 __all__ = ["alive", "statement_of_lines", "written_back", "written_out"]
 
@@ -75,30 +74,23 @@ def alive(e: Expr, structure: Structure) -> Expr:
     return e if len(left) == len(e.terms) else ex.add(*left, rank=structure.rank)
 
 
-def statement_of_lines(statement: str, stand_ins: StandIns) -> str | None:
-    """A statement with lines in the place of their two points, alone or in a longer join; None where these stand apart.
+def statement_of_lines(statement: Statement, stand_ins: StandIns) -> Statement | None:
+    r"""A statement with lines in the place of their two points, alone or in a longer join; None where they stand apart.
 
     >>> from gcrules.algebra.language.syntax import parse
-    >>> print(statement_of_lines("the planes au1v1 and bcd", [(("u1", "v1"), parse("abc ^ def"))]))
-    the planes (abc /\\ def) \\/ a and bcd
+    >>> from gcrules.rules.statement import say
+    >>> planes = say("the planes {} and {}", parse("au1v1"), parse("bcd"))
+    >>> print(statement_of_lines(planes, [(("u1", "v1"), parse("abc ^ def"))]))
+    the planes (abc /\ def) \/ a and bcd
     """
     names = {n for ends, _ in stand_ins for n in ends}
-    apart = False
 
-    def written(match: re.Match[str]) -> str:
-        nonlocal apart
-        points = SHORT_NAME.findall(match[0])
-        if not names.intersection(points):
-            return match[0]
-        found = written_back(ex.join(*map(Point, points), rank=8), stand_ins, 8)
-        apart = apart or found is None
-        return str(found).removeprefix("-")
+    def written(e: Expr) -> Expr:
+        e = _walk(e, stand_ins, 8) if names.intersection(points_of(e)) else e
+        return ex.neg(e) if str(e).startswith("-") else e
 
-    said = _WORD.sub(written, statement)
-    return None if apart or any(n in said for n in names) else said
-
-
-_WORD = re.compile(rf"(?<![\w'])(?:{SHORT_NAME.pattern})+(?![\w'])")
+    found = statement.with_flats(written)
+    return None if any(n in str(found) for n in names) else found
 
 
 def written_out(poly: BracketPolynomial, stand_ins: StandIns, points: Iterable[str]) -> BracketPolynomial:

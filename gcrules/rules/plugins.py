@@ -11,7 +11,6 @@ from os import PathLike
 from typing import Any
 
 from gcrules.algebra.expr import Expr, Point, add, join, meet, mul, sub
-from gcrules.algebra.language.legs_text import leg_text
 from gcrules.algebra.scalars import bracket
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES, TETRAHEDRA
 from gcrules.rules.identity import Identity
@@ -19,6 +18,7 @@ from gcrules.rules.library import ENGINE, Library
 from gcrules.rules.plugin import Plugin, packs, shipped
 from gcrules.rules.recognition_state import RecognitionState, extensor
 from gcrules.rules.rule import ConditionRule, Elementary, EntityRule, Rule
+from gcrules.rules.statement import Statement, listing, say
 
 __all__ = [
     "LEFT_OVER_LINE",
@@ -34,15 +34,17 @@ __all__ = [
     "Plugin",
     "RecognitionState",
     "Rule",
+    "Statement",
     "add",
     "bracket",
     "extensor",
     "join",
-    "leg_text",
+    "listing",
     "load_rules",
     "meet",
     "mul",
     "points",
+    "say",
     "sub",
 ]
 

@@ -22,6 +22,7 @@ from gcrules.rules.fields import FIELDS, RESULTS, expression_or_none, is_text
 from gcrules.rules.foreign import Guarded, PluginFault, foreign, is_foreign, place_of
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import RecognitionState
+from gcrules.rules.statement import Statement
 
 __all__ = ["SHIPPED", "ConditionRule", "Elementary", "EntityRule", "RewriteRule", "Rule", "StructureRule", "reductions"]
 
@@ -164,7 +165,7 @@ class ConditionRule(Rule):
     `expression` gives None. `pencils` gives the lines p and q about which the platform could turn without the two
     lines among the left-over points, for kinds that compare these turns. `statement` is the sentence, for kinds that
     the catalog has none for: a text filled in with {tetrahedra}, {planes}, {lines} and {expression}, or a function of
-    the state; `group` is the letter of the group in the published procedure.
+    the state that gives a `Statement`; `group` is the letter of the group in the published procedure.
     """
 
     family: ClassVar[str] = "incidence"
@@ -174,7 +175,7 @@ class ConditionRule(Rule):
     expression: Callable[[RecognitionState], Expr | None]
     cofactor: Callable[[RecognitionState], Expr] = _no_cofactor
     pencils: Callable[[RecognitionState], tuple[Expr, Expr]] | None = None
-    statement: str | Callable[[RecognitionState], str] = ""
+    statement: str | Callable[[RecognitionState], Statement] = ""
     group: str | None = None
 
     def __post_init__(self) -> None:
@@ -185,11 +186,9 @@ class ConditionRule(Rule):
                 hint = f"it is filled with {', '.join(f'{{{p}}}' for p in sorted(_PARTS))}"
                 raise InputError(f"{{{min(unknown)}}} cannot be filled into the statement of {self.id}", hint=hint)
 
-    def sentence_for(self, state: RecognitionState) -> str:
-        """The statement as a text to fill in."""
-        if isinstance(self.statement, str):
-            return self.statement
-        return self.statement(state).replace("{", "{{").replace("}", "}}")
+    def meaning(self, state: RecognitionState) -> str | Statement:
+        """What it says of a state, or a text to fill in."""
+        return self.statement if isinstance(self.statement, str) else self.statement(state)
 
     def reached(self, state: RecognitionState) -> Iterator[RecognitionState]:
         """The states that the rules it uses lead to, one after the other."""

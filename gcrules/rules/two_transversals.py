@@ -13,15 +13,15 @@ from itertools import combinations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Bracket, Expr, Meet, meet
-from gcrules.algebra.language.legs_text import Leg, Structure, leg_text
-from gcrules.core.english import listed
+from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.rules.common_lines import CommonLine
 from gcrules.rules.condition import Condition
-from gcrules.rules.generic_lines import alive, written_back
+from gcrules.rules.generic_lines import alive, statement_of_lines, written_back
 from gcrules.rules.line_cofactors import Balance, compared, quotient
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor
 from gcrules.rules.sentences import sentence
+from gcrules.rules.statement import Part, Statement, listing, say
 
 __all__ = ["KIND", "TransversalCondition", "reading_of", "written_into"]
 
@@ -59,7 +59,7 @@ def reading_of(
         expression=expression,
         cofactor=ex.mul(*found.cofactor),
         coefficient=coefficient,
-        statement=_statement(structure, single, lines, found),
+        meaning=_meaning(structure, single, lines, found),
         certificate=_TESTED,
         lines=(("p", p), ("q", q)),
     )
@@ -72,38 +72,35 @@ def written_into(
     """A reading of the lifted structure with the lines in the place of their stand-ins; None where these occur apart or
     both sides vanish.
     """
+
+    def write(e: Expr) -> Expr | None:
+        return written_back(e, structure.stand_ins)
+
     lines = [
-        CommonLine(e, _with_words(line.words, structure))
+        CommonLine(e, meaning)
         for line in reading.lines
-        if (e := written_back(line.expression, structure.stand_ins)) is not None
+        if (e := write(line.expression)) is not None
+        and (meaning := statement_of_lines(line.meaning, structure.stand_ins)) is not None
     ]
     old = reading.condition
-    expression, cofactor = (written_back(e, structure.stand_ins) for e in (old.expression, old.cofactor))
+    expression, cofactor = map(write, (old.expression, old.cofactor))
     if expression is None or cofactor is None or len(lines) < 2:
         return None
     whole, expression = expression, alive(expression, structure)
     coefficient = oracle.coefficient(expression, cofactor)
     if coefficient is None:
         return None
-    ratios = expression == whole
     p, q = lines
+    meaning = statement_of_lines(old.meaning, structure.stand_ins) if expression == whole else None
     condition = replace(
         old,
         expression=expression,
         cofactor=cofactor,
         coefficient=coefficient,
-        statement=_with_words(old.statement, structure)
-        if ratios
-        else sentence(expression, structure, oracle, cofactor),
+        meaning=meaning or sentence(expression, structure, oracle, cofactor),
         lines=(("p", p.expression), ("q", q.expression)),
     )
     return TransversalCondition(condition, reading.single, (p, q))
-
-
-def _with_words(text: str, structure: Structure) -> str:
-    for ends, line in structure.stand_ins:
-        text = text.replace(leg_text(ends), f"({line})")
-    return text
 
 
 @dataclass(frozen=True)
@@ -156,58 +153,60 @@ _PRODUCTS = ((("p", "g"), ("q", "h")), (("p", "h"), ("q", "g")))
 # --- in words --------------------------------------------------------------------------------------------------------
 
 
-def _statement(
+def _meaning(
     structure: Structure, single: tuple[Leg, Leg], lines: tuple[CommonLine, CommonLine], found: _Comparison
-) -> str:
-    g, h = map(leg_text, single)
-    p, q = (line.words for line in lines)
-    turns = f"Without the legs {g} and {h} the platform can turn, to first order, about p, {p}, and about q, {q}."
-    exception = ""
+) -> Statement:
+    legs = dict(zip("gh", map(extensor, single), strict=True))
+    turns = say(
+        "Without the legs {} and {} the platform can turn, to first order, about p, {}, and about q, {}.",
+        *legs.values(),
+        *(line.meaning for line in lines),
+    )
+    exception: Part = ""
     if found.cofactor:
-        vanishing = " or ".join(_vanishing(f, lines, structure) for f in found.cofactor)
-        exception = f"outside the poses where the cofactor vanishes ({vanishing}), "
-    *first, last = _alternatives({"g": g, "h": h}, found, structure.ideal)
-    conditions = f"{', '.join(first)}, or {last}" if first else last
-    sentence = f"{_reason({'g': g, 'h': h}, found)}{exception}the robot is singular exactly when {conditions}."
-    return f"{turns} {sentence}"
+        vanishing = [_vanishing(f, lines, structure) for f in found.cofactor]
+        where = say(" or ".join(["{}"] * len(vanishing)), *vanishing)
+        exception = say("outside the poses where the cofactor vanishes ({}), ", where)
+    conditions = listing(_alternatives(legs, found, structure.ideal), ", or ")
+    reason = _reason(legs, found)
+    return say("{} {}{}the robot is singular exactly when {}.", turns, reason, exception, conditions)
 
 
-def _reason(legs: dict[str, str], found: _Comparison) -> str:
+def _reason(legs: dict[str, Expr], found: _Comparison) -> Statement:
     if not found.crossing:
-        return f"Each of {legs['g']} and {legs['h']} allows these two turns in one ratio only; "
-    always = " and ".join(f"{legs[g]} crosses {x}" for x, g in found.crossing)
-    return f"{always} in every pose; "
+        return say("Each of {} and {} allows these two turns in one ratio only; ", *legs.values())
+    always = [say("{} crosses {}", legs[g], x) for x, g in found.crossing]
+    return say("{} in every pose; ", say(" and ".join(["{}"] * len(always)), *always))
 
 
-def _alternatives(legs: dict[str, str], found: _Comparison, ideal: tuple[str, ...]) -> Iterator[str]:
+def _alternatives(legs: dict[str, Expr], found: _Comparison, ideal: tuple[str, ...]) -> Iterator[Part]:
     """What makes the right side vanish."""
     for t in found.tetrahedra:
-        names = [str(p) for p in t.children]
-        if sum(n in ideal for n in names) > 1:
-            yield f"the points {listed(names)} lie in one plane"
+        if sum(str(p) in ideal for p in t.children) > 1:
+            yield say("the points {} lie in one plane", listing(t.children))
         else:
-            yield f"the tetrahedron {ex.join(*t.children)} is flat (its four points lie in one plane)"
+            yield say("the tetrahedron {} is flat (its four points lie in one plane)", ex.join(*t.children))
     if not found.crossing:
         yield "the two ratios agree"
     for x, g in found.decisive:
         too = " too" if any(x == line for line, _ in found.crossing) else ""
-        yield f"{legs[g]} crosses {x}{too}"
+        yield say("{} crosses {}{}", legs[g], x, too)
 
 
-def _vanishing(factor: Expr, lines: Sequence[CommonLine], structure: Structure) -> str:
+def _vanishing(factor: Expr, lines: Sequence[CommonLine], structure: Structure) -> Statement:
     """What it means that a factor of the cofactor is 0."""
     if isinstance(factor, Bracket):
         points = {str(a) for a in factor.args}
         for g, h in combinations(structure.neutral, 2):
             if {*g, *h} == points:
-                return f"the legs {leg_text(g)} and {leg_text(h)} then lie in one plane"
-        return f"the points {listed(list(map(str, factor.args)))} then lie in one plane"
+                return say("the legs {} and {} then lie in one plane", extensor(g), extensor(h))
+        return say("the points {} then lie in one plane", listing(factor.args))
     ends = factor.children[-1]
     name, line = next((n, x.expression) for n, x in zip("pq", lines, strict=True) if meet(x.expression, ends) == factor)
     through = set.intersection(*(set(ex.points_of(x)) for x in line.children)) if isinstance(line, Meet) else set()
     if len(through) == 1:
         plane = sorted({*through, *ex.points_of(ends)}, key=structure.names.index)
         if set(plane) <= set(structure.ideal):
-            return f"{name} then lies at infinity, or is not determined"
-        return f"{name} then lies in the plane {extensor(tuple(plane))}, or is not determined"
-    return f"{name} then meets the line {ends}, or is not determined"
+            return say("{} then lies at infinity, or is not determined", name)
+        return say("{} then lies in the plane {}, or is not determined", name, extensor(tuple(plane)))
+    return say("{} then meets the line {}, or is not determined", name, ends)

@@ -2,7 +2,18 @@
 
 from itertools import combinations
 
-from gcrules.rules.plugins import ConditionRule, RecognitionState, bracket, extensor, leg_text, meet, mul, points
+from gcrules.rules.plugins import (
+    ConditionRule,
+    RecognitionState,
+    Statement,
+    bracket,
+    extensor,
+    listing,
+    meet,
+    mul,
+    points,
+    say,
+)
 
 
 def crossing(state: RecognitionState, row: tuple[int, ...]) -> tuple[tuple[str, str], tuple[str, str]] | None:
@@ -25,15 +36,15 @@ def expression(state: RecognitionState):
     )
 
 
-def statement(state: RecognitionState) -> str:
+def statement(state: RecognitionState) -> Statement:
     meeting, flat = [], []
     for row in state.tetrahedra:
         pair = crossing(state, row)
         if pair:
-            meeting.append(f"the legs {leg_text(pair[0])} and {leg_text(pair[1])} meet (possibly at infinity)")
+            meeting.append(say("the legs {} and {} meet (possibly at infinity)", *map(extensor, pair)))
         else:
-            flat.append(f"the tetrahedron {extensor(state.named(row))} is flat")
-    return f"The robot is singular exactly when {', or '.join(dict.fromkeys(flat + meeting))}."
+            flat.append(say("the tetrahedron {} is flat", extensor(state.named(row))))
+    return say("The robot is singular exactly when {}.", listing(flat + meeting, ", or "))
 
 
 RULES = (

@@ -141,7 +141,7 @@ CASES = [
     Case("Aa Bb ij jk ki il", "always-singular", ("in every pose",), ideal="ijkl"),
     Case("Aa Bb Cc ij jk ki", "forces-and-couples", ("parallel",), "coplanar(A,B,C,a)", {"a": "ABC"}, "ijk"),
     # lines that are meets of planes
-    Case("ab cd ef ag ch bdf^egh", "two-planes-three-lines", (r"Without the legs ef and bdf /\ egh",)),
+    Case("ab cd ef ag ch bdf^egh", "two-planes-three-lines", (r"Without the legs ef and (bdf /\ egh)",)),
     Case("ab ac ad be cf abc^def", "tetrahedron-planes-line", (r"the line abc /\ def meet in a point",)),
     Case("ac ae be df ab bdf^ceg", "tetrahedron-planes-line", (r"planes",)),
     Case("ab cd ef gh ij abc^def", "linear-complex", ("one linear complex",)),

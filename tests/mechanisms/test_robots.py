@@ -18,15 +18,16 @@ from gcrules.algebra.expr import Bracket, Expr, Point, points_of
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.analyze import analyze_robot
-from gcrules.mechanisms.conditions.analyze_robot import _statement
+from gcrules.mechanisms.conditions.analyze_robot import _meaning
 from gcrules.mechanisms.conditions.checks import notes
 from gcrules.mechanisms.conditions.factor_causes import ranks
 from gcrules.mechanisms.conditions.words import RobotWords
 from gcrules.mechanisms.description.discovery import robots
-from gcrules.mechanisms.description.relations import Values
+from gcrules.mechanisms.description.relations import AXES, Values
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.lines.singular import interpolated, roots
 from gcrules.rules.plugin import shipped_folder
+from gcrules.rules.statement import Flat
 from gcrules.screws import RATIONALS, RESIDUES
 
 IDS = tuple(one.id for one in robots())
@@ -95,6 +96,17 @@ def test_lines_and_kinds(name: str) -> None:
 @pytest.mark.parametrize(("name", "words"), (STATEMENTS | OTHERS).items(), ids=STATEMENTS | OTHERS)
 def test_statements(name: str, words: str) -> None:
     assert words in analysis(name).statement
+
+
+@pytest.mark.parametrize("name", [*IDS, *OTHERS])
+def test_points_stand_in_flats_only(name: str) -> None:
+    """No clause has a point among its words, so that a map of its flats is all that renames it."""
+    a = analysis(name)
+    points = {*a.robot.family.sorts, *(n for n, _ in a.structure.named)}
+    for meaning in (p.meaning for p in a.parts):
+        words = " ".join(str(p) for p in meaning.pieces if not isinstance(p, Flat))
+        assert not points.intersection(re.findall(r"[\w']+", words.partition(" of leg ")[0])), words
+        assert meaning.points <= points | AXES.keys()
 
 
 VARIANTS = {
@@ -188,7 +200,7 @@ def test_a_factor_that_is_not_met_has_no_kind_in_the_statement() -> None:
     a = analysis("3-upu")
     assert a.condition is not None
     parts = [replace(p, kind=kind) for p, kind in zip(a.parts, ("not met", "constraint"), strict=True)]
-    said = _statement(a.structure, a.condition, (), parts, ())
+    said = str(_meaning(a.structure, a.condition, (), parts, ()))
     assert "not met" not in said
     assert said.count("singularity") == 1
 

@@ -27,6 +27,7 @@ from gcrules.rules.plugin import packs
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.sentences import sentence
+from gcrules.rules.statement import Statement
 from gcrules.views.pages.catalog_index import degrees_text
 
 if TYPE_CHECKING:
@@ -170,7 +171,7 @@ class _Class:
             Condition(
                 r.kind,
                 r.expression,
-                _sentence(self.entry, r),
+                _meaning(self.entry, r),
                 _STATED,
                 r.cofactor,
                 r.coefficient,
@@ -208,12 +209,12 @@ class _Class:
         return "\n".join(lines)
 
 
-def _sentence(entry: Entry, reading: CatalogIdentity) -> str:
-    """The statement without the braces around labels; one that is left to its kind is filled in by the analysis."""
+def _meaning(entry: Entry, reading: CatalogIdentity) -> Statement:
+    """What it says; a statement that is left to its kind is filled in by the analysis."""
     if reading.statement is not None:
-        return reading.statement.translate({ord("{"): None, ord("}"): None})
+        return reading.meaning
     a = analyze(entry.structure)
-    found = next((c.statement for c in (a.condition, *a.readings) if c.kind == reading.kind), "")
+    found = next((c.meaning for c in (a.condition, *a.readings) if c.kind == reading.kind), None)
     return found or sentence(reading.expression, entry.structure, RandomWitness(entry.structure), reading.cofactor)
 
 

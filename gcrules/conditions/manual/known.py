@@ -10,8 +10,9 @@ from gcrules.conditions.manual.automatic import automatic, oracle_of
 from gcrules.conditions.manual.board import KINDS, Board
 from gcrules.conditions.manual.follow import follow
 from gcrules.rules.catalog.file import load
-from gcrules.rules.claims import PROVED, describe, listed
+from gcrules.rules.claims import PROVED, describe
 from gcrules.rules.condition import Condition, Entity, starred
+from gcrules.rules.statement import NOTHING, Part, Statement, filled, listing, say
 
 __all__ = ["named_condition", "shape"]
 
@@ -29,13 +30,12 @@ def named_condition(board: Board, e: Expr, cofactor: Expr, coefficient: int) -> 
     for known in (*(r for r in readings if r.expression == e), *readings):  # the same expression before a like one
         if shape(known.expression) == shape(e):
             return replace(known, expression=e, cofactor=cofactor, coefficient=coefficient, certificate=PROVED)
-    kind, entities, statement = _by_shape(e, statements)
+    kind, entities, meaning = _by_shape(e, statements)
     if not kind:
         kind = "expression"
-        statement = f"The robot is singular exactly when {e} is zero."
-        if not isinstance(cofactor, Number):
-            statement = f"Where {cofactor} is not zero, the robot is singular exactly when {e} is zero."
-    return Condition(kind, e, statement, PROVED, cofactor, coefficient, entities)
+        where = "The" if isinstance(cofactor, Number) else say("Where {} is not zero, the", cofactor)
+        meaning = say("{} robot is singular exactly when {} is zero.", where, e)
+    return Condition(kind, e, meaning, PROVED, cofactor, coefficient, entities)
 
 
 def shape(e: Expr) -> object:
@@ -53,8 +53,8 @@ def shape(e: Expr) -> object:
     return (type(e).__name__, tuple(sorted(map(shape, e.children), key=repr)))
 
 
-def _by_shape(e: Expr, statements: Mapping[str, str]) -> tuple[str, tuple[Entity, ...], str]:
-    """Kind, entities and sentence of products of brackets with at most one meet; ("", (), "") for anything else."""
+def _by_shape(e: Expr, statements: Mapping[str, str]) -> tuple[str, tuple[Entity, ...], Statement]:
+    """Kind, entities and meaning of products of brackets with at most one meet; nothing for anything else."""
     brackets, meets = [], []
     for factor in e.factors if isinstance(e, Product) else (e,):
         base, times = (factor.base, factor.exponent) if isinstance(factor, Power) else (factor, 1)
@@ -63,23 +63,23 @@ def _by_shape(e: Expr, statements: Mapping[str, str]) -> tuple[str, tuple[Entity
         elif isinstance(base, Meet):
             meets.append([_points(a.args) if isinstance(a, Join) else () for a in base.args] * times)
         elif not isinstance(base, (Number, Superbracket, Sum)):
-            return "", (), ""
+            return "", (), NOTHING
     parts = sorted(meets[0], key=len, reverse=True) if len(meets) == 1 else []
     sizes = (len(brackets), tuple(map(len, parts)), len(meets))
     kind = _SHAPES.get(sizes, "")
     if not kind or not all(brackets) or not all(parts):
-        return "", (), ""
+        return "", (), NOTHING
     found = [("tetrahedron", n) for n in brackets] + [(KINDS[len(n)], n) for n in parts]
-    names = {k: [str(Join(tuple(map(Point, n)))) for what, n in found if what == k] for k in KINDS.values()}
+    flats = {k: [Join(tuple(map(Point, n))) for what, n in found if what == k] for k in KINDS.values()}
     template = statements[kind]
     if kind == "three-tetrahedra" and len({frozenset(n) for n in brackets}) == 1:
         template = statements["three-tetrahedra/one"]
-    words = {
-        "tetrahedra": listed(names["tetrahedron"]),
-        "planes": listed(sorted(names["plane"])),
-        "line": listed(names["line"]),
+    named: dict[str, Part] = {
+        "tetrahedra": listing(flats["tetrahedron"]),
+        "planes": listing(sorted(flats["plane"], key=str)),
+        "line": listing(flats["line"]),
     }
-    return kind, starred(found), template.format(**words)
+    return kind, starred(found), filled(template, named.__getitem__)
 
 
 _SHAPES = {

@@ -8,7 +8,7 @@ from itertools import combinations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.language.text import text
 from gcrules.algebra.scalars import bracket
 from gcrules.conditions.analysis import Analysis
@@ -31,6 +31,7 @@ from gcrules.mechanisms.lines.wrenches import WrenchLine
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.factorization import SECONDS
+from gcrules.rules.statement import Statement, listing, say
 
 __all__ = ["analyze_robot"]
 
@@ -52,7 +53,7 @@ def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
     words = RobotWords(
         family, structure.lines or (), robot.platform, base, frozenset(structure.ideal) | frozenset(AXES)
     )
-    parts = tuple(replace(p, statement=words.clause(p.expression) or "") for p in parts)
+    parts = tuple(replace(p, meaning=words.clause(p.expression)) for p in parts)
     parts = without_repetition(family, structure, parts)
     common = common_factor(family, structure, found.structure.superbracket, cofactors, parts, words)
     serial = limb_singularities(family, robot.limbs)
@@ -64,7 +65,7 @@ def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
         condition,
         parts,
         serial,
-        _with_derived(_statement(structure, condition, cofactors, parts, serial), structure),
+        _with_derived(_meaning(structure, condition, cofactors, parts, serial), structure),
         _certificate(robot, condition, members, told.met),
         cofactors,
         members,
@@ -129,46 +130,41 @@ def _some(serial: Sequence[LimbSingularity]) -> bool:
     return any(s.conditions or s.unexplained for s in serial)
 
 
-def _statement(
+def _meaning(
     structure: Equivalent,
     condition: Condition,
     cofactors: Sequence[Expr],
     parts: Sequence[FactorCause],
     serial: Sequence[LimbSingularity],
-) -> str:
-    aside = ["Outside the singularities of its limbs"] * _some(serial)
+) -> Statement:
+    aside = ["outside the singularities of its limbs"] * _some(serial)
     if any(p.chosen for p in parts):
         aside.append("where the lines that were chosen for a limb do not depend on each other")
-    outside = f"{_upper(' and '.join(aside))}, the" if aside else "The"
-    also = ""
-    if any(line.limb == FRAME for line in structure.lines or ()):
-        also = (
-            " It is singular too where the constraints of all limbs together lose rank, which takes two conditions or"
-            " more."
-        )
+    outside = " and ".join(aside)
+    also = _CONSTRAINTS_TOO if any(line.limb == FRAME for line in structure.lines or ()) else ""
     live = [p for p in parts if p.kind not in ASIDE and p.same is None]
-    if live and not cofactors and (any(p.statement for p in live) or any(p.kind in ASIDE for p in parts)):
+    if live and not cofactors and (any(p.meaning for p in live) or any(p.kind in ASIDE for p in parts)):
         mark = len({p.kind for p in live}) > 1 or live[0].kind == "constraint"
-        words = [p.statement or f"{text(p.expression, unicode=True)} = 0" for p in live]
-        said = [w + _MARKS[p.kind] if mark else w for w, p in zip(words, live, strict=True)]
-        return f"{outside} robot is singular exactly when {', or '.join(said)}.{also}"
-    if not live:
-        return "No singular member of the family was found outside the singularities of its limbs."
-    first = condition.sentence.replace("Without the legs", "Without the wrenches along").replace(
-        "the legs", "the lines"
-    )
-    first += also
-    return first if outside == "The" else f"{outside.removesuffix(', the')}: {first}"
+        clauses = [p.meaning or f"{text(p.expression, unicode=True)} = 0" for p in live]
+        marked = [say("{}{}", c, _MARKS[p.kind] * mark) for c, p in zip(clauses, live, strict=True)]
+        where = f"{outside}, the" if outside else "the"
+        said = say("{} robot is singular exactly when {}.", where, listing(marked, ", or "))
+    elif live:
+        said = say("{}{}{}", f"{outside}: " * bool(outside), condition.whose, condition.meaning.of_forces)
+    else:
+        return say("No singular member of the family was found outside the singularities of its limbs.")
+    return say("{}{}", said.capitalised, also)
 
 
-def _with_derived(statement: str, structure: Equivalent) -> str:
-    """The statement, and what the derived directions are that it names."""
-    named = [f"{n} is the direction {what}" for n, what in structure.named if n in statement]
-    return f"{statement} Here {listed(named)}." if named else statement
+_CONSTRAINTS_TOO = (
+    " It is singular too where the constraints of all limbs together lose rank, which takes two conditions or more."
+)
 
 
-def _upper(words: str) -> str:
-    return words[:1].upper() + words[1:]
+def _with_derived(meaning: Statement, structure: Equivalent) -> Statement:
+    """With what the derived directions are that it names."""
+    named = [say("{} is the direction {}", Point(n), what) for n, what in structure.named if n in meaning.points]
+    return say("{} Here {}.", meaning, listing(named)) if named else meaning
 
 
 def _certificate(robot: Robot, condition: Condition, members: int, met: int) -> str:
@@ -199,7 +195,10 @@ def _without_lines(robot: Robot, structure: Equivalent) -> RobotAnalysis:
         None,
         (),
         limb_singularities(robot.family, robot.limbs),
-        f"No condition in points is given for this robot: {why}. Its Jacobian can be computed in any configuration.",
+        say(
+            "No condition in points is given for this robot: {}. Its Jacobian can be computed in any configuration.",
+            why,
+        ),
         f"the ranks hold at exact random members{remark()}",
         wrenches=home_wrenches(robot, structure),
     )

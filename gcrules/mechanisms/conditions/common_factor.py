@@ -22,7 +22,6 @@ from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.text import text
 from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
-from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
 from gcrules.mechanisms.conditions.words import RobotWords
@@ -31,6 +30,7 @@ from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.random_lines import LineOfLimbs
 from gcrules.mechanisms.lines.singular import PRIME, Poly, divided, gcd, radical
 from gcrules.mechanisms.lines.wrenches import WrenchLine
+from gcrules.rules.statement import NOTHING, Statement, listing, say
 from gcrules.screws import RESIDUES
 
 __all__ = ["CommonFactor", "Subset", "common_factor", "sees_constraints"]
@@ -43,14 +43,19 @@ Pair = tuple[str, str]
 class Subset:
     """Constraints that stand beside the actuations in a subset: its superbracket is `cofactor` · the common factor.
 
-    `cofactor` is None where no expression in points was found; `statement` says when it vanishes, "" if it cannot or if
+    `cofactor` is None where no expression in points was found; `meaning` says when it vanishes, "" if it cannot or if
     that is not known. `degree` is its degree along the line: 0 for a number.
     """
 
     lines: tuple[Pair, ...]
     cofactor: Expr | None
     degree: int
-    statement: str = ""
+    meaning: Statement = NOTHING
+
+    @property
+    def statement(self) -> str:
+        """The meaning in words."""
+        return str(self.meaning)
 
     def to_json(self, names: Sequence[str] = ()) -> dict[str, object]:
         return {
@@ -147,8 +152,8 @@ def _subset(along: LineOfLimbs, words: RobotWords, lines: Sequence[WrenchLine], 
         checkpoint()
         if _alike(along.polynomial(lambda t, e=e: along.value(e, t)), left):  # type: ignore[misc]
             factors = e.factors if isinstance(e, ex.Product) else (e,)
-            said = [words.clause(f) or f"{f} = 0" for f in factors]
-            return Subset(ends, e, len(left) - 1, ", or ".join(said))
+            clauses = (words.clause(f) or say("{} = 0", f) for f in factors)
+            return Subset(ends, e, len(left) - 1, listing(clauses, ", or "))
     return Subset(ends, None, len(left) - 1, _coincidence(along, ends, left))
 
 
@@ -189,8 +194,8 @@ def _bracket(names: Sequence[str], rank: int) -> Expr:
     return bracket(*map(ex.Point, names), rank=rank)
 
 
-def _coincidence(along: LineOfLimbs, lines: Sequence[Pair], left: Poly) -> str:
-    """Two points in one place, or two directions parallel, exactly where the cofactor vanishes; "" for none."""
+def _coincidence(along: LineOfLimbs, lines: Sequence[Pair], left: Poly) -> Statement:
+    """Two points in one place, or two directions parallel, exactly where the cofactor vanishes; nothing for none."""
     names = list(dict.fromkeys(n for pair in lines for n in pair))
     sorts = along.family.sorts
     for a, b in combinations(names, 2):
@@ -206,8 +211,9 @@ def _coincidence(along: LineOfLimbs, lines: Sequence[Pair], left: Poly) -> str:
         for i in range(3):
             common = gcd(common, along.polynomial(lambda t, i=i: int(apart(t)[i]) % PRIME))  # type: ignore[misc]
         if _alike(common, left):
-            return f"the points {listed([a, b])} coincide" if point else f"the directions {listed([a, b])} are parallel"
-    return ""
+            how = "the points {} and {} coincide" if point else "the directions {} and {} are parallel"
+            return say(how, ex.Point(a), ex.Point(b))
+    return NOTHING
 
 
 def _check(

@@ -23,6 +23,7 @@ from gcrules.mechanisms.description.relations import Term, Values, combined, nam
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
 from gcrules.mechanisms.lines.wrenches import PLANAR
+from gcrules.rules.statement import NOTHING, Statement
 from gcrules.screws import RATIONALS, RESIDUES, Field, reciprocal
 from gcrules.screws.field import Row
 
@@ -74,7 +75,7 @@ class Ranks:
 @dataclass(frozen=True)
 class FactorCause:
     """A factor of the condition: `kind` is a key of `KINDS`, `members` the number of exact singular members on which
-    that was seen (not counted beyond `ENOUGH`), `reason` says why a factor never vanishes, `statement` when it does.
+    that was seen (not counted beyond `ENOUGH`), `reason` says why a factor never vanishes, `meaning` when it does.
     `same` is another factor of this robot that vanishes wherever this one does; `chosen` the number of those members at
     which a factor that counts vanishes although the wrenches keep their rank, since the chosen lines depend on each
     other.
@@ -84,9 +85,14 @@ class FactorCause:
     kind: str
     members: int = 0
     reason: str = ""
-    statement: str = ""
+    meaning: Statement = NOTHING
     same: Expr | None = None
     chosen: int = 0
+
+    @property
+    def statement(self) -> str:
+        """The meaning in words, "" where the factor has none."""
+        return str(self.meaning)
 
 
 @dataclass

@@ -27,7 +27,8 @@ def condition_of_lines(robot: Robot, structure: Equivalent, search: float) -> tu
     options: dict[str, Any] = {"ideal": structure.ideal, "rank": 3 if robot.family.plane else 4, "search": search}
     found = analyze(structure.legs, **options)
     if found.condition.kind == "always-singular":
-        raise InputError(f"the equivalent lines are dependent in every configuration: {found.condition.sentence}")
+        why = found.condition.meaning.of_forces
+        raise InputError(f"the equivalent lines are dependent in every configuration: {why}")
     condition = _usable(robot, structure, found)
     if (condition is None or _weak(condition)) and structure.given:
         try:

@@ -11,6 +11,7 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
+from gcrules.rules.statement import Statement
 
 if TYPE_CHECKING:  # what computes them takes a while to load, and is not needed to hold them
     from gcrules.mechanisms.conditions.common_factor import CommonFactor
@@ -40,7 +41,7 @@ class RobotAnalysis(Shown):
     condition: Condition | None
     parts: tuple[FactorCause, ...]
     limbs: tuple[LimbSingularity, ...]
-    statement: str
+    meaning: Statement
     certificate: str
     cofactors: tuple[Expr, ...] = ()
     members: int = 0
@@ -48,6 +49,11 @@ class RobotAnalysis(Shown):
     published: Published | None = None
     common: CommonFactor | None = None
     wrenches: tuple[HomeWrench, ...] = ()
+
+    @property
+    def statement(self) -> str:
+        """When the robot is singular, in words."""
+        return str(self.meaning)
 
     def to_json(self) -> dict[str, Any]:
         """The object of `gcrules analyze` for the equivalent lines, with what is known of the robot."""

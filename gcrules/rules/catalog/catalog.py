@@ -5,16 +5,13 @@ r"""The catalog of six-legged platforms as values: matching a structure to its c
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.language.legs_text import Structure
-from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.parts import substitute
 from gcrules.core.errors import EngineFault, FileError
 from gcrules.core.frozen import FrozenMap
@@ -94,22 +91,26 @@ class Catalog:
         Raises FileError where an identity of a catalog is false.
         """
         entry, sign = match.entry, match.sign(structure)
+        names: dict[str, Expr] = {a: Point(b) for a, b in match.mapping.items()}
+
+        def relabelled(e: Expr) -> Expr:
+            return substitute(e, names)
+
         own = entry.condition
         found = []
         use_own = own.kind in FROM_CATALOG or entry.owner != SHIPPED
         for reading in ([own] if use_own else []) + list(entry.readings):
             known = standing(entry, reading)
-            names = {a: Point(b) for a, b in match.mapping.items()}
-            expression, cofactor = (substitute(e, dict(names)) for e in (reading.expression, reading.cofactor))
+            expression, cofactor = map(relabelled, (reading.expression, reading.cofactor))
             condition = Condition(
                 kind=reading.kind,
                 expression=expression,
                 cofactor=cofactor,
                 coefficient=sign * reading.coefficient,
-                statement=_relabelled(reading.statement or "", match.mapping),
+                meaning=reading.meaning.with_flats(lambda e: substitute(e, names, rank=8)),
                 statement_source="" if is_shipped(entry, reading) else f"{entry.owner}, class {entry.id}",
                 certificate=_UNPROVED,
-                lines=tuple((name, substitute(e, dict(names))) for name, e in reading.lines),
+                lines=tuple((name, relabelled(e)) for name, e in reading.lines),
             )
             if structure.special and oracle.zero(cofactor):
                 continue
@@ -161,15 +162,6 @@ def _missing(class_id: str) -> Entry:
 
 
 LABELS = r"\{([\w']+)\}"
-
-
-def _relabelled(statement: str, mapping: Mapping[str, str]) -> str:
-    """Replace `{Aab}` in a statement by the images of its points."""
-
-    def image(match: re.Match[str]) -> str:
-        return str(ex.join(*(Point(mapping[n]) for n in SHORT_NAME.findall(match[1])), rank=8))
-
-    return re.sub(LABELS, image, statement)
 
 
 def _degrees(structure: Structure) -> list[int]:

@@ -7,9 +7,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import Expr, Point, join
 from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.rules.statement import Statement, filled
 
 __all__ = ["SHIPPED", "CatalogIdentity", "Entry"]
 
@@ -31,6 +33,11 @@ class CatalogIdentity:
     @cached_property
     def lines(self) -> tuple[tuple[str, Expr], ...]:
         return tuple((name, parse(line)) for name, line in self.line_texts)
+
+    @cached_property
+    def meaning(self) -> Statement:
+        """The statement with its labels as flats."""
+        return filled(self.statement or "", lambda word: join(*map(Point, SHORT_NAME.findall(word)), rank=8))
 
     @cached_property
     def expression(self) -> Expr:
