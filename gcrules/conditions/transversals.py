@@ -66,7 +66,7 @@ class Transversals(Shown):
 
 def _reading(r: TransversalCondition, names: tuple[str, ...]) -> dict[str, Any]:
     lines = {
-        name: {"expression": text(line.expression, names=names), "words": str(line.meaning)}
+        name: {"expression": text(line.expression, names=names), "words": line.words}
         for name, line in zip("pq", r.lines, strict=True)
     }
     return {**r.condition.to_json(names), "single": [list(leg) for leg in r.single], "lines": lines}

@@ -3,7 +3,7 @@ four legs are rational in the joints.
 
 >>> four = FourLegs((("A", "a"), ("A", "b"), ("B", "c"), ("B", "d")))
 >>> for line in four.lines:
-...     print(line.expression, "-", line.meaning)
+...     print(line.expression, "-", line.words)
 AB - the line AB through the joints A and B
 Aab /\ Bcd - the common line of the leg planes Aab and Bcd
 """
@@ -44,6 +44,11 @@ class CommonLine:
 
     expression: Expr
     meaning: Statement
+
+    @property
+    def words(self) -> str:
+        """The meaning in words."""
+        return str(self.meaning)
 
     @cached_property
     def letters(self) -> Counter[str]:

@@ -283,8 +283,8 @@ def test_lines_and_assumptions() -> None:
 
 
 def test_words_for_points_at_infinity() -> None:
-    lines = {str(r.lines[0].meaning) for r in gc.transversals("Ai Aj Bi Bj Ce Df", ideal="i j", every=True).readings}
-    lines |= {str(r.lines[1].meaning) for r in gc.transversals("Ai Aj Bi Bj Ce Df", ideal="i j", every=True).readings}
+    lines = {r.lines[0].words for r in gc.transversals("Ai Aj Bi Bj Ce Df", ideal="i j", every=True).readings}
+    lines |= {r.lines[1].words for r in gc.transversals("Ai Aj Bi Bj Ce Df", ideal="i j", every=True).readings}
     assert "the line at infinity ij" in lines
     assert "the line through A in the plane ijA that crosses Ce" not in lines
     assert any(words.startswith("the line in the direction i") for words in lines)

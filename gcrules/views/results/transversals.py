@@ -21,7 +21,7 @@ def as_text(t: Transversals, *, unicode: bool = False) -> str:
         lines += [identity, *(line for part in sentence for line in wrap(part, 100))]
         for name, line in zip("pq", r.lines, strict=True):
             shown = expression_text(line.expression, unicode=unicode, names=names)
-            lines.append(f"  {name:<12} {shown}, {line.meaning}")
+            lines.append(f"  {name:<12} {shown}, {line.words}")
         lines.append(f"  certificate  {r.condition.certificate.method}: {r.condition.certificate.detail}")
         lines += [""] * (len(t.readings) > 1)
     if t.more:
