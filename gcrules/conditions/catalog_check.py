@@ -119,7 +119,7 @@ def false_identities(entry: Entry) -> list[str]:
 def _facts(entry: Entry, structure: Structure, *, regular: bool) -> Iterator[str]:
     if structure.degrees != entry.degrees:
         yield f"degrees {_lists(entry.degrees)}, computed {_lists(structure.degrees)}"
-    terms = {form: int(n.min()) for form, n in counts(structure.legs).items()}
+    terms = {form: min(n) for form, n in counts(structure.legs).items()}
     if terms != dict(entry.terms):
         yield f"terms {dict(entry.terms)}, computed {terms}"
     if entry.shortest is not None:

@@ -20,7 +20,7 @@ def draft(entry_id: str, legs: tuple[Leg, ...]) -> str:
     regular = found.kind != "always-singular"
     known = found.group is not None or not regular
     kind, expression = (found.kind, found.expression) if known else ("linear-complex", structure.superbracket)
-    terms = {form: int(n.min()) for form, n in counts(legs).items()}
+    terms = {form: min(n) for form, n in counts(legs).items()}
     brackets = ["".join(f) for f in factors(structure)] if regular else []
     lines = [
         f"  - id: '{entry_id}'",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections import Counter
 from fractions import Fraction
 from itertools import combinations, permutations
 from math import comb
@@ -22,7 +23,7 @@ from gcrules.algebra.parts import substitute
 from gcrules.algebra.scalars import superbracket
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.determinant import determinant_terms
-from gcrules.algebra.superbrackets.shortest import Line, counts, shortest_forms, superbracket_form
+from gcrules.algebra.superbrackets.shortest import SAME, Line, counts, shortest_forms, superbracket_form
 from gcrules.algebra.superbrackets.superbracket import FORMS, form_terms
 from gcrules.core.errors import LimitReached, StepError
 from gcrules.core.linear_algebra import permutation_sign
@@ -105,8 +106,8 @@ def test_shortest_counts(facts: dict[str, Any], exchanged: bool) -> None:
     lines = [(b, a) if exchanged else (a, b) for a, b in facts["legs"]]
     random.Random(facts["id"]).shuffle(lines)
     found = counts(lines)
-    assert {form: int(n.min()) for form, n in found.items()} == {24: facts["terms24"], 16: facts["terms16"]}
-    assert all(len(n) == 720 for n in found.values())
+    assert {form: min(n) for form, n in found.items()} == {24: facts["terms24"], 16: facts["terms16"]}
+    assert all(sum(n.values()) == 720 for n in found.values())
 
 
 @ALL
@@ -127,12 +128,24 @@ def test_the_shortest_form(facts: dict[str, Any]) -> None:
 @pytest.mark.parametrize("class_id", ["6-5", "5-5.1", "4-4.4", "3-3.3", "6-3.1"])
 def test_counts_against_a_plain_loop(class_id: str) -> None:
     lines = next([(a, b) for a, b in c["legs"]] for c in CLASSES if c["id"] == class_id)
-    sample = random.Random(1).sample(range(720), 40)
-    orders = list(permutations(range(6)))
-    found = counts(lines)
-    for form in FORMS:
-        plain = [len(superbracket_form(lines, orders[i], form).polynomial) for i in sample]
-        assert plain == [int(found[form][i]) for i in sample]
+    for form, found in counts(lines).items():
+        forms = [superbracket_form(lines, order, form) for order in permutations(range(6))]
+        assert found == Counter(len(f.polynomial) for f in forms)
+        least = [f.polynomial.terms for f in forms if len(f.polynomial) == min(found)]
+        shortest = shortest_forms(lines, forms=[form])
+        different = {frozenset({frozenset(p.items()), frozenset((m, -c) for m, c in p.items())}) for p in least}
+        assert len(different) == len(shortest)
+        assert shortest[0] == next(f for f in forms if len(f.polynomial) == min(found))
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_the_orders_with_the_same_terms(form: int) -> None:
+    """The written list has all of them and no other."""
+    lines = [(a, b) for a, b in ("ab", "cd", "ef", "gh", "ij", "kl")]
+    forms = {order: superbracket_form(lines, order, form).polynomial.terms for order in permutations(range(6))}
+    first = forms[0, 1, 2, 3, 4, 5]
+    same = [o for o, terms in forms.items() if terms in (first, {m: -c for m, c in first.items()})]
+    assert ["".join(map(str, o)) for o in same] == SAME[form].split()
 
 
 EXAMPLES = [

@@ -6,20 +6,19 @@ the 720 orders of the lines. Repeated points make brackets vanish and terms canc
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from itertools import permutations
-from typing import TYPE_CHECKING, Any
+from itertools import count, islice, permutations
+from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms, sorted_row, tableau_order
 from gcrules.algebra.superbrackets.superbracket import FORMS, form_terms
 from gcrules.core.budget import checkpoint
+from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import permutation_sign
 from gcrules.core.shown import Shown
-
-if TYPE_CHECKING:
-    import numpy as np
 
 __all__ = ["SuperbracketForm", "counts", "shortest_forms", "superbracket_form"]
 
@@ -102,12 +101,12 @@ def shortest_forms(
     Deterministic: the 24-term form comes before the 16-term form, then orders in lexicographic sequence.
     """
     tables = {form: t for form, t in _tables(lines, points, ideal, dead).items() if form in forms}
-    least = min(int(t.counts.min()) for t in tables.values())
+    least = min(min(t.counts) for t in tables.values())
     found: dict[Any, SuperbracketForm] = {}
     for form, table in tables.items():
         checkpoint()
-        for i in table.representatives(least):
-            candidate = superbracket_form(lines, _orders()[i], form, points=points, ideal=ideal, dead=dead)
+        for order in table.shortest if min(table.counts) == least else ():
+            candidate = superbracket_form(lines, order, form, points=points, ideal=ideal, dead=dead)
             terms = candidate.polynomial.terms
             lead = next(iter(terms.values()), 1)
             found.setdefault(tuple((m, c * lead) for m, c in terms.items()), candidate)
@@ -116,14 +115,9 @@ def shortest_forms(
 
 def counts(
     lines: Sequence[Line], *, points: Sequence[str] = (), ideal: Sequence[str] = ()
-) -> dict[int, np.ndarray[Any, Any]]:
-    """For both forms the numbers of terms left for the 720 orders of the lines (in lexicographic sequence)."""
+) -> dict[int, Mapping[int, int]]:
+    """For both forms: number of terms -> how many of the 720 orders of the lines leave so many."""
     return {form: table.counts for form, table in _tables(lines, points, ideal).items()}
-
-
-@cache
-def _orders() -> tuple[tuple[int, ...], ...]:
-    return tuple(permutations(range(6)))
 
 
 def _rows(dead: Dead, index: Mapping[str, int]) -> frozenset[Row]:
@@ -140,62 +134,84 @@ def _tables(lines: Sequence[Line], points: Sequence[str], ideal: Sequence[str], 
     return {form: _table(ends, form, at_infinity, zero) for form in FORMS}
 
 
+SAME = {
+    24: "012345 543210",
+    16: "012345 021435 102354 120534 201453 210543 345012 354102 435021 453201 534120 543210",
+}
+"""The orders of the lines in which a form has the same terms, up to their common sign."""
+
+
+@cache
+def _orders(form: int) -> tuple[tuple[int, ...], ...]:
+    """The first, in lexicographic sequence, of all orders in which the form has the same terms."""
+    same = [tuple(map(int, s)) for s in SAME[form].split()]
+    first: dict[tuple[int, ...], tuple[int, ...]] = {}
+    for order in permutations(range(6)):
+        if order not in first:
+            first.update((tuple([order[i] for i in s]), order) for s in same)
+    return tuple(dict.fromkeys(first.values()))
+
+
+@cache
+def _brackets(form: int) -> tuple[tuple[tuple[int, ...], ...], tuple[tuple[int, int, int, int], ...]]:
+    """The different brackets of a form, and its terms: a sign and the positions of three brackets among them."""
+    rows = tuple(dict.fromkeys(row for _, monomial in form_terms(form) for row in monomial))
+    at = {row: i for i, row in enumerate(rows)}
+    return rows, tuple((sign, at[x], at[y], at[z]) for sign, (x, y, z) in form_terms(form))
+
+
+@cache
+def _primes() -> tuple[int, ...]:
+    """One for each bracket of six lines that a form can hold: two lines (15), or one and ends of two others (240)."""
+    return tuple(islice((n for n in count(2) if all(n % k for k in range(2, int(n**0.5) + 1))), 255))
+
+
 @dataclass(frozen=True)
 class _Table:
-    """The terms left for each order: `rows` (which order), `keys` (which monomial), `sums` (coefficients)."""
+    """`counts`: number of terms -> how many of the 720 orders leave so many; `shortest`: the first order of each
+    different polynomial (up to sign) with the fewest, in lexicographic sequence.
+    """
 
-    rows: np.ndarray[Any, Any]
-    keys: np.ndarray[Any, Any]
-    sums: np.ndarray[Any, Any]
-    counts: np.ndarray[Any, Any]
-
-    def representatives(self, terms: int) -> list[int]:
-        """The first order of each different polynomial (up to sign) with this number of terms."""
-        import numpy as np
-
-        if terms == 0:
-            return [int(np.flatnonzero(self.counts == 0)[0])] if (self.counts == 0).any() else []
-        chosen = self.counts[self.rows] == terms
-        keys, sums = self.keys[chosen].reshape(-1, terms), self.sums[chosen].reshape(-1, terms)
-        if not len(keys):
-            return []
-        _, first = np.unique(np.hstack([keys, sums * sums[:, :1]]), axis=0, return_index=True)
-        orders = self.rows[chosen].reshape(-1, terms)[:, 0]
-        return sorted(int(orders[i]) for i in first)
-
-
-_PLACES = (1 << 12, 1 << 8, 1 << 4, 1)  # of the four points of a bracket in its code
+    counts: Mapping[int, int]
+    shortest: tuple[tuple[int, ...], ...]
 
 
 @lru_cache(maxsize=32)
 def _table(line_ends: tuple[int, ...], form: int, ideal: int, zero: frozenset[Row] = frozenset()) -> _Table:
-    """All 720 orders at once.
+    """All 720 orders.
 
-    A bracket becomes a code of four points with four bits each, a monomial the code of its three sorted brackets, so
-    like terms are equal numbers within a row. A table takes up to 0.2 MB.
+    A bracket becomes a prime number with the bracket's sign, or 0 where it vanishes: then a term is a product of three
+    numbers that is 0 where the term vanishes, and like terms are equal numbers up to sign.
     """
-    import numpy as np
-
-    orders = np.array(_orders())
-    ends = np.array(line_ends, dtype=np.int64).reshape(6, 2)[orders].reshape(len(orders), 12)
-    terms = form_terms(form)
-    letters = ends[:, np.array([m for _, m in terms])]  # (orders, terms, 3, 4)
-    signs = np.broadcast_to(np.array([s for s, _ in terms]), letters.shape[:2]).copy()
-    inversions = sum((letters[..., i] > letters[..., j]).astype(np.int64) for i in range(4) for j in range(i + 1, 4))
-    letters = np.sort(letters, axis=-1)
-    dead = (letters[..., 1:] == letters[..., :-1]).any(-1) | (letters[..., -1] < ideal)
-    signs *= 1 - 2 * (np.asarray(inversions).sum(-1) % 2)
-    codes = letters @ np.array(_PLACES)
-    if zero:
-        dead |= np.isin(codes, [sum(i * k for i, k in zip(row, _PLACES, strict=True)) for row in zero])
-    signs[dead.any(-1)] = 0
-    keys = np.sort(codes, axis=-1) @ np.array([1 << 32, 1 << 16, 1])
-    at = np.argsort(keys, axis=-1, kind="stable")
-    keys = np.take_along_axis(keys, at, -1)
-    signs = np.take_along_axis(signs, at, -1)
-    first = np.ones(keys.shape, dtype=bool)
-    first[:, 1:] = keys[:, 1:] != keys[:, :-1]
-    sums = np.add.reduceat(signs.ravel(), np.flatnonzero(first)).astype(np.int16)
-    live = sums != 0
-    rows = np.nonzero(first)[0][live].astype(np.int16)
-    return _Table(rows, keys[first][live], sums[live], np.bincount(rows, minlength=len(orders)))
+    brackets, terms = _brackets(form)
+    primes: dict[Row, int] = defaultdict(iter(_primes()).__next__)
+    known: dict[tuple[int, ...], int] = {}
+    numbers: dict[int, int] = {}
+    shortest: dict[Any, tuple[int, ...]] = {}
+    least = len(terms) + 1
+    for order in _orders(form):
+        ends = [end for i in order for end in line_ends[2 * i : 2 * i + 2]]
+        values = []
+        for i, j, k, m in brackets:
+            letters = ends[i], ends[j], ends[k], ends[m]
+            value = known.get(letters)
+            if value is None:
+                sign, row = sorted_row(letters)
+                living = sign and row[-1] >= ideal and row not in zero
+                value = known[letters] = sign * primes[row] if living else 0
+            values.append(value)
+        sums: dict[int, int] = {}
+        for sign, i, j, k in terms:
+            if term := values[i] * values[j] * values[k]:
+                key, one = (term, sign) if term > 0 else (-term, -sign)
+                sums[key] = sums.get(key, 0) + one
+        left = [item for item in sums.items() if item[1]]
+        number = len(left)
+        numbers[number] = numbers.get(number, 0) + 720 // len(_orders(form))
+        if number < least:
+            least, shortest = number, {}
+        if number == least:
+            left.sort()
+            lead = left[0][1] if left else 1
+            shortest.setdefault(tuple([(key, c * lead) for key, c in left]), order)
+    return _Table(FrozenMap(sorted(numbers.items())), tuple(shortest.values()))

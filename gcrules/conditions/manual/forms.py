@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import replace
 from typing import Any
 
@@ -71,7 +70,7 @@ def orders_text(structure: Structure) -> list[str]:
 def orders(structure: Structure) -> dict[int, dict[int, int]]:
     """For both forms: number of terms -> how many of the 720 orders of the legs give so many."""
     found = counts(structure.neutral, points=structure.points, ideal=structure.ideal)
-    return {form: dict(sorted(Counter(map(int, numbers)).items())) for form, numbers in found.items()}
+    return {form: dict(numbers) for form, numbers in found.items()}
 
 
 def _listed(table: dict[int, int]) -> str:

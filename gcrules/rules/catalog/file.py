@@ -130,7 +130,7 @@ KINDS = (*(rule.id for rule in INCIDENCES), *FROM_CATALOG, "linear-complex", "al
 
 def _fewest(legs: tuple[Leg, ...]) -> dict[int, int]:
     """The fewest terms of both forms, for an entry that leaves them out."""
-    return {form: int(n.min()) for form, n in counts(legs).items()}
+    return {form: min(n) for form, n in counts(legs).items()}
 
 
 class _Reader:
