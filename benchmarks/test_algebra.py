@@ -18,7 +18,7 @@ from gcrules.algebra.straightening import diagonal
 from gcrules.algebra.straightening import syzygies as two_rows
 from gcrules.algebra.straightening.straighten import straighten, straighten_steps
 from gcrules.algebra.superbrackets.shortest import _table, shortest_forms, superbracket_form
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 
 DATA = Path(__file__).resolve().parent.parent / "tests" / "data" / "gsp_classes.yaml"
 CLASSES = yaml.safe_load(DATA.read_text(encoding="utf-8"))["classes"]
@@ -126,7 +126,7 @@ def test_analyze_warm(ratio: Callable[..., Any], class_id: str) -> None:
 
     def fresh() -> str:
         _table.cache_clear()
-        return str(analyze(legs).condition.expression)
+        return str(analyze_legs(legs).condition.expression)
 
     others = {"loop over orders alone": lambda: shortest_by_loop(legs)}
     ratio(fresh, others, within=0.1, rounds=3, others_rounds=1)

@@ -20,6 +20,7 @@ import numpy as np
 import pytest
 
 from gcrules.mechanisms.description.platform_file import load_platform
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.maps.maps import planned
 from gcrules.screws.threshold import DEFAULT
 
@@ -28,8 +29,8 @@ OVER = ["x -300:300:160", "z -500:100:250"]
 
 
 def task(robot: str, over: list[str], measure: str) -> Any:
-    platform = load_platform(EXAMPLES / f"{robot}.yaml")
-    return planned(platform, over, None, "origin", None, DEFAULT, measure)[1]
+    legs = SixLegs(load_platform(EXAMPLES / f"{robot}.yaml"), "origin")
+    return planned(legs, over, None, None, DEFAULT, measure)[1]
 
 
 def nodes(t: Any) -> Any:

@@ -19,7 +19,7 @@ from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.load import Folders, Source, load
-from gcrules.mechanisms.platform_analysis import analyze as analyze_legs
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.factorization import SECONDS
 from gcrules.rules.strategy import Strategy

@@ -10,15 +10,18 @@ from typing import Any
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
 from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.kinematics.targets import coordinates_target, pose_target, read_pose
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian, wrench_jacobian
+from gcrules.mechanisms.platform_analysis import legs_of, with_platform
 from gcrules.mechanisms.robot import Robot
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.screws.pose import Pose
 
-__all__ = ["Limbs", "feet_of"]
+__all__ = ["Limbs"]
 
 
 @dataclass(frozen=True)
@@ -57,7 +60,10 @@ class Limbs:
 
     @property
     def bodies(self) -> Mapping[str, tuple[str, ...]]:
-        return FrozenMap({"base": feet_of(self.robot), "platform": self.robot.platform})
+        sorts = self.robot.family.sorts
+        body = tuple(n for n in self.robot.platform if sorts.get(n) == "point")
+        feet = dict.fromkeys(p for limb in self.robot.limbs for p in limb.joints[0].points if p not in body)
+        return FrozenMap({"base": tuple(feet), "platform": body})
 
     @property
     def mobility(self) -> int:
@@ -66,10 +72,6 @@ class Limbs:
     @property
     def actuators(self) -> tuple[str, ...]:
         return tuple(a.name for a in self.linkage.actuators)
-
-    @property
-    def centre(self) -> tuple[float, ...]:
-        return tuple(map(float, self.linkage.centre))
 
     def wrenches(self, at: Pose | str | Mapping[str, Any] | None = None) -> WrenchJacobian:
         """Actuations and constraints of all limbs, with moments about the moved centre."""
@@ -82,8 +84,9 @@ class Limbs:
             here = solve(m, pose_target(m, at) if isinstance(at, Pose) else coordinates_target(m, at)).configuration
         return wrench_jacobian(m, here, margin(m, here))
 
-
-def feet_of(robot: Robot) -> tuple[str, ...]:
-    """The points that the limbs' first joints name and that are not of the platform."""
-    first = (n for limb in robot.limbs for n in limb.joints[0].names if robot.family.sorts.get(n) == "point")
-    return tuple(dict.fromkeys(p for p in first if p not in robot.platform))
+    def six_legs(self) -> SixLegs:
+        """Analysed as its lines are, where these are known and are those legs."""
+        platform = as_platform(self.robot)
+        lines = self.analysed.lines if self.analysed else None
+        known = lines is not None and lines.structure == legs_of(platform)
+        return SixLegs(platform, self.about, with_platform(lines, platform) if lines and known else None)

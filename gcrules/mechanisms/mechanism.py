@@ -1,7 +1,7 @@
 """One kind of thing that can be moved: a platform that limbs hold against a base, whatever the limbs are.
 
-What computes numbers asks this protocol. `SixLegs` and `Limbs` satisfy it: platforms with coordinates, and robots that
-are described by their joints.
+What computes or shows numbers asks this protocol. `SixLegs` and `Limbs` satisfy it: platforms with coordinates, and
+robots that are described by their joints.
 """
 
 from __future__ import annotations
@@ -45,10 +45,6 @@ class Mechanism(Protocol):
         """What is driven, by name."""
 
     @property
-    def centre(self) -> tuple[float, ...]:
-        """What poses turn about, at home: x, y, z."""
-
-    @property
     def analysis(self) -> Analysis | RobotAnalysis:
         """When and why it is singular."""
 
@@ -56,6 +52,9 @@ class Mechanism(Protocol):
         """What the limbs resist with at a pose, with the actuators locked; at home without one. Raises InputError for
         poses that it does not reach.
         """
+
+    def six_legs(self) -> SixLegs:
+        """The same as a platform on six legs. Raises InputError, which says why it is none and what it has instead."""
 
 
 def mechanism(source: Source, *, about: str | Sequence[Any] = "centroid", plugins: Folders = ()) -> Mechanism:

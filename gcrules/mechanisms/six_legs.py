@@ -11,10 +11,10 @@ import numpy as np
 
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.frozen import FrozenMap
-from gcrules.mechanisms.analyze import analyze_legs
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.mechanisms.moving_platform import MovingPlatform, rig
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import parse_pose, pose_of
@@ -63,10 +63,6 @@ class SixLegs:
     def actuators(self) -> tuple[str, ...]:
         return self.rig.names
 
-    @property
-    def centre(self) -> tuple[float, ...]:
-        return tuple(map(float, self.rig.centre))
-
     def pose(self, at: Pose | str | Mapping[str, Any] | None) -> Pose:
         """The pose that is written or given by coordinates."""
         if at is None or isinstance(at, Pose):
@@ -79,10 +75,12 @@ class SixLegs:
         turn = np.array([[[float(c) for c in row] for row in pose.rotation]])
         shift = np.array([[float(c) for c in pose.translation]])
         ends = moving.ends(shift, turn)[0]
-        centre = np.array(self.centre) + shift[0]
+        centre = np.array([float(c) for c in moving.centre]) + shift[0]
         j = jacobian(moving.base, ends[None])
         forces = j.directions[0]
         rows = np.concatenate([forces, np.cross(ends - centre, forces)], axis=1)
-        values = j.singular_values[0]
-        condition = float(values[0] / values[5]) if values[5] > 1e-12 * values[0] else float("inf")
-        return WrenchJacobian(self.actuators, rows, centre, j.radius, float(values[5]), condition)
+        least, condition = float(j.singular_values[0, 5]), float(j.condition_number[0])
+        return WrenchJacobian(self.actuators, rows, centre, j.radius, least, condition)
+
+    def six_legs(self) -> SixLegs:
+        return self

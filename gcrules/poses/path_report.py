@@ -21,12 +21,14 @@ from typing import Any
 
 import numpy as np
 
-from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.load import Source
+from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.moving_platform import MovingPlatform
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.methods import on_six_legs
 from gcrules.poses.numbers.arrays import from_poses, matrices
 from gcrules.poses.numbers.many import PoseNumbers, numbers
 from gcrules.poses.numbers.pose_arguments import one_pose
@@ -35,8 +37,7 @@ from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.poses.paths.segment import Segment, segments
 from gcrules.poses.paths.table import load_poses
 from gcrules.poses.paths.zeros import SingularPlace, Stretch, places, stretches
-from gcrules.poses.pose_inputs import six_legged
-from gcrules.poses.pose_report import report
+from gcrules.poses.pose_report import report_of_legs
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
@@ -57,7 +58,8 @@ def path(
     threshold: str | Threshold = DEFAULT,
 ) -> PathReport:
     """The function of `gcrules.api.poses`, which says what the arguments are."""
-    analysis, moving = six_legged(robot, about, "a path")
+    m = on_six_legs(mechanism(robot, about=about), "a path")
+    moving = m.rig
     limit = angle_threshold(threshold, "along a path")
     found, notes = _poses(poses, moving.unit)
     per_segment = _per_segment(samples, len(found) - 1)
@@ -68,14 +70,14 @@ def path(
         checkpoint()
         report_progress(f"segment {k + 1} of {len(way)}")
         polynomials.append(s.polynomial)
-    zeros = tuple(_zero(analysis, moving, way, p, limit) for p in places(polynomials))
-    still = tuple(_explained(analysis, moving, way, s, limit) for s in stretches(polynomials))
+    zeros = tuple(_zero(m, way, p, limit) for p in places(polynomials))
+    still = tuple(_explained(m, way, s, limit) for s in stretches(polynomials))
     report_progress("sampling")
     lowest = _least(way, per_segment, zeros, still)
     verdict, reason = _verdict(zeros, still, lowest, limit)
     return PathReport(
         rig=moving,
-        condition=analysis.condition,
+        condition=m.analysis.condition,
         poses=found,
         verdict=verdict,
         reason=reason,
@@ -85,7 +87,7 @@ def path(
         degrees=tuple(len(p) - 1 for p in polynomials),
         threshold=limit,
         notes=notes,
-        **_samples(analysis, moving, way, per_segment, zeros, still, lowest, limit),
+        **_samples(m, way, per_segment, zeros, still, lowest, limit),
     )
 
 
@@ -127,18 +129,14 @@ def _per_segment(samples: Any, number: int) -> int:
     return found
 
 
-def _zero(
-    analysis: Analysis, moving: MovingPlatform, way: Sequence[Segment], p: SingularPlace, limit: Threshold
-) -> Zero:
+def _zero(m: SixLegs, way: Sequence[Segment], p: SingularPlace, limit: Threshold) -> Zero:
     pose = _at(way, p.middle)
-    causes, dependence = _why(analysis, moving, pose, limit)
+    causes, dependence = _why(m, pose, limit)
     return Zero(p.lower, p.upper, p.kind, p.multiplicity, pose, causes, dependence)
 
 
-def _explained(
-    analysis: Analysis, moving: MovingPlatform, way: Sequence[Segment], s: Stretch, limit: Threshold
-) -> Stretch:
-    causes, dependence = _why(analysis, moving, _at(way, Fraction(s.start + s.end, 2)), limit)
+def _explained(m: SixLegs, way: Sequence[Segment], s: Stretch, limit: Threshold) -> Stretch:
+    causes, dependence = _why(m, _at(way, Fraction(s.start + s.end, 2)), limit)
     return replace(s, causes=causes, dependence=dependence)
 
 
@@ -147,13 +145,14 @@ def _at(way: Sequence[Segment], parameter: Fraction) -> Pose:
     return way[k].pose(parameter - k)
 
 
-def _why(analysis: Analysis, moving: MovingPlatform, pose: Pose, limit: Threshold) -> tuple[tuple[str, ...], Any]:
+def _why(m: SixLegs, pose: Pose, limit: Threshold) -> tuple[tuple[str, ...], Any]:
     """Causes, and what the legs have in common; where a leg has no length that is the cause."""
+    moving = m.rig
     lengths = np.linalg.norm(_ends(moving, *from_poses([pose]))[0] - moving.base, axis=1)
     short = [name for name, length in zip(moving.names, lengths, strict=True) if length <= ROUNDING * moving.size]
     if short:
         return tuple(f"The leg {name} has no length." for name in short), None
-    found = report(analysis, moving, pose, threshold=limit, accuracy=ROUNDING * moving.size, nearest=False)
+    found = report_of_legs(m, pose, threshold=limit, nearest=False)
     return found.causes, found.dependence
 
 
@@ -186,8 +185,7 @@ def _verdict(zeros: Sequence[Zero], still: Sequence[Stretch], lowest: Least, lim
 
 
 def _samples(
-    analysis: Analysis,
-    moving: MovingPlatform,
+    m: SixLegs,
     way: Sequence[Segment],
     per_segment: int,
     zeros: Sequence[Zero],
@@ -196,6 +194,7 @@ def _samples(
     limit: Threshold,
 ) -> dict[str, Any]:
     """The arrays of the report. A place where a leg has no length is left out: there are no numbers."""
+    moving = m.rig
     regular = np.linspace(0, len(way), per_segment * len(way) + 1)
     special = np.array([lowest.parameter, *(z.parameter for z in zeros)])
     where = np.union1d(regular[~_among(regular, special)], special)  # no sample that is a zero but for rounding
@@ -207,7 +206,7 @@ def _samples(
     rotations = matrices(turn)
     lengths = np.linalg.norm(_ends(moving, shift, rotations) - moving.base, axis=2)
     whole = lengths.min(axis=1) > ROUNDING * moving.size
-    conditions = (analysis.condition, *analysis.readings)
+    conditions = (m.analysis.condition, *m.analysis.readings)
     known = ROUNDING * moving.size
     found = numbers(moving, conditions, (shift[whole], rotations[whole]), limit, known)
     where = where[whole]

@@ -9,7 +9,7 @@ r"""Numbers at a pose of any mechanism, and the first singular pose on a way; ea
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,16 +17,16 @@ import numpy as np
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
-from gcrules.mechanisms.mechanism import Mechanism, mechanism
+from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.limbs.pose_report import first_singular_pose, report_at
+from gcrules.poses.limbs.pose_report import first_singular_pose, report_of_limbs
 from gcrules.poses.limbs.report import RobotPose
+from gcrules.poses.methods import Methods, method, on_six_legs
 from gcrules.poses.numbers.many import PoseNumbers
 from gcrules.poses.numbers.pose_arguments import is_many, known_accuracy, one_pose
 from gcrules.poses.numbers.report import PoseReport
 from gcrules.poses.path_report import path
-from gcrules.poses.pose_inputs import on_six_legs
-from gcrules.poses.pose_report import numbers_at, report
+from gcrules.poses.pose_report import numbers_of_legs, report_of_legs
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold, threshold_of
 
@@ -57,8 +57,7 @@ def pose(
     elif accuracy is not None:
         found = on_six_legs(found, "the accuracy of the joints")
     turns = {"quaternion": quaternion, "rotation_vector": rotation_vector, "euler": euler}
-    method = _POSE[type(found)]
-    return method(found, at, actuators, turns, degrees, threshold, accuracy, nearest)
+    return method(_POSE, found, "a pose")(at, actuators, turns, degrees, threshold, accuracy, nearest)
 
 
 def singular(
@@ -73,7 +72,7 @@ def singular(
 ) -> PoseReport | RobotPose | None:
     """The function of `gcrules.api.poses`, which says what the arguments are."""
     found = mechanism(source, about=about, plugins=plugins)
-    return _SINGULAR[type(found)](found, towards, actuators, degrees, threshold)
+    return method(_SINGULAR, found, "the first singular pose")(towards, actuators, degrees, threshold)
 
 
 # --- platforms on six legs -----------------------------------------------------------------------------------------
@@ -100,8 +99,8 @@ def _at_legs(
         )
     one = one_pose(at, turns, degrees, m.unit)
     if one is None:
-        return numbers_at(m.analysis, m.rig, at, turns, degrees, limit, known)
-    return report(m.analysis, m.rig, one, threshold=limit, accuracy=known, nearest=nearest is not False)
+        return numbers_of_legs(m, at, turns, degrees, limit, known)
+    return report_of_legs(m, one, threshold=limit, accuracy=known, nearest=nearest is not False)
 
 
 def _first_of_legs(
@@ -117,7 +116,7 @@ def _first_of_legs(
     if not way.zeros and not way.stretches:
         return None
     first = Pose() if way.stretches else way.zeros[0].pose  # a stretch is all of the way
-    return report(m.analysis, m.rig, first, threshold=limit, accuracy=known_accuracy(None, m.rig), nearest=False)
+    return report_of_legs(m, first, threshold=limit, nearest=False)
 
 
 def _no_actuators(actuators: Any) -> None:
@@ -141,25 +140,23 @@ def _of_joints(
     beside = {kind: turn for kind, turn in turns.items() if turn is not None}
     if not is_many(at, beside) or not np.iterable(at):
         asked = one_pose(at, turns, degrees, m.unit) if beside else at
-        return report_at(m.linkage, lambda: m.analysis, asked, actuators, degrees=degrees, threshold=threshold)
+        return report_of_limbs(m, asked, actuators, degrees=degrees, threshold=threshold)
     if beside:
         raise InputError("many poses, and a turn beside them", hint="give poses that hold their turns")
     if actuators is not None:
         raise InputError("many poses and actuators at once", hint="give one of them; the other one follows")
     every = at.tolist() if isinstance(at, np.ndarray) else at
-    return tuple(
-        report_at(m.linkage, lambda: m.analysis, one, None, degrees=degrees, threshold=threshold) for one in every
-    )
+    return tuple(report_of_limbs(m, one, None, degrees=degrees, threshold=threshold) for one in every)
 
 
 def _first_of_joints(
     m: Limbs, towards: Any, actuators: Any, degrees: bool, threshold: str | Threshold
 ) -> RobotPose | None:
-    return first_singular_pose(m.linkage, lambda: m.analysis, towards, actuators, degrees=degrees, threshold=threshold)
+    return first_singular_pose(m, towards, actuators, degrees=degrees, threshold=threshold)
 
 
-_POSE: Mapping[type[Mechanism], Callable[..., Answer]] = {SixLegs: _at_legs, Limbs: _of_joints}
-_SINGULAR: Mapping[type[Mechanism], Callable[..., PoseReport | RobotPose | None]] = {
+_POSE: Methods[Answer] = {SixLegs: _at_legs, Limbs: _of_joints}
+_SINGULAR: Methods[PoseReport | RobotPose | None] = {
     SixLegs: _first_of_legs,
     Limbs: _first_of_joints,
 }

@@ -11,6 +11,7 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import EngineFault, InputError
 from gcrules.mechanisms.moving_platform import MovingPlatform
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.nearest.poses import nearest_poses, nearest_translation
 from gcrules.poses.numbers.arrays import from_poses, normalised_note, read_arrays
 from gcrules.poses.numbers.causes import causes, near_causes, nearest_cause
@@ -28,12 +29,14 @@ from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import Threshold
 
-__all__ = ["numbers_at", "report"]
+__all__ = ["numbers_of_legs", "readings_at", "report_of_legs"]
+
+_QUICK = 3
+"""Conditions that a quick report tells of: those with the smallest cofactors stand first, and each takes a while."""
 
 
-def numbers_at(
-    analysis: Analysis,
-    moving: MovingPlatform,
+def numbers_of_legs(
+    m: SixLegs,
     at: Any,
     turns: Mapping[str, Any],
     degrees: bool,
@@ -44,7 +47,7 @@ def numbers_at(
     if isinstance(at, (list, tuple)) and at and isinstance(at[0], (Pose, str, Mapping)):
         if any(t is not None for t in turns.values()):
             raise InputError("poses that hold their turns, and a turn beside them")
-        poses = [read_one(p, moving.unit, degrees) for p in at]
+        poses = [read_one(p, m.unit, degrees) for p in at]
         arrays, notes = from_poses(poses), tuple(dict.fromkeys(n for p in poses for n in p.notes))
     else:
         quaternion = turns["quaternion"]
@@ -56,20 +59,34 @@ def numbers_at(
             degrees=degrees,
         )
         notes = () if quaternion is None else normalised_note(quaternion)
-    found = numbers(moving, (analysis.condition, *analysis.readings), arrays, threshold, accuracy)
+    found = numbers(m.rig, (m.analysis.condition, *m.analysis.readings), arrays, threshold, accuracy)
     return replace(found, notes=(*notes, *found.notes))
 
 
-def report(
-    analysis: Analysis, moving: MovingPlatform, at: Pose, *, threshold: Threshold, accuracy: float, nearest: bool = True
+def report_of_legs(
+    m: SixLegs,
+    at: Pose,
+    *,
+    threshold: Threshold,
+    accuracy: float | None = None,
+    nearest: bool = True,
+    quick: bool = False,
 ) -> PoseReport:
-    """All numbers of one pose. Raises InputError for a leg of no length."""
-    points = moving.exact(at)
-    j = jacobian(moving.base, moving.ends(*from_poses([at])))
+    """All numbers of one pose, with joints as exact as floats where no `accuracy` is given. A `quick` report rests on
+    one road to the superbracket, and tells of the first three conditions only. Raises InputError for a leg of no
+    length.
+    """
+    analysis, moving = m.analysis, m.rig
+    accuracy = ROUNDING * moving.size if accuracy is None else accuracy
+    points, arrays = moving.exact(at), from_poses([at])
+    j = jacobian(moving.base, moving.ends(*arrays))
     bounds = guarantees(j)
     value = superbracket_at(moving.structure.legs, points)
-    _two_roads(value, analysis, points)
     conditions = (analysis.condition, *analysis.readings)
+    if quick:
+        conditions = conditions[:_QUICK]
+    else:
+        _two_roads(value, analysis, points)
     spread = float(noise(j, accuracy)[0])
     floor = float(noise(j, ROUNDING * moving.size)[0])
     singular = value == 0 or float(j.sigma[0]) <= floor
@@ -87,22 +104,21 @@ def report(
     held = {name: number for name, number in bounds.at(0).items() if name != "sigma"}
     if value == 0:
         held = dict.fromkeys(held, 0.0)
+    wrenches = m.wrenches(at)
     return PoseReport(
         rig=moving,
         pose=at,
         condition=analysis.condition,
         verdict=verdict,
         reason=reason,
-        causes=() if verdict == "regular" else _causes(conditions, moving, at, singular=singular),
+        causes=() if verdict == "regular" else _causes(conditions, moving, at, value, singular=singular),
         superbracket=value,
         margin=0.0 if value == 0 else float(j.sigma[0]),
         accuracy=accuracy,
         noise=spread,
         threshold=threshold,
-        smallest_singular_value=float(j.singular_values[0, 5]),
-        condition_number=float(j.condition_number[0]) if value else float("inf"),
-        radius=j.radius,
-        readings=tuple(_readings(analysis, moving, at)),
+        jacobian=wrenches if value else replace(wrenches, condition_number=float("inf")),
+        readings=readings_at(conditions, homogeneous(moving, *arrays), moving.unit),
         nearest=tuple(_explained(n, conditions, moving) for n in found) if nearest else (),
         softest=softest_twist(j),
         stress=scaled(j.stress[0].tolist()),
@@ -115,14 +131,16 @@ def report(
 def _explained(n: NearestPose, conditions: Sequence[Condition], moving: MovingPlatform) -> NearestPose:
     if n.pose is None or n.causes:
         return n
-    return replace(n, causes=_causes(conditions, moving, n.pose, singular=True))
+    value = superbracket_at(moving.structure.legs, moving.exact(n.pose))
+    return replace(n, causes=_causes(conditions, moving, n.pose, value, singular=True))
 
 
-def _causes(conditions: Sequence[Condition], moving: MovingPlatform, at: Pose, *, singular: bool) -> tuple[str, ...]:
-    points = moving.exact(at)
+def _causes(
+    conditions: Sequence[Condition], moving: MovingPlatform, at: Pose, value: Fraction, *, singular: bool
+) -> tuple[str, ...]:
     names = moving.structure.names
-    if superbracket_at(moving.structure.legs, points) == 0:
-        return causes(conditions, points, names, moving.unit)
+    if value == 0:
+        return causes(conditions, moving.exact(at), names, moving.unit)
     near = near_causes if singular else nearest_cause
     return near(conditions, homogeneous(moving, *from_poses([at])), names)
 
@@ -134,20 +152,12 @@ def _two_roads(value: Fraction, analysis: Analysis, points: dict[str, tuple[Frac
         raise EngineFault(f"the superbracket and the condition {c.expression} disagree at a pose")
 
 
-def _readings(analysis: Analysis, moving: MovingPlatform, at: Pose) -> list[PoseReading]:
-    points = homogeneous(moving, *from_poses([at]))
+def readings_at(conditions: Sequence[Condition], points: Any, unit: str) -> tuple[PoseReading, ...]:
+    """The readings at one pose, given by homogeneous coordinates (1, 4)."""
     found = []
-    for r in readings((analysis.condition, *analysis.readings), points):
+    for r in readings(conditions, points):
         valid = bool(r.valid[0])
-        found.append(
-            PoseReading(
-                r.part,
-                r.name,
-                r.meaning,
-                float(r.values[0]) if valid else None,
-                moving.unit if r.power else "",
-                r.published,
-                "" if valid else r.why,
-            )
-        )
-    return found
+        value = float(r.values[0]) if valid else None
+        why = "" if valid else r.why
+        found.append(PoseReading(r.part, r.name, r.meaning, value, unit if r.power else "", r.published, why))
+    return tuple(found)

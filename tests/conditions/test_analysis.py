@@ -19,7 +19,7 @@ from gcrules.algebra.expr import ZERO, Join, Point, join, meet, mul, points_of
 from gcrules.algebra.prove import prove
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.rules.condition_rule import INCIDENCES
 from gcrules.rules.plugins import load_rules
 
@@ -54,7 +54,7 @@ def scrambled(facts: dict[str, Any], variant: str, seed: int = 0) -> list[tuple[
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_every_class_in_any_labelling(facts: dict[str, Any], variant: str) -> None:
     legs = scrambled(facts, variant)
-    a = analyze(legs)
+    a = analyze_legs(legs)
     assert a.structure.legs == tuple(legs)
     assert a.match is not None
     assert (a.match.entry.id, a.group) == (facts["id"], facts["group"])
@@ -72,17 +72,17 @@ def test_every_class_in_any_labelling(facts: dict[str, Any], variant: str) -> No
 
 
 def test_every_rule_certifies_what_it_found() -> None:
-    methods = Counter(analyze(LEGS[i]).condition.certificate.method for i in REGULAR)
+    methods = Counter(analyze_legs(LEGS[i]).condition.certificate.method for i in REGULAR)
     assert methods == {"normal-form": 34}
     looked_up = {"strategy": load_rules().strategy(without=["transversals"])}
-    assert analyze(LEGS["5-5.1"], **looked_up).condition.certificate.method == "catalog-instance"
-    assert analyze(LEGS["5-5.1"], recheck=True, **looked_up).condition.certificate.method == "normal-form"
+    assert analyze_legs(LEGS["5-5.1"], **looked_up).condition.certificate.method == "catalog-instance"
+    assert analyze_legs(LEGS["5-5.1"], recheck=True, **looked_up).condition.certificate.method == "normal-form"
 
 
 @pytest.mark.parametrize("class_id", ["5-5.1", "6-5"])
 def test_transversals_are_found_and_not_looked_up(class_id: str) -> None:
     """The rule's condition comes first; the catalog's, which compares turns about the same lines, is not repeated."""
-    a = analyze(LEGS[class_id])
+    a = analyze_legs(LEGS[class_id])
     assert (a.condition.kind, a.condition.certificate.data["rule"]) == ("transversals", "transversals")
     assert all(r.certificate.method == "normal-form" for r in a.readings if r.kind == "transversals")
     assert any(r.kind == "one-incidence" for r in a.readings)
@@ -92,7 +92,7 @@ def test_transversals_are_found_and_not_looked_up(class_id: str) -> None:
 def test_json(facts: dict[str, Any]) -> None:
     """The contract: keys, text that parses back, only the user's labels, no stars, no powers, whole coefficients."""
     legs = scrambled(facts, "exchanged", seed=1)
-    a = analyze(legs)
+    a = analyze_legs(legs)
     found = json.loads(json.dumps(a.to_json()))
     assert found["schema"] == 1
     assert found["legs"] == [list(leg) for leg in legs]
@@ -134,7 +134,7 @@ def test_json(facts: dict[str, Any]) -> None:
 @ALL
 def test_the_shortest_form_is_written_with_its_sign(facts: dict[str, Any]) -> None:
     """sign of the order times `shortest` is the superbracket of the legs as typed, single legs turned or not."""
-    a = analyze(scrambled(facts, "turned", seed=2))
+    a = analyze_legs(scrambled(facts, "turned", seed=2))
     points = random_points(a.structure.names, seed=8)
     typed = evaluate(a.structure.superbracket, points, modulus=PRIME)
     assert evaluate(a.shortest.polynomial.to_expr(), points, modulus=PRIME) == a.shortest.sign * typed % PRIME
@@ -144,10 +144,10 @@ def test_the_shortest_form_is_written_with_its_sign(facts: dict[str, Any]) -> No
 def test_sides_left_open_do_not_change_the_condition(facts: dict[str, Any]) -> None:
     """Whole connected parts written the other way round: the condition stays true, its kind and group the same."""
     legs = [(a, b) for a, b in facts["legs"]]
-    plain = analyze(legs)
+    plain = analyze_legs(legs)
     for leg in legs:
         turned = [(y, x) if {x, y} & set(leg) else (x, y) for x, y in legs]
-        a = analyze(turned)
+        a = analyze_legs(turned)
         assert (a.condition.kind == "always-singular") == (not facts["regular"])
         assert vanishes(a.condition.identity(a.structure.superbracket))
         if facts["group"]:
@@ -171,7 +171,7 @@ SINGULAR = [
 @pytest.mark.parametrize("legs", SINGULAR)
 @pytest.mark.parametrize("order", [None, "1 2 3 4 5 6", "3 1 6 2 5 4"])
 def test_always_singular(legs: str, order: str | None) -> None:
-    a = analyze(legs, order=order)
+    a = analyze_legs(legs, order=order)
     zero = vanishes(a.structure.superbracket)
     assert zero == (a.condition.kind == "always-singular")
     assert a.derivation.check()
@@ -190,7 +190,7 @@ def test_always_singular(legs: str, order: str | None) -> None:
 
 @pytest.mark.parametrize("class_id", [c["id"] for c in CLASSES if not c["regular"]])
 def test_the_line_that_all_legs_meet_is_named(class_id: str) -> None:
-    a = analyze(LEGS[class_id])
+    a = analyze_legs(LEGS[class_id])
     assert a.degeneracy is not None
     assert isinstance(a.degeneracy.line, Join)
     triple = {n for n, k in Counter(LEGS[class_id].replace(" ", "")).items() if k == 3}
@@ -201,7 +201,7 @@ def test_the_line_that_all_legs_meet_is_named(class_id: str) -> None:
 @pytest.mark.parametrize("order", [None, "1 2 3 4 5 6", "3 1 6 2 5 4", "6 5 4 3 2 1"])
 def test_a_form_of_zero_with_terms_left_is_zero(legs: str, order: str | None) -> None:
     """In some orders the form of a superbracket that is identically zero has terms, equal to 0 by syzygies alone."""
-    assert analyze(legs, order=order).condition.kind == "always-singular"
+    assert analyze_legs(legs, order=order).condition.kind == "always-singular"
 
 
 def graphs_of_few_joints() -> list[tuple[tuple[str, str], ...]]:
@@ -220,7 +220,7 @@ def graphs_of_few_joints() -> list[tuple[tuple[str, str], ...]]:
 
 @pytest.mark.parametrize("legs", graphs_of_few_joints(), ids=lambda legs: " ".join(map("".join, legs)))
 def test_outside_the_catalog(legs: tuple[tuple[str, str], ...]) -> None:
-    a = analyze(legs)
+    a = analyze_legs(legs)
     assert a.match is None or a.structure.base
     assert (a.condition.kind == "always-singular") == vanishes(a.structure.superbracket)
     for r in (a.condition, *a.readings):
@@ -231,7 +231,7 @@ def test_outside_the_catalog(legs: tuple[tuple[str, str], ...]) -> None:
 
 
 def test_edges_of_a_tetrahedron() -> None:
-    a = analyze("ab ac ad bc bd cd")
+    a = analyze_legs("ab ac ad bc bd cd")
     assert a.match is None
     assert str(a.condition.expression) == "[abcd][abcd][abcd]"
     assert "the tetrahedron abcd is flat" in a.condition.statement
@@ -241,7 +241,7 @@ def test_long_names() -> None:
     names = {"A": "left", "B": "right", "C": "front", "D": "rear", "E": "top", "a": "arm_1", "b": "cap"}
     for class_id in ("6-5", "3-3.3", "4-4.4", "4-2", "5-5.1"):
         legs = [(names.get(a, a), names.get(b, b)) for a, b in LEGS[class_id].split()]
-        a = analyze(legs)
+        a = analyze_legs(legs)
         assert a.match is not None
         assert a.match.entry.id == class_id
         found = a.to_json()
@@ -254,20 +254,20 @@ def test_long_names() -> None:
 
 def test_ideal_points() -> None:
     """Base joints at infinity: the identity holds there too, and legs that all lie at infinity are dependent."""
-    a = analyze("Aa Ab Bc Bd Ce Cf", ideal=list("ABC"))
+    a = analyze_legs("Aa Ab Bc Bd Ce Cf", ideal=list("ABC"))
     assert a.match is not None
     assert a.match.entry.id == "6-3.2"
     assert not vanishes(a.structure.superbracket, ideal="ABC")
     assert vanishes(a.condition.identity(a.structure.superbracket), ideal="ABC")
     assert a.derivation.check()
-    assert analyze("Aa Ab Bc Bd Ca Cb", ideal=list("ABCab")).condition.kind == "always-singular"
+    assert analyze_legs("Aa Ab Bc Bd Ca Cb", ideal=list("ABCab")).condition.kind == "always-singular"
 
 
 @pytest.mark.parametrize("class_id", REGULAR)
 @pytest.mark.parametrize("order", ["2 1 3 4 5 6", "6 4 2 1 3 5", "reversed"])
 def test_own_order(class_id: str, order: str) -> None:
     legs = LEGS[class_id].split()
-    a = analyze(legs, order=" ".join(reversed(legs)) if order == "reversed" else order)
+    a = analyze_legs(legs, order=" ".join(reversed(legs)) if order == "reversed" else order)
     assert a.condition.kind != "always-singular"
     assert a.derivation.check()
     for r in (a.condition, *a.readings):
@@ -300,7 +300,7 @@ def at(text: Any, points: Points) -> Any:
 @pytest.mark.parametrize("class_id", OF_KIND["c"])
 def test_four_planes_through_a_point(class_id: str, seed: int) -> None:
     """One joint moved so that its plane passes through the common point of the three others."""
-    a = analyze(LEGS[class_id])
+    a = analyze_legs(LEGS[class_id])
     planes = [e.points for e in a.entities]
     assert [e.kind for e in a.entities] == ["plane"] * 4
     rng = random.Random(seed)
@@ -345,7 +345,7 @@ def concurrent(planes: Sequence[tuple[str, ...]], points: Points, seed: int) -> 
 @SEEDS
 @pytest.mark.parametrize("class_id", OF_KIND["g"] + OF_KIND["d"] + OF_KIND["e"])
 def test_flat_tetrahedra(class_id: str, seed: int) -> None:
-    a = analyze(LEGS[class_id])
+    a = analyze_legs(LEGS[class_id])
     flat = [e.points for e in a.entities if e.kind == "tetrahedron"]
     assert len(flat) == (3 if class_id in OF_KIND["g"] else 1)
     rng = random.Random(seed)
@@ -361,7 +361,7 @@ def test_flat_tetrahedra(class_id: str, seed: int) -> None:
 @SEEDS
 @pytest.mark.parametrize("class_id", OF_KIND["d"])
 def test_two_planes_and_a_line_through_a_point(class_id: str, seed: int) -> None:
-    a = analyze(LEGS[class_id])
+    a = analyze_legs(LEGS[class_id])
     (one, two), (line,) = ([e.points for e in a.entities if e.kind == kind] for kind in ("plane", "line"))
     rng = random.Random(seed)
     free = [n for n in (*one, *two, *line) if [n in x for x in (one, two, line)].count(True) == 1]
@@ -387,7 +387,7 @@ def test_two_planes_and_a_line_through_a_point(class_id: str, seed: int) -> None
 @pytest.mark.parametrize("class_id", [*OF_KIND["b"], *OF_KIND["e"], "6-5", "5-5.1"])
 def test_turning_about_p_and_q(class_id: str, seed: int) -> None:
     """p and q meet the four other legs; where the ratios of g and h agree the determinant vanishes, else not."""
-    a = analyze(LEGS[class_id])
+    a = analyze_legs(LEGS[class_id])
     assert [name for name, _ in a.condition.lines] == ["p", "q"]
     p, q = (line for _, line in a.condition.lines)
     points = random_points(a.structure.names, seed=seed)
@@ -422,7 +422,7 @@ def test_turning_about_p_and_q(class_id: str, seed: int) -> None:
 @pytest.mark.parametrize("class_id", ["6-6", "6-5", "5-5.1"])
 def test_one_linear_complex(class_id: str, seed: int) -> None:
     """Each leg's end moved into the plane that a random complex assigns to the other end."""
-    a = analyze(LEGS[class_id])
+    a = analyze_legs(LEGS[class_id])
     rng = random.Random(seed)
     form = [[0] * 4 for _ in range(4)]
     for i, j in combinations(range(4), 2):
@@ -471,7 +471,7 @@ FAULTS = [
 @pytest.mark.parametrize(("legs", "message", "hint"), FAULTS)
 def test_faults(legs: str, message: str, hint: str | None) -> None:
     with pytest.raises(InputError) as fault:
-        analyze(legs)
+        analyze_legs(legs)
     assert message in str(fault.value)
     assert hint is None or hint in (fault.value.hint or "")
     assert "error" in fault.value.render()
@@ -482,7 +482,7 @@ def test_faults(legs: str, message: str, hint: str | None) -> None:
 )
 def test_faults_in_pairs(legs: Any) -> None:
     with pytest.raises(InputError):
-        analyze(legs)
+        analyze_legs(legs)
 
 
 @pytest.mark.parametrize(
@@ -490,11 +490,11 @@ def test_faults_in_pairs(legs: Any) -> None:
 )
 def test_faults_of_an_order(order: str) -> None:
     with pytest.raises(InputError):
-        analyze("ab af cb cd ed ef", order=order)
+        analyze_legs("ab af cb cd ed ef", order=order)
 
 
 def test_groups_are_the_published_ones() -> None:
-    assert Counter(analyze(LEGS[i]).group for i in REGULAR) == Counter(c["group"] for c in CLASSES if c["regular"])
+    assert Counter(analyze_legs(LEGS[i]).group for i in REGULAR) == Counter(c["group"] for c in CLASSES if c["regular"])
     assert {rule.group for rule in INCIDENCES} == {"b", "c", "d", "e", "g"}
     assert issubclass(LimitReached, gc.GcrulesError)
 
@@ -504,10 +504,10 @@ def test_the_condition_does_not_depend_on_how_legs_are_written(class_id: str) ->
     """Turning single legs changes signs at most: kind, cofactor and planes stay."""
     rng = random.Random(class_id)
     legs = LEGS[class_id].split()
-    first = analyze(legs).condition
+    first = analyze_legs(legs).condition
     cofactor = gc.straighten(first.cofactor)
     for _ in range(6):
-        turned = analyze([leg[::-1] if rng.random() < 0.5 else leg for leg in legs]).condition
+        turned = analyze_legs([leg[::-1] if rng.random() < 0.5 else leg for leg in legs]).condition
         assert turned.kind == first.kind
         assert gc.straighten(turned.cofactor) in (cofactor, -cofactor)
         assert {frozenset(e.points) for e in turned.entities} == {frozenset(e.points) for e in first.entities}

@@ -23,7 +23,7 @@ from gcrules.algebra.language.syntax import parse
 from gcrules.apps.cli import cli
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.rules.plugins import load_rules
 
 Points = dict[str, tuple[Fraction, ...]]
@@ -106,7 +106,7 @@ class Case:
         return " | ".join(filter(None, (self.lines, self.given, self.ideal)))
 
     def analysis(self, **more: Any) -> Analysis:
-        return analyze(
+        return analyze_legs(
             self.lines, given=self.given or (), ideal=list(self.ideal), rank=self.rank, points=list(self.points), **more
         )
 
@@ -273,7 +273,7 @@ def test_parallel_lines_of_the_plane() -> None:
     """Three parallel legs of a plane mechanism: they meet at infinity."""
     points: Points = {n: (Fraction(x), Fraction(y), Fraction(1)) for n, x, y in
               (("a", 0, 0), ("b", 1, 2), ("c", 3, 0), ("d", 5, 4), ("e", 7, 1), ("f", 8, 3))}  # fmt: skip
-    a = analyze("ab cd ef", rank=3)
+    a = analyze_legs("ab cd ef", rank=3)
     assert superbracket(["ab", "cd", "ef"], points) == 0
     assert gc.evaluate(a.condition.expression, points) == 0
 
@@ -294,7 +294,7 @@ edges = st.integers(4, 9).flatmap(
 @example(legs=["ab", "bc", "ca", "de", "fg", "hi"], seed=0)
 @example(legs=["ab", "ba", "cd", "de", "ef", "fg"], seed=0)
 def test_any_six_legs(legs: list[str], seed: int) -> None:
-    a = analyze(" ".join(legs))
+    a = analyze_legs(" ".join(legs))
     case = Case(" ".join(legs), "", ())
     values = [superbracket(legs, positions(a.structure.names, case, seed + n)) for n in range(4)]
     if a.condition.kind == "always-singular":
@@ -312,7 +312,7 @@ def test_any_six_legs(legs: list[str], seed: int) -> None:
 @given(legs=edges, at_infinity=st.sets(st.sampled_from("abcdefghi"), min_size=1, max_size=5), seed=st.integers(0, 999))
 def test_any_six_legs_with_points_at_infinity(legs: list[str], at_infinity: set[str], seed: int) -> None:
     ideal = "".join(sorted(at_infinity & set("".join(legs))))
-    a = analyze(" ".join(legs), ideal=list(ideal), search=0.5)
+    a = analyze_legs(" ".join(legs), ideal=list(ideal), search=0.5)
     case = Case(" ".join(legs), "", (), ideal=ideal)
     values = [superbracket(legs, positions(a.structure.names, case, seed + n)) for n in range(4)]
     assert (a.condition.kind == "always-singular") == (not any(values))
@@ -327,7 +327,7 @@ def test_any_six_legs_under_an_assumption(legs: list[str], pick: list[str], kind
     names = [n for n in pick if n in "".join(legs)][: 3 if kind == "collinear" else 4]
     assume(len(names) == (3 if kind == "collinear" else 4))
     last = names[-1]
-    a = analyze(" ".join(legs), given=f"{kind}({', '.join(names)})", search=0.2)
+    a = analyze_legs(" ".join(legs), given=f"{kind}({', '.join(names)})", search=0.2)
     case = Case(" ".join(legs), "", (), on={last: "".join(names[:-1])})
     values = [superbracket(legs, positions(a.structure.names, case, n)) for n in range(4)]
     assert (a.condition.kind == "always-singular") == (not any(values))
@@ -364,7 +364,7 @@ SIX = "Aa Bb Cc Dd Ee Ff"
 )
 def test_faults(lines: str, options: dict[str, Any], message: str, hint: str | None) -> None:
     with pytest.raises(InputError) as caught:
-        analyze(lines, **options)
+        analyze_legs(lines, **options)
     assert message in caught.value.message
     assert hint is None or hint in (caught.value.hint or "")
     assert caught.value.exit_code == 2
@@ -373,15 +373,15 @@ def test_faults(lines: str, options: dict[str, Any], message: str, hint: str | N
 @pytest.mark.parametrize("legs", [["ab", "cd", "ef", "gh", "ij", 5], [("a", "b", "c")] * 6, [("a", 1)] * 6])
 def test_what_is_no_leg(legs: list[Any]) -> None:
     with pytest.raises(InputError, match="is not a leg"):
-        analyze(legs)
+        analyze_legs(legs)
 
 
 def test_faults_in_assumptions_bear_their_place() -> None:
     with pytest.raises(InputError) as caught:
-        analyze(SIX, given="collinear(A, B, C), collinear(A, B, Z)")
+        analyze_legs(SIX, given="collinear(A, B, C), collinear(A, B, Z)")
     assert caught.value.place == "<input>:1:21"
     with pytest.raises(InputError) as caught:
-        analyze("ab cd ef gh ij abc^d")
+        analyze_legs("ab cd ef gh ij abc^d")
     assert caught.value.place == "<input>:1:16"
 
 
@@ -394,26 +394,26 @@ def test_lines_that_are_built_from_points_are_for_analyze() -> None:
 
 def test_a_structure_has_its_own_assumptions() -> None:
     structure = read_legs(SIX, given="coplanar(A, B, C, D)")
-    assert analyze(structure, search=0).structure.given
+    assert analyze_legs(structure, search=0).structure.given
     with pytest.raises(InputError, match="its own"):
-        analyze(structure, given="collinear(A, B, C)")
+        analyze_legs(structure, given="collinear(A, B, C)")
 
 
 def test_factorization_where_no_rule_finds_a_condition() -> None:
     """A triangle and three single legs: de and fg pierce the plane of the triangle in points coplanar with hi."""
     strategy = load_rules().strategy(without=["catalog", "transversals"])
-    a = analyze("ab bc ca de fg hi", strategy=strategy)
+    a = analyze_legs("ab bc ca de fg hi", strategy=strategy)
     assert a.condition.kind == "factorization"
     assert str(a.condition.right_side) == r"-[abc /\ de, abc /\ fg, h, i]"
     assert "the point where the line de meets the plane abc" in a.condition.statement
     assert [step.rule for step in a.derivation][-1] == "factorization"
-    without = analyze("ab bc ca de fg hi", strategy=strategy.without(["factorization"]))
+    without = analyze_legs("ab bc ca de fg hi", strategy=strategy.without(["factorization"]))
     assert without.condition.kind == "linear-complex"
 
 
 def test_brackets_that_divide_are_told_where_nothing_is_found_for_the_rest() -> None:
     strategy = load_rules().strategy(without=["catalog", "transversals", "tetrahedron-four-lines"])
-    a = analyze("Aa Ab Ba Bb Cc Dd", ideal="C", strategy=strategy)
+    a = analyze_legs("Aa Ab Ba Bb Cc Dd", ideal="C", strategy=strategy)
     assert a.condition.kind == "bracket-factors"
     assert "ABab is flat" in a.condition.statement
     assert str(a.condition.expression).startswith("[ABab]([")
@@ -429,13 +429,13 @@ def test_brackets_that_divide_are_told_where_nothing_is_found_for_the_rest() -> 
     ],
 )
 def test_names_that_would_show_more_are_noted(assumed: str, points: str, words: str) -> None:
-    a = analyze(SIX, given=assumed, points=points, search=0)
+    a = analyze_legs(SIX, given=assumed, points=points, search=0)
     assert a.condition.kind == "linear-complex"
     assert any(words in note for note in a.notes)
 
 
 def test_a_reading_whose_cofactor_vanishes_is_dropped_and_named() -> None:
-    a = analyze("Aa Ab Ba Cc Dd Ee", given="coplanar(A, C, a, c)", search=0.5)
+    a = analyze_legs("Aa Ab Ba Cc Dd Ee", given="coplanar(A, C, a, c)", search=0.5)
     assert a.condition.kind == "transversals"
     assert any("[ACac]" in note for note in a.notes)
     assert all("[ACac]" not in str(r.cofactor) for r in (a.condition, *a.readings))
@@ -485,7 +485,7 @@ def test_prompt() -> None:
 
 def test_without_a_leg_between_joints_there_is_no_graph(tmp_path: Path) -> None:
     lines, page = "abc^def abd^cef abe^cdf acd^bef ace^bdf adf^bce", tmp_path / "r.html"
-    a = analyze(lines)
+    a = analyze_legs(lines)
     assert "abcd" in a.condition.statement
     assert "<svg" not in a._repr_html_()
     assert CliRunner().invoke(cli, ["report", lines, "-o", str(page)]).exit_code == 0
@@ -512,7 +512,7 @@ def test_report_and_figure(tmp_path: Path) -> None:
 )
 def test_what_vanishes_for_these_lines_is_left_out(lines: str, condition: str) -> None:
     """Two of the lines meet in every pose, so there are no two ratios to compare."""
-    a = analyze(lines)
+    a = analyze_legs(lines)
     assert str(a.condition.expression).lstrip("-") == condition
     assert "ratio" not in a.condition.statement
     assert gc.prove(a.condition.identity(a.structure.superbracket), gc.parse("0")).proved

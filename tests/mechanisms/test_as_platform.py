@@ -17,7 +17,7 @@ from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.load import read_robot
 from gcrules.mechanisms.mechanism import mechanism
-from gcrules.poses.pose_inputs import on_six_legs
+from gcrules.poses.methods import on_six_legs
 
 LEGS = ("gough-stewart", "gough-stewart-63", "octahedral")
 COMMANDS = {

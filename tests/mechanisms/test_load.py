@@ -106,7 +106,7 @@ def test_they_are_one_kind_of_thing(name: str) -> None:
     assert platform
     assert not set(base) & set(platform)
     assert found.title
-    assert len(found.centre) == 3
+    assert len(found.wrenches().centre) == 3
     assert len(found.actuators) == found.mobility
     assert found.analysis.condition is not None
     wrenches = found.wrenches()

@@ -11,7 +11,7 @@ from poses.platforms import PLATFORMS
 
 from gcrules.conditions.analysis import Analysis
 from gcrules.mechanisms.description.platform_file import load_platform
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.poses.compiling.compiled import compiled
 from gcrules.poses.maps import maps
 
@@ -19,7 +19,7 @@ from gcrules.poses.maps import maps
 @pytest.fixture(scope="session")
 def robots() -> dict[str, Analysis]:
     """The platforms of examples/, and one that is singular where it stands."""
-    return {n: analyze(load_platform(EXAMPLES / f"{n}.yaml")) for n in (*PLATFORMS, "octahedral-singular")}
+    return {n: analyze_legs(load_platform(EXAMPLES / f"{n}.yaml")) for n in (*PLATFORMS, "octahedral-singular")}
 
 
 @pytest.fixture(scope="session")

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from gcrules.mechanisms.description.platform_file import parse_platform
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 
 __all__ = ["ANALYSES", "OCTAHEDRON", "STRUCTURES"]
 
 
 STRUCTURES = ["ab af cb cd ed ef", "Aa Ab Ac Bd Be Cf", "Aa Ab Ac Bd Ce Df", "Aa Ab Ba Bb Cc Dd", "Aa Ab Bc Cd De Ef"]
-ANALYSES = {legs: analyze(legs) for legs in STRUCTURES}
+ANALYSES = {legs: analyze_legs(legs) for legs in STRUCTURES}
 
 
 OCTAHEDRON = parse_platform(

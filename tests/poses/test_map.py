@@ -17,7 +17,7 @@ import gcrules as gc
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.description.platform_file import parse_platform
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.poses.maps import tracing
 from gcrules.poses.maps.axes import parse_axis, read_axes
 from gcrules.poses.maps.bernstein import coefficients, corners, halves, tolerance
@@ -214,7 +214,7 @@ def test_a_polynomial_beside_poses_with_legs_of_no_length() -> None:
     points = [
         f"{'ABCDEF'[n]}: {list(a)}, {'abcdef'[n]}: {list(b)}" for n, (a, b) in enumerate(zip(starts, ends, strict=True))
     ]
-    robot = analyze(parse_platform(f"legs: [Aa, Bb, Cc, Dd, Ee, Ff]\npoints: {{{', '.join(points)}}}"))
+    robot = analyze_legs(parse_platform(f"legs: [Aa, Bb, Cc, Dd, Ee, Ff]\npoints: {{{', '.join(points)}}}"))
     g = grid_of(robot, ["x -1:2:7", "z -1:2:7"], "1 0 0")
     value = sum(c * F(2) ** k[0] * F(-3) ** k[1] for k, c in slice_polynomial(g).items())
     assert value == exact_value(g, (2, -3)) != 0

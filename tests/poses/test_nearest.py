@@ -113,7 +113,7 @@ def test_nearest_poses_are_singular(robots: dict[str, Analysis], name: str) -> N
     translation, rotated, both = found.nearest
     assert translation.certified
     assert translation.pose.quaternion == found.pose.quaternion
-    assert both.distance <= min(translation.distance, found.radius * rotated.distance) * (1 + 1e-9)
+    assert both.distance <= min(translation.distance, found.jacobian.length * rotated.distance) * (1 + 1e-9)
     for n, bound in zip(found.nearest, (found.shift, found.rotation, found.combined), strict=True):
         assert bound <= n.lower <= n.distance <= n.upper
         assert n.sigma < 1e-12

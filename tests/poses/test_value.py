@@ -13,12 +13,12 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Point, join
 from gcrules.algebra.language.legs_text import read_legs
 from gcrules.conditions.pose_value import XYZ, line_measure, line_points, measure, pose_value
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.screws.verdict import CLOSE
 
 Pose = dict[str, tuple[int, int, int]]
 LEGS = ["ab af cb cd ed ef", "Aa Bb Cc Dd Ee Ff", "Aa Ab Ba Bb Cc Dd", "Aa Ab Ac Bd Be Cf", "Aa Ab Bc Cd De Ef"]
-ANALYSES = {legs: analyze(legs) for legs in LEGS}
+ANALYSES = {legs: analyze_legs(legs) for legs in LEGS}
 finite = st.floats(-3, 3, allow_nan=False)
 
 

@@ -14,7 +14,7 @@ from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.syntax import parse
 from gcrules.conditions.catalog_check import check_entry, enumerate_classes, source_keys
 from gcrules.core.errors import FileError
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load, load_file
@@ -171,16 +171,16 @@ def own(tmp_path: Path) -> Any:
 def test_own_catalog(own: Any) -> None:
     path = own(OWN)
     assert [r.faults for r in map(check_entry, load_file(path).entries)] == [()]
-    a = analyze("qp rp sp rq sq sr", catalogs=[path])
+    a = analyze_legs("qp rp sp rq sq sr", catalogs=[path])
     assert a.match is not None
     assert (a.match.entry.id, a.match.entry.owner) == ("mine", str(path))
     assert a.match.entry.place == f"{path}:5:9"
     statements = [r.statement for r in a.readings]
     assert any(s.startswith("Flat ") for s in statements)
     assert any(s.startswith("Twelve times ") for s in statements)
-    octahedron = analyze("ab af cb cd ed ef", catalogs=[path])
+    octahedron = analyze_legs("ab af cb cd ed ef", catalogs=[path])
     assert octahedron.condition.statement == "Four planes through one point: abc, aef, bdf and cde."
-    assert analyze("qp rp sp rq sq sr").match is None
+    assert analyze_legs("qp rp sp rq sq sr").match is None
 
 
 def test_shipped_classes_come_first(own: Any) -> None:
@@ -205,12 +205,12 @@ def test_a_reading_that_is_no_identity(own: Any) -> None:
     for bad in ("coefficient: 12", "cofactor: '2[abcd]'"):
         path = own(OWN.replace(bad, "coefficient: 5"))
         with pytest.raises(FileError, match="is not an identity"):
-            analyze("qp rp sp rq sq sr", catalogs=[path])
+            analyze_legs("qp rp sp rq sq sr", catalogs=[path])
         assert any(not r.ok for r in map(check_entry, load_file(path).entries))
     vanishing = r"{kind: one-incidence, expression: '0', cofactor: 'abc /\ abc /\ ad', statement: 'Never.'}"
     path = own(OWN + f"      - {vanishing}\n")
     with pytest.raises(FileError, match="says nothing: its cofactor is zero"):
-        analyze("qp rp sp rq sq sr", catalogs=[path])
+        analyze_legs("qp rp sp rq sq sr", catalogs=[path])
 
 
 FAULTY = r"""

@@ -28,7 +28,7 @@ from gcrules.algebra.superbrackets.shortest import superbracket_form
 from gcrules.apps.cli.legs import analyze as analyze_command
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import LimitReached
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.deriving import derived_zero, from_catalog
 from gcrules.rules.elementary import ELEMENTARY
@@ -72,7 +72,7 @@ CASES: dict[str, dict[str, Any]] = {
 
 @pytest.fixture(scope="module", params=CASES, ids=lambda name: name.replace(" ", "-"))
 def analysis(request: pytest.FixtureRequest) -> Analysis:
-    return analyze(**CASES[request.param])
+    return analyze_legs(**CASES[request.param])
 
 
 # --- from the superbracket to the condition ------------------------------------------------------------------------
@@ -110,9 +110,9 @@ def test_full(analysis: Analysis) -> None:
 
 
 def test_full_derivations_are_short_and_need_few_syzygies() -> None:
-    lengths = {i: len(analyze(LEGS[i]).derivation.full()) for i in REGULAR}
+    lengths = {i: len(analyze_legs(LEGS[i]).derivation.full()) for i in REGULAR}
     assert max(lengths.values()) <= 30
-    syzygies = {i: sum(s.rule == "van-der-waerden" for s in analyze(LEGS[i]).derivation.full()) for i in REGULAR}
+    syzygies = {i: sum(s.rule == "van-der-waerden" for s in analyze_legs(LEGS[i]).derivation.full()) for i in REGULAR}
     assert {i for i, n in syzygies.items() if n} <= {"3-3.3"}
 
 
@@ -130,7 +130,7 @@ def test_a_superbracket_that_is_zero_by_syzygies_alone() -> None:
 
 
 def test_a_tampered_derivation_fails() -> None:
-    full = analyze("Aa Ab Bc Bd Ce Cf").derivation
+    full = analyze_legs("Aa Ab Bc Bd Ce Cf").derivation
     for d in (full, full.full()):
         assert len(d) > 4
         for n, step in enumerate(d):
@@ -151,7 +151,7 @@ def test_a_tampered_derivation_fails() -> None:
 
 
 def test_a_step_that_no_rule_makes_is_noticed() -> None:
-    d = analyze(OCTAHEDRON).derivation.full()
+    d = analyze_legs(OCTAHEDRON).derivation.full()
     for step in d:
         assert not follows(replace(step, rule="factoring-out"), d.space, ELEMENTARY)
         assert not follows(replace(step, rule="unknown"), d.space, ELEMENTARY)
@@ -168,7 +168,7 @@ def test_readings_of_the_catalog() -> None:
     kinds = set()
     for class_id in REGULAR:
         for legs in (LEGS[class_id], turned(class_id)):
-            a = analyze(legs, strategy=LOOKED_UP)
+            a = analyze_legs(legs, strategy=LOOKED_UP)
             for reading in (a.condition, *a.readings):
                 if reading.certificate.method != "catalog-instance":
                     continue
@@ -192,7 +192,7 @@ def test_a_claim_with_a_cofactor() -> None:
         statement="{expression}",
     )
     rules = ENGINE.strategy(["tetrahedra"]).rules
-    a = analyze("Aa Ab Ac Bd Be Cf", strategy=Strategy((*rules, rule)))
+    a = analyze_legs("Aa Ab Ac Bd Be Cf", strategy=Strategy((*rules, rule)))
     assert str(a.condition.cofactor) == "[ABde]"
     assert a.derivation.check()
     assert a.derivation.full().check()
@@ -202,7 +202,7 @@ def test_a_claim_with_a_cofactor() -> None:
 
 
 def test_rechecked() -> None:
-    a = analyze(LEGS["5-5.1"], recheck=True, strategy=LOOKED_UP)
+    a = analyze_legs(LEGS["5-5.1"], recheck=True, strategy=LOOKED_UP)
     assert [s.rule for s in a.derivation] == ["catalog"]
     assert "normal form" in a.derivation.steps[0].why
 
@@ -243,7 +243,7 @@ def test_any_expression_meets_its_expansion(e: str) -> None:
 
 
 def test_limits() -> None:
-    step = analyze(OCTAHEDRON).derivation.steps[-1]
+    step = analyze_legs(OCTAHEDRON).derivation.steps[-1]
     with pytest.raises(LimitReached, match="more than 3 single steps"):
         unfold(step, limit=3)
     with pytest.raises(LimitReached):
@@ -395,10 +395,10 @@ def test_text(analysis: Analysis) -> None:
 
 
 def test_text_in_unicode() -> None:
-    shown = str(analyze("Aa Ab Ac Bd Ce Df").derivation)
+    shown = str(analyze_legs("Aa Ab Ac Bd Ce Df").derivation)
     assert "[Aabc](ABd ∧ ACe ∧ Df)" in shown
     assert "by tetrahedra: brackets common to all terms" in shown
-    assert analyze(OCTAHEDRON).text(full=True).rstrip().endswith("by expansion, read backwards")
+    assert analyze_legs(OCTAHEDRON).text(full=True).rstrip().endswith("by expansion, read backwards")
 
 
 COMMANDS = {
@@ -480,7 +480,7 @@ def test_the_command_line() -> None:
 
 
 def test_the_report_folds_the_single_steps_away() -> None:
-    page = gc.report(analyze(OCTAHEDRON))
+    page = gc.report(analyze_legs(OCTAHEDRON))
     assert page.count("<details>") == page.count("</details>") == 1
     assert "by expansion, read backwards" in page[page.index("<details>") :]
 
@@ -502,7 +502,7 @@ COMPILED = {
 @pytest.mark.parametrize("legs", COMPILED.values(), ids=COMPILED)
 def test_latex_compiles_with_the_article_class(legs: str, full: bool, tmp_path: Path) -> None:
     long = "left_top right_a" if "," in legs else ""
-    (tmp_path / "a.tex").write_text(analyze(legs, points=long).latex(full=full), encoding="utf-8")
+    (tmp_path / "a.tex").write_text(analyze_legs(legs, points=long).latex(full=full), encoding="utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "a.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=120, check=False)
     log = (tmp_path / "a.log").read_text(encoding="utf-8", errors="replace")

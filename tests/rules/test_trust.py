@@ -24,7 +24,7 @@ from gcrules.core import proof_memory
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.robot_file import parse_robot
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.rules import rule_file
 from gcrules.rules.catalog import proofs as catalog_proofs
 from gcrules.rules.catalog.file import load, load_file
@@ -337,13 +337,13 @@ def _plugin(own: Any, expression: object) -> gc.Library:
 
 @EACH_ATTACK
 def test_a_rule_of_a_plugin_makes_no_false_condition(own: Any, false: Expr) -> None:
-    a = analyze(LEGS, strategy=_plugin(own, false).strategy())
+    a = analyze_legs(LEGS, strategy=_plugin(own, false).strategy())
     assert "mine" not in {c.kind for c in (a.condition, *a.readings)}
 
 
 def test_a_true_rule_of_a_plugin_is_proved_and_marked(own: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     strategy = _plugin(own, read_legs(LEGS).superbracket).strategy()
-    a = analyze(LEGS, strategy=strategy)
+    a = analyze_legs(LEGS, strategy=strategy)
     found = next(c for c in (a.condition, *a.readings) if c.kind == "mine")
     assert found.certificate.method == "normal-form"
     assert found.sentence == "In the words of plugin mine, rule mine: The words of the plugin."
@@ -352,7 +352,7 @@ def test_a_true_rule_of_a_plugin_is_proved_and_marked(own: Any, monkeypatch: pyt
         raise LimitReached("more than 10 terms")
 
     monkeypatch.setattr("gcrules.rules.claims.is_zero", limited)
-    a = analyze(LEGS, strategy=strategy)
+    a = analyze_legs(LEGS, strategy=strategy)
     found = next(c for c in (a.condition, *a.readings) if c.kind == "mine")
     assert found.certificate.method == "random-points"
     assert found.certificate.detail.startswith("claimed by plugin mine, rule mine, unproved; holds at 3 exact random")
@@ -445,7 +445,7 @@ def test_the_words_of_a_rule_made_in_python_are_marked() -> None:
     )
     library = load_rules().plus([rule])
     assert library.plus([library["mine"]])["mine"] is library["mine"]
-    a = analyze(LEGS, strategy=library.strategy(["mine"]))
+    a = analyze_legs(LEGS, strategy=library.strategy(["mine"]))
     assert a.condition.sentence == "In the words of your own rule mine: My own words."
 
 

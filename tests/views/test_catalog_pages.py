@@ -18,7 +18,7 @@ from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.language.text import text as formula
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import free_motions
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load
@@ -57,7 +57,7 @@ def test_links_lead_to_pages(pages: Pages) -> None:
 def test_page(pages: Pages, entry: Entry) -> None:
     page = pages[f"{entry.id}.md"]
     assert page.startswith(HEAD)
-    a = analyze(entry.structure)
+    a = analyze_legs(entry.structure)
     assert f"**{inline(a.condition.statement)}**" in page
     assert not re.search(r"\{\w+\}", page)
     headings = ["Superbracket", "Shortest form", "Derivation", "Condition", "Sources"]
@@ -79,7 +79,7 @@ def test_page(pages: Pages, entry: Entry) -> None:
 def test_formulas_are_whole_and_fit_the_page(pages: Pages, entry: Entry) -> None:
     blocks = re.findall(r"^```text\n(.*?)^```$", pages[f"{entry.id}.md"], re.MULTILINE | re.DOTALL)
     assert max(len(line) for block in blocks for line in block.splitlines()) <= 92
-    a = analyze(entry.structure)
+    a = analyze_legs(entry.structure)
     shown = [" ".join(block.split()) for block in blocks]
     for e in (a.shortest.polynomial.to_expr(), *(step.after for step in a.derivation)):
         assert formula(e, unicode=True, names=a.structure.names) in shown or len(tuple(a.derivation)) == 1
@@ -136,7 +136,7 @@ def worked(page: str) -> dict[str, tuple[dict[str, tuple[Fraction, ...]], Fracti
 
 @pytest.mark.parametrize("entry", REGULAR, ids=lambda e: e.id)
 def test_worked_poses_are_what_they_say(pages: Pages, entry: Entry) -> None:
-    a = analyze(entry.structure)
+    a = analyze_legs(entry.structure)
     found = worked(pages[f"{entry.id}.md"])
     assert found.keys() == {"regular", "singular"}
     for kind, (pose, value) in found.items():
@@ -155,7 +155,7 @@ def test_what_is_always_singular_has_no_worked_poses(pages: Pages, entry: Entry)
 
 def figures(pages: Pages, entry: Entry) -> dict[str, Drawing]:
     """The drawings of a class as the pages hold them."""
-    a = analyze(entry.structure)
+    a = analyze_legs(entry.structure)
     poses = worked(pages[f"{entry.id}.md"]) if entry in REGULAR else {}
     at = {kind: {n: c[:3] for n, c in pose.items()} for kind, (pose, _) in poses.items()}
     found = {"graph": graph_figure(a), "robot": robot_figure(a, at.get("regular"))}
@@ -166,7 +166,7 @@ def figures(pages: Pages, entry: Entry) -> dict[str, Drawing]:
 @pytest.mark.parametrize("entry", ENTRIES, ids=lambda e: e.id)
 def test_drawings(pages: Pages, entry: Entry) -> None:
     """Labels keep clear of each other and stay inside; every entity of the condition and the legend is to be seen."""
-    a = analyze(entry.structure)
+    a = analyze_legs(entry.structure)
     for kind, drawing in figures(pages, entry).items():
         assert pages[f"{entry.id}-{kind}.svg"] == drawing.svg()
         texts = [s for s in drawing.shapes if isinstance(s, Text)]
@@ -215,7 +215,7 @@ def painted_outside_legend(drawing: Drawing) -> set[str]:
 def test_the_singular_pose_shows_why(pages: Pages, entry: Entry) -> None:
     """The sentence below the figure is true in the pose of the table."""
     page = pages[f"{entry.id}.md"]
-    a = analyze(entry.structure)
+    a = analyze_legs(entry.structure)
     pose, _ = worked(page)["singular"]
     sentence = next(line for line in page.splitlines() if line.startswith("In the singular pose"))
     meeting = re.search(r"meet in the point M = \((.*)\)\.", sentence)

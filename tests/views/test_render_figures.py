@@ -23,7 +23,7 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import common_point, factors, free_motions
 from gcrules.core.errors import FileError, InputError
 from gcrules.mechanisms.description.platform_file import Platform, load_platform
-from gcrules.mechanisms.platform_analysis import analyze
+from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.rules.catalog.file import load
 from gcrules.rules.condition import Condition
 from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Run, Stroke, Text, name_runs, text_width
@@ -346,7 +346,7 @@ def test_free_motions() -> None:
 def analysis(kind: str, expression: str, legs: str = "Aa Ab Bc Bd Ce Cf", **more: Any) -> Analysis:
     """An analysis whose condition no rule has found."""
     condition = Condition(kind, parse(expression), "words", Certificate("none", "not proved"), **more)
-    return replace(analyze(legs), condition=condition)
+    return replace(analyze_legs(legs), condition=condition)
 
 
 POSE = {"A": (0, 0, 0), "B": (6, 0, 0), "C": (0, 6, 0), "a": (0, 1, 5), "b": (1, 0, 6), "c": (4, 1, 5), "d": (5, 2, 6),

@@ -19,7 +19,7 @@ from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.maps.axes import read_axes
 from gcrules.poses.maps.maps import MEASURES, bytes_of, done, planned
 from gcrules.poses.maps.store import check_room
-from gcrules.poses.pose_inputs import on_six_legs
+from gcrules.poses.methods import on_six_legs
 from gcrules.views.plots.map_files import MAP_FORMATS, check_outputs
 
 __all__ = ["map_"]
@@ -95,7 +95,7 @@ def map_(
     work = _folder(outputs)
     if work is None and restart:
         raise InputError("--restart without -o", hint="chunks are kept only where -o names a file")
-    analysis, task, limit = planned(legs.analysis, over, at, about, limits, threshold, measure)
+    analysis, task, limit = planned(legs, over, at, limits, threshold, measure)
     if work is not None:
         if task.number == 1 and not os.path.isdir(work):
             work = None

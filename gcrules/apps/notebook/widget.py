@@ -14,12 +14,13 @@ from gcrules.conditions.pose_value import judged
 from gcrules.core.arguments import described
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.numbers.report import PoseReport
 from gcrules.poses.pose import pose as report_at
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import parse_pose
-from gcrules.views.report.robot_report import analysis_of_legs, robot_scene
-from gcrules.views.report.scene_json import Scenery
+from gcrules.views.report.robot_report import robot_scene
+from gcrules.views.report.scene_json import Scenery, scene
 from gcrules.views.viewer import viewer_script
 
 __all__ = ["RobotWidget"]
@@ -47,11 +48,9 @@ class RobotWidget(anywidget.AnyWidget):
     verdict = traitlets.Unicode(None, allow_none=True)
 
     def __init__(self, robot: Analysis | RobotAnalysis, pose: Any = None) -> None:
-        if isinstance(robot, RobotAnalysis):
-            robot = analysis_of_legs(robot) or robot
-        self._analysis = robot if isinstance(robot, Analysis) else None
-        self._scenery = Scenery.of(robot) if isinstance(robot, Analysis) else None
-        shown = robot_scene(robot) if isinstance(robot, RobotAnalysis) else self._scenery.at()  # type: ignore[union-attr]
+        self._analysis = _on_legs(robot)
+        self._scenery = Scenery.of(self._analysis) if self._analysis else None
+        shown = robot_scene(robot) if isinstance(robot, RobotAnalysis) else scene(robot)
         super().__init__(scene=shown, pose=HOME if pose is None else pose)
 
     @traitlets.validate("pose")
@@ -75,6 +74,16 @@ class RobotWidget(anywidget.AnyWidget):
         found = report_at(self._analysis, f"{t}; quaternion {q}", **options)
         assert isinstance(found, PoseReport)
         return found
+
+
+def _on_legs(robot: Analysis | RobotAnalysis) -> Analysis | None:
+    """The analysis of six legs, which move; None for other robots."""
+    if isinstance(robot, Analysis):
+        return robot
+    try:
+        return mechanism(robot).six_legs().analysis
+    except InputError:
+        return None
 
 
 def _read(value: Any, unit: str) -> dict[str, list[float]]:

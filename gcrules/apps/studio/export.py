@@ -93,7 +93,7 @@ def _rounded(p: tuple[Fraction, ...]) -> Vector:
 
 
 def _html(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
-    return report(subject.robot if subject.limbed and subject.robot is not None else _posed(subject, pose))
+    return report(subject.limbs.analysis if subject.limbs else _posed(subject, pose))
 
 
 def _latex(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
@@ -101,8 +101,8 @@ def _latex(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
 
 
 def _drawing(subject: Subject, pose: PoseJson) -> Drawing:
-    if subject.limbed and subject.robot is not None:
-        return robot_drawing(subject.robot, values_at(subject, pose))
+    if subject.limbs:
+        return robot_drawing(subject.limbs.analysis, values_at(subject, pose))
     return robot_figure(_posed(subject, pose))
 
 
@@ -127,7 +127,7 @@ def _json(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
 def _yaml(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
     """The file that was opened, as it is; else, and where the platform was moved, a platform file in the pose."""
     source = subject.source
-    if _at_home(pose) or subject.limbed:
+    if _at_home(pose) or subject.limbs:
         if subject.robot is not None and source["kind"] == "robot":
             return read_text(subject.robot.robot.filename)
         if source["kind"] == "file":

@@ -10,15 +10,15 @@ import numpy as np
 from gcrules.apps.studio.moving import configuration
 from gcrules.apps.studio.protocol.answer_views import Nearest, SingularPoseView
 from gcrules.apps.studio.protocol.requests import PoseJson
-from gcrules.apps.studio.subject import Subject
 from gcrules.core.budget import report
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.kinematics.targets import actuators_target
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.around import Heading, SingularAlong, actuator_values, begun_at, first_along, headings
-from gcrules.poses.limbs.pose_report import SINGULAR, here
+from gcrules.poses.limbs.pose_report import SINGULAR, report_at
 from gcrules.screws.threshold import DEFAULT, degrees
 
 __all__ = ["first_around"]
@@ -30,14 +30,13 @@ stop, and the closer they are, the worse they tell the pose."""
 _NO_PROOF = "one coordinate of the platform at a time was searched; this is no proof that nothing singular lies nearer"
 
 
-def first_around(subject: Subject, pose: PoseJson) -> Nearest:
+def first_around(limbs: Limbs, pose: PoseJson) -> Nearest:
     """The first singular poses along the coordinates of the platform, the closest one first, with what was searched in
     words. Raises InputError where the robot does not assemble at the pose.
     """
-    assert subject.robot is not None
-    if configuration(subject, pose).margin <= SINGULAR:
+    if configuration(limbs, pose).margin <= SINGULAR:
         return {"found": [], "note": "The robot is singular at this pose: move it away to search from there."}
-    m = subject.linkage
+    m = limbs.linkage
     given = pose.get("coordinates") or [0.0] * len(m.actuators)
     now = [radians(v) if a.angle else float(v) for a, v in zip(m.actuators, given, strict=True)]
     at = begun_at(m, solve(m, actuators_target(m, now)).configuration if any(now) else m.home)
@@ -47,7 +46,7 @@ def first_around(subject: Subject, pose: PoseJson) -> Nearest:
     for way in every:
         report(f"searching along {way}")
         try:
-            one = first_along(at, subject.robot, way)
+            one = first_along(at, limbs.analysis, way)
         except InputError:
             stops.append(str(way))
             continue
@@ -56,7 +55,7 @@ def first_around(subject: Subject, pose: PoseJson) -> Nearest:
     lost: list[str] = []
     for one in sorted(met, key=lambda one: one.apart):
         report(f"setting the actuators along {one.way}")
-        view = _view(subject, at, one, now, pose)
+        view = _view(limbs, at, one, now, pose)
         if view:
             views.append(view)
         else:
@@ -64,27 +63,24 @@ def first_around(subject: Subject, pose: PoseJson) -> Nearest:
     return {"found": views, "note": _note(views, every, stops, lost)}
 
 
-def _view(
-    subject: Subject, at: Linkage, one: SingularAlong, now: list[float], pose: PoseJson
-) -> SingularPoseView | None:
+def _view(limbs: Limbs, at: Linkage, one: SingularAlong, now: list[float], pose: PoseJson) -> SingularPoseView | None:
     """What was met, with the actuators that take the robot there; None where they do not."""
-    assert subject.robot is not None
-    there = here(at, subject.robot, one.solution, DEFAULT)
+    there = report_at(at, limbs.analysis, one.solution, DEFAULT)
     for short in _SHORT:
         try:
             target = one.before(short) if short else one.solution.configuration
             amounts = [a + b for a, b in zip(now, actuator_values(at, target), strict=True)]
             given = [to_degrees(v) if a.angle else v for a, v in zip(at.actuators, amounts, strict=True)]
             goal: PoseJson = {**pose, "coordinates": given}
-            reached = configuration(subject, goal)
+            reached = configuration(limbs, goal)
         except InputError:
             continue
         if max(np.abs(np.array(reached.points[n]) - target.values[n]).max() for n in reached.points) < 0.01 * at.size:
             break
     else:
         return None
-    unit = "deg" if one.way.angle else subject.unit
-    shown = degrees(one.distance) if one.way.angle else f"{one.distance:.4g} {subject.unit}".strip()
+    unit = "deg" if one.way.angle else limbs.unit
+    shown = degrees(one.distance) if one.way.angle else f"{one.distance:.4g} {limbs.unit}".strip()
     words = f"{shown} along {one.way}, the platform's other free coordinates kept; {_NO_PROOF}"
     if short:
         words += f"; the actuators stop just short of it, at σ = {reached.margin:.1g}"

@@ -21,10 +21,10 @@ from gcrules.views.robots.robot_drawing import draw_robot
 __all__ = ["limb_stages", "part_items", "robot_drawing", "robot_view"]
 
 
-def robot_view(robot: RobotAnalysis, home: Values) -> RobotView:
+def robot_view(robot: RobotAnalysis, mobility: int, home: Values) -> RobotView:
     """What does not change with the configuration, with the limbs at home."""
     found: RobotView = {
-        "mobility": robot.structure.mobility if robot.structure.limbs else robot.robot.mobility,
+        "mobility": mobility,
         "limbs": limb_views(robot, home),
         "parts": [
             {"text": _words(p.expression, robot), "tex": latex(p.expression), "kind": p.kind, "statement": _told(p)}

@@ -12,35 +12,34 @@ from gcrules.apps.studio.protocol.study_views import Axis
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import close_margin
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.factors import superbracket_value
-from gcrules.poses.limbs.pose_report import report_at
+from gcrules.poses.limbs.pose_report import report_of_limbs
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.threshold import DEFAULT
 from gcrules.views.robots.limb_views import limb_views
 from gcrules.views.scene_data import MotionView
 
-__all__ = ["actuator_axes", "configuration", "motion_view", "robot_numbers", "values_at"]
+__all__ = ["actuator_axes", "configuration", "motion_view", "numbers_of_limbs", "values_at"]
 
 _TURN, _SHIFT = 30.0, 0.35
 """How far the sliders of actuators reach: degrees, and parts of the robot's size."""
 
 
-def actuator_axes(subject: Subject) -> list[Axis]:
+def actuator_axes(limbs: Limbs, size: float) -> list[Axis]:
     """One slider for each actuator, from home; none where the joints cannot be moved."""
-    assert subject.robot is not None
     try:
-        actuators = subject.linkage.actuators
+        actuators = limbs.linkage.actuators
     except InputError:
         return []
-    size = subject.size
     step = 10.0 ** round(log10(size) - 2.7)
     return [
         {"name": f"{a.name}, {a.limb}", "unit": "deg", "low": -_TURN, "high": _TURN, "step": 0.1}
         if a.angle
         else {
             "name": f"{a.name}, {a.limb}",
-            "unit": subject.unit,
+            "unit": limbs.unit,
             "low": -_SHIFT * size,
             "high": _SHIFT * size,
             "step": step,
@@ -49,25 +48,26 @@ def actuator_axes(subject: Subject) -> list[Axis]:
     ]
 
 
-def configuration(subject: Subject, pose: PoseJson, threshold: str | None = None) -> RobotPose:
+def configuration(limbs: Limbs, pose: PoseJson, threshold: str | None = None) -> RobotPose:
     """The robot where its actuators have these amounts from home (lengths, degrees); at home where none are given.
 
     Raises InputError where the robot does not assemble.
     """
-    robot, m = subject.robot, subject.linkage
-    assert robot is not None
+    m = limbs.linkage
     given = pose.get("coordinates")
     if given is not None and len(given) != len(m.actuators):
         raise InputError(f"{len(given)} coordinates, and the robot has {len(m.actuators)} actuators")
     amounts = None
     if given and any(given):
         amounts = [radians(v) if a.angle else v for a, v in zip(m.actuators, given, strict=True)]
-    return report_at(m, lambda: robot, None, amounts, threshold=threshold or DEFAULT)
+    return report_of_limbs(limbs, actuators=amounts, threshold=threshold or DEFAULT)
 
 
 def values_at(subject: Subject, pose: PoseJson) -> dict[str, list[float]]:
     """Coordinates of all points and directions, for which nothing is solved at home. Raises InputError likewise."""
-    return values_of(subject, configuration(subject, pose)) if any(pose.get("coordinates", ())) else subject.home
+    if subject.limbs is None or not any(pose.get("coordinates", ())):
+        return subject.home
+    return values_of(subject, configuration(subject.limbs, pose))
 
 
 def values_of(subject: Subject, found: RobotPose) -> dict[str, list[float]]:
@@ -75,11 +75,10 @@ def values_of(subject: Subject, found: RobotPose) -> dict[str, list[float]]:
     return {**subject.home, **{n: list(p) for n, p in found.points.items()}}
 
 
-def robot_numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> Numbers:
+def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: str | None) -> Numbers:
     """The numbers in a configuration. Raises InputError where the robot does not assemble."""
-    robot = subject.robot
-    assert robot is not None
-    found = configuration(subject, pose, threshold)
+    robot = limbs.analysis
+    found = configuration(limbs, pose, threshold)
     values = values_of(subject, found)
     names = subject.points
     near = found.verdict != "regular"

@@ -10,11 +10,12 @@ from gcrules.apps.studio.protocol.answer_views import Nearest, SingularPoseView
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
-from gcrules.core.budget import report as report_progress
-from gcrules.core.errors import InputError
+from gcrules.core.budget import report
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.nearest_pose import NearestPose
-from gcrules.poses.pose_report import report
-from gcrules.screws.guarantees import ROUNDING
+from gcrules.poses.pose_report import report_of_legs
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import degrees
 
@@ -32,16 +33,16 @@ def nearest(subject: Subject, pose: PoseJson, threshold: str | None) -> Nearest:
 
     Raises InputError where the platform does not move.
     """
-    if subject.limbed:
-        return first_around(subject, pose)
-    moving, a = subject.moving, subject.analysis
-    if moving is None or a is None:
-        why = subject.why_not or "the nearest singular pose is sought for platforms on six legs"
-        raise InputError(why)
-    report_progress("seeking the nearest singular poses")
-    limit = threshold_of(threshold, subject.unit)
-    found = report(a, moving, exact_pose(pose), threshold=limit, accuracy=ROUNDING * moving.size)
-    return {"found": [_view(n, n.pose, subject.unit) for n in found.nearest if n.pose is not None]}
+    return method(_NEAREST, subject.mechanism, "the search for the nearest singular poses")(pose, threshold)
+
+
+def _of_legs(m: SixLegs, pose: PoseJson, threshold: str | None) -> Nearest:
+    report("seeking the nearest singular poses")
+    found = report_of_legs(m, exact_pose(pose), threshold=threshold_of(threshold, m.unit))
+    return {"found": [_view(n, n.pose, m.unit) for n in found.nearest if n.pose is not None]}
+
+
+_NEAREST: Methods[Nearest] = {SixLegs: _of_legs, Limbs: lambda m, pose, _: first_around(m, pose)}
 
 
 def _view(n: NearestPose, pose: Pose, unit: str) -> SingularPoseView:

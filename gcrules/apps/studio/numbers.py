@@ -1,20 +1,18 @@
 """The numbers at a pose, quickly: what a slider asks for many times a second.
 
-Floats throughout; the exact superbracket is computed only where it may be zero. What is slow (the nearest singular
-pose) has a request of its own.
+It is a quick report; what is slow (the nearest singular pose) has a request of its own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.algebra.evaluate import evaluate
-from gcrules.apps.studio.moving import motion_view, robot_numbers
+from gcrules.apps.studio.moving import motion_view, numbers_of_limbs
 from gcrules.apps.studio.protocol.answer_views import Along, Numbers, ReadingView
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
@@ -22,19 +20,16 @@ from gcrules.apps.studio.thresholds import close_margin, threshold_of
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import judged, line_measure
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.moving_platform import FAR, MovingPlatform
-from gcrules.poses.nearest.poses import nearest_translation
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.moving_platform import FAR
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.arrays import matrices
-from gcrules.poses.numbers.causes import causes, near_causes, nearest_cause
-from gcrules.poses.numbers.cubic import superbracket_at
-from gcrules.poses.numbers.incidence_measures import readings
 from gcrules.poses.numbers.many import homogeneous, scaled_superbracket
 from gcrules.poses.numbers.many import numbers as numbers_of
-from gcrules.poses.numbers.motion import scaled, softest_twist
-from gcrules.poses.numbers.nearest_pose import NearestPose
-from gcrules.poses.numbers.reason import verdict
-from gcrules.rules.condition import Condition
-from gcrules.screws.guarantees import ROUNDING, guarantees, noise
+from gcrules.poses.numbers.report import PoseReading
+from gcrules.poses.pose_report import readings_at, report_of_legs
+from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold
@@ -44,12 +39,6 @@ from gcrules.views.robots.limb_views import limb_views
 __all__ = ["arrays", "exact_pose", "margins", "numbers"]
 
 Floats = NDArray[np.float64]
-
-_READ = 3
-"""Conditions of which readings are taken: those with the smallest cofactors stand first, and each takes a while."""
-
-_MAY_BE_ZERO = 1e-7
-"""Below this measure the exact superbracket is computed."""
 
 
 def exact_pose(pose: PoseJson) -> Pose:
@@ -67,71 +56,43 @@ def arrays(poses: Sequence[PoseJson]) -> tuple[Floats, Floats]:
 
 def numbers(subject: Subject, pose: PoseJson, threshold: str | None = None) -> Numbers:
     """Everything that changes with the pose. Raises InputError for a leg of no length, and for poses too far away."""
-    if subject.limbed:
-        return robot_numbers(subject, pose, threshold)
-    limit = threshold_of(threshold, subject.unit)
-    if subject.moving is None:
+    return method(_NUMBERS, subject.mechanism, "a pose")(subject, pose, threshold)
+
+
+def _of_legs(m: SixLegs, subject: Subject, pose: PoseJson, threshold: str | None) -> Numbers:
+    limit = threshold_of(threshold, m.unit)
+    if subject.moving is None or subject.scenery is None:
         return _by_lines(subject, pose, limit)
-    return _of_rig(subject, subject.moving, pose, limit)
-
-
-def _of_rig(subject: Subject, moving: MovingPlatform, pose: PoseJson, limit: Threshold) -> Numbers:
-    assert subject.analysis is not None
-    assert subject.scenery is not None
+    found = report_of_legs(m, exact_pose(pose), threshold=limit, nearest=False, quick=True)
     at = arrays([pose])
-    j = jacobian(moving.base, moving.ends(*at))
-    bounds = guarantees(j)
-    sigma = float(j.sigma[0])
-    floor, spread = float(noise(j, ROUNDING * moving.size)[0]), 0.0
-    value = scaled_superbracket(moving, j)
-    exact = Fraction(1)
-    if sigma <= _MAY_BE_ZERO:
-        exact = superbracket_at(moving.structure.legs, moving.exact(exact_pose(pose)))
-    found: tuple[NearestPose, ...] = ()
-    if limit.length is not None:
-        found = (nearest_translation(moving, exact_pose(pose), j, singular=sigma <= floor),)
-    said, reason = verdict(j, bounds, exact, floor, spread, limit, found, moving.unit)
-    conditions = (subject.analysis.condition, *subject.analysis.readings)[:_READ]
-    points = homogeneous(moving, *at)
-    places = {n: (float(c[0, 0]), float(c[0, 1]), float(c[0, 2])) for n, c in points.items()}
-    near = said != "regular"
+    j = jacobian(m.rig.base, m.rig.ends(*at))
+    places = {n: (float(x), float(y), float(z)) for n, ((x, y, z, _),) in homogeneous(m.rig, *at).items()}
+    near = found.verdict != "regular"
     return {
         "pose": pose,
         "points": {n: list(p) for n, p in places.items()},
-        "value": 0.0 if exact == 0 else float(value[0]),
-        "margin": 0.0 if exact == 0 else sigma,
+        "value": float(scaled_superbracket(m.rig, j)[0]) if found.superbracket else 0.0,
+        "margin": found.margin,
         "close": close_margin(limit),
-        "verdict": said,
-        "reason": reason,
-        "causes": list(_causes(conditions, moving, pose, points, exact == 0, said)) if near else [],
-        "readings": _readings(conditions, points, moving.unit),
+        "verdict": found.verdict,
+        "reason": found.reason,
+        "causes": list(found.causes),
+        "readings": _views(found.readings),
         "constructed": subject.scenery.constructed(places),
-        "motion": motion_view(softest_twist(j), tuple(j.centroid[0].tolist()), moving.unit) if near else None,
-        "stress": list(scaled(j.stress[0].tolist())) if near else [],
+        "motion": motion_view(found.softest, tuple(j.centroid[0].tolist()), m.unit) if near else None,
+        "stress": list(found.stress) if near else [],
         "limbs": limb_views(subject.robot, {**subject.home, **places}) if subject.robot else [],
         "notes": [],
     }
 
 
-def _causes(
-    conditions: Sequence[Condition], moving: MovingPlatform, pose: PoseJson, points: Any, zero: bool, said: str
-) -> tuple[str, ...]:
-    if zero:
-        return causes(conditions, moving.exact(exact_pose(pose)), moving.structure.names, moving.unit)
-    return (near_causes if said == "singular" else nearest_cause)(conditions, points, moving.structure.names)
+_NUMBERS: Methods[Numbers] = {SixLegs: _of_legs, Limbs: numbers_of_limbs}
 
 
-def _readings(conditions: Sequence[Condition], points: Any, unit: str) -> list[ReadingView]:
+def _views(found: Iterable[PoseReading]) -> list[ReadingView]:
     return [
-        {
-            "part": r.part,
-            "name": r.name,
-            "meaning": r.meaning,
-            "value": float(r.values[0]) if r.valid[0] else None,
-            "unit": unit if r.power else "",
-            "why": "" if r.valid[0] else r.why,
-        }
-        for r in readings(conditions, points)
+        {"part": r.part, "name": r.name, "meaning": r.meaning, "value": r.value, "unit": r.unit, "why": r.why}
+        for r in found
     ]
 
 
@@ -158,7 +119,7 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
         "verdict": "singular" if always else said,
         "reason": f"Told by the six lines alone{why}.",
         "causes": [a.condition.sentence] if always else [],
-        "readings": _readings((a.condition, *a.readings), points, subject.unit),
+        "readings": _views(readings_at((a.condition, *a.readings), points, subject.unit)),
         "constructed": scenery.constructed(places),
         "motion": scenery.motion(places),
         "stress": [],

@@ -18,8 +18,9 @@ def homogeneous_at(subject: Subject, pose: PoseJson) -> dict[str, NDArray[np.flo
     """Homogeneous coordinates (1, 4) of all points, of a robot's directions too. Raises InputError for a pose that
     cannot be.
     """
-    if subject.limbed and subject.robot is not None:
-        places = all_places(subject.robot, values_at(subject, pose))
-        far = directions(subject.robot)
+    if subject.limbs:
+        robot = subject.limbs.analysis
+        places = all_places(robot, values_at(subject, pose))
+        far = directions(robot)
         return {n: np.array([[*v, float(n not in far)]]) for n, v in places.items()}
     return {n: np.array([[*p, 1.0]]) for n, p in numbers(subject, pose)["points"].items()}

@@ -26,15 +26,15 @@ __all__ = ["condition_view", "entity_views", "study"]
 
 def study(subject: Subject) -> Study:
     """Everything about the structure, for the page."""
-    a = subject.analysis
+    a, bodies = subject.analysis, subject.mechanism.bodies
     report("stages")
     return {
         "title": subject.title,
         "note": subject.note,
-        "kind": "robot" if subject.limbed else "platform",
+        "kind": "robot" if subject.limbs else "platform",
         "legs": [list(leg) for leg in a.structure.joined if set(leg) <= set(subject.points)] if a else [],
-        "base": list(subject.feet),
-        "platform": list(subject.body),
+        "base": list(bodies["base"]),
+        "platform": list(bodies["platform"]),
         "points": {n: [float(c) for c in p] for n, p in subject.points.items()},
         "unit": subject.unit,
         "invented": subject.invented,
@@ -47,15 +47,15 @@ def study(subject: Subject) -> Study:
         "entities": entity_views(a) if a else [],
         "condition": condition_view(a.structure, a.condition) if a else _none(subject),
         "readings": [condition_view(a.structure, r) for r in a.readings] if a else [],
-        "robot": robot_view(subject.robot, subject.home) if subject.robot else None,
+        "robot": robot_view(subject.robot, subject.mechanism.mobility, subject.home) if subject.robot else None,
     }
 
 
 def _axes(subject: Subject) -> list[Axis]:
     """Three shifts and three turns of a platform; the actuators of a robot with limbs."""
-    if subject.limbed:
-        return actuator_axes(subject)
-    if not subject.body:
+    if subject.limbs:
+        return actuator_axes(subject.limbs, subject.size)
+    if not subject.mechanism.bodies["platform"]:
         return []
     reach, unit = 1.5 * subject.size, subject.unit
     step = 10.0 ** round(log10(subject.size) - 2.7)

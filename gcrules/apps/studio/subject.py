@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -25,17 +25,16 @@ from gcrules.core.hints import near
 from gcrules.core.yaml_file import read_text as read_file
 from gcrules.mechanisms.analyze import analyze_legs, analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
-from gcrules.mechanisms.limbs import feet_of
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import is_data, kind_of, read_class, read_example, read_robot, read_text
-from gcrules.mechanisms.moving_platform import MovingPlatform, rig
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.robot import Robot
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.screws import RATIONALS
 from gcrules.views.drawing.sample import sample_coordinates
-from gcrules.views.report.scene_json import Scenery, drawable
+from gcrules.views.report.scene_json import Scenery
 
 __all__ = ["Subject", "read_subject", "source_of"]
 
@@ -47,33 +46,56 @@ SEARCH = 10.0
 
 @dataclass(frozen=True)
 class Subject:
-    """A structure with its analysis and coordinates.
+    """What a source says as a mechanism, with its analysis; legs alone have a shape that was `invented` for them.
 
-    `points` are the finite places of all joints in the pose of the file (`invented` where none were given); `moving` is
-    None where the platform's numbers cannot be told, `why_not` then says why. A robot of limbs has `robot`, with
-    `points` for all its named points at home; `analysis` is that of its equivalent lines, None where there are none.
+    `robot` is the analysis of what its joints describe, though it may move as a platform on six legs.
     """
 
     source: SourceJson
-    title: str
-    analysis: Analysis | None
-    points: Mapping[str, Vector]
+    mechanism: SixLegs | Limbs
     note: str = ""
-    unit: str = ""
     invented: bool = False
-    scenery: Scenery | None = None
-    moving: MovingPlatform | None = None
-    why_not: str = ""
     robot: RobotAnalysis | None = None
 
     @property
-    def limbed(self) -> bool:
-        """Whether the page shows limbs, and moves their joints."""
-        return self.robot is not None and self.scenery is None
+    def legs(self) -> SixLegs | None:
+        return self.mechanism if isinstance(self.mechanism, SixLegs) else None
+
+    @property
+    def limbs(self) -> Limbs | None:
+        """A robot of which the page shows limbs, and moves their joints."""
+        return self.mechanism if isinstance(self.mechanism, Limbs) else None
+
+    @property
+    def title(self) -> str:
+        return self.mechanism.title
+
+    @property
+    def unit(self) -> str:
+        return self.mechanism.unit
+
+    @cached_property
+    def analysis(self) -> Analysis | None:
+        """That of its six lines, if there are any."""
+        found = self.mechanism.analysis
+        return found.lines if isinstance(found, RobotAnalysis) else found
 
     @cached_property
     def structure(self) -> Structure | None:
         return self.analysis.structure if self.analysis else None
+
+    @cached_property
+    def scenery(self) -> Scenery | None:
+        return None if self.limbs or self.analysis is None else Scenery.of(self.analysis)
+
+    @cached_property
+    def points(self) -> Mapping[str, Vector]:
+        """The finite places of all joints in the pose of the file; of all named points of a robot at home."""
+        if self.legs:
+            return FrozenMap({n: self.legs.platform.points[n] for n in self.legs.analysis.structure.names})
+        assert self.robot is not None
+        sorts = self.robot.robot.family.sorts
+        return FrozenMap({n: _vector(v) for n, v in _values(self.robot.robot).items() if sorts.get(n) == "point"})
 
     @cached_property
     def size(self) -> float:
@@ -87,7 +109,7 @@ class Subject:
         """The point that the platform turns about."""
         if self.scenery:
             return [float(c) for c in self.scenery.about]
-        return self._middle(list(self.body) or list(self.points))
+        return self._middle(list(self.mechanism.bodies["platform"]) or list(self.points))
 
     @cached_property
     def home(self) -> dict[str, list[float]]:
@@ -96,24 +118,20 @@ class Subject:
         return {n: [float(c) for c in v] for n, v in _values(self.robot.robot).items()}
 
     @cached_property
-    def linkage(self) -> Linkage:
-        """The joints that move a robot with limbs. Raises InputError where they do not."""
-        assert self.robot is not None
-        return linkage(self.robot.robot)
+    def _rig(self) -> MovingPlatform | str:
+        try:
+            return self.legs.rig if self.legs else ""
+        except InputError as fault:
+            return fault.message
 
     @property
-    def feet(self) -> tuple[str, ...]:
-        """The points of the base."""
-        if self.limbed and self.robot is not None:
-            return tuple(n for n in feet_of(self.robot.robot) if n in self.points)
-        return self.structure.base if self.structure else ()
+    def moving(self) -> MovingPlatform | None:
+        """The platform as it moves; None where its numbers cannot be told, `why_not` then says why."""
+        return None if isinstance(self._rig, str) else self._rig
 
     @property
-    def body(self) -> tuple[str, ...]:
-        """The points that move with the platform."""
-        if self.limbed and self.robot is not None:
-            return tuple(n for n in self.robot.robot.platform if n in self.points)
-        return self.structure.platform if self.structure else ()
+    def why_not(self) -> str:
+        return self._rig if isinstance(self._rig, str) else ""
 
     def _middle(self, names: list[str]) -> list[float]:
         return [sum(float(self.points[n][i]) for n in names) / len(names) for i in range(3)]
@@ -189,47 +207,28 @@ _NAMED: Mapping[str, Callable[[str], SourceJson]] = {
 
 
 def _of_loaded(source: SourceJson, loaded: Platform | Robot) -> Subject:
-    return _of_limbs(source, loaded) if isinstance(loaded, Robot) else _of_platform(source, loaded)
-
-
-def _of_platform(source: SourceJson, given: Platform, robot: RobotAnalysis | None = None) -> Subject:
-    analysis = analyze_legs(given, search=SEARCH)
-    note = " ".join(filter(None, [given.note, *given.warnings]))
-    points = {n: given.points[n] for n in analysis.structure.names}
-    found = Subject(source, given.title, analysis, FrozenMap(points), note, given.units, robot=robot)
-    return _with_rig(found, analysis.structure, given)
+    if isinstance(loaded, Robot):
+        return _of_limbs(source, loaded)
+    note = " ".join(filter(None, [loaded.note, *loaded.warnings]))
+    return Subject(source, SixLegs(loaded, analysed=analyze_legs(loaded, search=SEARCH)), note)
 
 
 def _of_legs_alone(source: SourceJson, structure: Structure, title: str, note: str = "") -> Subject:
     analysis = analyze_legs(structure, search=SEARCH)
     shape = sample_coordinates(structure.oriented, structure.base, structure.platform)
-    points = {n: _exact(p) for n, p in shape.items()}
-    given = Platform(structure.legs, points, title, filename="sample.yaml")
-    found = Subject(source, title, analysis, FrozenMap(points), note, invented=True)
-    return _with_rig(found, structure, given)
-
-
-def _with_rig(subject: Subject, structure: Structure, given: Platform) -> Subject:
-    assert subject.analysis is not None
-    if drawable(subject.analysis):
-        subject = replace(subject, scenery=Scenery.of(subject.analysis))
-    try:
-        return replace(subject, moving=rig(structure, given, "centroid"))
-    except InputError as fault:
-        return replace(subject, why_not=fault.message)
+    platform = Platform(structure.legs, {n: _exact(p) for n, p in shape.items()}, title, filename="sample.yaml")
+    return Subject(source, SixLegs(platform, analysed=analysis), note, invented=True)
 
 
 def _of_limbs(source: SourceJson, robot: Robot) -> Subject:
     """A robot; one whose limbs are six legs between joints that stay and joints of the platform moves as a platform."""
-    found = analyze_robot(robot, search=SEARCH)
+    found = Limbs.of(analyze_robot(robot, search=SEARCH))
     told = (robot.note, robot.source and f"Source: {robot.source}")
     note = " ".join(f"{words.rstrip('.')}." for words in told if words)
     try:
-        platform = replace(as_platform(robot), note=note)
+        return Subject(source, found.six_legs(), note, robot=found.analysis)
     except InputError:  # its limbs are others
-        home = {n: _vector(v) for n, v in _values(robot).items() if robot.family.sorts.get(n) == "point"}
-        return Subject(source, robot.title, found.lines, FrozenMap(home), note, robot=found)
-    return _of_platform(source, platform, found)
+        return Subject(source, found, note, robot=found.analysis)
 
 
 def _values(robot: Robot) -> Mapping[str, tuple[Fraction, ...]]:

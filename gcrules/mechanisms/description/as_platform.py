@@ -40,7 +40,11 @@ def as_platform(robot: Robot) -> Platform:
     elif (name := _tied(robot, found)) is not None:
         reason = f"the place of {name} depends on the other body"
     if reason:
-        raise InputError(f"{robot.id} is described by its joints and cannot be read as a platform: {reason}")
+        raise InputError(
+            f"{robot.id} is described by its joints and cannot be read as a platform: {reason}",
+            hint=f'numbers in single configurations: gcrules pose {robot.id} --at "…" (gc.pose); the first singular one'
+            f' on a way: gcrules robot pose {robot.id} --at "…" --search (gc.singular)',
+        )
     values = robot.values_at()
     points = {name: values[name] for leg in found for name in leg}
     return Platform(

@@ -31,13 +31,14 @@ from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.analyze import analyze_legs
 from gcrules.mechanisms.load import Source, load
+from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.compiling.batches import Batch, joint_batch, output, pose_batch
 from gcrules.poses.compiling.engines import engine_named, runner
 from gcrules.poses.compiling.tape import Program
 from gcrules.poses.compiling.tracing import Joints, Road, trace
 from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
-from gcrules.poses.pose_inputs import six_legged
+from gcrules.poses.methods import on_six_legs
 
 __all__ = ["CompiledCondition", "compiled"]
 
@@ -122,7 +123,8 @@ def compiled(
     if isinstance(loaded, Structure) or (isinstance(loaded, Analysis) and loaded.platform is None):
         analysis = loaded if isinstance(loaded, Analysis) else analyze_legs(loaded)
     else:
-        analysis, moving = six_legged(loaded, about, "a compiled condition")
+        m = on_six_legs(mechanism(loaded, about=about), "a compiled condition")
+        analysis, moving = m.analysis, m.rig
     structure = analysis.structure
     if structure.special or structure.stand_ins or structure.rank != 4:
         raise InputError("only legs between finite joints in space are compiled", hint="analyze a platform")

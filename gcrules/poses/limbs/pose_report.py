@@ -2,7 +2,7 @@ r"""A robot described by its joints, in one configuration: solve, then all numbe
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -25,6 +25,7 @@ from gcrules.mechanisms.kinematics.targets import (
     read_pose,
 )
 from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.balance import limb_numbers
 from gcrules.poses.limbs.factors import ConditionFactor, factors
 from gcrules.poses.limbs.report import RobotPose
@@ -35,7 +36,7 @@ from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import decide
 
-__all__ = ["SINGULAR", "first_singular_pose", "here", "report_at"]
+__all__ = ["SINGULAR", "first_singular_pose", "report_at", "report_of_limbs"]
 
 SINGULAR = 1e-9
 """σ below which a configuration counts as singular: about as exact as configurations are solved for."""
@@ -43,45 +44,30 @@ SINGULAR = 1e-9
 _NEAR_ZERO = 1e-6  # of a factor, where the robot is singular
 
 
-def report_at(
-    m: Linkage,
-    analysis: Callable[[], RobotAnalysis],
-    at: Any,
-    actuators: Any,
-    *,
-    degrees: bool = False,
-    threshold: str | Threshold = DEFAULT,
+def report_of_limbs(
+    m: Limbs, at: Any = None, actuators: Any = None, *, degrees: bool = False, threshold: str | Threshold = DEFAULT
 ) -> RobotPose:
-    """The numbers at a wanted pose, or at wanted actuators; at home where neither is given. Raises InputError.
-
-    The `analysis` is asked for only when the joints are solved.
-    """
+    """The numbers at a wanted pose, or at wanted actuators; at home where neither is given. Raises InputError."""
     limit = angle_threshold(threshold, "for robots described by joints")
-    wanted = target_of(m, at, actuators, degrees)
-    solution = solve(m, wanted) if wanted is not None else _at_home(m)
-    return here(m, analysis(), solution, limit)
+    wanted = target_of(m.linkage, at, actuators, degrees)
+    solution = solve(m.linkage, wanted) if wanted is not None else _at_home(m.linkage)
+    return report_at(m.linkage, m.analysis, solution, limit)
 
 
 def first_singular_pose(
-    m: Linkage,
-    analysis: Callable[[], RobotAnalysis],
-    at: Any,
-    actuators: Any,
-    *,
-    degrees: bool = False,
-    threshold: str | Threshold = DEFAULT,
+    m: Limbs, at: Any, actuators: Any, *, degrees: bool = False, threshold: str | Threshold = DEFAULT
 ) -> RobotPose | None:
     """The numbers at the first singular configuration on the way to what is wanted, or None. Raises InputError."""
     limit = angle_threshold(threshold, "for robots described by joints")
-    wanted = target_of(m, at, actuators, degrees)
+    wanted = target_of(m.linkage, at, actuators, degrees)
     if wanted is None or not wanted.values.any():
         raise InputError("no direction is given in which to look", hint="give the end of the way: z=1, roll=0deg, …")
-    check_target(m, wanted)
-    found = first_singular(m, analysis(), wanted)
+    check_target(m.linkage, wanted)
+    found = first_singular(m.linkage, m.analysis, wanted)
     if found is None:
         return None
     part = replace(found.solution, target=replace(wanted, text=f"{100 * found.part:.6g}% of the way to {wanted.text}"))
-    return here(m, analysis(), part, limit)
+    return report_at(m.linkage, m.analysis, part, limit)
 
 
 def _at_home(m: Linkage) -> Solution:
@@ -124,7 +110,7 @@ def _amount(value: Any, name: str, in_degrees: bool) -> Any:
     return Amount(exact(value, name), degrees=True) if in_degrees else value
 
 
-def here(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Threshold) -> RobotPose:
+def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Threshold) -> RobotPose:
     """All numbers at a solution."""
     c = solution.configuration
     near = margin(m, c)

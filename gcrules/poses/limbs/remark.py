@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.kinematics.linkage import linkage
-from gcrules.poses.limbs.pose_report import report_at
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.limbs.pose_report import report_of_limbs
 from gcrules.poses.limbs.report import RobotPose
 
 __all__ = ["home_remark", "remark"]
@@ -18,7 +18,7 @@ def home_remark(analysis: RobotAnalysis) -> str:
     if analysis.robot.home is None:
         return ""
     try:
-        return remark(report_at(linkage(analysis.robot), lambda: analysis, None, None))
+        return remark(report_of_limbs(Limbs.of(analysis)))
     except InputError:
         return ""
 

@@ -26,6 +26,7 @@ from gcrules.core.errors import EngineFault
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import DRAWN, PRIME, drawn
 from gcrules.mechanisms.load import Source
+from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.loci.expansion import Terms, expansion
 from gcrules.poses.loci.factors import MAX_TERMS, primitive
@@ -33,8 +34,8 @@ from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.known import rational_ring
 from gcrules.poses.loci.report import Locus
 from gcrules.poses.loci.variables import images, question
+from gcrules.poses.methods import on_six_legs
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
-from gcrules.poses.pose_inputs import six_legged
 from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import Quaternion, Vector
 from gcrules.screws.rotations import rotation as matrix
@@ -55,7 +56,8 @@ def locus(
     limit: int = MAX_TERMS,
 ) -> Locus:
     """The function of `gcrules.api.functions`, which says what the arguments are."""
-    analysis, moving = six_legged(robot, about, "the locus")
+    m = on_six_legs(mechanism(robot, about=about), "the locus")
+    moving = m.rig
     asked = question(over, fix, at, rotation, moving.unit)
     ring = rational_ring(asked.free)
     shift, turn, norms = images(asked, ring)
@@ -72,7 +74,7 @@ def locus(
             coefficient /= _fraction(c) ** 3
     found = Locus(
         rig=moving,
-        condition=analysis.condition,
+        condition=m.analysis.condition,
         question=asked,
         form=form,
         coefficient=coefficient,

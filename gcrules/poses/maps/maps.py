@@ -28,6 +28,8 @@ from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.seeds import drawn
 from gcrules.core.version import __version__
 from gcrules.mechanisms.load import Source
+from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.compiled import compiled
 from gcrules.poses.maps.axes import GridAxis, read_axes
 from gcrules.poses.maps.grid import grid
@@ -40,7 +42,7 @@ from gcrules.poses.maps.store import Folder, Memory, Store
 from gcrules.poses.maps.summary import MapSummary, summed, together
 from gcrules.poses.maps.tracing import polished, traced
 from gcrules.poses.maps.values import KINDS, MapTask
-from gcrules.poses.pose_inputs import six_legged
+from gcrules.poses.methods import on_six_legs
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of
 
 __all__ = ["MEASURES", "bytes_of", "done", "planned", "singular_map"]
@@ -64,8 +66,8 @@ def singular_map(
     restart: bool = False,
 ) -> SingularMap:
     """`gcrules.singular_map`, which says what the arguments are."""
-    analysis, task, limit = planned(robot, over, at, about, limits, threshold, measure)
-    return done(analysis, task, limit, work=work, restart=restart)
+    legs = on_six_legs(mechanism(robot, about=about), "a map")
+    return done(*planned(legs, over, at, limits, threshold, measure), work=work, restart=restart)
 
 
 def done(
@@ -92,21 +94,20 @@ def done(
 
 
 def planned(
-    robot: Any, over: Any, at: Any, about: Any, limits: str | None, threshold: Any, measure: str
+    legs: SixLegs, over: Any, at: Any, limits: str | None, threshold: Any, measure: str
 ) -> tuple[Analysis, MapTask, Threshold]:
     """What is to be computed, all faults of the input told."""
-    analysis, moving = six_legged(robot, about, "a map")
-    axes = read_axes(over, moving.unit)
+    axes = read_axes(over, legs.unit)
     limit = angle_threshold(threshold, "in a map")
     if measure not in MEASURES:
         raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
-    reached = parse_limits(limits, moving.names, moving.unit) if limits is not None else None
-    g = grid(moving, axes, at)
-    condition = compiled(analysis, about=about)
+    reached = parse_limits(limits, legs.actuators, legs.unit) if limits is not None else None
+    g = grid(legs.rig, axes, at)
+    condition = compiled(legs.analysis, about=legs.about)
     moved = g.rotation_axis is not None
     everywhere = vanishes(g) if moved else not slice_polynomial(g)
     task = MapTask(g, condition, measure, reached, None if moved else factors(g), everywhere)
-    return analysis, task, limit
+    return legs.analysis, task, limit
 
 
 def bytes_of(task: MapTask) -> int:

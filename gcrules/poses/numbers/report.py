@@ -9,6 +9,7 @@ from typing import Any
 
 from gcrules.core.floats import as_float
 from gcrules.core.shown import Shown
+from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.motion import Dependence, Twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
@@ -52,13 +53,11 @@ class PoseReport(Shown):
 
     `verdict` is regular | close | singular, `reason` the sentence with it and `causes` the incidences that make the
     pose singular. `superbracket` is exact (a length⁹; singular exactly where it is 0). `margin` is the measure σ in
-    [0, 1]; `turn`, `shift`, `rotation` and `combined` are what it guarantees (see `Guarantees`), for the
-    joints' places as they are given; `noise` is how much σ
-    can change for joints that are known up to `accuracy`. `smallest_singular_value` and `condition_number` are those
-    of the Jacobian with the characteristic length `radius`. `nearest` holds the nearest singular poses (empty if they
-    were not asked for), `softest` the motion that the legs notice least, `stress` the ratio of
-    forces in the legs that nearly balance, `dependence` what singular legs have in
-    common.
+    [0, 1]; `turn`, `shift`, `rotation` and `combined` are what it guarantees (see `Guarantees`), for the joints' places
+    as they are given; `noise` is how much σ can change for joints that are known up to `accuracy`. `jacobian` holds the
+    forces along the legs. `nearest` holds the nearest singular poses (empty if they were not asked for), `softest` the
+    motion that the legs notice least, `stress` the ratio of forces in the legs that nearly balance, `dependence` what
+    singular legs have in common.
     """
 
     rig: MovingPlatform
@@ -76,9 +75,7 @@ class PoseReport(Shown):
     accuracy: float
     noise: float
     threshold: Threshold
-    smallest_singular_value: float
-    condition_number: float
-    radius: float
+    jacobian: WrenchJacobian
     readings: tuple[PoseReading, ...]
     nearest: tuple[NearestPose, ...]
     softest: Twist
@@ -118,11 +115,7 @@ class PoseReport(Shown):
                 "rotation": self.rotation,
                 "combined": self.combined,
             },
-            "jacobian": {
-                "smallest_singular_value": self.smallest_singular_value,
-                "condition_number": self.condition_number if math.isfinite(self.condition_number) else None,
-                "characteristic_length": self.radius,
-            },
+            "jacobian": self.jacobian.to_json(),
             "readings": [r.to_json() for r in self.readings],
             "nearest": {n.kind: n.to_json() for n in self.nearest},
             "softest_motion": self.softest.to_json(),

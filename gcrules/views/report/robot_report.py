@@ -3,17 +3,15 @@ r"""The report of a robot that is described by its joints: limbs, equivalent lin
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from html import escape
 from math import dist
 from typing import Any
 
 from gcrules.algebra import expr as ex
-from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.description.as_platform import as_platform
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.exact_values import lines_at
 from gcrules.poses.limbs.singular_members import live_parts
 from gcrules.views.drawing.bsp import XYZ
@@ -21,7 +19,7 @@ from gcrules.views.drawing.figures import graph_figure
 from gcrules.views.drawing.solids import flat_normal
 from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
-from gcrules.views.report.scene_json import drawable, scene
+from gcrules.views.report.scene_json import scene
 from gcrules.views.report.stages import Formula
 from gcrules.views.results.robot import CONDITION, FACTORS, sections
 from gcrules.views.robots.entities import DrawnFlat, entities
@@ -30,7 +28,7 @@ from gcrules.views.robots.limb_views import limb_views
 from gcrules.views.robots.robot_drawing import draw_robot
 from gcrules.views.scene_data import PlaneView, SceneData
 
-__all__ = ["analysis_of_legs", "robot_report", "robot_scene"]
+__all__ = ["robot_report", "robot_scene"]
 
 
 def robot_report(a: RobotAnalysis, *, interactive: bool = True) -> str:
@@ -54,22 +52,22 @@ def robot_scene(a: RobotAnalysis) -> SceneData:
     """The robot at home as the 3D viewer takes it: limbs with joints and wrenches, and the equivalent lines between
     finite points. Only a platform on six legs moves: with others that takes the joints' equations.
     """
-    legged = analysis_of_legs(a)
-    if legged is not None:
-        return scene(legged)
+    robot = Limbs.of(a)
+    try:
+        return scene(robot.six_legs().analysis)
+    except InputError:  # it has other limbs
+        bodies = robot.bodies
     values = {n: [float(c) for c in v] for n, v in a.robot.values_at().items()}
     sorts = a.robot.family.sorts
     legs = [list(leg) for leg in a.structure.legs if all(sorts.get(n) == "point" for n in leg)]
-    body = [n for n in a.robot.platform if sorts.get(n) == "point"]
-    feet = dict.fromkeys(p for limb in a.robot.limbs for p in limb.joints[0].points if p not in body)
-    shown = dict.fromkeys([*feet, *body, *(n for leg in legs for n in leg)])
+    shown = dict.fromkeys([*bodies["base"], *bodies["platform"], *(n for leg in legs for n in leg)])
     middle = [sum(values[n][i] for n in shown) / len(shown) for i in range(3)]
     found = entities(a, live_parts(a)) if a.lines else ()
     size = max(dist(values[n], middle) for n in shown)
     return {
         "points": {n: values[n] for n in values if sorts.get(n) == "point"},
-        "base": list(feet),
-        "platform": body,
+        "base": list(bodies["base"]),
+        "platform": list(bodies["platform"]),
         "legs": legs,
         "about": middle,
         "size": size,
@@ -88,16 +86,6 @@ def robot_scene(a: RobotAnalysis) -> SceneData:
         "limbs": limb_views(a, values),
         "planes": [p for i, e in enumerate(found) if (p := _far_plane(a, e, _colour(a, e, i), size))],
     }
-
-
-def analysis_of_legs(a: RobotAnalysis) -> Analysis | None:
-    """The analysis of a platform on six legs at home; None for other robots."""
-    if a.lines is None or not drawable(a.lines):
-        return None
-    try:
-        return replace(a.lines, platform=as_platform(a.robot))
-    except InputError:  # it has other limbs
-        return None
 
 
 def _colour(a: RobotAnalysis, e: DrawnFlat, number: int) -> int:

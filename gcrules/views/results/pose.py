@@ -38,8 +38,8 @@ def _lines(r: PoseReport) -> Iterator[str]:
             ("superbracket", f"{decimal(r.superbracket)}{f' {u}⁹' if u else ''}"),
             (
                 "Jacobian",
-                f"smallest singular value {_small(r.smallest_singular_value)}, condition number "
-                f"{_number(r.condition_number)}; characteristic length {_length(r.radius, u)}",
+                f"smallest singular value {_small(r.jacobian.smallest_singular_value)}, condition number "
+                f"{_number(r.jacobian.condition_number)}; characteristic length {_length(r.jacobian.length, u)}",
             ),
             (
                 "accuracy",
@@ -82,7 +82,7 @@ def _as_given(r: PoseReport) -> str:
 
 
 def _inexact(r: PoseReport) -> bool:
-    return r.accuracy > 1e-9 * r.radius
+    return r.accuracy > 1e-9 * r.jacobian.length
 
 
 def _readings(r: PoseReport) -> Iterator[str]:
@@ -118,7 +118,8 @@ def _nearest(r: PoseReport) -> Iterator[str]:
     yield from columns(rows, "  ")
     if any(n.kind == "combined" and n.pose for n in r.nearest) and r.verdict != "singular":
         yield from wrapped(
-            f"combined: root of |shift|² + (ρ·angle)², ρ = {_length(r.radius, u)}, of the centroid of the legs' ends",
+            f"combined: root of |shift|² + (ρ·angle)², ρ = {_length(r.jacobian.length, u)}, of the centroid of the"
+            " legs' ends",
             "  ",
         )
 
@@ -194,9 +195,9 @@ def as_latex(r: PoseReport) -> str:
         ("verdict", r.verdict),
         ("margin $\\sigma$", latex_quantity(r.margin)),
         ("superbracket", latex_quantity(r.superbracket, u, 9)),
-        ("smallest singular value", latex_quantity(r.smallest_singular_value)),
-        ("condition number", latex_quantity(r.condition_number)),
-        ("characteristic length", latex_quantity(r.radius, u)),
+        ("smallest singular value", latex_quantity(r.jacobian.smallest_singular_value)),
+        ("condition number", latex_quantity(r.jacobian.condition_number)),
+        ("characteristic length", latex_quantity(r.jacobian.length, u)),
     ]
     for n in r.nearest:
         name = f"nearest singular pose, {n.kind}"
