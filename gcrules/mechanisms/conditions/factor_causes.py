@@ -77,7 +77,7 @@ class FactorCause:
     that was seen (not counted beyond `ENOUGH`), `reason` says why a factor never vanishes, `statement` when it does.
     `same` is another factor of this robot that vanishes wherever this one does; `chosen` the number of those members at
     which a factor that counts vanishes although the wrenches keep their rank, since the chosen lines depend on each
-    other.
+    other. It is divided by the cofactor `over`, where it vanishes whether or not the robot is singular.
     """
 
     expression: Expr
@@ -87,6 +87,7 @@ class FactorCause:
     statement: str = ""
     same: Expr | None = None
     chosen: int = 0
+    over: Expr = ONE
 
 
 @dataclass
