@@ -263,9 +263,9 @@ mobility: 6
     def bracket(names: str) -> Expr:
         return Bracket(tuple(map(Point, names.split())))
 
-    assert said(bracket("A1 B1 C1 z")) == "the points A1, B1 and C1 are on a line"
-    assert said(bracket("A1 B1 D1 z")) == "the plane A1B1D1 contains the direction z"
-    assert said(bracket("A1 B1 C1 x")) == "the plane A1B1C1 contains the direction x"
+    assert str(said(bracket("A1 B1 C1 z"))) == "the points A1, B1 and C1 are on a line"
+    assert str(said(bracket("A1 B1 D1 z"))) == "the plane A1B1D1 contains the direction z"
+    assert str(said(bracket("A1 B1 C1 x"))) == "the plane A1B1C1 contains the direction x"
 
 
 def test_bars_of_a_parallelogram_are_across_its_axis() -> None:

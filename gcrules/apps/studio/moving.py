@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import log10, radians
+from math import isfinite, log10, radians
 
 import numpy as np
 
@@ -102,12 +102,17 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
                 "why": "",
             }
             for f in found.factors
+            if isfinite(f.value)
         ],
         "constructed": [],
         "motion": motion_view(found.softest, found.centre, subject.unit) if near else None,
         "stress": [limb.share for limb in found.limbs] if near else [],
         "limbs": limb_views(robot, values),
-        "notes": [*found.notes, f"Assembly mode: {found.mode}."],
+        "notes": [
+            *found.notes,
+            f"Assembly mode: {found.mode}.",
+            *([] if found.assembly.doubt is None else [f"Branch: {found.assembly.branch}."]),
+        ],
     }
 
 

@@ -16,6 +16,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault
 from gcrules.core.seeds import remark
+from gcrules.mechanisms.conditions.cofactors import with_cofactors
 from gcrules.mechanisms.conditions.common_factor import common_factor, sees_constraints
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member, causes_left, ranks, tell_apart
 from gcrules.mechanisms.conditions.line_conditions import condition_of_lines, factors_at
@@ -54,7 +55,7 @@ def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
         family, structure.lines or (), robot.platform, base, frozenset(structure.ideal) | frozenset(AXES)
     )
     parts = tuple(replace(p, meaning=words.clause(p.expression)) for p in parts)
-    parts = without_repetition(family, structure, parts)
+    parts = with_cofactors(family, structure, without_repetition(family, structure, parts), cofactors)
     common = common_factor(family, structure, found.structure.superbracket, cofactors, parts, words)
     serial = limb_singularities(family, robot.limbs)
     members = _check(robot, structure, found, cofactors, factors)

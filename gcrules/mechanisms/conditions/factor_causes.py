@@ -78,7 +78,7 @@ class FactorCause:
     that was seen (not counted beyond `ENOUGH`), `reason` says why a factor never vanishes, `meaning` when it does.
     `same` is another factor of this robot that vanishes wherever this one does; `chosen` the number of those members at
     which a factor that counts vanishes although the wrenches keep their rank, since the chosen lines depend on each
-    other.
+    other. It is divided by the cofactor `over`, where it vanishes whether or not the robot is singular.
     """
 
     expression: Expr
@@ -88,6 +88,7 @@ class FactorCause:
     meaning: Statement = NOTHING
     same: Expr | None = None
     chosen: int = 0
+    over: Expr = ONE
 
     @property
     def statement(self) -> str:

@@ -11,6 +11,7 @@ from gcrules.algebra.expr import ONE, Expr, Sum
 from gcrules.conditions.analysis import Analysis, analyze
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.conditions.at_infinity import separated
+from gcrules.mechanisms.conditions.cofactors import sturdiest
 from gcrules.mechanisms.conditions.factor_causes import at_member
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.robot import Robot
@@ -54,12 +55,12 @@ def _weak(condition: Condition) -> bool:
 
 
 def _usable(robot: Robot, structure: Equivalent, found: Analysis) -> Condition | None:
-    """The first reading whose cofactor and expression do not vanish in the whole family."""
+    """The first reading whose cofactor and expression do not vanish in the whole family, or one like it whose cofactor
+    is farther from 0 at home.
+    """
     at = at_member(robot.family, structure, robot.family.member("usable"))
-    for c in (found.condition, *found.readings):
-        if at.value(c.cofactor)[0] and at.value(c.expression)[0]:
-            return c
-    return None
+    usable = [c for c in (found.condition, *found.readings) if at.value(c.cofactor)[0] and at.value(c.expression)[0]]
+    return sturdiest(robot, structure, usable) if usable else None
 
 
 _Factors = tuple[tuple[Expr, ...], tuple[Expr, ...]]

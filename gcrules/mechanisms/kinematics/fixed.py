@@ -8,7 +8,7 @@ import numpy as np
 
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.linkage import Linkage
-from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
 from gcrules.screws import JOINTS
 
 __all__ = ["unfixed"]
@@ -41,5 +41,5 @@ def unfixed(m: Linkage, before: Sequence[Chain], links: Sequence[Floats], after:
 
 def _scaled(twists: Floats, m: Linkage) -> Floats:
     """Columns (ω; v/size), v at the centre."""
-    moved = twists[3:] + np.cross(twists[:3], m.centre, axisa=0, axisb=0, axisc=0)
+    moved = twists[3:] - cross_matrix(m.centre) @ twists[:3]
     return np.concatenate([twists[:3], moved / m.size])

@@ -27,7 +27,7 @@ from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
 
-__all__ = ["LimbMargin", "limb_margins", "margin"]
+__all__ = ["LimbMargin", "limb_margins", "limb_twists", "margin"]
 
 _PLANE = (0, 1, 5)  # of (v; ω): a planar robot's twists
 _ROUNDING = 1e-12
@@ -110,6 +110,15 @@ def _locked(m: Linkage, place: int, chain: Chain, end: Floats) -> Floats:
         return np.eye(6)
     _, _, right = np.linalg.svd(twists)
     return np.asarray(right[m.passive_ranks[place] :][:, [3, 4, 5, 0, 1, 2]])
+
+
+def limb_twists(m: Linkage, place: int, here: Configuration, centre: Floats) -> tuple[Floats, list[int]]:
+    """A limb's twists (ω; v/ρ), v at a centre, for a turn by 1 rad and a slide by ρ in each coordinate, and which
+    of them are not driven.
+    """
+    driven = {a.coordinate for a in m.actuators if a.place == place}
+    twists = _at(here.chains[place], centre, m.size)
+    return twists, [k for k in range(len(twists)) if k not in driven]
 
 
 def _at(chain: Chain, end: Floats, size: float) -> Floats:

@@ -14,7 +14,17 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Floats", "carried", "cross_matrix", "exponential", "inverse", "logarithm", "rotation_vector", "rotations"]
+__all__ = [
+    "Floats",
+    "carried",
+    "cross_matrix",
+    "exponential",
+    "inverse",
+    "logarithm",
+    "rotation_vector",
+    "rotation_vector_rates",
+    "rotations",
+]
 
 Floats = NDArray[np.float64]
 
@@ -23,9 +33,12 @@ _SMALL = 1e-6  # angles below which series take the place of quotients
 
 def cross_matrix(vectors: Floats) -> Floats:
     """The matrices of w ↦ v × w, shape (..., 3, 3)."""
-    x, y, z = np.moveaxis(np.asarray(vectors, dtype=float), -1, 0)
-    zero = np.zeros_like(x)
-    return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=-1).reshape(*x.shape, 3, 3)
+    v = np.asarray(vectors, dtype=float)
+    found = np.zeros((*v.shape, 3))
+    found[..., 2, 1] = v[..., 0]
+    found[..., 0, 2] = v[..., 1]
+    found[..., 1, 0] = v[..., 2]
+    return found - np.swapaxes(found, -1, -2)
 
 
 def rotations(vectors: Floats) -> Floats:
@@ -38,11 +51,12 @@ def exponential(screws: Floats, amounts: Floats | float) -> Floats:
     """The motions that the twists make in the given amounts (rad for unit turns, lengths for unit slides)."""
     turned = screws[..., :3] * np.asarray(amounts)[..., None]
     moved = screws[..., 3:] * np.asarray(amounts)[..., None]
-    a = np.linalg.norm(turned, axis=-1)[..., None, None]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        sine = np.where(a < _SMALL, 1 - a**2 / 6, np.sin(a) / a)
-        cosine = np.where(a < _SMALL, 0.5 - a**2 / 24, (1 - np.cos(a)) / a**2)
-        rest = np.where(a < _SMALL, 1 / 6 - a**2 / 120, (a - np.sin(a)) / a**3)
+    a = np.sqrt((turned * turned).sum(axis=-1))[..., None, None]
+    small = a < _SMALL
+    b = np.where(small, 1.0, a)
+    sine = np.where(small, 1 - a**2 / 6, np.sin(b) / b)
+    cosine = np.where(small, 0.5 - a**2 / 24, (1 - np.cos(b)) / b**2)
+    rest = np.where(small, 1 / 6 - a**2 / 120, (b - np.sin(b)) / b**3)
     w = cross_matrix(turned)
     square = w @ w
     found = np.zeros((*turned.shape[:-1], 4, 4))
@@ -68,14 +82,21 @@ def rotation_vector(matrix: Floats) -> Floats:
     return np.asarray(axis * angle * (-1 if axis @ odd < 0 else 1))
 
 
+def rotation_vector_rates(turn: Floats) -> Floats:
+    """The matrix that takes an angular velocity to the rate of the rotation vector `turn` (shorter than a turn)."""
+    w = cross_matrix(turn)
+    return np.asarray(np.eye(3) - w / 2 + _back(float(np.linalg.norm(turn))) * (w @ w))
+
+
+def _back(angle: float) -> float:
+    half = angle / 2
+    return 1 / 12 if angle < _SMALL else float((1 - half / np.tan(half)) / angle**2)
+
+
 def logarithm(motion: Floats) -> Floats:
     """The twist (ω; v) whose exponential one motion is."""
     turn = rotation_vector(motion[:3, :3])
-    angle = float(np.linalg.norm(turn))
-    w = cross_matrix(turn)
-    half = angle / 2
-    back = 1 / 12 if angle < _SMALL else (1 - half / np.tan(half)) / angle**2
-    return np.concatenate([turn, (np.eye(3) - w / 2 + back * (w @ w)) @ motion[:3, 3]])
+    return np.concatenate([turn, rotation_vector_rates(turn) @ motion[:3, 3]])
 
 
 def inverse(motion: Floats) -> Floats:
@@ -92,5 +113,5 @@ def carried(motions: Floats, screws: Floats) -> Floats:
     """The screws (ω; v) as they stand after the motions."""
     turn = motions[..., :3, :3]
     w = (turn @ screws[..., :3, None])[..., 0]
-    v = (turn @ screws[..., 3:, None])[..., 0] + np.cross(motions[..., :3, 3], w)
+    v = (turn @ screws[..., 3:, None])[..., 0] + (cross_matrix(motions[..., :3, 3]) @ w[..., None])[..., 0]
     return np.concatenate([w, v], axis=-1)

@@ -4,7 +4,8 @@ The unknowns are the amounts of all joints; the equations say that all limbs bri
 the wanted coordinates have their values. Each step is solved by Levenberg and Marquardt's method with the damping
 μ = |r|², which converges quadratically also where equations depend on each other, as in over-constrained robots. The
 wanted values grow from those at home in steps that halve where the solution would go far or is not found, and start
-anew from each configuration reached: so the solution is that which continues home, and no other assembly mode.
+anew from each configuration reached. A step counts when it is proved that it follows the branch (`branch`), and halves
+until it is; where even the shortest one is not proved, the solution says from where on its branch is in doubt.
 """
 
 from __future__ import annotations
@@ -18,12 +19,20 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.attachments import disagreement, moved, residual_of_relations
+from gcrules.mechanisms.kinematics.branch import can_be_followed, follows_branch
 from gcrules.mechanisms.kinematics.chains import chain_of
 from gcrules.mechanisms.kinematics.coordinates import coordinates, slopes, wrapped
 from gcrules.mechanisms.kinematics.failure_reasons import stopped
 from gcrules.mechanisms.kinematics.fixed import unfixed
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, exponential, inverse, logarithm, rotation_vector
+from gcrules.mechanisms.kinematics.rigid_motions import (
+    Floats,
+    cross_matrix,
+    exponential,
+    inverse,
+    logarithm,
+    rotation_vector,
+)
 from gcrules.mechanisms.kinematics.targets import Target, check_count, written
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
@@ -34,6 +43,8 @@ _ENOUGH = 1e-13
 _ITERATIONS = 14
 _FARTHEST = 0.5  # of a joint in one step: rad, or parts of the robot's size
 _SHORTEST = 1.0 / 4096
+_SHORTEST_PROOF = 1.0 / 4096
+_SLOWER = 1.2  # how fast steps grow again after one was too long to be proved
 _DEPENDENT = 1e-7
 _PREFERRED = 0.01  # of the largest rate: a coordinate that moves less is not proposed
 _STILL = 1e-7  # rad
@@ -73,10 +84,10 @@ class Course:
             motion = links[0][-1] @ here.platform
             found = np.zeros((len(w.names), starts[-1]))
             if w.whole is None:
-                found[:, : starts[1]] = slopes(w.names, motion, m.centre, m.size) @ twists[0]
+                found[:, : starts[1]] = slopes(w.names, motion, m.centre) @ twists[0]
             else:
                 centre = motion[:3, :3] @ m.centre + motion[:3, 3]
-                found[:3, : starts[1]] = twists[0][3:] + np.cross(twists[0][:3], centre, axisa=0, axisc=0)
+                found[:3, : starts[1]] = twists[0][3:] - cross_matrix(centre) @ twists[0][:3]
                 found[3:, : starts[1]] = twists[0][:3]
         return found / self._units[:, None]
 
@@ -102,12 +113,16 @@ def part_of(w: Target, part: float, centre: Floats) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class Solution:
-    """The configuration, what was wanted, the number of iterations, and the configurations on the way from home."""
+    """The configuration, what was wanted, the number of iterations, and the configurations on the way from home with
+    the parts of the course at which they lie. The branch is proved but from the part `doubt` on, if there is one.
+    """
 
     configuration: Configuration
     target: Target
     iterations: int = 0
     way: tuple[Configuration, ...] = ()
+    parts: tuple[float, ...] = ()
+    doubt: float | None = None
 
     @property
     def steps(self) -> int:
@@ -126,7 +141,7 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
     """From the solution at one part of the course to that at another. Raises InputError where it does not assemble."""
     far = abs(end - at)
     step = far / max(1.0, np.ceil(far * course.length / (_FARTHEST / 2)))
-    done, part, found = 0.0, 0.0, start
+    done, part, found, growth = 0.0, 0.0, start, 2.0
     if not far:
         return start
     while done < far:
@@ -144,15 +159,23 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
                 told = _told(course, here) / _told(course, course.m.home) if named else 1.0
                 raise stopped(course.m, here, course.target, reached, told, str(fault)) from None
             continue
+        before, doubt = at + done * float(np.sign(end - at)), found.doubt
+        ends = found.configuration, there
+        if doubt is None and not follows_branch(course.m, course.target, ends, (before, part)):
+            if step > _SHORTEST_PROOF * max(far, 1e-3) and can_be_followed(course.target):
+                step, growth = step / 2, _SLOWER
+                continue
+            doubt = before
         done += step
-        step *= 2
+        step *= growth
         if len(found.way) >= _MOST_STEPS:
             raise InputError(
                 f"{course.m.robot.id} comes {100 * (at + done * float(np.sign(end - at))):.3g}% of the way to"
                 f" {course.target.text} in {_MOST_STEPS:,} steps",
                 hint="check the unit, and ask for less",
             )
-        found = Solution(there, course.target, found.iterations + iterations, (*found.way, there))
+        way, parts = (*found.way, there), (*found.parts, part)
+        found = Solution(there, course.target, found.iterations + iterations, way, parts, doubt)
     return found
 
 
@@ -216,7 +239,8 @@ def _loops(twists: list[Floats], here: Configuration, m: Linkage) -> Floats:
     centre = motion[:3, :3] @ m.centre + motion[:3, 3]
     starts = np.cumsum([0, *(t.shape[1] for t in twists)])
     found = np.zeros((6 * (len(twists) - 1), starts[-1]))
-    local = [np.concatenate([t[:3], (t[3:] + np.cross(t[:3], centre, axisa=0, axisc=0)) / m.size]) for t in twists]
+    arm = cross_matrix(centre)
+    local = [np.concatenate([t[:3], (t[3:] - arm @ t[:3]) / m.size]) for t in twists]
     for k, own in enumerate(local[1:]):
         found[6 * k : 6 * k + 6, starts[k + 1] : starts[k + 2]] = own
         found[6 * k : 6 * k + 6, : starts[1]] = -local[0]

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from math import isfinite, nan, prod
 from typing import Any
 
 import numpy as np
 
-from gcrules.algebra.expr import Expr, points_of
+from gcrules.algebra.expr import ONE, Expr, Product, points_of
 from gcrules.algebra.language.text import text
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
@@ -18,18 +19,25 @@ from gcrules.poses.numbers.extensors import coordinates
 
 __all__ = ["ConditionFactor", "factors", "superbracket_value"]
 
+_SMALL = 1e-6  # of a cofactor: below it nothing is divided by it
+
 
 @dataclass(frozen=True)
 class ConditionFactor:
     """A factor of the condition: its value is the expression, with its points at unit scale about their centroid and
     directions of length 1, divided by the lengths of the coordinates of the lines and planes that it joins or meets.
     That of a bracket or a meet lies between −1 and 1. `statement` says when it vanishes, `kind` is that of the part.
+
+    Where the condition has a `cofactor` that divides it, the value is that of the quotient, which vanishes where the
+    robot is singular and not where the cofactor does; `cofactor_value` is that of the cofactor alone.
     """
 
     expression: str
     kind: str
     value: float
     statement: str
+    cofactor: str = ""
+    cofactor_value: float = 1.0
 
     @property
     def live(self) -> bool:
@@ -40,8 +48,9 @@ class ConditionFactor:
         return {
             "expression": self.expression,
             "kind": self.kind,
-            "value": self.value,
+            "value": self.value if isfinite(self.value) else None,
             "statement": self.statement,
+            "cofactor": {"expression": self.cofactor, "value": self.cofactor_value} if self.cofactor else None,
         }
 
 
@@ -52,7 +61,32 @@ def factors(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> tuple[Cond
     used = dict.fromkeys(n for part in analysis.parts for n in points_of(part.expression))  # in one order: sums round
     at = _unit_scale(analysis, values, used)
     names = analysis.lines.structure.names
-    return tuple(_factor(part, at, names) for part in analysis.parts)
+    return tuple(
+        _factor(part, at, names) if part.over == ONE else _quotient(analysis, part, values) for part in analysis.parts
+    )
+
+
+def _quotient(analysis: RobotAnalysis, part: FactorCause, values: Mapping[str, Floats]) -> ConditionFactor:
+    """A factor by its cofactor. Where it is the only one, the quotient is the superbracket up to a number, which is
+    known also where both vanish.
+    """
+    assert analysis.lines is not None
+    structure = analysis.lines.structure
+    at = _unit_scale(analysis, values, dict.fromkeys((*structure.names, *points_of(part.over))))
+    below = prod(_value(e, at) for e in (part.over.factors if isinstance(part.over, Product) else (part.over,)))
+    if len(analysis.parts) == 1:
+        value = _value(structure.superbracket, at)
+    else:
+        raw = float(coordinates(part.over, at)[0, 0])
+        value = float(coordinates(part.expression, at)[0, 0]) / raw if abs(below) > _SMALL else nan
+    return ConditionFactor(
+        text(part.expression, names=structure.names),
+        part.kind,
+        value,
+        part.statement,
+        text(part.over, names=structure.names),
+        below,
+    )
 
 
 def superbracket_value(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> float | None:

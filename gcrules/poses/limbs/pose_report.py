@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,7 @@ from gcrules.mechanisms.kinematics.targets import (
 )
 from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.limbs.assembly_mode import assembly_mode
 from gcrules.poses.limbs.balance import limb_numbers
 from gcrules.poses.limbs.factors import ConditionFactor, factors
 from gcrules.poses.limbs.report import RobotPose
@@ -135,7 +137,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
         disagreement=c.disagreement,
         steps=solution.steps,
         iterations=solution.iterations,
-        mode=_mode(m, analysis, values, solution),
+        assembly=assembly_mode(m, solution),
         margin=near.sigma,
         turn=turn_of(near.sigma),
         threshold=limit,
@@ -171,7 +173,7 @@ def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshol
 
 
 def _causes(values: Sequence[ConditionFactor], verdict: str) -> tuple[str, ...]:
-    live = [f for f in values if f.live]
+    live = [f for f in values if f.live and isfinite(f.value)]
     if verdict == "singular":
         zero = [f for f in live if abs(f.value) <= _NEAR_ZERO]
         return tuple(f"{_capital(_words(f))} ({f.kind} singularity)." for f in zero)
@@ -182,7 +184,7 @@ def _causes(values: Sequence[ConditionFactor], verdict: str) -> tuple[str, ...]:
 
 
 def _words(f: ConditionFactor) -> str:
-    return f.statement or f"{f.expression} = 0"
+    return f.statement or f"{f.expression} = 0{f', divided by the cofactor {f.cofactor}' if f.cofactor else ''}"
 
 
 def _capital(words: str) -> str:
@@ -200,19 +202,3 @@ def _notes(m: Linkage, own: Sequence[float]) -> tuple[str, ...]:
         for limb, c in zip(m.robot.limbs, own, strict=True)
         if SINGULAR < c <= 0.01
     )
-
-
-def _mode(m: Linkage, analysis: RobotAnalysis, values: Sequence[ConditionFactor], solution: Solution) -> str:
-    """On which assembly mode the solution lies, by its way from home and the signs of the factors."""
-    if not solution.steps:
-        return "that of home"
-    way = [factors(analysis, c.values) for c in (m.home, *solution.way)]
-    crossed = [
-        f.expression
-        for f, *seen in zip(values, *way, strict=True)
-        if f.live and min(v.value for v in seen) < -_NEAR_ZERO and max(v.value for v in seen) > _NEAR_ZERO
-    ]
-    if crossed:
-        signs = agreeing(crossed, "changes its sign", "change their signs")
-        return f"the way from home crosses a singular configuration: {signs} on it"
-    return "that of home: no factor changes its sign at the steps from there" if values else "that of home, continued"

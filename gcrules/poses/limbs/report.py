@@ -11,6 +11,7 @@ from gcrules.core.frozen import FrozenMap, HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.linkage import Actuator
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
+from gcrules.poses.limbs.assembly_mode import AssemblyMode
 from gcrules.poses.limbs.balance import LimbNumbers
 from gcrules.poses.limbs.factors import ConditionFactor
 from gcrules.poses.numbers.motion import Twist
@@ -26,10 +27,11 @@ class RobotPose(HoldsArrays, Shown):
     `verdict` is regular | close | singular, `reason` the sentence with it, `causes` the factors that vanish, in words.
     `coordinates` are x, y, z of the platform's `centre`, roll, pitch, yaw and the rotation vector; `actuators` holds
     each driven freedom with its amount. `residual` is how far the loops are open and `disagreement` how far names are
-    from their relations, in parts of the robot's size; `steps` and `iterations` are those of the solution, `mode` says
-    on which assembly mode it lies. `margin` is σ in [0, 1] and `turn` = asin σ its guarantee (see
-    docs/robot-numbers.md). `factors` are those of the condition; `motions` what the platform gains where it is
-    singular, `softest` the motion that the limbs notice least, `points` the places of all points and directions.
+    from their relations, in parts of the robot's size; `steps` and `iterations` are those of the solution, `assembly`
+    says what is proved of the way to it from home: its branch, and its mode. `margin` is σ in [0, 1] and `turn` = asin
+    σ its guarantee (see docs/robot-numbers.md). `factors` are those of the condition; `motions` what the platform gains
+    where it is singular, `softest` the motion that the limbs notice least, `points` the places of all points and
+    directions.
     """
 
     robot: str
@@ -45,7 +47,7 @@ class RobotPose(HoldsArrays, Shown):
     disagreement: float
     steps: int
     iterations: int
-    mode: str
+    assembly: AssemblyMode
     margin: float
     turn: float
     threshold: Threshold
@@ -61,6 +63,11 @@ class RobotPose(HoldsArrays, Shown):
     def __post_init__(self) -> None:
         for name in ("coordinates", "points"):
             object.__setattr__(self, name, FrozenMap(getattr(self, name)))
+
+    @property
+    def mode(self) -> str:
+        """On which assembly mode it lies, in words."""
+        return self.assembly.text
 
     @property
     def actuator_values(self) -> dict[str, float]:
@@ -96,6 +103,7 @@ class RobotPose(HoldsArrays, Shown):
                 "steps": self.steps,
                 "iterations": self.iterations,
                 "mode": self.mode,
+                **self.assembly.to_json(),
             },
             "margin": self.margin,
             "guarantees": {"turn": self.turn},

@@ -44,6 +44,7 @@ def _lines(r: RobotPose) -> Iterator[str]:
                 f"loops open by {_off(r.residual)} of the robot's size, relations off by {_off(r.disagreement)}; "
                 f"{_counted(r.steps, 'step')} from home, {_counted(r.iterations, 'iteration')}",
             ),
+            ("branch", r.assembly.branch),
             ("mode", r.mode),
             *(("note", note) for note in r.notes),
         ]
@@ -57,6 +58,9 @@ def _lines(r: RobotPose) -> Iterator[str]:
         for f in r.factors:
             yield from wrapped(f"{_sign(f.expression)}", "  ", "      ")
             yield from wrapped(f"{_small(f.value)}, {_meaning(f.kind, f.statement)}", "    ", "      ")
+            if f.cofactor:
+                below = f"divided by the cofactor {_sign(f.cofactor)}, which is {_small(f.cofactor_value)} here"
+                yield from wrapped(below, "    ", "      ")
     yield ""
     yield "Limbs by themselves: margin to their own singularities (0 singular)"
     yield from columns([(limb.name, _small(limb.margin), "") for limb in r.limbs], "  ")
