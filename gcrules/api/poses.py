@@ -11,6 +11,7 @@ from gcrules.api.signatures import public
 from gcrules.mechanisms.load import Folders, Source
 from gcrules.poses.compiling.compiled import CompiledCondition
 from gcrules.poses.compiling.compiled import compiled as of_condition
+from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.loci.locus import locus as computed
 from gcrules.poses.loci.report import Locus
@@ -104,14 +105,18 @@ def path(
     samples: int = 200,
     about: str | Sequence[Any] = "centroid",
     threshold: str = "0.5 deg",
-) -> PathReport:
-    """Every singular pose on a path through given poses, proved complete, and numbers along it (a `PathReport`).
+) -> PathReport | RobotPath:
+    """Every singular pose on a path through given poses, proved complete, and numbers along it (a `PathReport`, for a
+    robot of joints a `RobotPath`).
 
-    `source` and `about` are those of `pose`, for platforms on six legs. `poses` is the name of a table as for `gcrules
-    path --poses`, or two poses or more, each as for `pose`. Between two of them the centre moves on a straight line and
-    the platform turns about one axis, the shorter way. `samples` is the number of places at which values are given;
-    singular poses are found between them, too. `threshold` is an angle. Raises InputError for what is no path and for
-    degenerate robots.
+    `source` and `about` are those of `pose`. `poses` is the name of a table as for `gcrules path --poses`, or two poses
+    or more, each as for `pose`. Between two of them the centre moves on a straight line and the platform turns about
+    one axis, the shorter way. `samples` is the number of places at which values are given; singular poses are found
+    between them, too. `threshold` is an angle.
+
+    For a robot of joints a pose may be "home", and all others name the same coordinates, which grow evenly between two
+    of them; stretches in which nothing is proved are listed. Raises InputError for what is no path and for degenerate
+    robots.
     """
     return along(source, poses, samples=samples, about=about, threshold=threshold)
 

@@ -24,11 +24,14 @@ import numpy as np
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.methods import on_six_legs
+from gcrules.poses.limbs.path import path_of_limbs
+from gcrules.poses.limbs.path_report import RobotPath
+from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.arrays import from_poses, matrices
 from gcrules.poses.numbers.many import PoseNumbers, numbers
 from gcrules.poses.numbers.pose_arguments import one_pose
@@ -43,7 +46,7 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import decide
 
-__all__ = ["MAX_SAMPLES", "SAMPLES", "path"]
+__all__ = ["MAX_SAMPLES", "SAMPLES", "path", "path_of_legs"]
 
 SAMPLES = 200
 MAX_SAMPLES = 200_000
@@ -56,9 +59,35 @@ def path(
     samples: int = SAMPLES,
     about: str | Sequence[Any] = "centroid",
     threshold: str | Threshold = DEFAULT,
-) -> PathReport:
+) -> PathReport | RobotPath:
     """The function of `gcrules.api.poses`, which says what the arguments are."""
-    m = on_six_legs(mechanism(robot, about=about), "a path")
+    return method(_PATH, mechanism(robot, about=about), "a path")(poses, samples, threshold)
+
+
+def _of_limbs(
+    m: Limbs, poses: str | PathLike[str] | Sequence[Any], samples: int, threshold: str | Threshold
+) -> PathReport | RobotPath:
+    """By the exact polynomial where the limbs are six legs."""
+    try:
+        legs = m.six_legs()
+    except InputError:
+        table = isinstance(poses, (str, PathLike))
+        listed = load_poses(fspath(poses), m.unit)[0] if isinstance(poses, (str, PathLike)) else poses
+        if not table and not hasattr(listed, "__iter__"):
+            raise _no_path(poses) from None
+        limit = angle_threshold(threshold, "along a path")
+        return path_of_limbs(m, list(listed), samples=samples, threshold=limit)
+    return path_of_legs(legs, poses, samples, threshold)
+
+
+def _no_path(given: Any) -> InputError:
+    return InputError(f"{str(given)[:40]} is no path", hint="give two poses or more, or the name of a table")
+
+
+def path_of_legs(
+    m: SixLegs, poses: str | PathLike[str] | Sequence[Any], samples: int = SAMPLES, threshold: str | Threshold = DEFAULT
+) -> PathReport:
+    """The path of a platform on six legs: all zeros of the exact polynomial."""
     moving = m.rig
     limit = angle_threshold(threshold, "along a path")
     found, notes = _poses(poses, moving.unit)
@@ -96,7 +125,7 @@ def _poses(given: str | PathLike[str] | Sequence[Any], unit: str) -> tuple[tuple
         found, notes = load_poses(fspath(given), unit)
     else:
         if not hasattr(given, "__iter__"):
-            raise InputError(f"{str(given)[:40]} is no path", hint="give two poses or more, or the name of a table")
+            raise _no_path(given)
         listed = [_pose(k, p, unit) for k, p in enumerate(given)]
         found, notes = tuple(listed), tuple(dict.fromkeys(n for p in listed for n in p.notes))
     if len(found) < 2:
@@ -247,3 +276,7 @@ def _settled(n: PoseNumbers, singular: Any) -> PoseNumbers:
         condition_number=np.where(singular, np.inf, n.condition_number),
         verdict=np.where(singular, "singular", n.verdict),
     )
+
+
+_PATH: Methods[PathReport | RobotPath] = {SixLegs: path_of_legs, Limbs: _of_limbs}
+"""The method for each kind of mechanism."""

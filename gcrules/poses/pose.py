@@ -25,7 +25,7 @@ from gcrules.poses.methods import Methods, method, on_six_legs
 from gcrules.poses.numbers.many import PoseNumbers
 from gcrules.poses.numbers.pose_arguments import is_many, known_accuracy, one_pose
 from gcrules.poses.numbers.report import PoseReport
-from gcrules.poses.path_report import path
+from gcrules.poses.path_report import path_of_legs
 from gcrules.poses.pose_report import numbers_of_legs, report_of_legs
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold, threshold_of
@@ -112,7 +112,7 @@ def _first_of_legs(
     if end is None:
         raise InputError("no direction is given in which to look", hint='give the end of the way: "z=1, roll=0deg"')
     limit = threshold_of(threshold, m.unit)
-    way = path(m.analysis, [Pose(), end], samples=1, about=m.about)
+    way = path_of_legs(m, [Pose(), end], samples=1)
     if not way.zeros and not way.stretches:
         return None
     first = Pose() if way.stretches else way.zeros[0].pose  # a stretch is all of the way

@@ -85,6 +85,11 @@ FORMS: dict[str, Forms] = {
     "gcrules.poses.paths.report.PathReport": _result(
         "path", formula="", others={"svg": f"{_VIEWS}.plots.path_plot:svg", "plot": f"{_VIEWS}.plots.path_plot:plot"}
     ),
+    "gcrules.poses.limbs.path_report.RobotPath": _result(
+        "robot_path",
+        formula="",
+        others={"svg": f"{_VIEWS}.plots.path_plot:svg_of_robot", "plot": f"{_VIEWS}.plots.path_plot:plot_of_robot"},
+    ),
     "gcrules.poses.maps.report.SingularMap": _result(
         "map",
         formula="",

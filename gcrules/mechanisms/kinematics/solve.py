@@ -64,10 +64,10 @@ class Course:
         w, m = self.target, self.m
         if w.driven:
             reached = [here.joint_values[a.place][a.coordinate] + amounts[a.place][a.coordinate] for a in m.actuators]
-            return (np.array(reached) - part * w.values) / self._units
+            return (np.array(reached) - w.value(part)) / self._units
         motion = links[0][-1] @ here.platform
         if w.whole is None:
-            return wrapped(w.names, coordinates(w.names, motion, m.centre) - part * w.values) / self._units
+            return wrapped(w.names, coordinates(w.names, motion, m.centre) - w.value(part)) / self._units
         goal = part_of(w, part, m.centre)
         shift = (motion - goal)[:3, :3] @ m.centre + (motion - goal)[:3, 3]
         return np.concatenate([shift / m.size, rotation_vector(motion[:3, :3] @ goal[:3, :3].T)])
@@ -106,8 +106,9 @@ class Course:
 
 def part_of(w: Target, part: float, centre: Floats) -> Floats:
     """The motion from home after a part of the way to a whole pose: shift and rotation vector grow evenly."""
-    found = exponential(np.array([*(part * w.values[3:]), 0, 0, 0]), 1.0)
-    found[:3, 3] = part * w.values[:3] + centre - found[:3, :3] @ centre
+    start = np.eye(4) if w.start is None else w.start
+    found = exponential(np.array([*(part * w.values[3:]), 0, 0, 0]), 1.0) @ start
+    found[:3, 3] = part * w.values[:3] + start[:3, :3] @ centre + start[:3, 3] - found[:3, :3] @ centre
     return found
 
 

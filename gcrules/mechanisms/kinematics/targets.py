@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.linkage import Actuator, Linkage
-from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, rotation_vector
 from gcrules.screws.pose import Pose, exact_float
 from gcrules.screws.pose_text import (
     ANGLES,
@@ -41,8 +41,9 @@ __all__ = [
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """Values of the names: coordinates of the pose, or actuators where `driven`; angles in radians. For a whole pose
-    `whole` is its motion from home, (4, 4), about the centre.
+    """By how much the names grow, from home or from `start`: coordinates of the pose, or actuators where `driven`;
+    angles in radians. For a whole pose `whole` is its motion from home, (4, 4), and the values are the shift of the
+    centre and the rotation vector; `start` is a motion too, else it holds the values there.
     """
 
     names: tuple[str, ...]
@@ -51,6 +52,19 @@ class Target:
     whole: Floats | None = None
     text: str = ""
     notes: tuple[str, ...] = ()
+    start: Floats | None = None
+
+    def value(self, part: float) -> Floats:
+        """The values of the names after a part of the way; not for a whole pose."""
+        return part * self.values if self.start is None else self.start + part * self.values
+
+    def after(self, before: Target, centre: Floats) -> Target:
+        """The same one, with a way that begins at another one and not at home; both of the same names."""
+        if self.whole is None or before.whole is None:
+            return replace(self, values=self.values - before.values, start=before.values)
+        turn = rotation_vector(self.whole[:3, :3] @ before.whole[:3, :3].T)
+        shift = (self.whole - before.whole)[:3, :3] @ centre + (self.whole - before.whole)[:3, 3]
+        return replace(self, values=np.concatenate([shift, turn]), start=before.whole)
 
 
 def read_pose(m: Linkage, text: str, option: str = "--at") -> Target:

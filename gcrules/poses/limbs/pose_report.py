@@ -38,7 +38,7 @@ from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import decide
 
-__all__ = ["SINGULAR", "first_singular_pose", "report_at", "report_of_limbs"]
+__all__ = ["SINGULAR", "cause_of", "first_singular_pose", "report_at", "report_of_limbs", "target_of"]
 
 SINGULAR = 1e-9
 """σ below which a configuration counts as singular: about as exact as configurations are solved for."""
@@ -176,14 +176,15 @@ def _causes(values: Sequence[ConditionFactor], verdict: str) -> tuple[str, ...]:
     live = [f for f in values if f.live and isfinite(f.value)]
     if verdict == "singular":
         zero = [f for f in live if abs(f.value) <= _NEAR_ZERO]
-        return tuple(f"{_capital(_words(f))} ({f.kind} singularity)." for f in zero)
+        return tuple(f"{_capital(cause_of(f))} ({f.kind} singularity)." for f in zero)
     if verdict == "close" and live:
         least = min(live, key=lambda f: abs(f.value))
-        return (f"Nearly: {_words(least)}.",)
+        return (f"Nearly: {cause_of(least)}.",)
     return ()
 
 
-def _words(f: ConditionFactor) -> str:
+def cause_of(f: ConditionFactor) -> str:
+    """When a factor vanishes, in words."""
     return f.statement or f"{f.expression} = 0{f', divided by the cofactor {f.cofactor}' if f.cofactor else ''}"
 
 

@@ -1,4 +1,4 @@
-r"""The plot of a path: margin and superbracket over the parameter, singular places marked by shape and colour."""
+r"""The plot of a path: two quantities over the parameter, singular places marked by shape and colour."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.many import scaled_superbracket
-from gcrules.poses.paths.report import PathReport, Zero
+from gcrules.poses.paths.report import PathReport
 from gcrules.screws.margin import jacobian
-from gcrules.screws.threshold import margin_of
+from gcrules.screws.threshold import Threshold, margin_of
 from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, text_width
 
-__all__ = ["plot", "svg"]
+__all__ = ["plot", "plot_of_robot", "svg", "svg_of_robot"]
 
 Floats = NDArray[np.float64]
 
@@ -50,40 +51,87 @@ class _Axis:
         return [step * k for k in range(first, math.floor(self.high / step + 1e-9) + 1)]
 
 
+@dataclass(frozen=True)
+class _Plot:
+    """What is drawn: above the margin σ with the threshold, below another quantity; `zeros` are places with their kind,
+    `blocks` stretches with what they mean.
+    """
+
+    title: str
+    end: float
+    places: Floats
+    margins: Floats
+    other: tuple[str, Floats]
+    zeros: tuple[tuple[float, str], ...]
+    blocks: tuple[tuple[float, float], ...]
+    meaning: str
+    threshold: Threshold
+
+
 def plot(r: PathReport) -> Drawing:
     """Above the margin σ with the threshold, below the superbracket; the x axis is the parameter of the path."""
-    x = _Axis(0, len(r.poses) - 1, LEFT, WIDTH - RIGHT)
-    sigma = _Axis(0, _up(max(float(r.numbers.margin.max(initial=0)), 1e-9)), _TOP + _UPPER, _TOP)
-    value = _determinant(r)
+    return _drawn(
+        _Plot(
+            f"{r.rig.title}: margin and superbracket along a path through {len(r.poses)} poses, {r.verdict}",
+            len(r.poses) - 1,
+            r.parameters,
+            r.numbers.margin,
+            ("superbracket / (leg lengths · ρ³) (no unit)", _determinant(r)),
+            tuple((z.parameter, z.kind) for z in r.zeros),
+            tuple((s.start, s.end) for s in r.stretches),
+            "singular throughout",
+            r.threshold,
+        )
+    )
+
+
+def plot_of_robot(r: RobotPath) -> Drawing:
+    """Above the margin σ with the threshold, below the least margin of the limbs by themselves."""
+    return _drawn(
+        _Plot(
+            f"{r.title}: margin and the limbs' own margins along a path through {len(r.texts)} poses, {r.verdict}",
+            len(r.texts) - 1,
+            r.parameters,
+            r.margins,
+            ("least margin of the limbs by themselves (no unit; 0 is singular)", r.limb_margins),
+            tuple((c.parameter, "crosses") for c in r.crossings),
+            r.undecided,
+            "not decided",
+            r.threshold,
+        )
+    )
+
+
+def _drawn(p: _Plot) -> Drawing:
+    x = _Axis(0, p.end, LEFT, WIDTH - RIGHT)
+    sigma = _Axis(0, _up(max(float(p.margins.max(initial=0)), 1e-9)), _TOP + _UPPER, _TOP)
+    label, value = p.other
     low, high = (math.copysign(_up(abs(v)), v) if v else 0.0 for v in (value.min(initial=0), value.max(initial=0)))
     floor = _TOP + _UPPER + _GAP + _LOWER
-    det = _Axis(low, high, floor, floor - _LOWER) if low < high else _Axis(-1, 1, floor, floor - _LOWER)
+    other = _Axis(low, high, floor, floor - _LOWER) if low < high else _Axis(-1, 1, floor, floor - _LOWER)
     shapes: list[Shape] = []
-    for s in r.stretches:
-        for axis in (sigma, det):
-            corners = ((x(s.start), axis.start), (x(s.end), axis.start), (x(s.end), axis.end), (x(s.start), axis.end))
+    for start, end in p.blocks:
+        for axis in (sigma, other):
+            corners = ((x(start), axis.start), (x(end), axis.start), (x(end), axis.end), (x(start), axis.end))
             shapes.append(Polygon(corners, fill="mark", fill_opacity=0.16))
     shapes += _frame(x, sigma, "margin σ (no unit; 0 is singular)", last=False)
-    shapes += _frame(x, det, "superbracket / (leg lengths · ρ³) (no unit)", last=True)
-    assert r.threshold.angle is not None
-    limit = margin_of(r.threshold.angle)
+    shapes += _frame(x, other, label, last=True)
+    assert p.threshold.angle is not None
+    limit = margin_of(p.threshold.angle)
     if limit < sigma.high:
         shapes.append(Stroke((x.start, sigma(limit)), (x.end, sigma(limit)), "muted", 1.0, dash=(5, 3)))
-    if det.low < 0 < det.high:
-        shapes.append(Stroke((x.start, det(0)), (x.end, det(0)), "muted", 0.8))
-    for z in r.zeros:
-        for axis in (sigma, det):
-            shapes.append(
-                Stroke((x(z.parameter), axis.end), (x(z.parameter), axis.start), "mark", 0.8, 0.6, dash=(2, 3))
-            )
-    shapes += _curve(x, sigma, r.parameters, r.numbers.margin, "entity1")
-    shapes += _curve(x, det, r.parameters, value, "entity2")
-    for z in r.zeros:
-        shapes += [_marker(z, (x(z.parameter), axis(0))) for axis in (sigma, det)]
-    shapes += _numbers(r.zeros, x, sigma.end - 6)
-    shapes += _legend(r, floor + 58)
-    title = f"{r.rig.title}: margin and superbracket along a path through {len(r.poses)} poses, {r.verdict}"
-    return Drawing(WIDTH, floor + _BOTTOM, tuple(shapes), title)
+    if other.low < 0 < other.high:
+        shapes.append(Stroke((x.start, other(0)), (x.end, other(0)), "muted", 0.8))
+    for place, _ in p.zeros:
+        for axis in (sigma, other):
+            shapes.append(Stroke((x(place), axis.end), (x(place), axis.start), "mark", 0.8, 0.6, dash=(2, 3)))
+    shapes += _curve(x, sigma, p.places, p.margins, "entity1")
+    shapes += _curve(x, other, p.places, value, "entity2")
+    for place, kind in p.zeros:
+        shapes += [_marker(kind, (x(place), axis(0))) for axis in (sigma, other) if axis.low <= 0 <= axis.high]
+    shapes += _numbers([place for place, _ in p.zeros], x, sigma.end - 6)
+    shapes += _legend(p, floor + 58)
+    return Drawing(WIDTH, floor + _BOTTOM, tuple(shapes), p.title)
 
 
 def _determinant(r: PathReport) -> Floats:
@@ -128,42 +176,43 @@ def _curve(x: _Axis, y: _Axis, places: Floats, values: Floats, colour: str) -> I
         yield Stroke(start, end, colour, 1.6)
 
 
-def _marker(z: Zero, at: XY) -> Shape:
+def _marker(kind: str, at: XY) -> Shape:
     """A full diamond where the path crosses, an open circle where it touches, a full square at its ends."""
     (u, v), d = at, 4.5
-    if z.kind == "touches":
+    if kind == "touches":
         return Circle(at, d, fill="paper", stroke="mark", width=1.8)
-    if z.kind == "crosses":
+    if kind == "crosses":
         return Polygon(((u - d, v), (u, v - d), (u + d, v), (u, v + d)), fill="mark", stroke="paper", width=0.8)
     d *= 0.75
     return Polygon(((u - d, v - d), (u + d, v - d), (u + d, v + d), (u - d, v + d)), fill="mark", stroke="paper")
 
 
-def _numbers(zeros: Sequence[Zero], x: _Axis, height: float) -> Iterator[Shape]:
+def _numbers(zeros: Sequence[float], x: _Axis, height: float) -> Iterator[Shape]:
     """The numbers that the zeros have in the text; those that are too near each other share a place: 2–5."""
     groups: list[list[int]] = []
     for n in range(len(zeros)):
-        if groups and x(zeros[n].parameter) - x(zeros[groups[-1][-1]].parameter) < 15:
+        if groups and x(zeros[n]) - x(zeros[groups[-1][-1]]) < 15:
             groups[-1].append(n)
         else:
             groups.append([n])
     for group in groups:
         first, last = group[0], group[-1]
         words = f"{first + 1}" if first == last else f"{first + 1}–{last + 1}"
-        place = (x(zeros[first].parameter) + x(zeros[last].parameter)) / 2
+        place = (x(zeros[first]) + x(zeros[last])) / 2
         yield Text((place, height), (Run(words),), _SIZE, "middle", "mark", halo=True)
 
 
-def _legend(r: PathReport, height: float) -> Iterator[Shape]:
+def _legend(p: _Plot, height: float) -> Iterator[Shape]:
     """What the marks mean that occur."""
     dashes = partial(_dashes, height)
-    entries: list[tuple[Callable[[float], Shape], str]] = [(dashes, f"threshold {r.threshold.text}")]
-    meaning = (("crosses", "crosses"), ("touches", "touches"), ("starts", "starts or ends"), ("ends", "starts or ends"))
-    shown = {words: z for kind, words in meaning for z in r.zeros if z.kind == kind}
-    for words, z in shown.items():
-        entries.append((partial(_sign, z, height), words))
-    if r.stretches:
-        entries.append((partial(_block, height), "singular throughout"))
+    entries: list[tuple[Callable[[float], Shape], str]] = [(dashes, f"threshold {p.threshold.text}")]
+    meaning = {"crosses": "crosses", "touches": "touches", "starts": "starts or ends", "ends": "starts or ends"}
+    occurring = {kind for _, kind in p.zeros}
+    shown = {words: kind for kind, words in meaning.items() if kind in occurring}
+    for words, kind in shown.items():
+        entries.append((partial(_sign, kind, height), words))
+    if p.blocks:
+        entries.append((partial(_block, height), p.meaning))
     u = LEFT + 8
     for draw, words in entries:
         text = _words((u + 14, height), words)
@@ -176,8 +225,8 @@ def _dashes(height: float, u: float) -> Shape:
     return Stroke((u - 8, height - 4), (u + 8, height - 4), "muted", 1.0, dash=(5, 3))
 
 
-def _sign(z: Zero, height: float, u: float) -> Shape:
-    return _marker(z, (u, height - 4))
+def _sign(kind: str, height: float, u: float) -> Shape:
+    return _marker(kind, (u, height - 4))
 
 
 def _block(height: float, u: float) -> Shape:
@@ -188,3 +237,8 @@ def _block(height: float, u: float) -> Shape:
 def svg(r: PathReport) -> str:
     """The plot as SVG."""
     return plot(r).svg()
+
+
+def svg_of_robot(r: RobotPath) -> str:
+    """The plot as SVG."""
+    return plot_of_robot(r).svg()

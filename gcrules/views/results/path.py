@@ -12,7 +12,7 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import degrees, turn_of
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["as_latex", "as_text", "in_ascii", "listed_verdicts", "wrapped"]
 
 WIDTH = 100
 _MOST = 40  # places that are explained; the JSON object and the table hold all
@@ -29,18 +29,23 @@ KINDS = {
 def as_text(r: PathReport, *, unicode: bool = False) -> str:
     """The whole report; without `unicode` in ASCII."""
     found = "\n".join(_lines(r))
-    return found if unicode else found.translate(_ASCII)
+    return found if unicode else in_ascii(found)
+
+
+def in_ascii(text: str) -> str:
+    """The text without signs of mathematics."""
+    return text.translate(_ASCII)
 
 
 def _lines(r: PathReport) -> Iterator[str]:
-    yield from _wrapped(f"{r.verdict}: {r.reason}")
+    yield from wrapped(f"{r.verdict}: {r.reason}")
     if r.zeros or r.stretches:
         yield ""
         yield "Singular places"
     for s in r.stretches:
-        yield from _wrapped(f"parameter {s.start} to {s.end}: every pose is singular; half way:", "  ")
+        yield from wrapped(f"parameter {s.start} to {s.end}: every pose is singular; half way:", "  ")
         for cause in s.causes:
-            yield from _wrapped(cause, "     ", " " * 7)
+            yield from wrapped(cause, "     ", " " * 7)
         if s.dependence:
             yield from _gained(s.dependence, r.rig.unit)
     for n, z in enumerate(r.zeros[:_MOST], 1):
@@ -53,30 +58,30 @@ def _lines(r: PathReport) -> Iterator[str]:
         ("between", "the centre moves on a straight line, the platform turns about one axis, the shorter way"),
         ("centre", _centre(r)),
         *_least(r),
-        ("values", f"at {_count(len(r), 'sample')}: {_verdicts(r)}"),
+        ("values", f"at {_count(len(r), 'sample')}: {listed_verdicts(r.numbers.verdict.tolist())}"),
         ("proof", _proof(r)),
         *(("note", note) for note in r.notes),
     ]
     width = max(len(name) for name, _ in rows)
     for name, value in rows:
-        yield from _wrapped(value, f"{name:<{width}}  ", " " * (width + 2))
+        yield from wrapped(value, f"{name:<{width}}  ", " " * (width + 2))
 
 
 def _zero(number: int, z: Zero, unit: str) -> Iterator[str]:
     times = f", a zero of multiplicity {z.multiplicity}" if z.multiplicity > 1 else ""
     exactly = f" = {z.lower}" if z.exact and z.lower.denominator > 1 and len(str(z.lower)) < 12 else ""
-    yield from _wrapped(f"{number}. at parameter {z.parameter:.6g}{exactly}: {KINDS[z.kind]}{times}", "  ", " " * 5)
-    yield from _wrapped(f"pose {_pose(z.pose)}", "     ", " " * 7)
+    yield from wrapped(f"{number}. at parameter {z.parameter:.6g}{exactly}: {KINDS[z.kind]}{times}", "  ", " " * 5)
+    yield from wrapped(f"pose {_pose(z.pose)}", "     ", " " * 7)
     for cause in z.causes:
-        yield from _wrapped(cause, "     ", " " * 7)
+        yield from wrapped(cause, "     ", " " * 7)
     if z.dependence:
         yield from _gained(z.dependence, unit)
 
 
 def _gained(d: Dependence, unit: str) -> Iterator[str]:
     for m in d.motions:
-        yield from _wrapped(f"Gained motion: the platform can {m.text(unit)}.", "     ", " " * 7)
-    yield from _wrapped(f"Dependent legs: {', '.join(d.legs)}; they span {d.within.name}.", "     ", " " * 7)
+        yield from wrapped(f"Gained motion: the platform can {m.text(unit)}.", "     ", " " * 7)
+    yield from wrapped(f"Dependent legs: {', '.join(d.legs)}; they span {d.within.name}.", "     ", " " * 7)
 
 
 def _least(r: PathReport) -> Iterator[tuple[str, str]]:
@@ -99,8 +104,8 @@ def _proof(r: PathReport) -> str:
     )
 
 
-def _verdicts(r: PathReport) -> str:
-    verdicts = r.numbers.verdict.tolist()
+def listed_verdicts(verdicts: Sequence[str]) -> str:
+    """ "180 regular, 20 close"."""
     return ", ".join(f"{verdicts.count(v)} {v}" for v in ("regular", "close", "singular") if v in verdicts)
 
 
@@ -126,7 +131,8 @@ def _numbers(values: Sequence[float]) -> str:
     return " ".join("0" if abs(x) <= least else f"{x:.6g}" for x in values)
 
 
-def _wrapped(text: str, first: str = "", rest: str | None = None) -> list[str]:
+def wrapped(text: str, first: str = "", rest: str | None = None) -> list[str]:
+    """The text in lines, the first of them behind `first`, the others behind `rest`."""
     other = first + "  " if rest is None else rest
     return textwrap.wrap(
         text, WIDTH, initial_indent=first, subsequent_indent=other, break_long_words=False, break_on_hyphens=False

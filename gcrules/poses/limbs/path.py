@@ -1,0 +1,238 @@
+r"""A robot of joints along a path: the loops are closed step by step, and what lies between the steps is proved.
+
+Each step follows one branch of solutions, proved by Krawczyk's operator; that nothing between two steps is singular is
+proved likewise (`gcrules.mechanisms.kinematics.branch`). So a singular configuration can lie only where the determinant
+of all wrenches changes its sign, which is located, or in short stretches that are told as undecided: as a rule where
+the path touches a singular configuration, or where a limb is singular by itself.
+
+>>> from gcrules.mechanisms.mechanism import mechanism
+>>> from gcrules.screws.threshold import threshold_of
+>>> found = path_of_limbs(mechanism("3-rpr"), ["x=0, y=0, yaw=0deg", "x=0, y=0, yaw=60deg"], samples=4,
+...                       threshold=threshold_of("0.5 deg"))
+>>> found.verdict, [round(c.parameter, 4) for c in found.crossings], found.undecided
+('singular', [0.2952], ())
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import ceil
+from typing import Any
+
+import numpy as np
+
+from gcrules.core.budget import checkpoint
+from gcrules.core.budget import report as report_progress
+from gcrules.core.english import agreeing, listed
+from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.kinematics.coordinates import coordinates
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
+from gcrules.mechanisms.kinematics.margin import limb_margins, margin
+from gcrules.mechanisms.kinematics.solve import check_target, solve
+from gcrules.mechanisms.kinematics.targets import Target
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.limbs.factors import factors
+from gcrules.poses.limbs.path_report import Crossing, RobotPath
+from gcrules.poses.limbs.pose_report import SINGULAR, cause_of, target_of
+from gcrules.poses.limbs.way import Stretch, Way
+from gcrules.poses.numbers.motion import twist_of
+from gcrules.screws.threshold import Threshold, degrees, margin_of, turn_of
+from gcrules.screws.verdict import decide
+
+__all__ = ["path_of_limbs"]
+
+MAX_SAMPLES = 20_000
+_HOME = "home"
+
+
+def path_of_limbs(found: Limbs, poses: Sequence[Any], *, samples: Any = 200, threshold: Threshold) -> RobotPath:
+    """The path through `poses`, each as for `target_of`, or "home"; all of the same coordinates. Numbers are given at
+    `samples` places, beside the poses and the crossings.
+
+    Raises InputError for what is no path, and where the robot does not assemble on it.
+    """
+    m = found.linkage
+    targets = _targets(m, poses)
+    number = len(targets) - 1
+    if isinstance(samples, bool) or not isinstance(samples, int) or samples < 1:
+        raise InputError(f"the number of samples is {samples!r}, expected a whole number from 1 on")
+    each = ceil(samples / number)
+    if each * number > MAX_SAMPLES:
+        raise LimitReached(
+            f"{each * number:,} samples are more than {MAX_SAMPLES:,}", hint="crossings lie between them"
+        )
+    check_target(m, targets[0])
+    first = solve(m, targets[0])
+    doubts = [] if first.doubt is None else [0.0]
+    parts: list[_Segment] = []
+    here = first.configuration
+    for k, (before, target) in enumerate(pairwise(targets)):
+        checkpoint()
+        report_progress(f"segment {k + 1} of {number}")
+        segment, doubt = _segment(m, found.analysis, k, target.after(before, m.centre), here, each)
+        here = segment.way.nodes[-1][1]
+        doubts += [] if doubt is None else [k + doubt]
+        parts.append(segment)
+    return _report(found, threshold, targets, parts, min(doubts, default=None))
+
+
+@dataclass(frozen=True, eq=False)
+class _Segment:
+    """What was found between two poses, its places as parameters of the path, and the sampled configurations."""
+
+    way: Way
+    crossings: tuple[Crossing, ...]
+    undecided: tuple[Stretch, ...]
+    sampled: tuple[tuple[float, Configuration], ...]
+
+
+def _targets(m: Linkage, poses: Sequence[Any]) -> list[Target]:
+    given = list(poses)
+    if len(given) < 2:
+        raise InputError(f"a path needs two poses or more, found {len(given)}", hint="for one pose: gcrules pose")
+    read = [None if one is None or one == _HOME else _target(m, k, one) for k, one in enumerate(given)]
+    known = next((t for t in read if t is not None), None)
+    if known is None:
+        raise InputError("all poses of the path are home", hint='give another one: "z=0.1, roll=0deg, …"')
+    return [_alike(known, k, t) for k, t in enumerate(read)]
+
+
+def _target(m: Linkage, number: int, given: Any) -> Target | None:
+    try:
+        return target_of(m, given, None)
+    except GcrulesError as fault:
+        if fault.source is None:
+            fault.args = (f"pose {number}: {fault.message}",)
+            fault.message = f"pose {number}: {fault.message}"
+        raise
+
+
+def _alike(known: Target, number: int, one: Target | None) -> Target:
+    """A pose in the coordinates of another one, home where there is none."""
+    if one is None:
+        whole = None if known.whole is None else np.eye(4)
+        return Target(known.names, np.zeros(len(known.names)), whole=whole, text=_HOME)
+    if set(one.names) != set(known.names):
+        raise InputError(
+            f"pose {number} gives {listed(one.names)}, the others {listed(known.names)}",
+            hint="all poses of a path name the same coordinates",
+        )
+    order = [one.names.index(n) for n in known.names]
+    return Target(known.names, one.values[order], whole=one.whole, text=one.text, notes=one.notes)
+
+
+def _segment(
+    m: Linkage, analysis: RobotAnalysis, k: int, target: Target, start: Configuration, each: int
+) -> tuple[_Segment, float | None]:
+    try:
+        way, doubt = Way.to(m, target, start)
+    except InputError as fault:
+        raise InputError(f"between pose {k} and pose {k + 1}: {fault.message}", hint=fault.hint) from None
+    changes, unknown = way.signs()
+    left = list(way.unproved())
+    crossings = []
+    for a, b in changes:
+        around = next((s for s in left if s[0] <= b and a <= s[1]), (a, b))
+        if around in left and sum(around[0] <= y and x <= around[1] for x, y in changes) == 1:
+            left.remove(around)
+        crossings.append(_crossing(way, analysis, k, (a, b), around))
+    if unknown is not None and not left and not changes:
+        left = [(unknown, unknown)]
+    sampled = [(k + s, way.at(s)) for s in np.linspace(0, 1, each + 1)[: None if each else 1].tolist()]
+    sampled += [(c.parameter, way.at(c.parameter - k)) for c in crossings]
+    undecided = tuple((float(k + a), float(k + b)) for a, b in left)
+    return _Segment(way, tuple(crossings), undecided, tuple(sampled)), doubt
+
+
+def _crossing(way: Way, analysis: RobotAnalysis, k: int, at: Stretch, around: Stretch) -> Crossing:
+    m = way.m
+    part = _secant(way, at)
+    (before, after), middle = (factors(analysis, way.at(p).values) for p in at), way.at(part)
+    changed = [cause_of(a) for a, b in zip(before, after, strict=True) if a.live and a.value * b.value < 0]
+    near = margin(m, middle)
+    motion = twist_of(near.motions[-1][:3], near.motions[-1][3:], near.centre, m.size)
+    place = coordinates(way.target.names, middle.platform, m.centre)
+    a, b = (float(k + p) for p in at)
+    first, last = (float(k + p) for p in around)
+    return Crossing(k + part, a, b, first, last, tuple(map(float, place)), tuple(changed), motion)
+
+
+def _secant(way: Way, at: Stretch) -> float:
+    """Where the determinant is 0 if it is linear between two places so near to each other."""
+    low, high = (abs(way.frames(way.at(p)).determinant or 0.0) for p in at)
+    return float(at[0] + (at[1] - at[0]) * low / (low + high)) if low + high else sum(at) / 2
+
+
+def _report(
+    found: Limbs, limit: Threshold, targets: Sequence[Target], parts: Sequence[_Segment], doubt: float | None
+) -> RobotPath:
+    m = found.linkage
+    sampled = {p: c for part in parts for p, c in part.sampled}
+    parameters = np.array(sorted(sampled))
+    way = [sampled[p] for p in parameters.tolist()]
+    sigma = np.array([margin(m, c).sigma for c in way])
+    values = [factors(found.analysis, c.values) for c in way]
+    own = np.array([min(limb_margins(m, c)) for c in way])
+    crossings = tuple(c for part in parts for c in part.crossings)
+    undecided = tuple(s for part in parts for s in part.undecided)
+    at_crossing = np.isin(parameters, [c.parameter for c in crossings])
+    sigma = np.where(at_crossing, 0.0, sigma)
+    assert limit.angle is not None
+    close = margin_of(limit.angle)
+    verdicts = np.array([
+        "singular" if c <= SINGULAR else decide(s, SINGULAR, close=close) for s, c in zip(sigma, own, strict=True)
+    ])  # fmt: skip
+    verdict, reason = _verdict(parameters, sigma, verdicts, crossings, undecided, limit)
+    names = targets[0].names
+    return RobotPath(
+        robot=m.robot.id,
+        title=m.robot.title,
+        statement=found.analysis.statement,
+        texts=tuple(t.text for t in targets),
+        names=names,
+        actuators=m.actuators,
+        verdict=verdict,
+        reason=reason,
+        crossings=crossings,
+        undecided=undecided,
+        branch_doubt=doubt,
+        threshold=limit,
+        parameters=parameters,
+        coordinates=np.array([coordinates(names, c.platform, m.centre) for c in way]),
+        actuator_values=np.array([[c.joint_values[a.place][a.coordinate] for a in m.actuators] for c in way]),
+        margins=sigma,
+        limb_margins=own,
+        factors=tuple(f.expression for f in values[0]),
+        factor_values=np.array([[f.value for f in one] for one in values]).reshape(len(way), -1),
+        verdicts=verdicts,
+        notes=tuple(dict.fromkeys(n for t in targets for n in t.notes)),
+    )
+
+
+def _verdict(
+    parameters: Any,
+    sigma: Any,
+    verdicts: Any,
+    crossings: Sequence[Crossing],
+    undecided: Sequence[Stretch],
+    limit: Threshold,
+) -> tuple[str, str]:
+    places = [f"{a:.5g} to {b:.5g}" if b > a else f"{a:.5g}" for a, b in undecided]
+    open_ = f"; at parameter {listed(places)} it is not decided" if places else ""
+    if crossings:
+        some = agreeing([f"{c.parameter:.5g}" for c in crossings], "", "").strip()
+        words = f"The path crosses a singular configuration at parameter {some}, and nowhere else, proved{open_}."
+        return "singular", words
+    if "singular" in verdicts:
+        first = float(parameters[verdicts == "singular"][0])
+        return "singular", f"The path is singular at parameter {first:.5g}{open_}."
+    least = float(sigma.min())
+    where = f"σ = {least:.4g} at parameter {float(parameters[int(sigma.argmin())]):.4g} is the least of all samples"
+    turn = f"from there the wrenches of some limb have to turn by {degrees(turn_of(least))} (threshold {limit.text})"
+    if places:
+        return "close", f"No singular configuration was found{open_}. {where}."
+    word = "close" if "close" in verdicts else "regular"
+    return word, f"No configuration of the path is singular, proved. {where}; {turn}."

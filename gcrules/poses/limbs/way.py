@@ -1,0 +1,151 @@
+r"""A way that was driven step by step: where the determinant of the wrenches changes its sign, and what is proved.
+
+Between two steps `gcrules.mechanisms.kinematics.branch` proves that nothing is singular, or the step is parted until it
+does or is too short. Where the sign changes something is singular; the place is narrowed down.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cache
+from heapq import heapify, heappop, heappush
+from itertools import pairwise
+
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.branch import is_regular
+from gcrules.mechanisms.kinematics.determinants import Frames, frames, has_sign, relative_sign
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
+from gcrules.mechanisms.kinematics.solve import Course, Solution, goal
+from gcrules.mechanisms.kinematics.targets import Target
+
+__all__ = ["Node", "Stretch", "Way"]
+
+_NARROW = 1e-5  # of the way: how closely a crossing is located
+_SHORTEST = 1 / 4096  # of the way: shorter stretches are not parted for a proof
+_MOST = 400  # stretches that are looked at for the proof of one way
+
+Node = tuple[float, Configuration]
+"""A part of the way, and the configuration there."""
+
+Stretch = tuple[float, float]
+
+
+class Way:
+    """The steps of a way from one configuration to another: `nodes` in order, the first one at part 0."""
+
+    def __init__(self, m: Linkage, target: Target, nodes: Sequence[Node]) -> None:
+        self.m, self.target, self.nodes = m, target, list(nodes)
+        self.course = Course(m, target)
+        self.end = self.nodes[-1][0]
+        self._frames = cache(lambda c: frames(m, c, m.centre))
+
+    @classmethod
+    def to(cls, m: Linkage, target: Target, start: Configuration) -> tuple[Way, float | None]:
+        """The way to a target, and the part from which on its branch is not proved (None: it is). Raises InputError
+        where the robot does not assemble.
+        """
+        found = goal(Course(m, target), Solution(start, target), 0.0, 1.0)
+        return cls(m, target, [(0.0, start), *zip(found.parts, found.way, strict=True)]), found.doubt
+
+    def at(self, part: float) -> Configuration:
+        """The configuration at a part of the way, from the step before it; its branch is not proved anew. Raises
+        InputError.
+        """
+        near = max((n for n in self.nodes if n[0] <= part), key=lambda n: n[0])
+        return self._from(near, part, doubt=near[0])
+
+    def _from(self, near: Node, part: float, doubt: float | None = None) -> Configuration:
+        if near[0] == part:
+            return near[1]
+        start = Solution(near[1], self.target, doubt=doubt)
+        return goal(self.course, start, near[0], part).configuration
+
+    def between(self, a: Node, b: Node) -> Node | None:
+        """The configuration in the middle of a stretch; None where it is not reached."""
+        checkpoint()
+        part = (a[0] + b[0]) / 2
+        try:
+            return part, self._from(a, part)
+        except InputError:
+            return None
+
+    # --- the sign of the determinant ---
+
+    def frames(self, c: Configuration) -> Frames:
+        return self._frames(c)
+
+    def signs(self) -> tuple[tuple[Stretch, ...], float | None]:
+        """The short stretches in which the determinant changes its sign, and the first place where that cannot be
+        told.
+        """
+        crossings: list[Stretch] = []
+        unknown: float | None = None
+        first, *others = self.nodes
+        if not has_sign(self.frames(first[1])):
+            return (), first[0]
+        signed = [first, *(n for n in others if has_sign(self.frames(n[1])))]
+        for a, b in pairwise(signed):
+            for found, sure in self._changes(a, b):
+                if sure:
+                    crossings.append(found)
+                elif unknown is None:
+                    unknown = sum(found) / 2
+        return tuple(crossings), unknown
+
+    def _changes(self, a: Node, b: Node) -> Iterator[tuple[Stretch, bool]]:
+        sign = relative_sign(self.frames(a[1]), self.frames(b[1]))
+        if sign == 1:
+            return
+        if b[0] - a[0] <= _NARROW * self.end:
+            yield (a[0], b[0]), sign == -1
+            return
+        middle = self.between(a, b)
+        if middle is None:
+            yield (a[0], b[0]), False
+            return
+        if sign == -1:
+            first = relative_sign(self.frames(a[1]), self.frames(middle[1]))
+            yield from self._changes(a, middle) if first != 1 else self._changes(middle, b)
+        else:
+            yield from self._changes(a, middle)
+            yield from self._changes(middle, b)
+
+    # --- proofs ---
+
+    def unproved(self, most: int = _MOST) -> tuple[Stretch, ...]:
+        """The stretches, those side by side as one, outside of which it is proved that nothing is singular."""
+        # the longest one first
+        todo: list[tuple[float, float, Node, Node]] = []
+        todo += [(a[0] - b[0], a[0], a, b) for a, b in pairwise(self.nodes)]
+        heapify(todo)
+        found: list[Stretch] = []
+        for _ in range(most):
+            if not todo:
+                break
+            *_, a, b = heappop(todo)
+            if is_regular(self.m, self.target, (a[1], b[1]), (a[0], b[0])):
+                continue
+            middle = self.between(a, b) if b[0] - a[0] > _SHORTEST * self.end else None
+            if middle is None:
+                found.append((a[0], b[0]))
+            else:
+                heappush(todo, (a[0] - middle[0], a[0], a, middle))
+                heappush(todo, (middle[0] - b[0], middle[0], middle, b))
+        found += [(a[0], b[0]) for *_, a, b in todo]
+        return tuple(_joined(sorted(found)))
+
+
+def _joined(stretches: Sequence[Stretch]) -> Iterator[Stretch]:
+    """Stretches in order, those that touch as one."""
+    start: float | None = None
+    end = 0.0
+    for a, b in stretches:
+        if start is not None and a == end:
+            end = b
+            continue
+        if start is not None:
+            yield start, end
+        start, end = a, b
+    if start is not None:
+        yield start, end

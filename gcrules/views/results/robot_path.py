@@ -1,0 +1,93 @@
+r"""A path of a robot of joints as plain text and as LaTeX: verdict, crossings with causes, what is proved and how."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from gcrules.core.english import agreeing
+from gcrules.poses.limbs.path_report import Crossing, RobotPath
+from gcrules.screws.pose_text import ANGLES
+from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.results.path import in_ascii, listed_verdicts, wrapped
+
+__all__ = ["as_latex", "as_text"]
+
+_MOST = 40  # places that are explained; the JSON object holds all
+
+
+def as_text(r: RobotPath, *, unicode: bool = False) -> str:
+    """The whole report; without `unicode` in ASCII."""
+    found = "\n".join(_lines(r))
+    return found if unicode else in_ascii(found)
+
+
+def _lines(r: RobotPath) -> Iterator[str]:
+    yield from wrapped(f"{r.verdict}: {r.reason}")
+    if r.crossings:
+        yield ""
+        yield "Singular places"
+    for n, c in enumerate(r.crossings[:_MOST], 1):
+        yield from _crossing(r, n, c)
+    if len(r.crossings) > _MOST:
+        yield f"  and {len(r.crossings) - _MOST} more, which --json shows"
+    yield ""
+    rows = [
+        ("path", f"{len(r.texts)} poses; the parameter is 0 at the first, 1 at the second, and so on"),
+        ("between", f"{agreeing(r.names, 'grows', 'grow')} evenly"),
+        *_closest(r),
+        ("values", f"at {len(r):,} samples: {listed_verdicts(r.verdicts.tolist())}"),
+        ("branch", _branch(r)),
+        ("proof", _PROOF),
+        *(("note", note) for note in r.notes),
+    ]
+    width = max(len(name) for name, _ in rows)
+    for name, value in rows:
+        yield from wrapped(value, f"{name:<{width}}  ", " " * (width + 2))
+
+
+def _closest(r: RobotPath) -> Iterator[tuple[str, str]]:
+    margin, parameter = r.least
+    if not r.crossings:
+        yield "closest", f"σ = {margin:.4g} at parameter {parameter:.4g}, the least of the samples"
+
+
+_PROOF = (
+    "step by step: in a tube around each the loops have exactly one solution (Krawczyk's operator), and with the"
+    " actuators locked none that moves; the crossings lie where the determinant of all wrenches changes its sign"
+)
+
+
+def _branch(r: RobotPath) -> str:
+    if r.branch_doubt is None:
+        return "proved: one continuous solution leads along the path from home, and no other one comes near it"
+    return f"not proved from parameter {r.branch_doubt:.4g} on: this may be another solution"
+
+
+def _crossing(r: RobotPath, number: int, c: Crossing) -> Iterator[str]:
+    words = f"{number}. at parameter {c.parameter:.6g}: crosses: the determinant of all wrenches changes its sign"
+    yield from wrapped(words, "  ", " " * 5)
+    yield from wrapped(f'pose "{_place(r, c)}"', "     ", " " * 7)
+    for cause in c.causes:
+        yield from wrapped(f"{cause[:1].upper()}{cause[1:]}.", "     ", " " * 7)
+    yield from wrapped(f"Gained motion: the platform can {c.motion.text()}.", "     ", " " * 7)
+    alone = f"proved: an odd number of singular places lies between parameter {c.first:.7g} and {c.last:.7g}"
+    yield from wrapped(alone, "     ", " " * 7)
+
+
+def _place(r: RobotPath, c: Crossing) -> str:
+    """Text for --at, to six digits."""
+    return ", ".join(
+        f"{n}={math.degrees(v):.6g}deg" if n in ANGLES else f"{n}={v:.6g}"
+        for n, v in zip(r.names, c.coordinates, strict=True)
+    )
+
+
+def as_latex(r: RobotPath) -> str:
+    """A tabular: the verdict, each singular place, or the least margin; needs no package."""
+    rows = [("verdict", r.verdict)]
+    rows += [("singular at parameter", latex_quantity(c.parameter)) for c in r.crossings]
+    rows += [("not decided from, to", f"{latex_quantity(a)}, {latex_quantity(b)}") for a, b in r.undecided]
+    if not r.crossings:
+        rows.append(("least margin $\\sigma$ of the samples", latex_quantity(r.least[0])))
+    return latex_table(rows)
