@@ -27,7 +27,6 @@ Floats = NDArray[np.float64]
 _ROTATIONS, _BOTH = 800, 2500  # rays
 _STEPS = 48
 _STARTS = 8
-_BLOCK = 6  # steps that are computed together
 _HALVINGS = 12  # of an interval, to see which rays are the nearest
 _ROUNDING = 1e-9  # of the lengths of directions
 
@@ -101,16 +100,15 @@ def _along_rays(f: Callable[[Floats], Floats], directions: Floats, reach: float)
     Of the rays, those only that may be among the `_STARTS` nearest: the grid is left as soon as so many are found,
     and so is a ray that changes behind so many others.
     """
-    grid = reach * np.arange(1, _STEPS + 1) / _STEPS
-    negative = np.zeros((len(directions), 0), dtype=bool)
-    for some in np.split(grid, _STEPS // _BLOCK):
+    changed = np.zeros(len(directions), dtype=int)  # at which step, 0 for not yet
+    for step in range(1, _STEPS + 1):
         checkpoint()
-        negative = np.hstack([negative, f(directions[:, None, :] * some[None, :, None]) <= 0])
-        if np.count_nonzero(hit := negative.any(axis=1)) >= _STARTS:
+        changed[(changed == 0) & (f(directions * (reach * step / _STEPS)) <= 0)] = step
+        if np.count_nonzero(changed) >= _STARTS:
             break
-    first = negative.argmax(axis=1)[hit]
+    hit = changed > 0
     rays = directions[hit]
-    low, high = grid[first] - grid[0], grid[first]
+    low, high = reach * (changed[hit] - 1) / _STEPS, reach * changed[hit] / _STEPS
     for _ in range(_HALVINGS):
         checkpoint()
         if len(high) > _STARTS:
