@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import atexit
+import gc
 import os
 import sys
 
@@ -21,9 +22,12 @@ remove_unfinished = deferred("gcrules.core.files:remove_unfinished")
 flush = deferred("gcrules.core.streams:flush")
 silence = deferred("gcrules.core.streams:silence")
 
+_NEW_VALUES = 50_000  # between two searches for garbage: what is made at the start, most of it stays to the end
+
 
 def main() -> NoReturn:
     """Answer the command line. A fault of gcrules itself shows its traceback and ends with code 70."""
+    gc.set_threshold(_NEW_VALUES)
     code = interrupts.run(_answered)
     interrupts.ignore()
     _tidy()

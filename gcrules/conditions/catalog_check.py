@@ -3,7 +3,7 @@ r"""Proof of everything the catalog says, from scratch, and the derivation of th
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from itertools import combinations
@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from gcrules.algebra.certificate import Certificate
-from gcrules.algebra.evaluate import PRIME, evaluate, random_points, vanishes
+from gcrules.algebra.evaluate import PRIME, random_points, vanishes
 from gcrules.algebra.expr import ZERO
 from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.algebra.prove import prove
@@ -20,6 +20,7 @@ from gcrules.algebra.superbrackets.shortest import counts
 from gcrules.conditions.analysis import analyze
 from gcrules.core.budget import checkpoint
 from gcrules.core.files import write_file
+from gcrules.core.linear_algebra import rank
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.proofs import DIGESTS, counterexample, digests
@@ -151,13 +152,19 @@ def factors(structure: Structure) -> Iterator[tuple[str, ...]]:
     """
     drawn = random_points(structure.names, seed=("factors", structure.text()))
     weights = [w for w, *_ in random_points("abc", seed=("weights", structure.text())).values()]
-    superbracket = structure.superbracket
+    fixed = [((a, b), _line(drawn[a], drawn[b])) for a, b in structure.legs]
     for *three, last in combinations(structure.names, 4):
         checkpoint()
         rows = zip(*(drawn[n] for n in three), strict=True)
         moved = tuple(sum(w * c for w, c in zip(weights, row, strict=True)) % PRIME for row in rows)
-        if evaluate(superbracket, {**drawn, last: moved}, modulus=PRIME) == 0:
+        at = {**drawn, last: moved}
+        lines = (_line(at[a], at[b]) if last in (a, b) else line for (a, b), line in fixed)
+        if rank(lines, PRIME) < LEGS:
             yield tuple(sorted((*three, last)))
+
+
+def _line(a: Sequence[int], b: Sequence[int]) -> list[int]:
+    return [(a[i] * b[j] - a[j] * b[i]) % PRIME for i, j in combinations(range(4), 2)]
 
 
 def _proved(reading: CatalogIdentity, structure: Structure) -> list[str]:

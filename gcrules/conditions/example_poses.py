@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import random
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
+from math import lcm
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
@@ -80,13 +81,17 @@ def singular_poses(
             t = _to_zero(structure.legs, whole, gradient, joint, leg, direction)
             if t is None or t.denominator > _LARGEST * _SIZE:
                 continue
-            found = WorkedPose(_homogeneous(moved := _moved(pose, joint, direction, t)), Fraction(0))
-            if found.height <= _LARGEST and _allowed(structure, moved):
-                candidates.append((found.height, len(candidates), found))
+            place = _moved(pose, joint, direction, t)
+            if all(_apart(place, p, 1) for n, p in pose.items() if n != joint):  # the others are, from the start
+                moved = {**pose, joint: place}
+                found = WorkedPose(_homogeneous(moved), Fraction(0))
+                if found.height <= _LARGEST and _above(structure, moved):
+                    candidates.append((found.height, len(candidates), found))
         if len(candidates) >= _ENOUGH:
             break
     for _, _, found in sorted(candidates, key=lambda c: c[:2]):
-        if evaluate(structure.superbracket, found.points) == 0 and all(evaluate(e, found.points) for e in avoid):
+        points = _whole(found.points)
+        if evaluate(structure.superbracket, points) == 0 and all(evaluate(e, points) for e in avoid):
             yield found
 
 
@@ -95,6 +100,12 @@ Pose = dict[str, Position]
 
 def _homogeneous(pose: Pose) -> Mapping[str, tuple[Coordinate, Coordinate, Coordinate, Coordinate]]:
     return FrozenMap({n: (x, y, z, 1) for n, (x, y, z) in pose.items()})
+
+
+def _whole(points: Mapping[str, Sequence[Coordinate]]) -> dict[str, list[int]]:
+    """The same points with whole coordinates: what vanishes is told much faster without fractions."""
+    scales = {n: lcm(*(c.denominator for c in point)) for n, point in points.items()}
+    return {n: [int(c * scales[n]) for c in point] for n, point in points.items()}
 
 
 def _moves(structure: Structure) -> list[tuple[str, int, str | None]]:
@@ -142,23 +153,21 @@ def _step(pose: Mapping[str, Sequence[Coordinate]], joint: str, other: str | Non
     return [e - s for s, e in zip(pose[joint], pose[other], strict=True)] if other else (0, 0, 2)
 
 
-def _moved(pose: Pose, joint: str, other: str | None, t: Fraction) -> Pose:
+def _moved(pose: Pose, joint: str, other: str | None, t: Fraction) -> Position:
     x, y, z = (_short(s + t * d) for s, d in zip(pose[joint], _step(pose, joint, other), strict=True))
-    return {**pose, joint: (x, y, z)}
+    return x, y, z
 
 
-def _allowed(structure: Structure, pose: Pose) -> bool:
-    """Whether joints are apart, and the platform still above the base."""
-    if not all(_apart(p, q, 1) for p, q in combinations(pose.values(), 2)):
-        return False
-    low, high = ([Fraction(pose[n][2]) for n in side] for side in (structure.base, structure.platform))
+def _above(structure: Structure, pose: Pose) -> bool:
+    """Whether the platform is above the base."""
+    low, high = ([pose[n][2] for n in side] for side in (structure.base, structure.platform))
     return not (low and high) or max(low) + 2 <= min(high)
 
 
 def _apart(p: Position, q: Position, least: int) -> bool:
     """Whether some coordinate differs by so much."""
     (x, y, z), (u, v, w) = p, q
-    return not all(-least < d < least for d in (x - u, y - v, z - w))
+    return not (-least < x - u < least and -least < y - v < least and -least < z - w < least)
 
 
 def _starts(structure: Structure, shape: Shape | None) -> Iterator[Pose]:
@@ -183,12 +192,12 @@ def _starts(structure: Structure, shape: Shape | None) -> Iterator[Pose]:
             else:
                 z += rng.randint(-1, 1)
             pose[n] = (x, y, z)
-        if _allowed(structure, pose) and not any(_crowded(pose, side) for side in sides):
+        if not _crowded(pose, pose, 1) and _above(structure, pose) and not any(_crowded(pose, s, 2) for s in sides):
             yield pose
 
 
-def _crowded(pose: Pose, side: Sequence[str]) -> bool:
-    return not all(_apart(pose[a], pose[b], 2) for a, b in combinations(side, 2))
+def _crowded(pose: Pose, joints: Iterable[str], least: int) -> bool:
+    return not all(_apart(pose[a], pose[b], least) for a, b in combinations(joints, 2))
 
 
 def _short(c: Coordinate) -> Coordinate:

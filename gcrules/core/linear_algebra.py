@@ -36,11 +36,11 @@ def echelon(matrix: Iterable[Sequence[Any]], modulus: int | None = None) -> tupl
         left[top], left[found] = left[found], left[top]
         lead = left[top][column]
         inverse = 1 / lead if modulus is None else pow(lead, -1, modulus)
-        left[top] = [_number(x * inverse, modulus) for x in left[top]]
+        left[top] = first = [_number(x * inverse, modulus) for x in left[top]]
         for i, row in enumerate(left):
-            if i != top and row[column]:
-                factor = row[column]
-                left[i] = [_number(x - factor * y, modulus) for x, y in zip(row, left[top], strict=True)]
+            if i != top and (factor := row[column]):
+                less = [x - factor * y for x, y in zip(row, first, strict=True)]
+                left[i] = less if modulus is None else [x % modulus for x in less]
         pivots.append(column)
     return tuple(map(tuple, left[: len(pivots)])), tuple(pivots)
 

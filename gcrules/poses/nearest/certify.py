@@ -28,6 +28,8 @@ GAPS = (1e-9, 1e-6)
 
 MAX_BOXES = 200_000
 
+_SAME = 1e-9  # distance of points that are one, found twice
+
 _CORNERS = np.array(list(product((-1.0, 1.0), repeat=3)))
 _WIDTHS = (0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05, 0.03, 0.015, 0.007, 0.003)  # across n, in units of R
 _BENDS = (0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)  # k
@@ -66,7 +68,8 @@ def search(f: Taylor, touching: Sequence[Floats], limit: int = MAX_BOXES) -> Bal
     `touching` are points at which f is zero and the distance from 0 is least nearby, of length about 1 or more. At
     most `limit` cubes are looked at for each gap; if that does not suffice, `free` is what has been proved by then.
     """
-    boxes = [box for x in touching if (box := _convex(f, x))]
+    different = [x for i, x in enumerate(touching) if all(np.abs(x - y).max() > _SAME for y in touching[:i])]
+    boxes = [box for x in different if (box := _convex(f, x))]
     best = BallSearch(0.0)
     for gap in GAPS:
         found = _search(f, boxes, 1 - gap, limit)

@@ -27,7 +27,7 @@ Floats = NDArray[np.float64]
 _ROTATIONS, _BOTH = 800, 2500  # rays
 _STEPS = 48
 _STARTS = 8
-_BLOCK = 6  # steps that are computed together
+_HALVINGS = 12  # of an interval, to see which rays are the nearest
 _ROUNDING = 1e-9  # of the lengths of directions
 
 
@@ -89,27 +89,27 @@ def best_zero(f: Determinant, dimension: int, reach: float, more: Floats | None 
         return None
     order = np.argsort(np.linalg.norm(starts, axis=1), kind="stable")
     size = float(np.linalg.norm(starts[order[0]]))
-    polished = [_polished(f, starts[i] / size, size) * size for i in order[:_STARTS]]
-    return min(polished, key=lambda x: float(np.linalg.norm(x)))
+    polished = _polished(f, starts[order[:_STARTS]] / size, size) * size
+    found: Floats = polished[int(np.argmin(np.linalg.norm(polished, axis=1)))]
+    return found
 
 
 def _along_rays(f: Callable[[Floats], Floats], directions: Floats, reach: float) -> Floats:
-    """The first changes of sign along rays, found on a grid and halved to the last bit; shape (N, dimension).
+    """The first changes of sign along rays, found on a grid and then to the last bit; shape (N, dimension).
 
     Of the rays, those only that may be among the `_STARTS` nearest: the grid is left as soon as so many are found,
     and so is a ray that changes behind so many others.
     """
-    grid = reach * np.arange(1, _STEPS + 1) / _STEPS
-    negative = np.zeros((len(directions), 0), dtype=bool)
-    for some in np.split(grid, _STEPS // _BLOCK):
+    changed = np.zeros(len(directions), dtype=int)  # at which step, 0 for not yet
+    for step in range(1, _STEPS + 1):
         checkpoint()
-        negative = np.hstack([negative, f(directions[:, None, :] * some[None, :, None]) <= 0])
-        if np.count_nonzero(hit := negative.any(axis=1)) >= _STARTS:
+        changed[(changed == 0) & (f(directions * (reach * step / _STEPS)) <= 0)] = step
+        if np.count_nonzero(changed) >= _STARTS:
             break
-    first = negative.argmax(axis=1)[hit]
+    hit = changed > 0
     rays = directions[hit]
-    low, high = grid[first] - grid[0], grid[first]
-    for _ in range(50):
+    low, high = reach * (changed[hit] - 1) / _STEPS, reach * changed[hit] / _STEPS
+    for _ in range(_HALVINGS):
         checkpoint()
         if len(high) > _STARTS:
             near = low <= np.partition(high, _STARTS - 1)[_STARTS - 1] * (1 + _ROUNDING)
@@ -117,13 +117,15 @@ def _along_rays(f: Callable[[Floats], Floats], directions: Floats, reach: float)
         middle = (low + high) / 2
         below = f(rays * middle[:, None]) <= 0
         low, high = np.where(below, low, middle), np.where(below, middle, high)
-    found: Floats = rays * high[:, None]
+    found: Floats = rays * _narrowed(f, rays, low, high)[:, None]
     return found
 
 
-def _polished(f: Callable[[Floats], Floats], x: Floats, size: float) -> Floats:
-    """Newton's method for f = 0, ∇f + μ x = 0, with differences for derivatives; only ever nearer zeros are kept."""
-    best, n = x, len(x)
+def _polished(f: Callable[[Floats], Floats], starts: Floats, size: float) -> Floats:
+    """Newton's method for f = 0, ∇f + μ x = 0 from zeros (N, n) at once, with differences for derivatives; only ever
+    nearer zeros are kept.
+    """
+    best, n = starts.copy(), starts.shape[1]
     steps = np.eye(n)
 
     def slope(at: Floats, h: float = 1e-6) -> Floats:
@@ -131,44 +133,72 @@ def _polished(f: Callable[[Floats], Floats], x: Floats, size: float) -> Floats:
         found: Floats = (above - below) / (2 * h)
         return found
 
+    going = np.arange(len(best))
     for _ in range(25):
         checkpoint()
+        x = best[going]
         g = slope(x)
-        mu = -float(g @ x) / float(x @ x)
+        mu = -(g * x).sum(axis=1) / (x * x).sum(axis=1)
         h = 1e-4
-        above, below = slope(np.stack([x + h * steps, x - h * steps]), h)
+        above, below = slope(np.stack([x[:, None, :] + h * steps, x[:, None, :] - h * steps]), h)
         second = (above - below) / (2 * h)
-        system = np.zeros((n + 1, n + 1))
-        system[:n, :n] = (second + second.T) / 2 + mu * np.eye(n)
-        system[:n, n], system[n, :n] = x, g
-        step = np.linalg.lstsq(system, -np.append(g + mu * x, f(x * size)), rcond=None)[0][:n]
-        new = None
+        system = np.zeros((len(x), n + 1, n + 1))
+        system[:, :n, :n] = (second + second.swapaxes(1, 2)) / 2 + mu[:, None, None] * steps
+        system[:, :n, n], system[:, n, :n] = x, g
+        aim = -np.concatenate([g + mu[:, None] * x, f(x * size)[:, None]], axis=1)
+        step = np.array([np.linalg.lstsq(a, b, rcond=None)[0][:n] for a, b in zip(system, aim, strict=True)])
+        left = np.arange(len(x))  # for which no nearer zero has been found
         for damping in (1.0, 0.5, 0.25, 0.1, 0.03):
-            new = _on_ray(f, x + damping * step, size)
-            if new is not None and np.linalg.norm(new) < np.linalg.norm(best) * (1 - 1e-15):
+            new = _on_rays(f, x[left] + damping * step[left], size)
+            nearer = np.linalg.norm(new, axis=1) < np.linalg.norm(x[left], axis=1) * (1 - 1e-15)
+            best[going[left[nearer]]] = new[nearer]
+            left = left[~nearer]
+            if not len(left):
                 break
-        else:
-            break
-        moved = float(np.linalg.norm(new - x))
-        best = x = new
-        if moved < 1e-9:
+        going = going[np.linalg.norm(best[going] - x, axis=1) >= 1e-9]
+        if not len(going):
             break
     return best
 
 
-def _on_ray(f: Callable[[Floats], Floats], x: Floats, size: float) -> Floats | None:
-    """The zero near x on its ray from 0, by a change of sign within a tenth of the distance."""
+def _on_rays(f: Callable[[Floats], Floats], x: Floats, size: float) -> Floats:
+    """The zeros near points (N, n) on their rays from 0, by a change of sign within a tenth of the distance; not a
+    number where there is none.
+    """
     factors = np.linspace(0.9, 1.1, 41)
-    values = f(x[None, :] * factors[:, None] * size)
-    change = np.flatnonzero((values[:-1] > 0) & (values[1:] <= 0))
-    if not len(change):
-        return None
-    for _ in range(12):  # each time the interval becomes 40 times smaller
-        checkpoint()
-        factors = np.linspace(factors[change[0]], factors[change[0] + 1], 41)
-        values = f(x[None, :] * factors[:, None] * size)
-        change = np.flatnonzero((values[:-1] > 0) & (values[1:] <= 0))
-        if not len(change):  # at the last bit
-            break
-    found: Floats = x * factors[change[0] + 1 if len(change) else 20]
+    values = f(x[:, None, :] * factors[:, None] * size)
+    change = (values[:, :-1] > 0) & (values[:, 1:] <= 0)
+    hit, first = change.any(axis=1), change.argmax(axis=1)[change.any(axis=1)]
+    found = np.full(x.shape, np.nan)
+    found[hit] = x[hit] * _narrowed(f, x[hit] * size, factors[first], factors[first + 1])[:, None]
     return found
+
+
+def _narrowed(f: Callable[[Floats], Floats], rays: Floats, low: Floats, high: Floats) -> Floats:
+    """Multiples (N,) of rays (N, n) at which f ≤ 0, up to rounding the least that are more than `low`: f is positive at
+    `low` and not at `high`.
+
+    The chord's zero is about the square of the interval's width w off, so f is tried at 2 w² on either side of it; and
+    in the middle, should the chord mislead.
+    """
+    at = np.stack([low, high], axis=1)
+    values = f(rays[:, None, :] * at[:, :, None])
+    values[:, 0] = np.maximum(values[:, 0], 1e-300)  # whatever rounding says
+    values[:, 1] = np.minimum(values[:, 1], 0.0)
+    every = np.arange(len(at))
+    for _ in range(60):
+        checkpoint()
+        (low, high), (start, end) = at.T, values.T
+        width = high - low
+        if (width <= 4 * np.spacing(high)).all():
+            break
+        chord = low + width * start / (start - end)
+        off = np.maximum(2 * width * width / high, 2 * np.spacing(high))
+        tried = np.clip(np.stack([chord - off, chord + off, (low + high) / 2], axis=1), low[:, None], high[:, None])
+        at = np.concatenate([at, tried], axis=1)
+        values = np.concatenate([values, f(rays[:, None, :] * tried[:, :, None])], axis=1)
+        order = np.argsort(at, axis=1, kind="stable")
+        at, values = np.take_along_axis(at, order, 1), np.take_along_axis(values, order, 1)
+        first = (values <= 0).argmax(axis=1)
+        at, values = (np.stack([v[every, first - 1], v[every, first]], axis=1) for v in (at, values))
+    return at[:, 1]

@@ -149,30 +149,36 @@ def _candidates(f: Taylor, start: Floats | None = None) -> Floats:
     else:
         n = start / np.linalg.norm(start)
         starts = n[None, :] * f.on_rays(n[None, :])[:, None]
-    found = [_polished(f, x) for x in starts]
-    return np.array(found).reshape(-1, 3)
+    return _polished(f, starts)
 
 
-def _polished(f: Taylor, x: Floats) -> Floats:
-    """Newton's method for f = 0, ∇f + μ x = 0 from a zero x; x itself where that leads away."""
-    first, slope = x, f.slope(x)
-    mu = -float(slope @ x) / float(x @ x)
+def _polished(f: Taylor, starts: Floats) -> Floats:
+    """Newton's method for f = 0, ∇f + μ x = 0 from zeros (N, 3) at once; the zeros themselves where that leads away."""
+    x, slope = starts.copy(), f.slope(starts)
+    mu = -(slope * x).sum(axis=1) / (x * x).sum(axis=1)
+    going = np.arange(len(x))
     for _ in range(40):
         checkpoint()
-        slope = f.slope(x)
-        system = np.zeros((4, 4))
-        system[:3, :3] = f.curvature(x) + mu * np.eye(3)
-        system[:3, 3], system[3, :3] = x, slope
+        at = x[going]
+        slope = f.slope(at)
+        system = np.zeros((len(at), 4, 4))
+        system[:, :3, :3] = f.curvature(at) + mu[going, None, None] * np.eye(3)
+        system[:, :3, 3], system[:, 3, :3] = at, slope
+        aim = -np.concatenate([slope + mu[going, None] * at, f.value(at)[:, None]], axis=1)
         try:
-            step = np.linalg.solve(system, -np.append(slope + mu * x, f.value(x)))
-        except np.linalg.LinAlgError:
-            return first
-        length = float(np.linalg.norm(step[:3]))
-        x, mu = x + step[:3] * min(1.0, 0.3 * float(np.linalg.norm(x)) / max(length, 1e-300)), mu + float(step[3])
-        if length <= 1e-15 * float(np.linalg.norm(x)):
+            step = np.linalg.solve(system, aim[:, :, None])[:, :, 0]
+        except np.linalg.LinAlgError:  # one of them has no answer
+            return starts if len(starts) == 1 else np.concatenate([_polished(f, start[None]) for start in starts])
+        length, size = np.linalg.norm(step[:, :3], axis=1), np.linalg.norm(at, axis=1)
+        x[going] += step[:, :3] * np.minimum(1.0, 0.3 * size / np.maximum(length, 1e-300))[:, None]
+        mu[going] += step[:, 3]
+        going = going[~(length <= 1e-15 * np.linalg.norm(x[going], axis=1))]
+        if not len(going):
             break
-    good = np.isfinite(x).all() and abs(float(f.value(x))) <= 1e-9 and np.linalg.norm(x) > 0
-    return x if good and np.linalg.norm(x) <= np.linalg.norm(first) * (1 + 1e-9) else first
+    size = np.linalg.norm(x, axis=1)
+    good = np.isfinite(x).all(axis=1) & (np.abs(f.value(x)) <= 1e-9) & (size > 0)
+    good &= size <= np.linalg.norm(starts, axis=1) * (1 + 1e-9)
+    return np.where(good[:, None], x, starts)
 
 
 def fibonacci(number: int) -> Floats:

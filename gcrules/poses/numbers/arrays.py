@@ -93,7 +93,7 @@ def real_numbers(given: Any, what: str, hint: str) -> NDArray[Any]:
             found = found.astype(np.float64)
     except (TypeError, ValueError, OverflowError):
         raise InputError(f"{what} are not numbers of one shape", hint=hint) from None
-    if isinstance(given, np.ma.MaskedArray) and np.ma.getmaskarray(given).any():
+    if hasattr(given, "mask") and np.ma.getmaskarray(given).any():  # numpy.ma takes a while to load
         raise InputError(f"{what}: some numbers are masked, so that they have no value", hint="leave these poses out")
     return found
 
