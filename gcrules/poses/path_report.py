@@ -50,15 +50,22 @@ MAX_SAMPLES = 200_000
 
 
 def path(
-    robot: Source,
+    source: Source,
     poses: str | PathLike[str] | Sequence[Any],
     *,
     samples: int = SAMPLES,
     about: str | Sequence[Any] = "centroid",
-    threshold: str | Threshold = DEFAULT,
+    threshold: str | Threshold = DEFAULT.text,
 ) -> PathReport:
-    """The function of `gcrules.api.poses`, which says what the arguments are."""
-    m = on_six_legs(mechanism(robot, about=about), "a path")
+    """Every singular pose on a path through given poses, proved complete, and numbers along it (a `PathReport`).
+
+    `source` and `about` are those of `pose`, for platforms on six legs. `poses` is the name of a table as for `gcrules
+    path --poses`, or two poses or more, each as for `pose`. Between two of them the centre moves on a straight line and
+    the platform turns about one axis, the shorter way. `samples` is the number of places at which values are given;
+    singular poses are found between them, too. `threshold` is an angle. Raises InputError for what is no path and for
+    degenerate robots.
+    """
+    m = on_six_legs(mechanism(source, about=about), "a path")
     moving = m.rig
     limit = angle_threshold(threshold, "along a path")
     found, notes = _poses(poses, moving.unit)
