@@ -13,6 +13,7 @@ from math import lcm
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.legs_text import Leg, Structure
+from gcrules.core.floats import int_if_whole
 from gcrules.core.frozen import FrozenMap
 
 __all__ = ["WorkedPose", "regular_poses", "singular_pose", "singular_poses"]
@@ -154,7 +155,7 @@ def _step(pose: Mapping[str, Sequence[Coordinate]], joint: str, other: str | Non
 
 
 def _moved(pose: Pose, joint: str, other: str | None, t: Fraction) -> Position:
-    x, y, z = (_short(s + t * d) for s, d in zip(pose[joint], _step(pose, joint, other), strict=True))
+    x, y, z = (int_if_whole(s + t * d) for s, d in zip(pose[joint], _step(pose, joint, other), strict=True))
     return x, y, z
 
 
@@ -188,7 +189,7 @@ def _starts(structure: Structure, shape: Shape | None) -> Iterator[Pose]:
             if n in structure.base:
                 z = 0
             elif n in structure.platform and len(structure.platform) > 3:
-                z = _short(Fraction(2 * _SIZE + tilt[0] * x + tilt[1] * y, 2))
+                z = int_if_whole(Fraction(2 * _SIZE + tilt[0] * x + tilt[1] * y, 2))
             else:
                 z += rng.randint(-1, 1)
             pose[n] = (x, y, z)
@@ -198,10 +199,6 @@ def _starts(structure: Structure, shape: Shape | None) -> Iterator[Pose]:
 
 def _crowded(pose: Pose, joints: Iterable[str], least: int) -> bool:
     return not all(_apart(pose[a], pose[b], least) for a, b in combinations(joints, 2))
-
-
-def _short(c: Coordinate) -> Coordinate:
-    return c.numerator if c.denominator == 1 else c
 
 
 def _row(p: Sequence[int], q: Sequence[int]) -> list[int]:

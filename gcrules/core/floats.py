@@ -17,7 +17,7 @@ from typing import Any
 from gcrules.core.arguments import described, is_truth
 from gcrules.core.errors import InputError
 
-__all__ = ["as_float", "decimal", "exact", "exact_float", "exact_number", "without_noise"]
+__all__ = ["as_float", "decimal", "exact", "exact_float", "exact_number", "int_if_whole", "without_noise"]
 
 _WIDE = Context(prec=30, Emax=999_999, Emin=-999_999)
 
@@ -52,6 +52,11 @@ def decimal(number: Fraction | int, digits: int = 6) -> str:
     quotient = _WIDE.divide(Decimal(exact.numerator), Decimal(exact.denominator))
     mantissa, _, exponent = f"{quotient:.{digits - 1}e}".partition("e")
     return f"{mantissa.rstrip('0').rstrip('.')}e{exponent}"
+
+
+def int_if_whole(number: int | Fraction) -> int | Fraction:
+    """The same number, which is an int if it is whole: quicker to compute with."""
+    return number.numerator if number.denominator == 1 else number
 
 
 def exact(value: Any, what: str = "this") -> Fraction:

@@ -53,15 +53,26 @@ MAX_SAMPLES = 200_000
 
 
 def path(
-    robot: Source,
+    source: Source,
     poses: str | PathLike[str] | Sequence[Any],
     *,
     samples: int = SAMPLES,
     about: str | Sequence[Any] = "centroid",
-    threshold: str | Threshold = DEFAULT,
+    threshold: str | Threshold = DEFAULT.text,
 ) -> PathReport | RobotPath:
-    """The function of `gcrules.api.poses`, which says what the arguments are."""
-    return method(_PATH, mechanism(robot, about=about), "a path")(poses, samples, threshold)
+    """Every singular pose on a path through given poses, proved complete, and numbers along it (a `PathReport`, for a
+    robot of joints a `RobotPath`).
+
+    `source` and `about` are those of `pose`. `poses` is the name of a table as for `gcrules path --poses`, or two poses
+    or more, each as for `pose`. Between two of them the centre moves on a straight line and the platform turns about
+    one axis, the shorter way. `samples` is the number of places at which values are given; singular poses are found
+    between them, too. `threshold` is an angle.
+
+    For a robot of joints a pose may be "home", and all others name the same coordinates, which grow evenly between two
+    of them; stretches in which nothing is proved are listed. Raises InputError for what is no path and for degenerate
+    robots.
+    """
+    return method(_PATH, mechanism(source, about=about), "a path")(poses, samples, threshold)
 
 
 def _of_limbs(
@@ -71,9 +82,8 @@ def _of_limbs(
     try:
         legs = m.six_legs()
     except InputError:
-        table = isinstance(poses, (str, PathLike))
         listed = load_poses(fspath(poses), m.unit)[0] if isinstance(poses, (str, PathLike)) else poses
-        if not table and not hasattr(listed, "__iter__"):
+        if not hasattr(listed, "__iter__"):
             raise _no_path(poses) from None
         limit = angle_threshold(threshold, "along a path")
         return path_of_limbs(m, list(listed), samples=samples, threshold=limit)

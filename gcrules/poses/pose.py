@@ -30,7 +30,7 @@ from gcrules.poses.pose_report import numbers_of_legs, report_of_legs
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold, threshold_of
 
-__all__ = ["Answer", "pose", "singular"]
+__all__ = ["pose", "singular"]
 
 Answer = PoseReport | PoseNumbers | RobotPose | tuple[RobotPose, ...]
 
@@ -45,12 +45,28 @@ def pose(
     euler: tuple[str, Any] | None = None,
     degrees: bool = False,
     about: str | Sequence[Any] = "centroid",
-    threshold: str | Threshold = DEFAULT,
+    threshold: str | Threshold = DEFAULT.text,
     accuracy: str | float | None = None,
     nearest: bool | None = None,
     plugins: Folders = (),
-) -> Answer:
-    """The function of `gcrules.api.poses`, which says what the arguments are. Poses may be `Pose`s too."""
+) -> PoseReport | PoseNumbers | RobotPose | tuple[RobotPose, ...]:
+    """How close a mechanism is to a singularity at one pose, or at N poses.
+
+    `source` is what `load` takes, with coordinates; the answer for a platform is a `PoseReport` or, at N poses,
+    `PoseNumbers` (arrays), for a robot of joints a `RobotPose` or a tuple of them. `at` is text as for `gcrules pose
+    --at` ("z=5, roll=10deg", "0 0 5; euler zyx 20 0 10 deg"), a mapping from coordinates to numbers, a translation of
+    three numbers, or N of these: a list or an array (N, 3). The turn beside it is one of `quaternion` (w, x, y, z),
+    `rotation_vector`, `euler` = ("zyx", angles), each one row or N rows. Angles that are numbers are in radians unless
+    `degrees`. All are from the pose of the file; the platform turns `about` the "centroid" of its joints, the file's
+    "origin", or a point. A platform with fewer than six freedoms takes as many coordinates as it has; or its
+    `actuators`: text as "q1=0.1, q2=5deg", a mapping, or all of them in the order of the file.
+
+    `threshold` is an angle or, for platforms, a length ("2 deg", "5 mm"), `accuracy` a length up to which the joints'
+    places are known. The search for the `nearest` singular poses, which takes a second or two, is for platforms and
+    left out with False; with True, or an accuracy, a robot whose limbs are six legs is taken as a platform.
+
+    Raises InputError for what is no pose, for degenerate robots, and where the robot does not assemble.
+    """
     found = mechanism(source, about=about, plugins=plugins)
     if nearest:
         found = on_six_legs(found, "the search for the nearest singular poses")
@@ -67,10 +83,14 @@ def singular(
     actuators: Any = None,
     degrees: bool = False,
     about: str | Sequence[Any] = "centroid",
-    threshold: str | Threshold = DEFAULT,
+    threshold: str | Threshold = DEFAULT.text,
     plugins: Folders = (),
 ) -> PoseReport | RobotPose | None:
-    """The function of `gcrules.api.poses`, which says what the arguments are."""
+    """The first singular pose on the straight way from the pose of the file `towards` another, or None.
+
+    Arguments and errors as for `pose`. For a platform none is missed: the superbracket along the way is an exact
+    polynomial. For a robot of joints it is a search at samples, and what it does not find may be there all the same.
+    """
     found = mechanism(source, about=about, plugins=plugins)
     return method(_SINGULAR, found, "the first singular pose")(towards, actuators, degrees, threshold)
 

@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from gcrules.core.errors import InputError
@@ -63,6 +64,12 @@ class JointKind:
                     read[part] = field.vector(geometry[part], what)
         field.go_together(read.values(), f"a joint {self.symbol}")
         return self.rows(field, read)
+
+    @cached_property
+    def slides(self) -> bool:
+        """Whether no twist of it turns; seen from parts in general position."""
+        general = {p: 1 if f == "number" else (k * k, k, 1) for k, (p, f) in enumerate(self.parts.items(), start=1)}
+        return not any(any(row[:3]) for row in self.twists(general, field_of(1)))
 
 
 def _turn(field: Field, g: Geometry) -> tuple[Row, ...]:

@@ -10,7 +10,7 @@ from typing import Any
 
 from gcrules.screws.threshold import DEFAULT, margin_of
 
-__all__ = ["CLOSE", "FLOOR", "VERDICTS", "decide", "rank"]
+__all__ = ["CLOSE", "FLOOR", "SOLVED", "VERDICTS", "decide", "rank"]
 
 assert DEFAULT.angle is not None
 CLOSE = margin_of(DEFAULT.angle)
@@ -19,6 +19,10 @@ example; choose your own for a real robot, `gcrules pose --threshold`)."""
 
 FLOOR = 1e-12
 """At most this σ is 0 within rounding, where nothing better is known of the errors of the numbers (`noise` is)."""
+
+SOLVED = 1e-9
+"""At most this σ is 0 where joints are solved for: their loops are closed up to that part of the robot's size, and
+neither a verdict nor a search for singular configurations can know more."""
 
 VERDICTS = ("singular", "close", "regular")
 

@@ -73,7 +73,7 @@ ROADS: dict[str, Callable[[str], Any]] = {
 
 
 # The height, its margin, and the verdict. A length of 1e-14 is 0 within the rounding of the coordinates. The joints
-# of a robot are solved for to 1e-9 of its size, so that less is 0 there (`kinematics.posed.SINGULAR`).
+# of a robot are solved for to 1e-9 of its size, so that less is 0 there (`screws.verdict.SOLVED`).
 HEIGHTS = {
     "above half a degree": ("0.0271", 0.0087993, "regular", "regular"),
     "below half a degree": ("0.026825674752419055", 0.00871, "close", "close"),

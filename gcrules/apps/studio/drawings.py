@@ -10,12 +10,12 @@ from html import escape
 from math import cos, pi, radians, sin
 
 from gcrules.algebra.structure import Structure
-from gcrules.views.drawing.drawing import name_runs
+from gcrules.views.drawing.drawing import XY, name_runs
 from gcrules.views.drawing.graph import layered_order, ring_order
+from gcrules.views.drawing.legend import convex_hull
 
 __all__ = ["schematic", "sketch"]
 
-XY = tuple[float, float]
 _GAP, _ROWS, _MARGIN = 64.0, 118.0, 30.0
 _RING = 74.0
 
@@ -96,7 +96,7 @@ def sketch(
     at = {n: (size / 2 + scale * (x - middle[0]), size / 2 + scale * (y - middle[1])) for n, (x, y) in flat.items()}
     parts = []
     for body, names in bodies.items():
-        outline = _hull([at[n] for n in names if n in at])
+        outline = convex_hull([at[n] for n in names if n in at])
         parts.append(f'<polygon class="{body}" points="{_listed(outline)}"/>')
     for names in strokes:
         parts.append(f'<polyline class="leg" points="{_listed([at[n] for n in names if n in at])}"/>')
@@ -117,22 +117,3 @@ def _seen(p: Sequence[float]) -> XY:
 
 def _listed(points: Iterable[XY]) -> str:
     return " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
-
-
-def _hull(points: Sequence[XY]) -> list[XY]:
-    """The convex hull, by the monotone chain."""
-
-    def half(given: Iterable[XY]) -> list[XY]:
-        chain: list[XY] = []
-        for p in given:
-            while len(chain) > 1 and _turn(chain[-2], chain[-1], p) <= 0:
-                chain.pop()
-            chain.append(p)
-        return chain[:-1]
-
-    ordered = sorted(set(points))
-    return half(ordered) + half(reversed(ordered)) if len(ordered) > 2 else ordered
-
-
-def _turn(a: XY, b: XY, c: XY) -> float:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

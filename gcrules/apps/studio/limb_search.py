@@ -18,8 +18,9 @@ from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.kinematics.targets import actuators_target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.around import Heading, SingularAlong, actuator_values, begun_at, first_along, headings
-from gcrules.poses.limbs.pose_report import SINGULAR, report_at
+from gcrules.poses.limbs.pose_report import report_at
 from gcrules.screws.threshold import DEFAULT, degrees
+from gcrules.screws.verdict import SOLVED
 
 __all__ = ["first_around"]
 
@@ -34,7 +35,7 @@ def first_around(limbs: Limbs, pose: PoseJson) -> Nearest:
     """The first singular poses along the coordinates of the platform, the closest one first, with what was searched in
     words. Raises InputError where the robot does not assemble at the pose.
     """
-    if configuration(limbs, pose).margin <= SINGULAR:
+    if configuration(limbs, pose).margin <= SOLVED:
         return {"found": [], "note": "The robot is singular at this pose: move it away to search from there."}
     m = limbs.linkage
     given = pose.get("coordinates") or [0.0] * len(m.actuators)

@@ -20,6 +20,7 @@ from gcrules.algebra.superbrackets.shortest import superbracket_form
 from gcrules.conditions.example_poses import singular_poses
 from gcrules.conditions.gained_motion import factors
 from gcrules.core.budget import checkpoint
+from gcrules.core.floats import int_if_whole
 from gcrules.core.frozen import FrozenMap
 
 __all__ = ["Evidence", "bracket_divides", "dividing_brackets", "flat", "relation", "separating"]
@@ -182,12 +183,8 @@ def _directions(points: Mapping[str, tuple[int, ...]], name: str) -> Iterator[tu
 
 
 def _moved(points: Points, name: str, direction: Sequence[int], t: Fraction) -> dict[str, Sequence[int | Fraction]]:
-    moved = tuple(_short(p + t * d) for p, d in zip(points[name], direction, strict=True))
+    moved = tuple(int_if_whole(p + t * d) for p, d in zip(points[name], direction, strict=True))
     return {**points, name: moved}
-
-
-def _short(c: int | Fraction) -> int | Fraction:
-    return c.numerator if c.denominator == 1 else c
 
 
 # --- divisibility --------------------------------------------------------------------------------------------------

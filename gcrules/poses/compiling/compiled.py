@@ -110,15 +110,22 @@ class CompiledCondition:
 
 
 def compiled(
-    robot: Source,
+    source: Source,
     expression: str | Expr | None = None,
     *,
     about: str | Sequence[Any] = "centroid",
     engine: str | None = None,
 ) -> CompiledCondition:
-    """The function of `gcrules.api.functions`, which says what the arguments are."""
+    """A condition compiled for many poses (a `CompiledCondition`): call it with arrays, it gives an array of values.
+
+    `source` is what `load` takes, for platforms on six legs; for legs without coordinates the joints themselves are the
+    arguments. The value is the superbracket of the legs as typed, or `expression`, any scalar of the robot's joints (a
+    condition, a cofactor). Poses turn `about` the same centre as in `pose`. `engine` is "numba" or "numpy", with equal
+    values; numba where it is installed if it is not given. Raises InputError for other expressions, for joints at
+    infinity and for degenerate robots.
+    """
     chosen = engine_named(engine)
-    loaded = load(robot)
+    loaded = load(source)
     moving = None
     if isinstance(loaded, Structure) or (isinstance(loaded, Analysis) and loaded.platform is None):
         analysis = loaded if isinstance(loaded, Analysis) else analyze_legs(loaded)

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Expr
+from gcrules.core.floats import int_if_whole
 from gcrules.core.linear_algebra import kernel
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.relations import combined
@@ -38,13 +39,8 @@ def value_at(family: Family, structure: Equivalent, values: Values, e: Expr) -> 
     Whole numbers go in as such, for fractions take ten times as long.
     """
     rows = (0, 1, 3) if family.plane else (0, 1, 2, 3)
-    points = {n: tuple(_whole(p[i]) for i in rows) for n, p in lines_at(family, structure, values).items()}
+    points = {n: tuple(int_if_whole(p[i]) for i in rows) for n, p in lines_at(family, structure, values).items()}
     return Fraction(Evaluator(points, 3 if family.plane else 4).value(e)[0])
-
-
-def _whole(c: Fraction) -> int | Fraction:
-    """A whole number as such."""
-    return c.numerator if c.denominator == 1 else c
 
 
 def gained(robot: Robot, values: Values) -> list[tuple[Fraction, ...]]:

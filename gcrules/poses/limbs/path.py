@@ -36,11 +36,11 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.factors import factors
 from gcrules.poses.limbs.path_report import Crossing, RobotPath
-from gcrules.poses.limbs.pose_report import SINGULAR, cause_of, target_of
+from gcrules.poses.limbs.pose_report import cause_of, target_of
 from gcrules.poses.limbs.way import Stretch, Way
 from gcrules.poses.numbers.motion import twist_of
 from gcrules.screws.threshold import Threshold, degrees, margin_of, turn_of
-from gcrules.screws.verdict import decide
+from gcrules.screws.verdict import SOLVED, decide
 
 __all__ = ["path_of_limbs"]
 
@@ -183,7 +183,7 @@ def _report(
     assert limit.angle is not None
     close = margin_of(limit.angle)
     verdicts = np.array([
-        "singular" if c <= SINGULAR else decide(s, SINGULAR, close=close) for s, c in zip(sigma, own, strict=True)
+        "singular" if c <= SOLVED else decide(s, SOLVED, close=close) for s, c in zip(sigma, own, strict=True)
     ])  # fmt: skip
     verdict, reason = _verdict(parameters, sigma, verdicts, crossings, undecided, limit)
     names = targets[0].names

@@ -36,12 +36,9 @@ from gcrules.poses.numbers.motion import Twist, twist_of
 from gcrules.screws.pose import Pose, exact
 from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
-from gcrules.screws.verdict import decide
+from gcrules.screws.verdict import SOLVED, decide
 
-__all__ = ["SINGULAR", "cause_of", "first_singular_pose", "report_at", "report_of_limbs", "target_of"]
-
-SINGULAR = 1e-9
-"""σ below which a configuration counts as singular: about as exact as configurations are solved for."""
+__all__ = ["cause_of", "first_singular_pose", "report_at", "report_of_limbs", "target_of"]
 
 _NEAR_ZERO = 1e-6  # of a factor, where the robot is singular
 
@@ -146,7 +143,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
         statement=analysis.statement,
         limbs=limb_numbers(m, near, own),
         softest=motions[-1],
-        motions=tuple(t for t, s in zip(motions, near.singular_values, strict=True) if s <= SINGULAR),
+        motions=tuple(t for t, s in zip(motions, near.singular_values, strict=True) if s <= SOLVED),
         points={
             d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
             for d in m.robot.family.definitions
@@ -158,10 +155,10 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
 def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshold) -> tuple[str, str]:
     sigma, turn = near.sigma, turn_of(near.sigma)
     assert limit.angle is not None
-    word = decide(sigma, SINGULAR, close=margin_of(limit.angle))
+    word = decide(sigma, SOLVED, close=margin_of(limit.angle))
     if word == "singular":
         return word, "σ is 0 within rounding: the wrenches of all limbs do not hold the platform."
-    lost = [limb.name for limb, c in zip(m.robot.limbs, own, strict=True) if c <= SINGULAR]
+    lost = [limb.name for limb, c in zip(m.robot.limbs, own, strict=True) if c <= SOLVED]
     if lost:
         verbs = "is singular by itself: its own twists", "are singular by themselves: the twists of each"
         return "singular", f"{agreeing(lost, *verbs)} depend on each other."
@@ -201,5 +198,5 @@ def _notes(m: Linkage, own: Sequence[float]) -> tuple[str, ...]:
         f"{limb.name} is nearly singular by itself (least singular value of its twists {c:.2g}), so that what is said"
         " of the platform holds near here only"
         for limb, c in zip(m.robot.limbs, own, strict=True)
-        if SINGULAR < c <= 0.01
+        if SOLVED < c <= 0.01
     )

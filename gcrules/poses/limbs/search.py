@@ -18,6 +18,7 @@ from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.solve import Course, Solution, goal
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.poses.limbs.factors import factors
+from gcrules.screws.verdict import SOLVED
 
 __all__ = ["SAMPLES", "SampledSolution", "first_singular"]
 
@@ -25,7 +26,6 @@ SAMPLES = 32
 _MOST = 60  # solutions for one place
 _TINY = 1e-15
 _GOLDEN = (5**0.5 - 1) / 2
-_SIGMA = 1e-7  # a least value of σ below which it counts as 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,8 +67,8 @@ def first_singular(
             found.append(SampledSolution(s, part, k))
         if k > 1 and not found and sizes[-2] < min(sizes[-1], sizes[-3]):
             part, s = _least(course, way[-3], (k - 2) / samples, k / samples, sigma)
-            found += [SampledSolution(s, part, k)] if sigma(s) <= _SIGMA else []
-        true = [one for one in found if sigma(one.solution) <= _SIGMA]
+            found += [SampledSolution(s, part, k)] if sigma(s) <= SOLVED else []
+        true = [one for one in found if sigma(one.solution) <= SOLVED]
         if true:
             part = min(one.part for one in true)
             return SampledSolution(goal(course, Solution(m.home, wanted), 0.0, part), part, k)

@@ -46,7 +46,7 @@ CHECKS = 3  # poses of each kind
 
 
 def locus(
-    robot: Source,
+    source: Source,
     over: str | Sequence[str] | None = None,
     *,
     fix: str | Mapping[str, Any] | None = None,
@@ -55,8 +55,17 @@ def locus(
     about: str | Sequence[Any] = "centroid",
     limit: int = MAX_TERMS,
 ) -> Locus:
-    """The function of `gcrules.api.functions`, which says what the arguments are."""
-    m = on_six_legs(mechanism(robot, about=about), "the locus")
+    """The polynomial whose zeros are the robot's singular poses, exact, with degrees and factors (a `Locus`).
+
+    `source` and `about` are those of `pose`, for platforms on six legs. The variables are x, y, z, the translation, and
+    those of the `rotation`: "quaternion" (e0, e1, e2, e3, of any length), "rodrigues" (c1, c2, c3 = e1/e0, e2/e0,
+    e3/e0), or a sequence of Euler angles such as "zyx" (t1, t2, t3, tangents of the half angles). `over` names those
+    that stay free ("x, y", or "translation", "rotation", "all"), `fix` gives values to others ("x=0, e1=1/2", or a
+    mapping), and the rest is taken from the pose `at`, text or a `Pose`; without `over` all that is not fixed is free.
+    Polynomials of up to `limit` terms are searched for factors where no proof decides. Raises InputError for unknown
+    variables, where nothing is free, and for degenerate robots.
+    """
+    m = on_six_legs(mechanism(source, about=about), "the locus")
     moving = m.rig
     asked = question(over, fix, at, rotation, moving.unit)
     ring = rational_ring(asked.free)

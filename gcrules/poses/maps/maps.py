@@ -54,19 +54,28 @@ MAX_HELD = 8_000_000
 
 
 def singular_map(
-    robot: Source,
+    source: Source,
     over: Sequence[str | GridAxis],
     at: Any = None,
     *,
     about: str | Sequence[Any] = "centroid",
     limits: str | None = None,
-    threshold: str | Threshold = DEFAULT,
+    threshold: str | Threshold = DEFAULT.text,
     measure: str = "margin",
     work: str | PathLike[str] | None = None,
     restart: bool = False,
 ) -> SingularMap:
-    """`gcrules.singular_map`, which says what the arguments are."""
-    legs = on_six_legs(mechanism(robot, about=about), "a map")
+    """The singular poses over two or three coordinates (a `SingularMap`): arrays, curves or a surface, and what is
+    proved free of them.
+
+    `source`, `at` (one pose, for the other coordinates) and `about` are those of `pose`, for platforms on six legs.
+    `over` lists coordinates with start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"].
+    `limits` is text such as "leg lengths 1..3"; `threshold` is an angle. `measure` is "margin", or "value" for the
+    superbracket alone, which is quick. `work` names a folder for the chunks of a large map: a run that was interrupted
+    goes on from there, unless `restart` throws them away; `.store.close()` removes it. Raises InputError for what makes
+    no sense and for degenerate robots, LimitReached for maps that are too large.
+    """
+    legs = on_six_legs(mechanism(source, about=about), "a map")
     return done(*planned(legs, over, at, limits, threshold, measure), work=work, restart=restart)
 
 

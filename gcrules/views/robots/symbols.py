@@ -47,7 +47,7 @@ def _by_freedoms(place: DrawnJoint, frame: Frame, ink: str, fill: str) -> list[S
         (x, y), r, shine = frame.place(at), _BALL * frame.size, 2.0 * frame.size
         gloss = Circle((x - shine, y - shine), 0.75 * shine, "paper", "paper", 0.4)
         return [Circle((x, y), r, fill, "ink", 1.2), gloss]
-    if all(freedom.startswith("slide") for freedom in JOINTS[place.kind].freedoms):
+    if JOINTS[place.kind].slides:
         return _box(frame, at, axes[0], (13, 6.6, 6.6), ink, fill)
     if len(axes) == 1:
         return _cylinder(frame, at, axes[0], 12, 6.4, ink, fill)
