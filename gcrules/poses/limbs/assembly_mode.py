@@ -17,7 +17,7 @@ from typing import Any
 from gcrules.core.budget import checkpoint
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.branch import is_regular
+from gcrules.mechanisms.kinematics.branch import Move, is_regular
 from gcrules.mechanisms.kinematics.determinants import frames, has_sign, relative_sign
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.solve import Course, Solution, goal
@@ -38,25 +38,26 @@ class AssemblyMode:
 
     The branch of solutions is proved but from `doubt` on. At the `crossings` the determinant of the wrenches changes
     its sign, `unknown` is where its sign cannot be followed. From home to `regular` it is proved that no configuration
-    is singular.
+    is singular; `ends_singular` tells that the last configuration is.
     """
 
     doubt: float | None = None
     crossings: tuple[float, ...] = ()
     unknown: float | None = None
     regular: float = 1.0
+    ends_singular: bool = False
     at_home: bool = False
 
     @property
     def same(self) -> bool | None:
-        """Whether the way stays on home's mode: True where that is proved (but for an end that is singular), False
-        where it crosses a singular configuration, None where it is not known.
+        """Whether the way stays on home's mode: True where that is proved, False where it crosses a singular
+        configuration, None where it is not known.
         """
         if self.doubt is not None:
             return None
         if self.crossings:
             return False
-        return True if self.unknown is None and self.regular >= _END else None
+        return True if self.regular >= 1 else None
 
     @property
     def text(self) -> str:
@@ -71,14 +72,13 @@ class AssemblyMode:
                 "the way from home crosses a singular configuration: the determinant of the wrenches changes its sign"
                 f" at {where} of it"
             )
-        if self.unknown is not None:
-            return (
-                f"not known: the sign of the determinant of the wrenches is lost at {_percent(self.unknown)} of the way"
-            )
         if self.regular >= 1:
             return "that of home, proved: no configuration on the way from there is singular"
-        if self.regular >= _END:
-            return f"that of home, proved up to {_at_least(self.regular)} of the way from there"
+        if self.ends_singular and self.regular >= _END:
+            return f"that of home, proved up to {_at_least(self.regular)} of the way from there; its end is singular"
+        if self.unknown is not None:
+            where = _percent(self.unknown)
+            return f"not known: the sign of the determinant of the wrenches is lost at {where} of the way"
         return (
             "not known: the determinant of the wrenches has one sign at all steps from home, but that nothing between"
             f" them is singular is not proved at {_at_least(self.regular)} of the way"
@@ -118,12 +118,13 @@ def assembly_mode(m: Linkage, solution: Solution) -> AssemblyMode:
     way = _Way(m, solution)
     crossings, unknown = way.signs()
     regular = way.regular() if solution.doubt is None and not crossings else 0.0
-    if unknown is not None and regular >= _END * solution.parts[-1]:
-        unknown = None  # where nothing is singular the determinant keeps its sign
     end = solution.parts[-1]
-    doubt = None if solution.doubt is None else solution.doubt / end
     return AssemblyMode(
-        doubt, tuple(c / end for c in crossings), None if unknown is None else unknown / end, regular / end
+        None if solution.doubt is None else float(solution.doubt / end),
+        tuple(c / end for c in crossings),
+        None if unknown is None else float(unknown / end),
+        float(regular / end),
+        not has_sign(way.frames(solution.configuration)),
     )
 
 
@@ -157,9 +158,9 @@ class _Way:
         for a, b in pairwise(signed):
             for found, sure in self._changes(a, b):
                 if sure:
-                    crossings.append(found)
+                    crossings.append(float(found))
                 elif unknown is None:
-                    unknown = found
+                    unknown = float(found)
         return tuple(crossings), unknown
 
     def _changes(self, a: Node, b: Node) -> Iterator[tuple[float, bool]]:
@@ -187,7 +188,7 @@ class _Way:
             if not todo:
                 return self.end
             a, b = todo.pop()
-            if is_regular(self.m, self.target, (a[1], b[1]), (a[0], b[0])):
+            if is_regular(self.m, self.target, Move.between(a[1], b[1]), (a[0], b[0])):
                 continue
             middle = self.between(a, b) if b[0] - a[0] > _SHORTEST * self.end else None
             if middle is None:
