@@ -9,6 +9,7 @@ the straight way from one configuration to the next, and a continuous one.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,10 +21,24 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.kinematics.tubes import Arm, Choice, Spread, follows, keeps_rank, spreads
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["can_be_followed", "follows_branch", "is_regular"]
+__all__ = ["Move", "can_be_followed", "follows_branch", "is_regular"]
 
-Ends = tuple[Configuration, Configuration]
 Parts = tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Move:
+    """The way from a configuration: by how much the coordinates of each limb grow, and where the platform is then."""
+
+    here: Configuration
+    amounts: tuple[Floats, ...]
+    platform: Floats
+
+    @classmethod
+    def between(cls, here: Configuration, there: Configuration) -> Move:
+        """The way from one configuration to another one."""
+        pairs = zip(here.joint_values, there.joint_values, strict=True)
+        return cls(here, tuple(b - a for a, b in pairs), there.platform)
 
 
 def can_be_followed(wanted: Target) -> bool:
@@ -31,18 +46,18 @@ def can_be_followed(wanted: Target) -> bool:
     return sum(n in VECTOR for n in wanted.names) in (0, len(VECTOR))
 
 
-def follows_branch(m: Linkage, wanted: Target, ends: Ends, parts: Parts) -> bool:
+def follows_branch(m: Linkage, wanted: Target, move: Move, parts: Parts) -> bool:
     """Whether it is proved that the solutions at two parts of the way lie on one branch: one curve of solutions, beside
     which there is no other one close to the straight way between them. False proves nothing.
     """
-    return _Step(m, wanted, ends, parts).tube is not None
+    return _Step(m, wanted, move, parts).tube is not None
 
 
-def is_regular(m: Linkage, wanted: Target, ends: Ends, parts: Parts) -> bool:
+def is_regular(m: Linkage, wanted: Target, move: Move, parts: Parts) -> bool:
     """Whether it is proved that the branch between two solutions meets no singular configuration: with the actuators
     locked neither the platform nor a link, but those that spin idly, can move anywhere on it. False proves nothing.
     """
-    step = _Step(m, wanted, ends, parts)
+    step = _Step(m, wanted, move, parts)
     near = step.tube
     if near is None:
         return False
@@ -53,18 +68,17 @@ def is_regular(m: Linkage, wanted: Target, ends: Ends, parts: Parts) -> bool:
 class _Step:
     """The way between two solutions as a tube around a straight one."""
 
-    def __init__(self, m: Linkage, wanted: Target, ends: Ends, parts: Parts) -> None:
-        here, there = ends
-        amounts = [b - a for a, b in zip(here.joint_values, there.joint_values, strict=True)]
+    def __init__(self, m: Linkage, wanted: Target, move: Move, parts: Parts) -> None:
+        here = move.here
         centre = here.platform[:3, :3] @ m.centre + here.platform[:3, 3]
-        arms = [Arm.of(c, a, centre, m.size) for c, a in zip(here.chains, amounts, strict=True)]
+        arms = [Arm.of(c, a, centre, m.size) for c, a in zip(here.chains, move.amounts, strict=True)]
         held = _coordinates(m, ((place, k) for place, k, _ in m.locked))
         driven = _coordinates(m, ((a.place, a.coordinate) for a in m.actuators))
         self.passive = [~(h | d) for h, d in zip(held, driven, strict=True)]
         self.idle = sum(len(c.turns) - rank for c, rank in zip(here.chains, m.ranks, strict=True))
         self.limbs: tuple[Spread, ...] = spreads(arms)
         self.tube: tuple[Floats, ...] | None
-        pose = None if wanted.driven else _pose_arm(m, wanted, ends, parts, centre)
+        pose = None if wanted.driven else _pose_arm(m, wanted, move, parts, centre)
         if wanted.driven:
             self.tube = follows(self.limbs, self.passive, self.idle)
         elif pose is None:
@@ -81,16 +95,16 @@ def _coordinates(m: Linkage, places: Iterator[tuple[int, int]]) -> list[Choice]:
     return found
 
 
-def _pose_arm(m: Linkage, w: Target, ends: Ends, parts: Parts, centre: Floats) -> tuple[Arm, Choice] | None:
+def _pose_arm(m: Linkage, w: Target, move: Move, parts: Parts, centre: Floats) -> tuple[Arm, Choice] | None:
     """The wanted pose as a chain, and which of its coordinates are free; None where it is none."""
-    here, there = ends
+    here = move.here
     grown = (parts[1] - parts[0]) * w.values
     known = dict(zip(w.names, grown, strict=True))
     if not can_be_followed(w):
         return None
     vector = any(n in VECTOR for n in w.names)
     turns = SHIFTS if vector else (*SHIFTS, *TURNS)
-    change = coordinates(turns, there.platform, m.centre) - coordinates(turns, here.platform, m.centre)
+    change = coordinates(turns, move.platform, m.centre) - coordinates(turns, here.platform, m.centre)
     amounts = wrapped(turns, change)
     free = np.array([n not in known for n in turns])
     amounts = np.where(free, amounts, [known.get(n, 0.0) for n in turns])

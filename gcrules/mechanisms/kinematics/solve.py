@@ -1,4 +1,4 @@
-r"""Closing the loops: from home to a wanted pose or wanted actuators, step by step on home's assembly mode.
+r"""Closing the loops: from home to a wanted pose or wanted actuators, step by step on the branch of home.
 
 The unknowns are the amounts of all joints; the equations say that all limbs bring the platform to one place and that
 the wanted coordinates have their values. Each step is solved by Levenberg and Marquardt's method with the damping
@@ -19,7 +19,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.attachments import disagreement, moved, residual_of_relations
-from gcrules.mechanisms.kinematics.branch import can_be_followed, follows_branch
+from gcrules.mechanisms.kinematics.branch import Move, can_be_followed, follows_branch
 from gcrules.mechanisms.kinematics.chains import chain_of
 from gcrules.mechanisms.kinematics.coordinates import coordinates, slopes, wrapped
 from gcrules.mechanisms.kinematics.failure_reasons import stopped
@@ -43,7 +43,7 @@ _ENOUGH = 1e-13
 _ITERATIONS = 14
 _FARTHEST = 0.5  # of a joint in one step: rad, or parts of the robot's size
 _SHORTEST = 1.0 / 4096
-_SHORTEST_PROOF = 1.0 / 4096
+_SHORTEST_PROOF = 1.0 / 16384
 _SLOWER = 1.2  # how fast steps grow again after one was too long to be proved
 _DEPENDENT = 1e-7
 _PREFERRED = 0.01  # of the largest rate: a coordinate that moves less is not proposed
@@ -149,24 +149,24 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
         checkpoint()
         step = min(step, far - done)
         part = at + (done + step) * np.sign(end - at) if done + step < far else end
+        before, doubt = at + done * float(np.sign(end - at)), found.doubt
+        here = found.configuration
         try:
-            there, iterations = _closed(course, found.configuration, part)
+            joints = _solved(course, here, part)
+            move = Move(here, joints.amounts, joints.links[0][-1] @ here.platform)
+            if doubt is None and not follows_branch(course.m, course.target, move, (before, part)):
+                if step > _SHORTEST_PROOF * max(far, 1e-3) and can_be_followed(course.target):
+                    step, growth = step / 2, _SLOWER
+                    continue
+                doubt = before
+            there = _configuration(course.m, here, joints)
         except _NotClosed as fault:
             step /= 2
             if step < _SHORTEST * max(far, 1e-3):
-                reached = at + done * float(np.sign(end - at))
-                here = found.configuration
                 named = course.target.whole is None and not course.target.driven
                 told = _told(course, here) / _told(course, course.m.home) if named else 1.0
-                raise stopped(course.m, here, course.target, reached, told, str(fault)) from None
+                raise stopped(course.m, here, course.target, before, told, str(fault)) from None
             continue
-        before, doubt = at + done * float(np.sign(end - at)), found.doubt
-        ends = found.configuration, there
-        if doubt is None and not follows_branch(course.m, course.target, ends, (before, part)):
-            if step > _SHORTEST_PROOF * max(far, 1e-3) and can_be_followed(course.target):
-                step, growth = step / 2, _SLOWER
-                continue
-            doubt = before
         done += step
         step *= growth
         if len(found.way) >= _MOST_STEPS:
@@ -176,7 +176,7 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
                 hint="check the unit, and ask for less",
             )
         way, parts = (*found.way, there), (*found.parts, part)
-        found = Solution(there, course.target, found.iterations + iterations, way, parts, doubt)
+        found = Solution(there, course.target, found.iterations + joints.iterations, way, parts, doubt)
     return found
 
 
@@ -184,8 +184,24 @@ class _NotClosed(Exception):
     """No solution near by."""
 
 
+@dataclass(frozen=True, eq=False)
+class _Joints:
+    """Amounts of all joints from a configuration that close the loops, with the motions of all links."""
+
+    amounts: tuple[Floats, ...]
+    links: tuple[Floats, ...]
+    residual: float
+    iterations: int
+
+
 def _closed(course: Course, here: Configuration, part: float) -> tuple[Configuration, int]:
     """The configuration near this one at a part of the course, and the iterations. Raises _NotClosed."""
+    joints = _solved(course, here, part)
+    return _configuration(course.m, here, joints), joints.iterations
+
+
+def _solved(course: Course, here: Configuration, part: float) -> _Joints:
+    """The joints near a configuration at a part of the course. Raises _NotClosed."""
     m = course.m
     sizes = [len(c.turns) for c in here.chains]
     units = np.concatenate([np.where(c.turns, 1.0, m.size) for c in here.chains])
@@ -199,7 +215,7 @@ def _closed(course: Course, here: Configuration, part: float) -> tuple[Configura
         r = np.concatenate([open_, wanted_off])
         size = float(np.linalg.norm(r))
         if size <= _ENOUGH or (size <= _ACCURACY / 100 and size >= best / 4):
-            return _configuration(m, here, links, amounts, float(np.abs(open_).max(initial=0.0))), iteration
+            return _Joints(amounts, links, float(np.abs(open_).max(initial=0.0)), iteration)
         if size > 4 * best or not np.isfinite(size):
             break
         best = min(best, size)
@@ -248,10 +264,9 @@ def _loops(twists: list[Floats], here: Configuration, m: Linkage) -> Floats:
     return found
 
 
-def _configuration(
-    m: Linkage, here: Configuration, links: tuple[Floats, ...], amounts: tuple[Floats, ...], residual: float
-) -> Configuration:
+def _configuration(m: Linkage, here: Configuration, joints: _Joints) -> Configuration:
     """The configuration after these amounts. Raises _NotClosed where the robot has left its family there."""
+    links, amounts = joints.links, joints.amounts
     values = moved(m.robot, m.attachments, here.values, links)
     off, name = max(
         disagreement(m.robot, m.attachments, here.values, links, m.size), residual_of_relations(m.robot, values, m.size)
@@ -273,7 +288,7 @@ def _configuration(
         tuple(k @ before for k, before in zip(links, here.links, strict=True)),
         tuple(a + before for a, before in zip(amounts, here.joint_values, strict=True)),
         chains,
-        residual,
+        joints.residual,
         max(off, loose),
     )
 

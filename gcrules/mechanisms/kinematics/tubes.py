@@ -245,6 +245,8 @@ def follows(chains: Sequence[Spread], free: Sequence[Choice], idle: int) -> tupl
     if e is None:
         return None
     halves = [np.abs(c.amounts) / 2 for c in chains]
+    if e.bent(halves).sum(axis=1).min() >= 1.0:  # no tube, however thin
+        return None
     radius = e.gap(halves) * _INFLATED
     for _ in range(_TRIALS):
         tube = _in_place(e, radius)

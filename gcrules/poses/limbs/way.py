@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.branch import is_regular
+from gcrules.mechanisms.kinematics.branch import Move, is_regular
 from gcrules.mechanisms.kinematics.determinants import Frames, frames, has_sign, relative_sign
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.solve import Course, Solution, goal
@@ -113,6 +113,28 @@ class Way:
 
     # --- proofs ---
 
+    def proved_to(self, most: int = _MOST) -> float:
+        """The part up to which it is proved that nothing is singular."""
+        todo = list(pairwise(self.nodes))[::-1]
+        for _ in range(most):
+            if not todo:
+                return self.end
+            a, b = todo.pop()
+            if self._proved(a, b):
+                continue
+            middle = self._middle(a, b)
+            if middle is None:
+                return a[0]
+            todo += [(middle, b), (a, middle)]
+        return todo[-1][0][0] if todo else self.end
+
+    def _proved(self, a: Node, b: Node) -> bool:
+        return is_regular(self.m, self.target, Move.between(a[1], b[1]), (a[0], b[0]))
+
+    def _middle(self, a: Node, b: Node) -> Node | None:
+        """Where a stretch is parted for a proof; None where it is too short."""
+        return self.between(a, b) if b[0] - a[0] > _SHORTEST * self.end else None
+
     def unproved(self, most: int = _MOST) -> tuple[Stretch, ...]:
         """The stretches, those side by side as one, outside of which it is proved that nothing is singular."""
         # the longest one first
@@ -124,9 +146,9 @@ class Way:
             if not todo:
                 break
             *_, a, b = heappop(todo)
-            if is_regular(self.m, self.target, (a[1], b[1]), (a[0], b[0])):
+            if self._proved(a, b):
                 continue
-            middle = self.between(a, b) if b[0] - a[0] > _SHORTEST * self.end else None
+            middle = self._middle(a, b)
             if middle is None:
                 found.append((a[0], b[0]))
             else:

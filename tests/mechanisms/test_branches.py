@@ -1,0 +1,356 @@
+"""Ways from home keep to one branch and say whether they cross a singular configuration: against other roads."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from places import DATA
+
+import gcrules as gc
+from gcrules.apps.cli import cli
+from gcrules.mechanisms.analyze import analyze_robot
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.kinematics.chains import Chain
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkage
+from gcrules.mechanisms.kinematics.margin import margin
+from gcrules.mechanisms.kinematics.rigid_motions import exponential, rotations
+from gcrules.mechanisms.kinematics.solve import Course, Solution, _closed, free_coordinates, goal, solve
+from gcrules.mechanisms.kinematics.targets import Target, actuators_target, coordinates_target, pose_target
+from gcrules.mechanisms.kinematics.tubes import Arm, follows, keeps_rank, spreads
+from gcrules.mechanisms.load import read_robot
+from gcrules.poses.limbs.assembly_mode import AssemblyMode, assembly_mode
+from gcrules.poses.limbs.remark import home_remark
+from gcrules.screws.pose_text import parse_pose
+
+IDS = tuple(one.id for one in robots())
+MOVED = DATA / "moved"
+FINE = 48  # steps of the second road
+
+
+@cache
+def machine(name: str) -> Linkage:
+    return linkage(read_robot(name if name in IDS else MOVED / f"{name}.yaml"))
+
+
+@cache
+def analysis(name: str) -> RobotAnalysis:
+    return analyze_robot(machine(name).robot)
+
+
+# --- working modes against closed forms ------------------------------------------------------------------------------
+
+
+def eye_angles(m: Linkage, turn: np.ndarray) -> np.ndarray:
+    """The actuators of the Agile Eye by its closed form: v = ±u × w, its sign that of home all along the way, for the
+    elbow is at right angles to u and w; the angle followed in 4000 steps.
+    """
+    motions = rotations(np.linspace(0, 1, 4001)[:, None] * turn)
+    found = []
+    for k in "123":
+        u, v, w = (m.home.values[f"{letter}{k}"] for letter in "uvw")
+        elbow = np.cross(u, motions @ w)
+        elbow *= np.sign(elbow[0] @ v)
+        found.append(np.unwrap(np.arctan2(elbow @ np.cross(u, v), elbow @ v))[-1])
+    return np.array(found)
+
+
+def test_a_limb_close_to_its_singularity_does_not_jump() -> None:
+    m = machine("agile-eye")
+    here = gc.pose(analysis("agile-eye"), "rx=6.209deg, ry=171.201deg, rz=-10.544deg")
+    assert np.degrees(here.actuator_values["q3"]) == pytest.approx(-183.64, abs=0.005)
+    assert list(here.actuator_values.values()) == pytest.approx(
+        eye_angles(m, np.radians([6.209, 171.201, -10.544])), abs=1e-8
+    )
+    assert here.assembly.doubt is None
+    assert here.to_json()["assembly"]["branch_proved"] is True
+    assert "proved: one continuous solution" in here.text()
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_random_orientations_keep_their_working_mode(seed: int) -> None:
+    m = machine("agile-eye")
+    rng = np.random.default_rng(seed)
+    for axis in rng.normal(size=(6, 3)):
+        turn = axis / np.linalg.norm(axis) * rng.uniform(1, 3.1)
+        s = solve(m, coordinates_target(m, dict(zip(("rx", "ry", "rz"), turn, strict=True))))
+        assert s.doubt is None
+        reached = [s.configuration.joint_values[a.place][a.coordinate] for a in m.actuators]
+        assert reached == pytest.approx(eye_angles(m, turn), abs=1e-7)
+
+
+CRANKS = ("3-rrr", "6-rus", "4-ruu")
+
+
+@pytest.mark.parametrize("name", CRANKS)
+def test_cranks_stay_on_their_side(name: str) -> None:
+    """A crank from A to B and a rod from B to C: the side of the rod on which the crank turns is that of home, by the
+    sign of the discriminant's root, wherever the branch is proved."""
+    m = machine(name)
+    rng = np.random.default_rng(11)
+    met = 0
+    for _ in range(5):
+        wanted = coordinates_target(
+            m, {n: 0.2 * rng.normal() * (m.size if n in "xyz" else 1) for n in free_coordinates(m)}
+        )
+        try:
+            s = solve(m, wanted)
+        except gc.InputError:
+            continue
+        assert s.doubt is None
+        met += 1
+        for limb in m.robot.limbs:
+            names = [n for j in limb.joints for n in j.names if j.args and m.robot.family.sorts.get(n) == "point"]
+            A, B, C = dict.fromkeys(names)
+            axis = np.array([0, 0, 1.0]) if "z" in limb.joints[0].names else m.home.values[limb.joints[0].names[-1]]
+            sides = []
+            for values in (m.home.values, s.configuration.values):
+                a, b, c = (np.asarray(values[n]) for n in (A, B, C))
+                sides.append(np.sign(np.cross(b - a, c - b) @ axis))
+            assert sides[0] == sides[1] != 0, limb.name
+    assert met >= 2
+
+
+# --- every robot against steps so fine that they need no proof -------------------------------------------------------
+
+
+def finely(m: Linkage, wanted: Target) -> list[Configuration]:
+    course, here = Course(m, wanted), [m.home]
+    for k in range(1, FINE + 1):
+        here.append(_closed(course, here[-1], k / FINE)[0])
+    return here
+
+
+def passive_determinant(m: Linkage, here: Configuration) -> float | None:
+    """That of the loops by the amounts of all passive joints, None where it is not square: another matrix than that of
+    the wrenches, which vanishes with it and where the passive joints of a limb are singular."""
+    twists = []
+    for place, chain in enumerate(here.chains):
+        own = chain.twists(np.broadcast_to(np.eye(4), (len(chain.screws) + 1, 4, 4)))
+        driven = {a.coordinate for a in m.actuators if a.place == place}
+        driven |= {k for p, k, _ in m.locked if p == place}
+        twists.append(own[:, [k for k in range(own.shape[1]) if k not in driven]])
+    keep = [2, 3, 4] if m.robot.family.plane else list(range(6))
+    blocks = []
+    for n in range(1, len(twists)):
+        row = [np.zeros((len(keep), t.shape[1])) for t in twists]
+        row[0], row[n] = -twists[0][keep], twists[n][keep]
+        blocks.append(np.concatenate(row, axis=1))
+    whole = np.concatenate(blocks)
+    return float(np.linalg.det(whole)) if whole.shape[0] == whole.shape[1] else None
+
+
+def random_targets(m: Linkage, seed: int) -> list[Target]:
+    rng = np.random.default_rng(seed)
+    amounts = {n: 0.3 * rng.normal() * (m.size if n in "xyz" else 1) for n in free_coordinates(m)}
+    driven = [0.15 * rng.normal() * (1 if a.angle else m.size) for a in m.actuators]
+    return [coordinates_target(m, amounts), actuators_target(m, driven)]
+
+
+@pytest.mark.parametrize("name", [*IDS, "agile-eye", "5-rpur", "4-ruu-opposite"])
+def test_ways_against_fine_steps(name: str) -> None:
+    m = machine(name)
+    for wanted in random_targets(m, 3):
+        try:
+            s = solve(m, wanted)
+        except gc.InputError:
+            continue
+        assert s.doubt is None  # no way of this family is left without a proof
+        fine = finely(m, wanted)
+        for n, place in s.configuration.values.items():
+            assert place == pytest.approx(fine[-1].values[n], abs=1e-6 * max(1.0, m.size)), n
+        mode = assembly_mode(m, s)
+        determinants = [passive_determinant(m, c) for c in fine]
+        if None not in determinants:
+            changes = sum(a * b < 0 for a, b in pairwise(determinants) if a is not None and b is not None)
+            assert changes % 2 == len(mode.crossings) % 2
+        if mode.same:
+            assert min(margin(m, c).sigma for c in fine) > 1e-6
+        for part in mode.crossings:
+            there = goal(Course(m, wanted), Solution(m.home, wanted), 0.0, part)
+            assert margin(m, there.configuration).sigma < 1e-3
+
+
+def test_most_ways_are_told() -> None:
+    """The proofs are not vacuous: of short ways most are proved to stay on home's mode."""
+    same = []
+    for name in IDS:
+        m = machine(name)
+        for wanted in random_targets(m, 8):
+            short = Target(wanted.names, 0.2 * wanted.values, wanted.driven, None, wanted.text)
+            if wanted.whole is not None:
+                short = pose_target(m, parse_pose("0.01 0.02 0.01; euler zyx 1 2 -1 deg"))
+            try:
+                same.append(assembly_mode(m, solve(m, short)).same)
+            except gc.InputError:
+                continue
+    assert len(same) > 30
+    assert sum(s is True for s in same) >= 0.9 * len(same)
+
+
+# --- robots without a condition, and cofactors ----------------------------------------------------------------------
+
+
+def test_a_crossing_is_told_without_a_condition() -> None:
+    m = machine("5-rpur")
+    here = gc.pose(analysis("5-rpur"), "x=0, y=0, z=-1, roll=0deg, yaw=60deg")
+    assert not here.factors
+    assert here.mode.startswith("the way from home crosses a singular configuration")
+    (part,) = here.assembly.crossings
+    wanted = coordinates_target(m, {"x": 0, "y": 0, "z": -1, "roll": 0, "yaw": np.radians(60)})
+    sigma = [margin(m, c).sigma for c in finely(m, wanted)]
+    assert abs(int(np.argmin(sigma)) / FINE - part) <= 1 / FINE
+    at = goal(Course(m, wanted), Solution(m.home, wanted), 0.0, part).configuration
+    assert margin(m, at).sigma < 1e-4 * max(sigma)
+    assert here.assembly.same is False
+    said = gc.pose(analysis("5-rpur"), "x=0, y=0, z=-1, roll=0deg, yaw=35deg")
+    assert said.mode == "that of home, proved: no configuration on the way from there is singular"
+
+
+def test_a_cofactor_is_no_crossing() -> None:
+    a = analysis("4-ruu-opposite")
+    home, there = gc.pose(a), gc.pose(a, "x=0, y=0.25, z=0, yaw=0deg")
+    assert home.verdict == there.verdict == "regular"
+    assert there.assembly.same is True
+    (f,), (g,) = home.factors, there.factors
+    assert f.cofactor
+    assert abs(f.cofactor_value) > 0.9  # legs 1 and 2 are parallel at home: their pairing would have 0
+    assert f.value * g.value > 0
+    assert "divided by the cofactor" in home.text(unicode=True)
+    assert home.to_json()["factors"][0]["cofactor"]["value"] == f.cofactor_value
+
+
+@pytest.mark.parametrize("name", ["4-ruu", "4-ruu-opposite", "tricept"])
+def test_factors_by_cofactors_vanish_with_the_wrenches_alone(name: str) -> None:
+    """The quotient and σ vanish together: on random ways one changes its sign where the other comes to 0."""
+    m, a = machine(name), analysis(name)
+    rng = np.random.default_rng(4)
+    for _ in range(3):
+        wanted = coordinates_target(
+            m, {n: 0.2 * rng.normal() * (m.size if n in "xyz" else 1) for n in free_coordinates(m)}
+        )
+        try:
+            mode = assembly_mode(m, solve(m, wanted))
+        except gc.InputError:
+            continue
+        home = gc.pose(a).factors
+        there = gc.pose(a, dict(zip(wanted.names, wanted.values, strict=True))).factors
+        for f, g in zip(home, there, strict=True):
+            assert (f.value * g.value < 0) == (len(mode.crossings) % 2 == 1)
+
+
+# --- homes that are singular ------------------------------------------------------------------------------------------
+
+SINGULAR_HOMES = {"3-prr": "the lines B1C1, B2C2 and B3C3 meet", "4-upu": "actuation", "3-upu-snu": "parallel to one"}
+
+
+@pytest.mark.parametrize("name", SINGULAR_HOMES)
+def test_singular_homes_are_told(name: str) -> None:
+    remark = home_remark(analysis(name))
+    assert remark.startswith("home is singular")
+    assert SINGULAR_HOMES[name] in remark
+    path = str(MOVED / f"{name}.yaml")
+    assert f"warning: {remark}" in CliRunner().invoke(cli, ["robot", "check", path]).stdout
+    done = CliRunner().invoke(cli, ["robot", "analyze", path, "--json"])
+    assert done.stderr == f"warning: {remark}\n"
+    json.loads(done.stdout)
+
+
+# --- the bounds themselves --------------------------------------------------------------------------------------------
+
+
+def random_arm(rng: np.random.Generator, count: int) -> Arm:
+    axes = rng.normal(size=(count, 3))
+    axes /= np.linalg.norm(axes, axis=1)[:, None]
+    turns = rng.random(count) < 0.7
+    screws = np.where(
+        turns[:, None],
+        np.concatenate([axes, np.cross(rng.normal(size=(count, 3)), axes)], axis=1),
+        np.concatenate([np.zeros_like(axes), axes], axis=1),
+    )
+    chain = Chain(screws, tuple(range(count)), np.ones(count), tuple(map(bool, turns)))
+    return Arm.of(chain, 0.2 * rng.normal(size=count), np.zeros(3), 1.0)
+
+
+def motion(arm: Arm, amounts: np.ndarray) -> np.ndarray:
+    found = np.eye(4)
+    for screw, amount in zip(arm.screws, amounts, strict=True):
+        found = found @ exponential(screw, float(amount))
+    return found
+
+
+def reading(x: np.ndarray) -> np.ndarray:
+    odd = (x[:3, :3] - x[:3, :3].T) / 2
+    return np.array([odd[2, 1], odd[0, 2], odd[1, 0], *x[:3, 3]])
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_bounds_of_derivatives_hold(seed: int) -> None:
+    """First and second derivatives against differences, the third ones' bound against second ones nearby."""
+    rng = np.random.default_rng(seed)
+    arm = random_arm(rng, 5)
+    (spread,) = spreads([arm])
+    middle = arm.amounts / 2
+    back = np.linalg.inv(motion(arm, middle))
+    step = 1e-4
+
+    def slope(q: np.ndarray) -> np.ndarray:
+        ends = [[reading(motion(arm, q + s * step * e) @ back) for s in (1, -1)] for e in np.eye(5)]
+        return np.array([(a - b) / (2 * step) for a, b in ends]).T
+
+    assert slope(middle) == pytest.approx(spread.first, abs=1e-7)
+    for k, e in enumerate(np.eye(5)):
+        bent = (slope(middle + step * e) - slope(middle - step * e)) / (2 * step)
+        assert bent == pytest.approx(spread.second[:, k], abs=1e-5)
+    reach = np.full(5, 0.15)
+    turned, moved = spread.third(reach)
+    for _ in range(40):
+        d = rng.uniform(-1, 1, size=5) * reach
+        rest = slope(middle + d) - spread.first - spread.second @ d
+        assert (np.linalg.norm(rest[:3], axis=0) <= turned / 2 + 1e-6).all()
+        assert (np.linalg.norm(rest[3:], axis=0) <= moved / 2 + 1e-6).all()
+
+
+def four_bar(open_by: float) -> list[Arm]:
+    """Two arms in the plane that meet, the first one driven: nearly stretched where `open_by` is small."""
+    crank = np.array([[0, 0, 1, 0, 0, 0]], dtype=float)
+    elbow = np.array([1.0, open_by, 0])
+    rows = [[0, 0, 1, *np.cross(p, [0, 0, 1])] for p in ([2, 0, 0], elbow, [0.0, 0, 0])]
+    first = Arm(crank, (0,), np.ones(1), np.array([0.02]))
+    second = Arm(np.array(rows), (0, 1, 2), np.ones(3), np.zeros(3))
+    return [first, second]
+
+
+def test_what_is_stretched_is_not_proved() -> None:
+    free = [np.array([False]), np.array([True, True, True])]
+    assert follows(spreads(four_bar(0.0)), free, 0) is None
+    tube = [np.zeros(1), np.zeros(3)]
+    assert not keeps_rank(spreads(four_bar(0.0)), free, 0, tube)
+    assert keeps_rank(spreads(four_bar(0.8)), free, 0, tube)
+
+
+def test_words_of_modes() -> None:
+    assert AssemblyMode(at_home=True).text == "that of home"
+    assert AssemblyMode(doubt=0.25).text.startswith("not known: from 25% of the way")
+    assert AssemblyMode(doubt=0.25).same is None
+    assert AssemblyMode(regular=0.4).same is None
+    assert "is not proved at 40% of the way" in AssemblyMode(regular=0.4).text
+    assert AssemblyMode(unknown=0.5, regular=0.4).text.startswith("not known: the sign")
+    assert AssemblyMode(crossings=(0.25, 0.5)).text.endswith("at 25% and 50% of it")
+    assert AssemblyMode(regular=0.9999).text.startswith("not known")
+    near = AssemblyMode(regular=0.99995, unknown=1.0, ends_singular=True)
+    assert near.text == "that of home, proved up to 99.99% of the way from there; its end is singular"
+    assert (near.same, AssemblyMode().same, AssemblyMode(crossings=(0.5,)).same) == (None, True, False)
+    assert "may be another solution" in AssemblyMode(doubt=0.1).branch
+
+
+def test_parts_of_rotation_vectors_are_not_proved() -> None:
+    """One or two components of the rotation vector: solved, but the branch is said to be open."""
+    here = gc.pose("3-rps", {"z": 0.1, "rx": 0.1, "ry": 0.05})
+    assert here.assembly.doubt == 0
+    assert here.mode.startswith("not known")
