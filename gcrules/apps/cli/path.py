@@ -37,7 +37,7 @@ __all__ = ["path"]
     "--plot",
     type=OutputFile(".svg", ".pdf"),
     metavar="FILE.svg|FILE.pdf",
-    help="Draw margin and superbracket along the path.",
+    help="Draw the margin along the path, and the superbracket (of joints: the limbs' own margins).",
 )
 @time_limit(None)
 @output_options(latex=False)
@@ -57,12 +57,15 @@ def path(
     \b
     gcrules path robot.yaml --at "0 0 0" --at "0 0 -300; euler zyx 40 0 0 deg"
     gcrules path robot.yaml --poses poses.csv --csv values.csv --plot path.svg
+    gcrules path 3-rps --at home --at "z=0.2, roll=20deg, pitch=10deg"
 
     Between two poses the centre moves on a straight line and the platform turns about one axis, the shorter way. None
-    is missed, however few samples there are: the superbracket is an exact polynomial there. The first line of a table
+    is missed, however few samples there are: the superbracket is an exact polynomial there. For a robot of joints a
+    pose is "home" or names as many coordinates as it has freedoms; what lies between the steps is proved, or listed as
+    not decided. The first line of a table
     names its columns: x, y, z, and qw, qx, qy, qz, or rx [deg], ry [deg], rz [deg], or zyx1 [deg], zyx2 [deg],
     zyx3 [deg]. "-" reads the robot's file from standard input; the id of a robot
-    with six legs, as of "gcrules robot list", does as well.
+    of "gcrules robot list" does as well.
     """
     if (table is None) == (not at):
         raise click.UsageError("Give the poses either by --poses POSES.csv or by --at, twice or more.")
