@@ -144,3 +144,12 @@ def test_small_answers_load_nothing_heavy(words: list[str]) -> None:
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     assert "gcrules.apps.cli.algebra" in loaded
     assert not {"numpy", "networkx", "sympy", "matplotlib", "gcrules.conditions.analysis"} & set(loaded)
+
+
+@pytest.mark.parametrize("legs", ["ab af cb cd ed ef", "Aa Ab Bc Bd Ce Cf"])
+def test_analyzing_legs_loads_no_arrays(legs: str) -> None:
+    words = ["analyze", legs]
+    code = f"import sys; from gcrules.apps.cli import cli; cli({words!r}, standalone_mode=False); print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert "gcrules.conditions.analysis" in loaded
+    assert not {"numpy", "networkx", "sympy", "matplotlib"} & set(loaded)

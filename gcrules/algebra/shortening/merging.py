@@ -27,7 +27,7 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.factoring.modular import MODULUS, Ints, inverse, minor, reduced
 from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.shortening.linear_program import maximized
-from gcrules.algebra.shortening.monomials import Monomials, bracket_products
+from gcrules.algebra.shortening.monomials import Monomials
 from gcrules.algebra.shortening.symmetry import Orbits
 from gcrules.core.budget import Count
 
@@ -183,7 +183,7 @@ class _Mergings:
     def _least(self, blocks: _Blocks, alive: np.ndarray) -> int:
         """How many terms are left at least: 1, or 2 or 3 if one or two monomials do not make what is left."""
         at = self.at[:, self._home(blocks)]
-        value = bracket_products(self.monomials.rows[alive], at)
+        value = self.monomials.values(at, chosen=alive)
         self.work.spend(value.size)
         target = values(self.poly, at, MODULUS)
         if not target[0] or not len(value):
@@ -193,7 +193,7 @@ class _Mergings:
         if (x == 0).any():
             return 1
         key = reduced(y * inverse(x))
-        order = np.argsort(key, kind="stable")
+        order = np.argsort(key)
         key, value, x = key[order], value[order], x[order]
         same = key[1:] == key[:-1]
         own = minor(value[1:, 1], value[:-1, 0], value[1:, 0], value[:-1, 1])

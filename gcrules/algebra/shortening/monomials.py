@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 from math import factorial, prod
+from typing import Any
 
 import numpy as np
 
@@ -95,9 +96,23 @@ class Monomials:
         """The brackets as an array: (monomial, bracket, point)."""
         return np.array(self.all, dtype=np.int64)
 
-    def values(self, at: Ints, p: int = MODULUS) -> Ints:
-        """Values modulo p at positions of shape (samples, points, rank): an array (monomial, sample)."""
-        return bracket_products(self.rows, at, p)
+    @cached_property
+    def brackets(self) -> tuple[Ints, Ints]:
+        """The different brackets, an array (bracket, point), and which of them the monomials have."""
+        different, which = np.unique(self.rows.reshape(-1, self.rank), axis=0, return_inverse=True)
+        return different, which.reshape(self.rows.shape[:2])
+
+    def values(self, at: Ints, p: int = MODULUS, chosen: Any = slice(None)) -> Ints:
+        """Values modulo p, of all monomials or of those that are chosen (an index of numpy), at positions of shape
+        (samples, points, rank): an array (monomial, sample).
+        """
+        different, which = self.brackets
+        bracket = determinants(at, different, p)
+        first, *others = which[chosen].T
+        product: Ints = bracket[first]
+        for other in others:
+            product = reduced(product * bracket[other], p)
+        return product
 
     def coefficient_bound(self) -> int:
         """No coefficient of a monomial, expanded in the coordinates of the points outside a frame, is larger: such a
@@ -116,18 +131,6 @@ class Monomials:
         else:
             outside = finite[: max(0, len(finite) - self.rank - 1)]
         return prod(map(factorial, outside))
-
-
-def bracket_products(rows: Ints, at: Ints, p: int = MODULUS) -> Ints:
-    """Values modulo p of monomials (monomial, bracket, point) at positions (sample, point, coordinate)."""
-    n, brackets, rank = rows.shape
-    different, which = np.unique(rows.reshape(-1, rank), axis=0, return_inverse=True)
-    bracket = determinants(at, different, p)
-    which = which.reshape(n, brackets)
-    product = bracket[which[:, 0]]
-    for j in range(1, brackets):
-        product = reduced(product * bracket[which[:, j]], p)
-    return product
 
 
 def _too_many(limit: int) -> LimitReached:
