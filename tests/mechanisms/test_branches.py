@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 
@@ -176,6 +177,20 @@ def test_ways_against_fine_steps(name: str) -> None:
             assert margin(m, there.configuration).sigma < 1e-3
 
 
+def test_rods_that_spin_are_no_branches() -> None:
+    """A rod between two ball joints spins idly: the same actuators and proofs as with a universal joint at its end."""
+    spinning, plain = machine("6-pss"), machine("6-pus")
+    rng = np.random.default_rng(1)
+    for _ in range(3):
+        given = {n: 0.2 * rng.normal() * (plain.size if n in "xyz" else 1) for n in free_coordinates(plain)}
+        found = []
+        for m in (spinning, plain):
+            s = solve(m, coordinates_target(m, given))
+            assert assembly_mode(m, s).same is True
+            found.append([s.configuration.joint_values[a.place][a.coordinate] for a in m.actuators])
+        assert found[0] == pytest.approx(found[1], abs=1e-9)
+
+
 def test_most_ways_are_told() -> None:
     """The proofs are not vacuous: of short ways most are proved to stay on home's mode."""
     same = []
@@ -259,6 +274,19 @@ def test_singular_homes_are_told(name: str) -> None:
     done = CliRunner().invoke(cli, ["robot", "analyze", path, "--json"])
     assert done.stderr == f"warning: {remark}\n"
     json.loads(done.stdout)
+
+
+@pytest.mark.parametrize("power", [0, 4, 6, 8, 10])
+def test_robots_far_from_the_origin_say_what_that_costs(power: int) -> None:
+    r = machine("3-rps").robot
+    assert r.home is not None
+    sorts = r.family.sorts
+    home = {n: tuple(c + (10**power if sorts[n] == "point" else 0) for c in v) for n, v in r.home.items()}
+    here, near = gc.pose(replace(r, home=home)), gc.pose(r)
+    notes = [n for n in here.notes if "away from the origin" in n]
+    assert len(notes) == (power > 5)
+    claimed = float(notes[0].partition("about ")[2].partition(";")[0]) if notes else 1e-10
+    assert abs(here.margin - near.margin) <= claimed
 
 
 # --- the bounds themselves --------------------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ the straight way from one configuration to the next, and a continuous one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -62,7 +62,7 @@ def is_regular(m: Linkage, wanted: Target, move: Move, parts: Parts) -> bool:
     if near is None:
         return False
     near = near if wanted.driven else near[1:]
-    return keeps_rank(step.limbs, step.passive, step.idle, near)
+    return keeps_rank(step.limbs, step.passive, step.passive_idle, near)
 
 
 class _Step:
@@ -75,17 +75,26 @@ class _Step:
         held = _coordinates(m, ((place, k) for place, k, _ in m.locked))
         driven = _coordinates(m, ((a.place, a.coordinate) for a in m.actuators))
         self.passive = [~(h | d) for h, d in zip(held, driven, strict=True)]
-        self.idle = sum(len(c.turns) - rank for c, rank in zip(here.chains, m.ranks, strict=True))
+        moving = [int((~h).sum()) for h in held]
+        self.idle = _left(moving, m.ranks)
+        self.passive_idle = _left([int(p.sum()) for p in self.passive], m.passive_ranks)
         self.limbs: tuple[Spread, ...] = spreads(arms)
         self.tube: tuple[Floats, ...] | None
         pose = None if wanted.driven else _pose_arm(m, wanted, move, parts, centre)
         if wanted.driven:
-            self.tube = follows(self.limbs, self.passive, self.idle)
+            self.tube = follows(self.limbs, self.passive, self.passive_idle)
         elif pose is None:
             self.tube = None
         else:
             arm, free = pose
             self.tube = follows(spreads([arm, *arms]), [free, *(~h for h in held)], self.idle)
+
+
+def _left(moving: Sequence[int], ranks: Sequence[int]) -> int:
+    """How many motions inside the limbs always leave the platform at rest; never too many, but of limbs with
+    coordinates that stay at 0 perhaps too few.
+    """
+    return sum(max(0, n - rank) for n, rank in zip(moving, ranks, strict=True))
 
 
 def _coordinates(m: Linkage, places: Iterator[tuple[int, int]]) -> list[Choice]:

@@ -33,12 +33,16 @@ from gcrules.poses.limbs.factors import ConditionFactor, factors
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.limbs.search import first_singular
 from gcrules.poses.numbers.motion import Twist, twist_of
+from gcrules.screws.guarantees import DIGITS
 from gcrules.screws.pose import Pose, exact
 from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import SOLVED, decide
 
 __all__ = ["cause_of", "first_singular_pose", "report_at", "report_of_limbs", "target_of"]
+
+_BLURRED = 1e-10
+"""What rounding may do to σ without being told: a tenth of `SINGULAR`."""
 
 _NEAR_ZERO = 1e-6  # of a factor, where the robot is singular
 
@@ -148,7 +152,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
             d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
             for d in m.robot.family.definitions
         },
-        notes=(*solution.target.notes, *_notes(m, own)),
+        notes=(*solution.target.notes, *_far(m), *_notes(m, own)),
     )
 
 
@@ -191,6 +195,19 @@ def _capital(words: str) -> str:
 
 def _twists(m: Linkage, near: LimbMargin) -> tuple[Twist, ...]:
     return tuple(twist_of(row[:3], row[3:], near.centre, m.size) for row in near.motions)
+
+
+def _far(m: Linkage) -> tuple[str, ...]:
+    """That the robot is so far from the origin that coordinates as floats do not give σ to the accuracy of verdicts."""
+    points = [m.home.values[d.name] for d in m.robot.family.definitions if d.sort == "point"]
+    away = float(np.abs(points).max(initial=0.0)) / m.size
+    blur = DIGITS * away
+    if blur <= _BLURRED:
+        return ()
+    return (
+        f"the robot is {away:.1g} times its size away from the origin: rounding may change σ by about {blur:.1g}; take"
+        " an origin near it",
+    )
 
 
 def _notes(m: Linkage, own: Sequence[float]) -> tuple[str, ...]:
