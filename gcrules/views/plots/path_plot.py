@@ -128,7 +128,8 @@ def _drawn(p: _Plot) -> Drawing:
     shapes += _curve(x, sigma, p.places, p.margins, "entity1")
     shapes += _curve(x, other, p.places, value, "entity2")
     for place, kind in p.zeros:
-        shapes += [_marker(kind, (x(place), axis(0))) for axis in (sigma, other) if axis.low <= 0 <= axis.high]
+        height = float(np.interp(place, p.places, value))
+        shapes += [_marker(kind, (x(place), sigma(0))), _marker(kind, (x(place), other(height)))]
     shapes += _numbers([place for place, _ in p.zeros], x, sigma.end - 6)
     shapes += _legend(p, floor + 58)
     return Drawing(WIDTH, floor + _BOTTOM, tuple(shapes), p.title)
