@@ -23,13 +23,13 @@ import numpy as np
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
-from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.limbs.path import path_of_limbs
+from gcrules.poses.limbs.path import HOME, path_of_limbs
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.arrays import from_poses, matrices
@@ -37,6 +37,7 @@ from gcrules.poses.numbers.many import PoseNumbers, numbers
 from gcrules.poses.numbers.pose_arguments import one_pose
 from gcrules.poses.paths.least import Least, least
 from gcrules.poses.paths.report import PathReport, Zero
+from gcrules.poses.paths.sampling import SAMPLES, per_segment
 from gcrules.poses.paths.segment import Segment, segments
 from gcrules.poses.paths.table import load_poses
 from gcrules.poses.paths.zeros import SingularPlace, Stretch, places, stretches
@@ -46,9 +47,8 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import decide
 
-__all__ = ["MAX_SAMPLES", "SAMPLES", "path", "path_of_legs"]
+__all__ = ["MAX_SAMPLES", "path", "path_of_legs"]
 
-SAMPLES = 200
 MAX_SAMPLES = 200_000
 
 
@@ -101,7 +101,7 @@ def path_of_legs(
     moving = m.rig
     limit = angle_threshold(threshold, "along a path")
     found, notes = _poses(poses, moving.unit)
-    per_segment = _per_segment(samples, len(found) - 1)
+    each = per_segment(samples, len(found) - 1, MAX_SAMPLES)
     moving.ends(*from_poses(found))  # refuses poses that are too far away, and legs of no length
     way = segments(moving, found)
     polynomials = []
@@ -112,7 +112,7 @@ def path_of_legs(
     zeros = tuple(_zero(m, way, p, limit) for p in places(polynomials))
     still = tuple(_explained(m, way, s, limit) for s in stretches(polynomials))
     report_progress("sampling")
-    lowest = _least(way, per_segment, zeros, still)
+    lowest = _least(way, each, zeros, still)
     verdict, reason = _verdict(zeros, still, lowest, limit)
     return PathReport(
         rig=moving,
@@ -126,7 +126,7 @@ def path_of_legs(
         degrees=tuple(len(p) - 1 for p in polynomials),
         threshold=limit,
         notes=notes,
-        **_samples(m, way, per_segment, zeros, still, lowest, limit),
+        **_samples(m, way, each, zeros, still, lowest, limit),
     )
 
 
@@ -144,9 +144,9 @@ def _poses(given: str | PathLike[str] | Sequence[Any], unit: str) -> tuple[tuple
 
 
 def _pose(number: int, given: Any, unit: str) -> Pose:
-    """A `Pose`, its text, or a translation of three numbers. Raises InputError that names the pose."""
+    """A `Pose`, its text, "home", or a translation of three numbers. Raises InputError that names the pose."""
     try:
-        found = one_pose(given, {}, False, unit)
+        found = Pose() if isinstance(given, str) and given == HOME else one_pose(given, {}, False, unit)
     except GcrulesError as fault:
         if fault.source is None:
             fault.args = (f"pose {number}: {fault.message}",)
@@ -154,17 +154,6 @@ def _pose(number: int, given: Any, unit: str) -> Pose:
         raise
     if found is None:
         raise InputError(f"pose {number} is no pose", hint='write text such as "0 0 5; euler zyx 10 0 0 deg"')
-    return found
-
-
-def _per_segment(samples: Any, number: int) -> int:
-    if isinstance(samples, bool) or not isinstance(samples, int) or samples < 1:
-        raise InputError(f"the number of samples is {samples!r}, expected a whole number from 1 on")
-    found = -(-samples // number)
-    if found * number > MAX_SAMPLES:
-        raise LimitReached(
-            f"{found * number:,} samples are more than {MAX_SAMPLES:,}", hint="zeros are found between samples, too"
-        )
     return found
 
 

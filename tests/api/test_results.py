@@ -111,6 +111,7 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "robot": lambda: read_robot("3-rps"),
     "analysis of a robot": lambda: analyze_robot(read_robot("3-rps")),
     "pose of a robot": lambda: gc.pose("3-rps", "z=0.1, roll=5deg, pitch=0deg"),
+    "path of a robot": lambda: gc.path("3-rpr", ["home", "x=0, y=0, yaw=60deg"], samples=2),
     "singular pose of a robot": lambda: gc.pose("3-rps", "z=-1.1, roll=0deg, pitch=0deg"),
     "factorization": lambda: gc.factor("[abcd][abef] + [abce][abdf]"),
     "shortening": lambda: gc.shorten("[abcd][abef] - [abce][abdf]"),

@@ -58,14 +58,14 @@ FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     "report": lambda source: gc.report(source, interactive=False),
     "pose": lambda source: gc.pose(source, nearest=False),
     "singular": lambda source: gc.singular(source, "z=0.01, roll=0deg, pitch=0deg"),
-    "path": lambda source: gc.path(source, ["0 0 0", "z=0.1"], samples=1),
+    "path": lambda source: gc.path(source, ["home", "z=0.1, roll=0deg, pitch=0deg"], samples=1),
     "locus": lambda source: gc.locus(source, over="z"),
     "compiled": lambda source: gc.compiled(source, engine="numpy"),
     "singular_map": lambda source: gc.singular_map(source, ["x -0.1:0.1:2", "z -0.1:0.1:2"], measure="value"),
     "view": gc.view,
 }
 NEED_COORDINATES = ("pose", "singular", "path", "locus", "singular_map")
-NEED_SIX_LEGS = ("path", "locus", "compiled", "singular_map")
+NEED_SIX_LEGS = ("locus", "compiled", "singular_map")
 
 
 @cache

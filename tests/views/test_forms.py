@@ -68,6 +68,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "PoseReport": lambda: gc.pose(OCTAHEDRAL, nearest=False),
     "PoseNumbers": lambda: gc.pose(OCTAHEDRAL, [(0, 0, 0), (0, 0, 10)]),
     "PathReport": lambda: gc.path(OCTAHEDRAL, [(0, 0, 0), (0, 0, -400)]),
+    "RobotPath": lambda: gc.path("3-rpr", ["home", "x=0, y=0, yaw=60deg"], samples=2),
     "SingularMap": lambda: gc.singular_map(OCTAHEDRAL, ["x -1:1:3", "y -1:1:3"]),
     "Locus": lambda: gc.locus(OCTAHEDRAL, "x, y"),
 }

@@ -10,8 +10,8 @@ from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.sources import read_source, warn
 from gcrules.core.files import write_file
 from gcrules.core.streams import is_stdout
-from gcrules.poses.path_report import SAMPLES
 from gcrules.poses.path_report import path as along
+from gcrules.poses.paths.sampling import SAMPLES
 from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["path"]

@@ -47,7 +47,8 @@ def _words(e: Expr, robot: RobotAnalysis) -> str:
 
 
 def _told(part: FactorCause) -> str:
-    return part.statement or part.reason or KINDS[part.kind]
+    said = part.statement or part.reason or KINDS[part.kind]
+    return f"{said}; {part.remark}" if part.of_design else said
 
 
 def limb_stages(robot: RobotAnalysis) -> Iterator[tuple[str, list[Item]]]:

@@ -18,6 +18,7 @@ from gcrules.core.errors import EngineFault
 from gcrules.core.seeds import remark
 from gcrules.mechanisms.conditions.cofactors import with_cofactors
 from gcrules.mechanisms.conditions.common_factor import common_factor, sees_constraints
+from gcrules.mechanisms.conditions.design import is_of_design, rigid_bodies
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member, causes_left, ranks, tell_apart
 from gcrules.mechanisms.conditions.line_conditions import condition_of_lines, factors_at
 from gcrules.mechanisms.conditions.overlaps import of_several_kinds, without_repetition
@@ -54,7 +55,11 @@ def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
     words = RobotWords(
         family, structure.lines or (), robot.platform, base, frozenset(structure.ideal) | frozenset(AXES)
     )
-    parts = tuple(replace(p, meaning=words.clause(p.expression)) for p in parts)
+    bodies = rigid_bodies(robot) if robot.limbs else ()
+    parts = tuple(
+        replace(p, meaning=words.clause(p.expression), of_design=is_of_design(bodies, words.ideal, p.expression))
+        for p in parts
+    )
     parts = with_cofactors(family, structure, without_repetition(family, structure, parts), cofactors)
     common = common_factor(family, structure, found.structure.superbracket, cofactors, parts, words)
     serial = limb_singularities(family, robot.limbs)
@@ -146,16 +151,33 @@ def _meaning(
     live = [p for p in parts if p.kind not in ASIDE and p.same is None]
     if live and not cofactors and (any(p.meaning for p in live) or any(p.kind in ASIDE for p in parts)):
         mark = len({p.kind for p in live}) > 1 or live[0].kind == "constraint"
-        clauses = [p.meaning or f"{text(p.expression, unicode=True)} = 0" for p in live]
-        marked = [say("{}{}", c, _MARKS[p.kind] * mark) for c, p in zip(clauses, live, strict=True)]
+        moving, fixed = ([_clause(p, mark) for p in live if p.of_design is design] for design in (False, True))
+        words = _WHEN[bool(moving), bool(fixed)]
         where = f"{outside}, the" if outside else "the"
-        said = say("{} robot is singular exactly when {}.", where, listing(marked, ", or "))
+        said = say(words, where=where, moving=listing(moving, ", or "), fixed=listing(fixed, ", or "))
     elif live:
         said = say("{}{}{}", f"{outside}: " * bool(outside), condition.whose, condition.meaning.of_forces)
     else:
         return say("No singular member of the family was found outside the singularities of its limbs.")
     return say("{}{}", said.capitalised, also)
 
+
+def _clause(p: FactorCause, mark: bool) -> Statement:
+    return say("{}{}", p.meaning or f"{text(p.expression, unicode=True)} = 0", _MARKS[p.kind] * mark)
+
+
+_WHEN: Mapping[tuple[bool, bool], str] = {
+    (True, False): "{where} robot is singular exactly when {moving}.",
+    (True, True): (
+        "{where} robot is singular exactly when {moving}. By its design it is singular in every pose if {fixed}; no"
+        " motion changes that."
+    ),
+    (False, True): (
+        "{where} robot is singular exactly if {fixed}, and then in every pose: that is a matter of its design, and no"
+        " motion changes it."
+    ),
+}
+"""Whether there are factors that change as the robot moves, and factors of the design -> the sentence."""
 
 _CONSTRAINTS_TOO = (
     " It is singular too where the constraints of all limbs together lose rank, which takes two conditions or more."

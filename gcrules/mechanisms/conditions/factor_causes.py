@@ -78,7 +78,8 @@ class FactorCause:
     that was seen (not counted beyond `ENOUGH`), `reason` says why a factor never vanishes, `meaning` when it does.
     `same` is another factor of this robot that vanishes wherever this one does; `chosen` the number of those members at
     which a factor that counts vanishes although the wrenches keep their rank, since the chosen lines depend on each
-    other. It is divided by the cofactor `over`, where it vanishes whether or not the robot is singular.
+    other. It is divided by the cofactor `over`, where it vanishes whether or not the robot is singular. One `of_design`
+    keeps its value in every pose.
     """
 
     expression: Expr
@@ -89,11 +90,17 @@ class FactorCause:
     same: Expr | None = None
     chosen: int = 0
     over: Expr = ONE
+    of_design: bool = False
 
     @property
     def statement(self) -> str:
         """The meaning in words, "" where the factor has none."""
         return str(self.meaning)
+
+    @property
+    def remark(self) -> str:
+        """What else there is to say of a factor that does not change as the robot moves."""
+        return "a matter of the design, which no motion changes" if self.of_design else ""
 
 
 @dataclass

@@ -77,6 +77,7 @@ class RobotAnalysis(Shown):
                     "members": p.members,
                     "reason": p.reason,
                     "chosen": p.chosen,
+                    "of_design": p.of_design,
                     "same": None if p.same is None else text(p.same, names=names),
                 }
                 for p in self.parts

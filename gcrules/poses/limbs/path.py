@@ -18,7 +18,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import ceil
 from typing import Any
 
 import numpy as np
@@ -26,7 +25,7 @@ import numpy as np
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.core.english import agreeing, listed
-from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
@@ -39,16 +38,18 @@ from gcrules.poses.limbs.path_report import Crossing, RobotPath
 from gcrules.poses.limbs.pose_report import cause_of, target_of
 from gcrules.poses.limbs.way import Stretch, Way
 from gcrules.poses.numbers.motion import twist_of
+from gcrules.poses.paths.sampling import SAMPLES, per_segment
 from gcrules.screws.threshold import Threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import SOLVED, decide
 
-__all__ = ["path_of_limbs"]
+__all__ = ["HOME", "path_of_limbs"]
 
 MAX_SAMPLES = 20_000
-_HOME = "home"
+HOME = "home"
+"""The name of the first pose of all, in which the file has the robot."""
 
 
-def path_of_limbs(found: Limbs, poses: Sequence[Any], *, samples: Any = 200, threshold: Threshold) -> RobotPath:
+def path_of_limbs(found: Limbs, poses: Sequence[Any], *, samples: Any = SAMPLES, threshold: Threshold) -> RobotPath:
     """The path through `poses`, each as for `target_of`, or "home"; all of the same coordinates. Numbers are given at
     `samples` places, beside the poses and the crossings.
 
@@ -57,13 +58,7 @@ def path_of_limbs(found: Limbs, poses: Sequence[Any], *, samples: Any = 200, thr
     m = found.linkage
     targets = _targets(m, poses)
     number = len(targets) - 1
-    if isinstance(samples, bool) or not isinstance(samples, int) or samples < 1:
-        raise InputError(f"the number of samples is {samples!r}, expected a whole number from 1 on")
-    each = ceil(samples / number)
-    if each * number > MAX_SAMPLES:
-        raise LimitReached(
-            f"{each * number:,} samples are more than {MAX_SAMPLES:,}", hint="crossings lie between them"
-        )
+    each = per_segment(samples, number, MAX_SAMPLES)
     check_target(m, targets[0])
     first = solve(m, targets[0])
     doubts = [] if first.doubt is None else [0.0]
@@ -93,7 +88,7 @@ def _targets(m: Linkage, poses: Sequence[Any]) -> list[Target]:
     given = list(poses)
     if len(given) < 2:
         raise InputError(f"a path needs two poses or more, found {len(given)}", hint="for one pose: gcrules pose")
-    read = [None if one is None or one == _HOME else _target(m, k, one) for k, one in enumerate(given)]
+    read = [_target(m, k, one) for k, one in enumerate(given)]
     known = next((t for t in read if t is not None), None)
     if known is None:
         raise InputError("all poses of the path are home", hint='give another one: "z=0.1, roll=0deg, …"')
@@ -101,6 +96,9 @@ def _targets(m: Linkage, poses: Sequence[Any]) -> list[Target]:
 
 
 def _target(m: Linkage, number: int, given: Any) -> Target | None:
+    """What is given, None for home."""
+    if isinstance(given, str) and given.strip() == HOME:
+        return None
     try:
         return target_of(m, given, None)
     except GcrulesError as fault:
@@ -114,7 +112,7 @@ def _alike(known: Target, number: int, one: Target | None) -> Target:
     """A pose in the coordinates of another one, home where there is none."""
     if one is None:
         whole = None if known.whole is None else np.eye(4)
-        return Target(known.names, np.zeros(len(known.names)), whole=whole, text=_HOME)
+        return Target(known.names, np.zeros(len(known.names)), whole=whole, text=HOME)
     if set(one.names) != set(known.names):
         raise InputError(
             f"pose {number} gives {listed(one.names)}, the others {listed(known.names)}",
@@ -141,7 +139,7 @@ def _segment(
         crossings.append(_crossing(way, analysis, k, (a, b), around))
     if unknown is not None and not left and not changes:
         left = [(unknown, unknown)]
-    sampled = [(k + s, way.at(s)) for s in np.linspace(0, 1, each + 1)[: None if each else 1].tolist()]
+    sampled = [(k + s, way.at(s)) for s in np.linspace(0, 1, each + 1).tolist()]
     sampled += [(c.parameter, way.at(c.parameter - k)) for c in crossings]
     undecided = tuple((float(k + a), float(k + b)) for a, b in left)
     return _Segment(way, tuple(crossings), undecided, tuple(sampled)), doubt

@@ -34,7 +34,7 @@ def singular_section(
             yield f"### {part.kind.capitalize()} singularity {n}"
             yield ""
         if part.statement:
-            yield f"Where {inline(part.statement)}."
+            yield f"Where {inline(part.statement)}{f': {part.remark}' * part.of_design}."
             yield ""
         if pose is None:
             yield "No exact member with small numbers was found near home."

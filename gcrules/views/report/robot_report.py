@@ -167,4 +167,4 @@ def _stages(a: RobotAnalysis) -> Iterator[tuple[str, str]]:
 def _told(p: FactorCause) -> str:
     """The kind of a factor, and where it vanishes."""
     said = f"zero where {p.statement}" if p.statement else ""
-    return f"{p.kind}: {'; '.join(filter(None, [said, p.reason])) or KINDS[p.kind]}."
+    return f"{p.kind}: {'; '.join(filter(None, [said, p.reason, p.remark])) or KINDS[p.kind]}."

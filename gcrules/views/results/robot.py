@@ -150,7 +150,8 @@ def _part(part: FactorCause, names: tuple[str, ...], unicode: bool) -> str:
     said = f" zero where {part.statement}" if part.statement else ""
     seen = f" (seen at {part.members - part.chosen} exact members)" if part.members else ""
     chosen = f"; at {part.chosen} others only the chosen lines depend on each other" if part.chosen else ""
-    return f"{shown}: {part.kind},{said or ' ' + KINDS[part.kind]}{seen}{chosen}"
+    design = f"; {part.remark}" * part.of_design
+    return f"{shown}: {part.kind},{said or ' ' + KINDS[part.kind]}{seen}{chosen}{design}"
 
 
 def _wrapped(words: str, indent: int = 0) -> list[str]:
@@ -186,7 +187,7 @@ def _told(part: FactorCause) -> str:
     if part.same is not None:
         return f"{part.kind}; implies that {text(part.same, unicode=True)} is zero"
     said = f"zero where {part.statement}" if part.statement else KINDS[part.kind]
-    return f"{part.kind}; {part.reason or said}"
+    return "; ".join(filter(None, (part.kind, part.reason or said, part.remark)))
 
 
 def _display(left: Expr | None, right: Expr) -> str:
