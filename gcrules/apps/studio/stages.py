@@ -100,7 +100,7 @@ def _orders(a: Analysis) -> OrdersItem:
     s = a.structure.lifted
     tally: Counter[int] = Counter()
     for numbers in counts(s.neutral, points=s.points, ideal=s.ideal).values():
-        tally.update(map(int, numbers))
+        tally.update(numbers)
     return {
         "kind": "orders",
         "tried": tally.total(),
