@@ -145,8 +145,10 @@ CASES = [
     Case("ab ac ad be cf abc^def", "tetrahedron-planes-line", (r"the line (abc /\ def) meet in a point",)),
     Case("ac ae be df ab bdf^ceg", "tetrahedron-planes-line", (r"planes",)),
     Case("ab cd ef gh ij abc^def", "linear-complex", ("one linear complex",)),
-    Case("abc^def ab ac ad be cf", "tetrahedron-planes-line", (r"line (abc /\ def)",), "coplanar(b,c,e,f)", {"f": "bce"}),
-    Case("ab ac ad be cf agh^ijk", "tetrahedron-planes-line", (r"line (agh /\ ijk)",), "collinear(i,j,g)", {"j": "gi"}),
+    Case("abc^def ab ac ad be cf", "tetrahedron-planes-line", (r"line (abc /\ def)",), "coplanar(b,c,e,f)",
+         {"f": "bce"}),
+    Case("ab ac ad be cf agh^ijk", "tetrahedron-planes-line", (r"line (agh /\ ijk)",), "collinear(i,j,g)",
+         {"j": "gi"}),
     Case("ab ac ad be cf agh^ijk", "tetrahedron-planes-line", (r"agh /\ ijk",), ideal="gi"),
     # other ranks
     Case("ab cd ef", "factorization", ("the three lines ab, cd and ef meet in a point or are parallel",), rank=3),

@@ -21,9 +21,10 @@ from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkage
+from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.margin import LimbMargin, _locked, limb_margins, margin
 from gcrules.mechanisms.kinematics.rigid_motions import cross_matrix
-from gcrules.mechanisms.kinematics.solve import Course, Solution, goal, solve
+from gcrules.mechanisms.kinematics.solve import Solution, goal, solve
 from gcrules.mechanisms.kinematics.targets import (
     coordinates_target,
     pose_target,

@@ -1,44 +1,64 @@
-r"""Whether one step of a course follows one branch of solutions, and crosses no singular configuration: proofs.
+r"""Whether steps of courses follow one branch of solutions, and cross no singular configuration: proofs, many at once.
 
 The wanted pose is a chain like the limbs: slides along x, y, z, then turns about z, y, x for yaw, pitch, roll (for a
 whole rotation vector one turn about it). Its wanted coordinates grow evenly, the others are unknown. So the loops of
 all limbs and the wanted values are equations of one kind, and `tubes` proves that they have exactly one solution near
-the straight way from one configuration to the next, and a continuous one.
+the straight way from one configuration to the next, and a continuous one; or near a configuration for all values of the
+wanted coordinates within a box, a cell.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcrules.mechanisms.kinematics.chains import Chain
+from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates, wrapped
-from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, rotations
+from gcrules.mechanisms.kinematics.linkage import Linkage
+from gcrules.mechanisms.kinematics.loops import Joints
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed, rotations
 from gcrules.mechanisms.kinematics.targets import Target
-from gcrules.mechanisms.kinematics.tubes import Arm, Choice, Spread, follows, keeps_rank, spreads
+from gcrules.mechanisms.kinematics.tubes import Arm, Choice, follows, holds, keeps_rank, spreads
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["Move", "can_be_followed", "follows_branch", "is_regular"]
+__all__ = ["Cells", "Steps", "are_regular", "can_be_followed", "follow_branch"]
 
-Parts = tuple[float, float]
+Truths = NDArray[np.bool_]
+
+_ROOM = 1.0 + 1e-9  # for rounding of values within a cell
 
 
 @dataclass(frozen=True, eq=False)
-class Move:
-    """The way from a configuration: by how much the coordinates of each limb grow, and where the platform is then."""
+class Steps:
+    """N steps: the configurations where they begin, by how much the coordinates of each limb grow (N, n), where the
+    platform is then (N, 4, 4), and by how much the wanted values grow (N, names).
+    """
 
-    here: Configuration
+    here: Configurations
     amounts: tuple[Floats, ...]
     platform: Floats
+    grown: Floats
 
     @classmethod
-    def between(cls, here: Configuration, there: Configuration) -> Move:
-        """The way from one configuration to another one."""
+    def of(cls, here: Configurations, joints: Joints, grown: Floats) -> Steps:
+        """The steps that joints make."""
+        return cls(here, joints.amounts, joints.links[0][:, -1] @ here.platform, grown)
+
+    def __getitem__(self, chosen: Any) -> Steps:
+        """Those of an array of places, or a mask."""
+        grown = tuple(a[chosen] for a in self.amounts)
+        return Steps(self.here[chosen], grown, self.platform[chosen], self.grown[chosen])
+
+    @classmethod
+    def between(cls, here: Configurations, there: Configurations, grown: Floats) -> Steps:
+        """The steps from configurations to others."""
         pairs = zip(here.joint_values, there.joint_values, strict=True)
-        return cls(here, tuple(b - a for a, b in pairs), there.platform)
+        return cls(here, tuple(b - a for a, b in pairs), there.platform, grown)
 
 
 def can_be_followed(wanted: Target) -> bool:
@@ -46,55 +66,109 @@ def can_be_followed(wanted: Target) -> bool:
     return sum(n in VECTOR for n in wanted.names) in (0, len(VECTOR))
 
 
-def follows_branch(m: Linkage, wanted: Target, move: Move, parts: Parts) -> bool:
-    """Whether it is proved that the solutions at two parts of the way lie on one branch: one curve of solutions, beside
-    which there is no other one close to the straight way between them. False proves nothing.
+def follow_branch(m: Linkage, wanted: Target, steps: Steps) -> Truths:
+    """Whether it is proved (N,) that the solutions at the ends of a step lie on one branch: one curve of solutions,
+    beside which there is no other one close to the straight way between them. False proves nothing.
     """
-    return _Step(m, wanted, move, parts).tube is not None
+    return np.asarray(np.isfinite(_tubes(m, wanted, steps)[0]).all(axis=-1))
 
 
-def is_regular(m: Linkage, wanted: Target, move: Move, parts: Parts) -> bool:
-    """Whether it is proved that the branch between two solutions meets no singular configuration: with the actuators
-    locked neither the platform nor a link, but those that spin idly, can move anywhere on it. False proves nothing.
+def are_regular(m: Linkage, wanted: Target, steps: Steps) -> Truths:
+    """Whether it is proved (N,) that the branch between two solutions meets no singular configuration: with the
+    actuators locked neither the platform nor a link, but those that spin idly, can move anywhere on it. False proves
+    nothing.
     """
-    step = _Step(m, wanted, move, parts)
-    near = step.tube
-    if near is None:
-        return False
-    near = near if wanted.driven else near[1:]
-    return keeps_rank(step.limbs, step.passive, step.passive_idle, near)
+    tubes = _tubes(m, wanted, steps)
+    arms = _arms(m, steps.here, steps.amounts)
+    reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, tubes, strict=True)]
+    return keeps_rank(spreads(arms), _passive(m), _passive_idle(m), reach)
 
 
-class _Step:
-    """The way between two solutions as a tube around a straight one."""
+def _tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
+    """How far the coordinates of each limb are from the straight way at most; infinite where nothing is proved."""
+    arms = _arms(m, steps.here, steps.amounts)
+    if wanted.driven:
+        return follows(spreads(arms), _passive(m), _passive_idle(m))
+    if not can_be_followed(wanted):
+        return tuple(np.full(a.amounts.shape, np.inf) for a in arms)
+    arm, free = _pose_arm(m, wanted, steps)
+    return follows(spreads([arm, *arms]), [free, *_unlocked(m)], _idle(m))[1:]
 
-    def __init__(self, m: Linkage, wanted: Target, move: Move, parts: Parts) -> None:
-        here = move.here
-        centre = here.platform[:3, :3] @ m.centre + here.platform[:3, 3]
-        arms = [Arm.of(c, a, centre, m.size) for c, a in zip(here.chains, move.amounts, strict=True)]
-        held = _coordinates(m, ((place, k) for place, k, _ in m.locked))
-        driven = _coordinates(m, ((a.place, a.coordinate) for a in m.actuators))
-        self.passive = [~(h | d) for h, d in zip(held, driven, strict=True)]
-        moving = [int((~h).sum()) for h in held]
-        self.idle = _left(moving, m.ranks)
-        self.passive_idle = _left([int(p.sum()) for p in self.passive], m.passive_ranks)
-        self.limbs: tuple[Spread, ...] = spreads(arms)
-        self.tube: tuple[Floats, ...] | None
-        pose = None if wanted.driven else _pose_arm(m, wanted, move, parts, centre)
+
+@dataclass(frozen=True, eq=False)
+class Cells:
+    """Boxes of wanted values around configurations: how far (N, n) the coordinates of each limb can be from those of
+    the middle, infinite where it is not proved that there is one branch; `regular` (N,) where it is proved that no
+    configuration of it is singular.
+    """
+
+    reach: tuple[Floats, ...]
+    regular: Truths
+
+    @classmethod
+    def around(cls, m: Linkage, wanted: Target, here: Configurations, widths: Floats) -> Cells:
+        """Of the values of the wanted coordinates, in the order of their names, that differ by no more than `widths`
+        (N, names) from those of a configuration; coordinates with the width 0 have one value.
+        """
+        still = [np.zeros(a.shape) for a in here.joint_values]
+        arms = _arms(m, here, still)
+        limbs = spreads(arms)
+        known = [np.zeros(a.shape) for a in still]
         if wanted.driven:
-            self.tube = follows(self.limbs, self.passive, self.passive_idle)
-        elif pose is None:
-            self.tube = None
+            for n, a in enumerate(m.actuators):
+                known[a.place][:, a.coordinate] = widths[:, n] * _ROOM / (1.0 if a.angle else m.size)
+            tubes = holds(limbs, _passive(m), _passive_idle(m), known)
+            reach = [k + t for k, t in zip(known, tubes, strict=True)]
         else:
-            arm, free = pose
-            self.tube = follows(spreads([arm, *arms]), [free, *(~h for h in held)], self.idle)
+            places = Steps(here, tuple(still), here.platform, np.zeros(widths.shape))
+            arm, free = _pose_arm(m, wanted, places)
+            order = _order(wanted)
+            far = np.zeros(arm.amounts.shape)
+            for n, name in enumerate(wanted.names):
+                far[:, order.index(name)] = widths[:, n] * _ROOM / (m.size if name in SHIFTS else 1.0)
+            chains = (*spreads([arm]), *limbs)  # in the middle all of them have the platform at one place
+            reach = list(holds(chains, [free, *_unlocked(m)], _idle(m), [far, *known])[1:])
+        return cls(tuple(reach), keeps_rank(limbs, _passive(m), _passive_idle(m), reach))
+
+    @property
+    def one_branch(self) -> Truths:
+        """Where it is proved that there is one."""
+        return np.asarray(np.isfinite(self.reach[0]).all(axis=-1))
 
 
-def _left(moving: Sequence[int], ranks: Sequence[int]) -> int:
+def _arms(m: Linkage, here: Configurations, amounts: Sequence[Floats]) -> list[Arm]:
+    centre = _centre(m, here)
+    return [Arm.of(c, a, centre, m.size) for c, a in zip(here.chains, amounts, strict=True)]
+
+
+def _centre(m: Linkage, here: Configurations) -> Floats:
+    return np.asarray(here.platform[:, :3, :3] @ m.centre + here.platform[:, :3, 3])
+
+
+def _unlocked(m: Linkage) -> list[Choice]:
+    """The coordinates that may move."""
+    return [~h for h in _coordinates(m, ((place, k) for place, k, _ in m.locked))]
+
+
+def _passive(m: Linkage) -> list[Choice]:
+    """The coordinates that may move with the actuators locked."""
+    driven = _coordinates(m, ((a.place, a.coordinate) for a in m.actuators))
+    return [u & ~d for u, d in zip(_unlocked(m), driven, strict=True)]
+
+
+def _idle(m: Linkage) -> int:
+    return _left(_unlocked(m), m.ranks)
+
+
+def _passive_idle(m: Linkage) -> int:
+    return _left(_passive(m), m.passive_ranks)
+
+
+def _left(moving: Sequence[Choice], ranks: Sequence[int]) -> int:
     """How many motions inside the limbs always leave the platform at rest; never too many, but of limbs with
     coordinates that stay at 0 perhaps too few.
     """
-    return sum(max(0, n - rank) for n, rank in zip(moving, ranks, strict=True))
+    return sum(max(0, int(n.sum()) - rank) for n, rank in zip(moving, ranks, strict=True))
 
 
 def _coordinates(m: Linkage, places: Iterator[tuple[int, int]]) -> list[Choice]:
@@ -104,33 +178,37 @@ def _coordinates(m: Linkage, places: Iterator[tuple[int, int]]) -> list[Choice]:
     return found
 
 
-def _pose_arm(m: Linkage, w: Target, move: Move, parts: Parts, centre: Floats) -> tuple[Arm, Choice] | None:
-    """The wanted pose as a chain, and which of its coordinates are free; None where it is none."""
-    here = move.here
-    grown = (parts[1] - parts[0]) * w.values
-    known = dict(zip(w.names, grown, strict=True))
-    if not can_be_followed(w):
-        return None
-    vector = any(n in VECTOR for n in w.names)
-    turns = SHIFTS if vector else (*SHIFTS, *TURNS)
-    change = coordinates(turns, move.platform, m.centre) - coordinates(turns, here.platform, m.centre)
-    amounts = wrapped(turns, change)
-    free = np.array([n not in known for n in turns])
-    amounts = np.where(free, amounts, [known.get(n, 0.0) for n in turns])
-    axes = [np.eye(3)[k] for k in range(3)]
-    slides = [np.concatenate([np.zeros(3), axis]) for axis in axes]
-    if vector:
-        turn = np.array([known[n] for n in VECTOR])
-        length = float(np.linalg.norm(turn))
-        about = [turn / length if length else axes[2]]
-        amounts, free = np.append(amounts, length), np.append(free, False)
+def _order(w: Target) -> tuple[str, ...]:
+    """The coordinates of the pose as a chain, from the base; a rotation vector is one more turn."""
+    return SHIFTS if any(n in VECTOR for n in w.names) else (*SHIFTS, *reversed(TURNS))
+
+
+def _pose_arm(m: Linkage, w: Target, steps: Steps) -> tuple[Arm, Choice]:
+    """The wanted pose as a chain, and which of its coordinates are free."""
+    here, centre, number = steps.here, _centre(m, steps.here), len(steps.here)
+    known = dict(zip(w.names, steps.grown.T, strict=True))
+    order = _order(w)
+    change = coordinates(order, steps.platform, m.centre) - coordinates(order, here.platform, m.centre)
+    amounts = wrapped(order, change)
+    for n, name in enumerate(order):
+        amounts[:, n] = known.get(name, amounts[:, n])
+    free = np.array([n not in known for n in order])
+    axes = np.eye(3)
+    if order == SHIFTS:
+        turn = np.stack([known[n] for n in VECTOR], axis=1)
+        length = np.linalg.norm(turn, axis=1, keepdims=True)
+        about = np.where(length > 0, turn / np.where(length > 0, length, 1.0), axes[2])[:, None]
+        amounts = np.concatenate([amounts, length], axis=1)
+        free = np.append(free, False)
     else:
-        pitch, yaw = coordinates(("pitch", "yaw"), here.platform, m.centre)
-        tilted = rotations(np.array([0, 0, yaw]))
-        about = [axes[2], tilted @ axes[1], tilted @ rotations(np.array([0, pitch, 0])) @ axes[0]]
-        order = [0, 1, 2, 5, 4, 3]
-        amounts, free = amounts[order], free[order]
-    screws = [*slides, *(np.concatenate([axis, np.cross(centre, axis)]) for axis in about)]
-    count = len(screws)
-    chain = Chain(np.array(screws), tuple(range(count)), np.ones(count), tuple(k > 2 for k in range(count)))
+        pitch, yaw = coordinates(("pitch", "yaw"), here.platform, m.centre).T
+        tilted = rotations(yaw[:, None] * axes[2])
+        rolled = tilted @ rotations(pitch[:, None] * axes[1])
+        about = np.stack([np.broadcast_to(axes[2], (number, 3)), tilted[..., 1], rolled[..., 0]], axis=1)
+    count = 3 + about.shape[1]
+    screws = np.zeros((number, count, 6))
+    screws[:, :3, 3:] = axes
+    screws[:, 3:, :3] = about
+    screws[:, 3:, 3:] = crossed(centre[:, None], about)
+    chain = Chain(screws, tuple(range(count)), np.ones(count), tuple(k > 2 for k in range(count)))
     return Arm.of(chain, amounts, centre, m.size), free

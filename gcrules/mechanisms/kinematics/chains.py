@@ -13,8 +13,8 @@ does; so two motions may share one amount.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cache
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -27,7 +27,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, exponen
 from gcrules.screws import FLOATS, JOINTS, RATIONALS, JointKind
 from gcrules.screws.fields import Row
 
-__all__ = ["Chain", "ElementaryMotion", "Shape", "chain_of", "geometry_of", "shape_of"]
+__all__ = ["Chain", "ElementaryMotion", "Shape", "chain_of", "geometry_of", "products", "shape_of"]
 
 Values = Mapping[str, Floats]
 Geometry = Mapping[str, Any]
@@ -206,8 +206,9 @@ def geometry_of(joint: JointSpec, values: Values) -> dict[str, Any]:
 
 @dataclass(frozen=True, eq=False)
 class Chain:
-    """The motions of one limb where it is now: `screws` (K, 6), `uses` the coordinate that each takes, with `signs`;
-    `turns` tells of each coordinate whether it is an angle.
+    """The motions of one limb where it is now: `screws` (..., K, 6), of many configurations at once where there are
+    further axes, `uses` the coordinate that each takes, with `signs`; `turns` tells of each coordinate whether it is an
+    angle.
     """
 
     screws: Floats
@@ -216,21 +217,34 @@ class Chain:
     turns: tuple[bool, ...]
 
     def links(self, amounts: Floats) -> Floats:
-        """Where each link goes from here, (K + 1, 4, 4): first the base, last the platform."""
-        steps = exponential(self.screws, self.signs * amounts[list(self.uses)])
-        found = np.empty((len(steps) + 1, 4, 4))
-        found[0] = np.eye(4)
-        for k, step in enumerate(steps):
-            found[k + 1] = found[k] @ step
+        """Where each link goes from here, (..., K + 1, 4, 4): first the base, last the platform."""
+        return products(exponential(self.screws, self.signs * amounts[..., list(self.uses)]))
+
+    def twists(self, links: Floats | None = None) -> Floats:
+        """The twists of the platform for each coordinate, (..., 6, coordinates), where the links are, else here."""
+        rows = self.screws if links is None else carried(links[..., :-1, :, :], self.screws)
+        return np.swapaxes(rows, -1, -2) @ self.parts
+
+    def after(self, links: Floats) -> Chain:
+        """The chain as it stands where the links have gone."""
+        return replace(self, screws=carried(links[..., :-1, :, :], self.screws))
+
+    @cached_property
+    def parts(self) -> Floats:
+        """The sign with which each motion takes each coordinate, (K, coordinates)."""
+        found = np.zeros((len(self.uses), len(self.turns)))
+        found[np.arange(len(self.uses)), list(self.uses)] = self.signs
         return found
 
-    def twists(self, links: Floats) -> Floats:
-        """The twists of the platform for each coordinate, (6, coordinates), where the links are."""
-        rows = carried(links[:-1], self.screws) * self.signs[:, None]
-        found = np.zeros((6, len(self.turns)))
-        for row, use in zip(rows, self.uses, strict=True):
-            found[:, use] += row
-        return found
+
+def products(steps: Floats) -> Floats:
+    """The motions before, between and after K steps (..., K, 4, 4): (..., K + 1, 4, 4)."""
+    number = steps.shape[-3]
+    found = np.empty((*steps.shape[:-3], number + 1, 4, 4))
+    found[..., 0, :, :] = np.eye(4)
+    for k in range(number):
+        found[..., k + 1, :, :] = found[..., k, :, :] @ steps[..., k, :, :]
+    return found
 
 
 def chain_of(limb: LimbSpec, values: Values) -> Chain:

@@ -9,15 +9,19 @@ the robot is singular, so a change of its sign is a crossing, whether the robot 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
+from gcrules.mechanisms.kinematics.configurations import Configurations
+from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.margin import limb_twists
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
-__all__ = ["Frames", "frames", "has_sign", "relative_sign"]
+__all__ = ["Frames", "frames", "relative_sign"]
 
 _SPACE, _PLANE = (0, 1, 2, 3, 4, 5), (2, 3, 4)
 """Of twists (ω; v)."""
@@ -29,69 +33,77 @@ _ZERO = 1e-8  # of a determinant of unit wrenches: below it has no sign
 
 @dataclass(frozen=True, eq=False)
 class Frames:
-    """Orthonormal rows: constraints and then what actuators add, of each limb or of all; and the determinant of all
-    rows together, None where the ranks are not those of the family.
+    """Orthonormal rows (N, rank, columns): constraints and then what actuators add, of each limb or of all; and the
+    determinant of all rows together, (N,), not a number where the ranks are not those of the family.
     """
 
     systems: tuple[Floats, ...]
-    determinant: float | None
+    determinant: Floats
+
+    @classmethod
+    def together(cls, parts: Sequence[Frames]) -> Frames:
+        """Frames of several stacks as one."""
+        systems = tuple(np.concatenate(several) for several in zip(*(p.systems for p in parts), strict=True))
+        return cls(systems, np.concatenate([p.determinant for p in parts]))
+
+    def __getitem__(self, chosen: Any) -> Frames:
+        """Those of an array of places, or a mask."""
+        return Frames(tuple(s[chosen] for s in self.systems), self.determinant[chosen])
+
+    @property
+    def signed(self) -> NDArray[np.bool_]:
+        """Where the determinant is known and not 0 within rounding."""
+        return np.asarray(np.abs(self.determinant) > _ZERO)
 
 
-def frames(m: Linkage, here: Configuration, centre: Floats) -> Frames:
-    """The frames of a configuration, with moments about a fixed centre."""
+def frames(m: Linkage, here: Configurations, centre: Floats) -> Frames:
+    """The frames of configurations, with moments about a fixed centre."""
     keep = list(_PLANE if m.robot.family.plane else _SPACE)
     constraints: list[Floats] = []
     added: list[Floats] = []
-    whole = True
+    whole = np.ones(len(here), dtype=bool)
     for place in range(len(here.chains)):
         twists, free = limb_twists(m, place, here, centre)
-        own = _reciprocal(twists[:, keep])
-        locked = _reciprocal(twists[free][:, keep])
+        own, sound = _reciprocal(twists[..., keep], m.ranks[place])
+        locked, steady = _reciprocal(twists[:, free][..., keep], m.passive_ranks[place])
         constraints.append(own)
-        rest = locked - locked @ own.T @ own
-        added.append(_span(rest, len(locked) - len(own)))
-        expected = len(keep) - m.ranks[place], len(keep) - m.passive_ranks[place]
-        whole = whole and (len(own), len(locked)) == expected
-    mobility = m.robot.mobility
-    together = np.concatenate(constraints)
-    if len(together) > len(keep) - mobility:
+        rest = locked - locked @ np.swapaxes(own, 1, 2) @ own
+        added.append(_span(rest, locked.shape[1] - own.shape[1]))
+        whole &= sound & steady
+    bound = len(keep) - m.robot.mobility
+    together = np.concatenate(constraints, axis=1)
+    if together.shape[1] > bound:
         _, sizes, right = np.linalg.svd(together)
-        constraints = [right[: len(keep) - mobility]]
-        whole = whole and int((sizes > _RANK).sum()) == len(keep) - mobility
-    rows = np.concatenate([*constraints, *added])
-    square = rows.shape[0] == rows.shape[1]
-    return Frames((*constraints, *added), float(np.linalg.det(rows)) if whole and square else None)
+        constraints = [right[:, :bound]]
+        whole &= (sizes > _RANK).sum(axis=1) == bound
+    rows = np.concatenate([*constraints, *added], axis=1)
+    square = rows.shape[1] == rows.shape[2]
+    return Frames((*constraints, *added), np.where(whole, np.linalg.det(rows) if square else np.nan, np.nan))
 
 
-def _reciprocal(twists: Floats) -> Floats:
-    """An orthonormal basis of what is orthogonal to the twists."""
-    if not len(twists):
-        return np.eye(twists.shape[1])
+def _reciprocal(twists: Floats, rank: int) -> tuple[Floats, NDArray[np.bool_]]:
+    """Orthonormal bases of what is orthogonal to twists of this rank, and where they have it."""
+    if not twists.shape[1]:
+        everything = np.broadcast_to(np.eye(twists.shape[2]), (len(twists), twists.shape[2], twists.shape[2]))
+        return everything, np.ones(len(twists), dtype=bool)
     _, sizes, right = np.linalg.svd(twists)
-    return np.asarray(right[int((sizes > _RANK * max(sizes[0], 1.0)).sum()) :])
+    sound = (sizes > _RANK * np.maximum(sizes[:, :1], 1.0)).sum(axis=1) == rank
+    return np.asarray(right[:, rank:]), sound
 
 
 def _span(rows: Floats, rank: int) -> Floats:
-    return np.asarray(np.linalg.svd(rows)[2][:rank]) if rank else np.zeros((0, rows.shape[1]))
+    return np.asarray(np.linalg.svd(rows)[2][:, :rank]) if rank else np.zeros((len(rows), 0, rows.shape[2]))
 
 
-def has_sign(a: Frames) -> bool:
-    """Whether the determinant is known and not 0 within rounding."""
-    return a.determinant is not None and abs(a.determinant) > _ZERO
-
-
-def relative_sign(a: Frames, b: Frames) -> int | None:
-    """1 where the determinant has one sign in both, −1 where it changes, None where frames turn too far to be compared,
-    a rank drops, or a determinant is 0 within rounding.
+def relative_sign(a: Frames, b: Frames) -> NDArray[np.int8]:
+    """For each pair of configurations 1 where the determinant has one sign in both, −1 where it changes, 0 where frames
+    turn too far to be compared, a rank drops, or a determinant is 0 within rounding.
     """
-    if not (has_sign(a) and has_sign(b)) or a.determinant is None or b.determinant is None:
-        return None
-    sign = np.sign(a.determinant * b.determinant)
+    sign = np.where(a.signed & b.signed, np.sign(a.determinant) * np.sign(b.determinant), 0.0)
     for one, other in zip(a.systems, b.systems, strict=True):
-        if one.shape != other.shape:
-            return None
-        overlap = one @ other.T
-        if len(overlap) and np.linalg.svd(overlap, compute_uv=False)[-1] < _OVERLAP:
-            return None
-        sign *= np.sign(np.linalg.det(overlap)) if len(overlap) else 1
-    return int(sign) or None
+        if not one.shape[1]:
+            continue
+        overlap = one @ np.swapaxes(other, 1, 2)
+        close = np.linalg.svd(overlap, compute_uv=False)[:, -1] >= _OVERLAP
+        sign = np.where(close, sign * np.sign(np.linalg.det(overlap)), 0.0)
+    return np.nan_to_num(sign).astype(np.int8)

@@ -25,7 +25,7 @@ def unfixed(m: Linkage, before: Sequence[Chain], links: Sequence[Floats], after:
     worst, named = 0.0, ""
     for place, limb in enumerate(m.robot.limbs):
         old = _scaled(before[place].twists(links[place]), m)
-        new = _scaled(after[place].twists(np.broadcast_to(np.eye(4), links[place].shape)), m)
+        new = _scaled(after[place].twists(), m)
         start = 0
         for joint in limb.joints:
             end = start + len(JOINTS[joint.kind].freedoms)

@@ -24,13 +24,37 @@ from functools import cached_property
 import numpy as np
 
 from gcrules.mechanisms.kinematics.chains import Chain
+from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix, crossed
 
-__all__ = ["LimbMargin", "limb_margins", "limb_twists", "margin"]
+__all__ = ["LimbMargin", "LimbMargins", "limb_margins", "limb_twists", "margin", "margins"]
 
 _PLANE = (0, 1, 5)  # of (v; ω): a planar robot's twists
 _ROUNDING = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class LimbMargins:
+    """Of N configurations all that a `LimbMargin` has of one, with the axis of the configurations first."""
+
+    rows: Floats
+    singular_values: Floats
+    motions: Floats
+    shares: Floats
+    owners: tuple[int, ...]
+    centre: Floats
+
+    @property
+    def sigma(self) -> Floats:
+        """The measure in each configuration."""
+        return np.minimum(self.singular_values[:, -1], 1.0)
+
+    def one(self, place: int) -> LimbMargin:
+        """That of one configuration."""
+        parts = (self.rows, self.singular_values, self.motions, self.shares)
+        rows, sizes, motions, shares = (p[place] for p in parts)
+        return LimbMargin(rows, sizes, motions, shares, self.owners, self.centre[place])
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,59 +96,74 @@ class LimbMargin:
 
 def margin(m: Linkage, here: Configuration) -> LimbMargin:
     """The measure at a configuration."""
-    platform = here.platform
-    ends = m.ends @ platform[:3, :3].T + platform[:3, 3]
-    centre = ends.mean(axis=0)
-    rows, owners = [], []
-    metric = np.zeros((6, 6))
+    return margins(m, Configurations.of([here])).one(0)
+
+
+def margins(m: Linkage, here: Configurations) -> LimbMargins:
+    """The measure at many configurations."""
+    ends = _ends(m, here)
+    centre = ends.mean(axis=1)
+    rows: list[Floats] = []
+    owners: list[int] = []
+    metric = np.zeros((len(here), 6, 6))
     for place, chain in enumerate(here.chains):
-        arm = (ends[place] - centre) / m.size
-        wrenches = _locked(m, place, chain, ends[place])
-        f, moment = wrenches[:, :3], wrenches[:, 3:]
-        rows.append(np.concatenate([f, moment + np.cross(arm, f)], axis=1))
-        owners += [place] * len(wrenches)
-        velocity = np.concatenate([np.eye(3), -cross_matrix(arm)], axis=1)
-        metric += velocity.T @ velocity
+        arm = (ends[:, place] - centre) / m.size
+        wrenches = _locked(m, place, chain, ends[:, place])
+        f, moment = wrenches[..., :3], wrenches[..., 3:]
+        rows.append(np.concatenate([f, moment + crossed(arm[:, None], f)], axis=2))
+        owners += [place] * wrenches.shape[1]
+        velocity = np.concatenate([np.broadcast_to(np.eye(3), (len(here), 3, 3)), -cross_matrix(arm)], axis=2)
+        metric += np.swapaxes(velocity, 1, 2) @ velocity
         if not m.ball_ended[place]:
-            metric[3:, 3:] += np.eye(3)
-    every = np.concatenate(rows)
+            metric[:, 3:, 3:] += np.eye(3)
+    every = np.concatenate(rows, axis=1)
     keep = list(_PLANE) if m.robot.family.plane else list(range(6))
-    values, vectors = np.linalg.eigh(metric[np.ix_(keep, keep)])
+    values, vectors = np.linalg.eigh(metric[:, keep][:, :, keep])
     # a turn about a line through all ends, ball joints each, moves none of them; no limb's wrench notices it either
-    balance = vectors / np.sqrt(np.where(values > _ROUNDING * values[-1], values, 1.0))
-    left, sizes, right = np.linalg.svd(every[:, keep] @ balance)
-    motions = np.zeros((len(keep), 6))
-    motions[:, keep] = (balance @ right.T).T
-    largest = np.take_along_axis(motions, np.abs(motions).argmax(axis=1)[:, None], axis=1)
+    balance = vectors / np.sqrt(np.where(values > _ROUNDING * values[:, -1:], values, 1.0))[:, None]
+    left, sizes, right = np.linalg.svd(every[..., keep] @ balance)
+    motions = np.zeros((len(here), len(keep), 6))
+    motions[..., keep] = np.swapaxes(balance @ np.swapaxes(right, 1, 2), 1, 2)
+    largest = np.take_along_axis(motions, np.abs(motions).argmax(axis=2)[..., None], axis=2)
     motions *= np.where(largest < 0, -1.0, 1.0)  # the sign of a motion is free
-    motions[:, 3:] /= m.size
-    return LimbMargin(every[:, keep], sizes[: len(keep)], motions, left[:, len(keep) - 1], tuple(owners), centre)
+    motions[..., 3:] /= m.size
+    return LimbMargins(
+        every[..., keep], sizes[:, : len(keep)], motions, left[..., len(keep) - 1], tuple(owners), centre
+    )
+
+
+def _ends(m: Linkage, here: Configurations) -> Floats:
+    """Where the limbs' ends are, (N, limbs, 3)."""
+    return np.asarray(m.ends @ np.swapaxes(here.platform[:, :3, :3], 1, 2) + here.platform[:, None, :3, 3])
 
 
 def _locked(m: Linkage, place: int, chain: Chain, end: Floats) -> Floats:
-    """An orthonormal basis of a limb's wrenches with its actuators locked: rows (f; m/ρ), moments about the end."""
-    driven = {a.coordinate for a in m.actuators if a.place == place}
-    free = [k for k in range(len(chain.turns)) if k not in driven]
-    twists = _at(chain, end, m.size)[free]
-    if not len(twists):
-        return np.eye(6)
+    """Orthonormal bases of a limb's wrenches with its actuators locked: rows (f; m/ρ), about the ends (..., 3)."""
+    twists = _at(chain, end, m.size)[..., _free(m, place), :]
+    if not twists.shape[-2]:
+        return np.broadcast_to(np.eye(6), (*twists.shape[:-2], 6, 6))
     _, _, right = np.linalg.svd(twists)
-    return np.asarray(right[m.passive_ranks[place] :][:, [3, 4, 5, 0, 1, 2]])
+    return np.asarray(right[..., m.passive_ranks[place] :, :][..., [3, 4, 5, 0, 1, 2]])
 
 
-def limb_twists(m: Linkage, place: int, here: Configuration, centre: Floats) -> tuple[Floats, list[int]]:
-    """A limb's twists (ω; v/ρ), v at a centre, for a turn by 1 rad and a slide by ρ in each coordinate, and which
-    of them are not driven.
-    """
+def _free(m: Linkage, place: int) -> list[int]:
+    """The coordinates of a limb that are not driven."""
     driven = {a.coordinate for a in m.actuators if a.place == place}
-    twists = _at(here.chains[place], centre, m.size)
-    return twists, [k for k in range(len(twists)) if k not in driven]
+    return [k for k in range(len(m.home.chains[place].turns)) if k not in driven]
+
+
+def limb_twists(m: Linkage, place: int, here: Configurations, centre: Floats) -> tuple[Floats, list[int]]:
+    """A limb's twists (ω; v/ρ) in each configuration, (N, coordinates, 6), v at a centre, for a turn by 1 rad and a
+    slide by ρ in each coordinate, and which of them are not driven.
+    """
+    return _at(here.chains[place], centre, m.size), _free(m, place)
 
 
 def _at(chain: Chain, end: Floats, size: float) -> Floats:
-    """Rows (ω; v/ρ), v at the end, for a turn by 1 rad and a slide by ρ in each coordinate."""
-    twists = np.array(chain.twists(np.broadcast_to(np.eye(4), (len(chain.screws) + 1, 4, 4)))).T
-    rows = np.concatenate([twists[:, :3], (twists[:, 3:] + np.cross(twists[:, :3], end)) / size], axis=1)
+    """Rows (ω; v/ρ), v at the ends (..., 3), for a turn by 1 rad and a slide by ρ in each coordinate."""
+    twists = np.swapaxes(chain.twists(), -1, -2)
+    w = twists[..., :3]
+    rows = np.concatenate([w, (twists[..., 3:] + crossed(w, end[..., None, :])) / size], axis=-1)
     return np.asarray(rows * np.where(chain.turns, 1.0, size)[:, None])
 
 
@@ -133,13 +172,11 @@ def limb_margins(m: Linkage, here: Configuration) -> tuple[float, ...]:
     by ρ, measured in |ω|² + |v|²/ρ², v at the limb's end on the platform. It is 0 where the limb itself is singular, or
     its passive joints are.
     """
-    platform = here.platform
-    ends = m.ends @ platform[:3, :3].T + platform[:3, 3]
+    only = Configurations.of([here])
     found = []
-    for place, chain in enumerate(here.chains):
-        twists = _at(chain, ends[place], m.size)
-        driven = {a.coordinate for a in m.actuators if a.place == place}
-        free = [k for k in range(len(twists)) if k not in driven]
+    for place, end in enumerate(_ends(m, only)[0]):
+        twists = _at(only.chains[place], end, m.size)[0]
+        free = _free(m, place)
         every = float(np.linalg.svd(twists, compute_uv=False)[m.ranks[place] - 1])
         passive = float(np.linalg.svd(twists[free], compute_uv=False)[m.passive_ranks[place] - 1]) if free else 1.0
         found.append(min(every, passive))

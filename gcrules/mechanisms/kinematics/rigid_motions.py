@@ -18,6 +18,7 @@ __all__ = [
     "Floats",
     "carried",
     "cross_matrix",
+    "crossed",
     "exponential",
     "inverse",
     "logarithm",
@@ -39,6 +40,13 @@ def cross_matrix(vectors: Floats) -> Floats:
     found[..., 0, 2] = v[..., 1]
     found[..., 1, 0] = v[..., 2]
     return found - np.swapaxes(found, -1, -2)
+
+
+def crossed(a: Floats, b: Floats) -> Floats:
+    """a × b, for stacks of vectors that fit each other; quicker than NumPy's own."""
+    x, y, z = (a[..., k] for k in range(3))
+    u, v, w = (b[..., k] for k in range(3))
+    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-1)
 
 
 def rotations(vectors: Floats) -> Floats:
@@ -66,41 +74,50 @@ def exponential(screws: Floats, amounts: Floats | float) -> Floats:
     return found
 
 
-def rotation_vector(matrix: Floats) -> Floats:
-    """The axis of one rotation times its angle, from 0 to π."""
-    odd = np.array([matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1]]) / 2
-    sine, cosine = float(np.linalg.norm(odd)), (float(np.trace(matrix)) - 1) / 2
-    angle = float(np.arctan2(sine, cosine))
-    if sine > _SMALL:
-        return np.asarray(odd * (angle / sine))
-    if cosine > 0:
-        return np.asarray(odd * (1 + sine**2 / 6))
-    # near half a turn the axis is read off the symmetric part
-    around = (matrix + matrix.T) / 2 + np.eye(3)
-    axis = around[:, int(np.argmax(np.diag(around)))]
-    axis = axis / np.linalg.norm(axis)
-    return np.asarray(axis * angle * (-1 if axis @ odd < 0 else 1))
+def rotation_vector(matrices: Floats) -> Floats:
+    """The axes of rotations (..., 3, 3) times their angles, from 0 to π."""
+    m = np.asarray(matrices, dtype=float)
+    odd = np.stack([m[..., 2, 1] - m[..., 1, 2], m[..., 0, 2] - m[..., 2, 0], m[..., 1, 0] - m[..., 0, 1]], -1) / 2
+    sine = np.sqrt((odd * odd).sum(axis=-1))
+    cosine = (np.trace(m, axis1=-2, axis2=-1) - 1) / 2
+    small = sine <= _SMALL
+    stretch = np.where(small, 1 + sine**2 / 6, np.arctan2(sine, cosine) / np.where(small, 1.0, sine))
+    found: Floats = odd * stretch[..., None]
+    half = small & (cosine <= 0)
+    if half.any():
+        found[half] = _half_turns(m[half], odd[half], np.arctan2(sine, cosine)[half])
+    return found
 
 
-def rotation_vector_rates(turn: Floats) -> Floats:
-    """The matrix that takes an angular velocity to the rate of the rotation vector `turn` (shorter than a turn)."""
-    w = cross_matrix(turn)
-    return np.asarray(np.eye(3) - w / 2 + _back(float(np.linalg.norm(turn))) * (w @ w))
+def _half_turns(m: Floats, odd: Floats, angle: Floats) -> Floats:
+    """Near half a turn the axis is read off the symmetric part."""
+    around = (m + np.swapaxes(m, -1, -2)) / 2 + np.eye(3)
+    largest = np.argmax(np.diagonal(around, axis1=-2, axis2=-1), axis=-1)
+    axis = np.take_along_axis(around, largest[:, None, None], axis=2)[..., 0]
+    axis = axis / np.linalg.norm(axis, axis=-1, keepdims=True)
+    return np.asarray(axis * np.where((axis * odd).sum(axis=-1) < 0, -angle, angle)[:, None])
 
 
-def _back(angle: float) -> float:
-    half = angle / 2
-    return 1 / 12 if angle < _SMALL else float((1 - half / np.tan(half)) / angle**2)
+def rotation_vector_rates(turns: Floats) -> Floats:
+    """The matrices (..., 3, 3) that take an angular velocity to the rate of the rotation vectors `turns` (shorter than
+    a turn).
+    """
+    w = cross_matrix(turns)
+    angle = np.sqrt((turns * turns).sum(axis=-1))
+    half = np.where(angle < _SMALL, 1.0, angle / 2)
+    back = np.where(angle < _SMALL, 1 / 12, (1 - half / np.tan(half)) / (4 * half**2))
+    return np.asarray(np.eye(3) - w / 2 + back[..., None, None] * (w @ w))
 
 
-def logarithm(motion: Floats) -> Floats:
-    """The twist (ω; v) whose exponential one motion is."""
-    turn = rotation_vector(motion[:3, :3])
-    return np.concatenate([turn, rotation_vector_rates(turn) @ motion[:3, 3]])
+def logarithm(motions: Floats) -> Floats:
+    """The twists (ω; v) whose exponentials the motions are."""
+    turn = rotation_vector(motions[..., :3, :3])
+    shift = (rotation_vector_rates(turn) @ motions[..., :3, 3:])[..., 0]
+    return np.concatenate([turn, shift], axis=-1)
 
 
 def inverse(motion: Floats) -> Floats:
-    """The motion back; for stacks too."""
+    """The motion back."""
     back = np.swapaxes(motion[..., :3, :3], -1, -2)
     found = np.zeros_like(motion)
     found[..., :3, :3] = back
@@ -113,5 +130,5 @@ def carried(motions: Floats, screws: Floats) -> Floats:
     """The screws (ω; v) as they stand after the motions."""
     turn = motions[..., :3, :3]
     w = (turn @ screws[..., :3, None])[..., 0]
-    v = (turn @ screws[..., 3:, None])[..., 0] + (cross_matrix(motions[..., :3, 3]) @ w[..., None])[..., 0]
+    v = (turn @ screws[..., 3:, None])[..., 0] + crossed(motions[..., :3, 3], w)
     return np.concatenate([w, v], axis=-1)

@@ -1,11 +1,9 @@
 r"""Closing the loops: from home to a wanted pose or wanted actuators, step by step on the branch of home.
 
-The unknowns are the amounts of all joints; the equations say that all limbs bring the platform to one place and that
-the wanted coordinates have their values. Each step is solved by Levenberg and Marquardt's method with the damping
-μ = |r|², which converges quadratically also where equations depend on each other, as in over-constrained robots. The
-wanted values grow from those at home in steps that halve where the solution would go far or is not found, and start
-anew from each configuration reached. A step counts when it is proved that it follows the branch (`branch`), and halves
-until it is; where even the shortest one is not proved, the solution says from where on its branch is in doubt.
+The equations of one step are those of `loops`. The wanted values grow from those at home in steps that halve where the
+solution would go far or is not found, and start anew from each configuration reached. A step counts when it is proved
+that it follows the branch (`branch`), and halves until it is; where even the shortest one is not proved, the solution
+says from where on its branch is in doubt.
 """
 
 from __future__ import annotations
@@ -19,28 +17,19 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.attachments import disagreement, moved, residual_of_relations
-from gcrules.mechanisms.kinematics.branch import Move, can_be_followed, follows_branch
+from gcrules.mechanisms.kinematics.branch import Steps, can_be_followed, follow_branch
 from gcrules.mechanisms.kinematics.chains import chain_of
-from gcrules.mechanisms.kinematics.coordinates import coordinates, slopes, wrapped
+from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.failure_reasons import stopped
 from gcrules.mechanisms.kinematics.fixed import unfixed
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.rigid_motions import (
-    Floats,
-    cross_matrix,
-    exponential,
-    inverse,
-    logarithm,
-    rotation_vector,
-)
+from gcrules.mechanisms.kinematics.loops import Course, Joints, close_loops, loop_rows, units_of
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.targets import Target, check_count, written
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["Course", "Solution", "check_target", "free_coordinates", "goal", "solve"]
+__all__ = ["Solution", "check_target", "free_coordinates", "goal", "solve"]
 
-_ACCURACY = 1e-9  # how far loops may be open, in parts of the robot's size
-_ENOUGH = 1e-13
-_ITERATIONS = 14
 _FARTHEST = 0.5  # of a joint in one step: rad, or parts of the robot's size
 _SHORTEST = 1.0 / 4096
 _SHORTEST_PROOF = 1.0 / 16384
@@ -50,66 +39,6 @@ _PREFERRED = 0.01  # of the largest rate: a coordinate that moves less is not pr
 _STILL = 1e-7  # rad
 _FAR = 1e12
 _MOST_STEPS = 1000
-
-
-@dataclass(frozen=True, eq=False)
-class Course:
-    """Wanted values as a function of the part of the way from home, 0 to 1, or beyond."""
-
-    m: Linkage
-    target: Target
-
-    def error(self, part: float, here: Configuration, links: tuple[Floats, ...], amounts: tuple[Floats, ...]) -> Floats:
-        """What is reached less what is wanted; lengths divided by the robot's size."""
-        w, m = self.target, self.m
-        if w.driven:
-            reached = [here.joint_values[a.place][a.coordinate] + amounts[a.place][a.coordinate] for a in m.actuators]
-            return (np.array(reached) - w.value(part)) / self._units
-        motion = links[0][-1] @ here.platform
-        if w.whole is None:
-            return wrapped(w.names, coordinates(w.names, motion, m.centre) - w.value(part)) / self._units
-        goal = part_of(w, part, m.centre)
-        shift = (motion - goal)[:3, :3] @ m.centre + (motion - goal)[:3, 3]
-        return np.concatenate([shift / m.size, rotation_vector(motion[:3, :3] @ goal[:3, :3].T)])
-
-    def rows(self, here: Configuration, links: tuple[Floats, ...], twists: list[Floats]) -> Floats:
-        """Its derivatives by all amounts."""
-        w, m = self.target, self.m
-        starts = np.cumsum([0, *(t.shape[1] for t in twists)])
-        if w.driven:
-            found = np.zeros((len(m.actuators), starts[-1]))
-            for row, a in enumerate(m.actuators):
-                found[row, starts[a.place] + a.coordinate] = 1
-        else:
-            motion = links[0][-1] @ here.platform
-            found = np.zeros((len(w.names), starts[-1]))
-            if w.whole is None:
-                found[:, : starts[1]] = slopes(w.names, motion, m.centre) @ twists[0]
-            else:
-                centre = motion[:3, :3] @ m.centre + motion[:3, 3]
-                found[:3, : starts[1]] = twists[0][3:] - cross_matrix(centre) @ twists[0][:3]
-                found[3:, : starts[1]] = twists[0][:3]
-        return found / self._units[:, None]
-
-    @property
-    def _units(self) -> Floats:
-        w = self.target
-        if w.driven:
-            return np.array([1.0 if a.angle else self.m.size for a in self.m.actuators])
-        return np.array([self.m.size if n in SHIFTS else 1.0 for n in w.names])
-
-    @property
-    def length(self) -> float:
-        """How far it goes: the largest of its values, lengths divided by the robot's size."""
-        return float(np.abs(self.target.values / self._units).max(initial=0.0))
-
-
-def part_of(w: Target, part: float, centre: Floats) -> Floats:
-    """The motion from home after a part of the way to a whole pose: shift and rotation vector grow evenly."""
-    start = np.eye(4) if w.start is None else w.start
-    found = exponential(np.array([*(part * w.values[3:]), 0, 0, 0]), 1.0) @ start
-    found[:3, 3] = part * w.values[:3] + start[:3, :3] @ centre + start[:3, 3] - found[:3, :3] @ centre
-    return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,8 +82,9 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
         here = found.configuration
         try:
             joints = _solved(course, here, part)
-            move = Move(here, joints.amounts, joints.links[0][-1] @ here.platform)
-            if doubt is None and not follows_branch(course.m, course.target, move, (before, part)):
+            grown = (part - before) * course.target.values[None]
+            step_there = Steps.of(Configurations.of([here]), joints, grown)
+            if doubt is None and not follow_branch(course.m, course.target, step_there)[0]:
                 if step > _SHORTEST_PROOF * max(far, 1e-3) and can_be_followed(course.target):
                     step, growth = step / 2, _SLOWER
                     continue
@@ -184,89 +114,23 @@ class _NotClosed(Exception):
     """No solution near by."""
 
 
-@dataclass(frozen=True, eq=False)
-class _Joints:
-    """Amounts of all joints from a configuration that close the loops, with the motions of all links."""
-
-    amounts: tuple[Floats, ...]
-    links: tuple[Floats, ...]
-    residual: float
-    iterations: int
-
-
 def _closed(course: Course, here: Configuration, part: float) -> tuple[Configuration, int]:
     """The configuration near this one at a part of the course, and the iterations. Raises _NotClosed."""
     joints = _solved(course, here, part)
     return _configuration(course.m, here, joints), joints.iterations
 
 
-def _solved(course: Course, here: Configuration, part: float) -> _Joints:
+def _solved(course: Course, here: Configuration, part: float) -> Joints:
     """The joints near a configuration at a part of the course. Raises _NotClosed."""
-    m = course.m
-    sizes = [len(c.turns) for c in here.chains]
-    units = np.concatenate([np.where(c.turns, 1.0, m.size) for c in here.chains])
-    whole = np.zeros(sum(sizes))
-    best = np.inf
-    for iteration in range(_ITERATIONS + 1):
-        checkpoint()
-        amounts = tuple(np.split(whole, np.cumsum(sizes)[:-1]))
-        links = tuple(c.links(a) for c, a in zip(here.chains, amounts, strict=True))
-        open_, wanted_off = _gaps(links, here, m), course.error(part, here, links, amounts)
-        r = np.concatenate([open_, wanted_off])
-        size = float(np.linalg.norm(r))
-        if size <= _ENOUGH or (size <= _ACCURACY / 100 and size >= best / 4):
-            return _Joints(amounts, links, float(np.abs(open_).max(initial=0.0)), iteration)
-        if size > 4 * best or not np.isfinite(size):
-            break
-        best = min(best, size)
-        twists = [c.twists(k) for c, k in zip(here.chains, links, strict=True)]
-        rows = np.concatenate([_loops(twists, here, m), course.rows(here, links, twists)]) * units
-        u, s, v = np.linalg.svd(rows, full_matrices=False)
-        damped = np.where(s > 1e-12 * s[0], s / (s**2 + size**2), 0.0)
-        change = -(v.T * damped) @ (u.T @ r)
-        far = float(np.abs(change).max())
-        whole = whole + change * units * min(1.0, _FARTHEST / 2 / far if far else 1.0)
-        if np.abs(whole / units).max() > _FARTHEST:
-            raise _NotClosed("joints go far in a small step")
-    raise _NotClosed("the loops do not close")
+    joints = close_loops(course, Configurations.of([here]), course.goal(np.array([part])))
+    if not joints.closed[0]:
+        raise _NotClosed("joints go far in a small step" if joints.far[0] else "the loops do not close")
+    return joints
 
 
-def _gaps(links: tuple[Floats, ...], here: Configuration, m: Linkage) -> Floats:
-    """How the other limbs' platforms lie off that of the first one: the twists that would bring them there."""
-    centre = here.platform[:3, :3] @ m.centre + here.platform[:3, 3]
-    back = inverse(links[0][-1])
-    return np.concatenate(
-        [np.zeros(0), *(_scaled(logarithm(_about(own[-1] @ back, centre)), m.size) for own in links[1:])]
-    )
-
-
-def _about(motion: Floats, centre: Floats) -> Floats:
-    found = motion.copy()
-    found[:3, 3] += motion[:3, :3] @ centre - centre
-    return found
-
-
-def _scaled(twist: Floats, size: float) -> Floats:
-    return np.concatenate([twist[:3], twist[3:] / size])
-
-
-def _loops(twists: list[Floats], here: Configuration, m: Linkage) -> Floats:
-    """The derivatives of the gaps by all amounts: (6 (limbs − 1), amounts)."""
-    motion = here.platform
-    centre = motion[:3, :3] @ m.centre + motion[:3, 3]
-    starts = np.cumsum([0, *(t.shape[1] for t in twists)])
-    found = np.zeros((6 * (len(twists) - 1), starts[-1]))
-    arm = cross_matrix(centre)
-    local = [np.concatenate([t[:3], (t[3:] - arm @ t[:3]) / m.size]) for t in twists]
-    for k, own in enumerate(local[1:]):
-        found[6 * k : 6 * k + 6, starts[k + 1] : starts[k + 2]] = own
-        found[6 * k : 6 * k + 6, : starts[1]] = -local[0]
-    return found
-
-
-def _configuration(m: Linkage, here: Configuration, joints: _Joints) -> Configuration:
+def _configuration(m: Linkage, here: Configuration, joints: Joints) -> Configuration:
     """The configuration after these amounts. Raises _NotClosed where the robot has left its family there."""
-    links, amounts = joints.links, joints.amounts
+    links, amounts = tuple(k[0] for k in joints.links), tuple(a[0] for a in joints.amounts)
     values = moved(m.robot, m.attachments, here.values, links)
     off, name = max(
         disagreement(m.robot, m.attachments, here.values, links, m.size), residual_of_relations(m.robot, values, m.size)
@@ -288,7 +152,7 @@ def _configuration(m: Linkage, here: Configuration, joints: _Joints) -> Configur
         tuple(k @ before for k, before in zip(links, here.links, strict=True)),
         tuple(a + before for a, before in zip(amounts, here.joint_values, strict=True)),
         chains,
-        joints.residual,
+        float(joints.residual[0]),
         max(off, loose),
     )
 
@@ -350,12 +214,10 @@ def _told(course: Course, here: Configuration) -> float:
 
 def _rates(course: Course, here: Configuration) -> Floats:
     """The derivatives of the wanted values by the ways to move in a configuration (in units of all amounts)."""
-    m = course.m
-    still = tuple(np.broadcast_to(np.eye(4), k.shape) for k in here.links)
-    twists = [c.twists(k) for c, k in zip(here.chains, still, strict=True)]
-    units = np.concatenate([np.where(c.turns, 1.0, m.size) for c in here.chains])
-    rows = course.rows(here, still, twists) * units
+    m, only = course.m, Configurations.of([here])
+    twists = [c.twists() for c in only.chains]
+    rows = course.rows(only.platform, twists)[0] * units_of(m)
     if len(twists) == 1:
         return np.asarray(rows)
-    _, s, v = np.linalg.svd(_loops(twists, here, m) * units)
+    _, s, v = np.linalg.svd(loop_rows(twists, only.platform, m)[0] * units_of(m))
     return np.asarray(rows @ v[int((s > _DEPENDENT * max(s[0], 1.0)).sum()) :].T)

@@ -15,6 +15,9 @@ middle by the free amounts, K ≥ |1 − B M(q)| for all q in the box |q − x| 
 elementwise. If β + Kρ ≤ ρ then for each t the equations have exactly one solution in the box around x(t) (Krawczyk's
 operator maps it into itself and contracts), which depends continuously on t: a tube that holds one branch.
 
+`holds`: the same with the free coordinates at rest and the others anywhere within their reach: then the equations have
+exactly one solution in the box for all values of these, which depends continuously on them.
+
 `keeps_rank`: if the non-negative K has K v < v for some v > 0, then B M(q) is invertible for all q of the box.
 
 Amounts are angles, and lengths in parts of the robot's size. All bounds are computed in floats, with more room left
@@ -24,18 +27,18 @@ bounds are derived here.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.mechanisms.kinematics.chains import Chain
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, cross_matrix, exponential, inverse
+from gcrules.mechanisms.kinematics.chains import Chain, products
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, cross_matrix, crossed, exponential, inverse
 
-__all__ = ["Arm", "Choice", "Spread", "follows", "keeps_rank", "spreads"]
+__all__ = ["Arm", "Choice", "Spread", "follows", "holds", "keeps_rank", "spreads"]
 
 Choice = NDArray[np.bool_]
 """Which coordinates of a chain are meant, (n,)."""
@@ -51,8 +54,8 @@ _INFLATED = 1.1
 
 @dataclass(frozen=True, eq=False)
 class Arm:
-    """A chain on its way: `screws` (K, 6) about the platform's centre with lengths in sizes, the coordinate that each
-    motion `uses` with its sign, and the amounts (n,) that the coordinates grow by.
+    """A chain on its way, or several at once: `screws` (..., K, 6) about the platform's centre with lengths in sizes,
+    the coordinate that each motion `uses` with its sign, and the amounts (..., n) that the coordinates grow by.
     """
 
     screws: Floats
@@ -62,22 +65,18 @@ class Arm:
 
     @classmethod
     def of(cls, chain: Chain, amounts: Floats, centre: Floats, size: float) -> Arm:
-        """The arm of a chain with amounts in its own units."""
+        """The arm of a chain with amounts in its own units, about a centre (..., 3)."""
         units = np.where(chain.turns, 1.0, size)
-        return cls(_scaled(chain.screws, centre, size) * units[list(chain.uses), None], chain.uses, chain.signs,
-                   amounts / units)  # fmt: skip
-
-
-def _scaled(screws: Floats, centre: Floats, size: float) -> Floats:
-    w, v = screws[:, :3], screws[:, 3:]
-    return np.concatenate([w, (v - w @ cross_matrix(centre).T) / size], axis=1)
+        w, v = chain.screws[..., :3], chain.screws[..., 3:]
+        moved = np.concatenate([w, (v + crossed(w, centre[..., None, :])) / size], axis=-1)
+        return cls(moved * units[list(chain.uses), None], chain.uses, chain.signs, amounts / units)
 
 
 @dataclass(frozen=True, eq=False)
 class Spread:
-    """An arm in the middle of its way: derivatives of Λ by its coordinates, `first` (6, n) and `second` (6, n, n), and
-    of its motions how much they turn (0 or 1), how fast they move the platform's point, and to which coordinate they
-    belong, with its sign.
+    """An arm in the middle of its way: derivatives of Λ by its coordinates, `first` (..., 6, n) and `second`
+    (..., 6, n, n), and of its motions how much they turn (0 or 1), how fast they move the platform's point, and to
+    which coordinate they belong, with its sign.
     """
 
     amounts: Floats
@@ -89,21 +88,21 @@ class Spread:
 
     def third(self, reach: Floats) -> tuple[Floats, Floats]:
         """For each coordinate bounds of Σ |∂³Λ| reach reach in the turn and in the shift, over the box in which the
-        coordinates differ by no more than `reach` from the middle.
+        coordinates differ by no more than `reach` (..., n) from the middle.
         """
-        d = self.parts @ reach
+        d = reach @ self.parts.T
         speeds = self.speeds.copy()
-        for k in range(len(speeds) - 2, -1, -1):  # motions after k carry the point away from its axis
-            speeds[k] += self.turns[k] * float(d[k + 1 :] @ speeds[k + 1 :])
-        low, middle, high = _sorted(len(speeds))
-        pair = self.turns[low] * self.turns[middle]
-        turned = np.einsum("hjk,h,j->k", pair * self.turns[high], d, d)
-        moved = np.einsum("hjk,h,j->k", pair * speeds[high], d, d)
+        for k in range(speeds.shape[-1] - 2, -1, -1):  # motions after k carry the point away from its axis
+            speeds[..., k] += self.turns[..., k] * (d[..., k + 1 :] * speeds[..., k + 1 :]).sum(axis=-1)
+        low, middle, high = _sorted(speeds.shape[-1])
+        weights = self.turns[..., low] * self.turns[..., middle] * d[..., :, None, None] * d[..., None, :, None]
+        turned = (weights * self.turns[..., high]).sum(axis=(-3, -2))
+        moved = (weights * speeds[..., high]).sum(axis=(-3, -2))
         return turned @ self.parts, moved @ self.parts
 
 
 @cache
-def _sorted(number: int) -> tuple[Floats, Floats, Floats]:
+def _sorted(number: int) -> tuple[Places, Places, Places]:
     """The least, middle and largest of all three places (number, number, number)."""
     low, middle, high = np.sort(np.indices((number,) * 3), axis=0)
     return low, middle, high
@@ -111,39 +110,31 @@ def _sorted(number: int) -> tuple[Floats, Floats, Floats]:
 
 def spreads(arms: Sequence[Arm]) -> tuple[Spread, ...]:
     """The arms in the middle of their ways, seen from the place where the first one has the platform."""
-    links = [_links(arm) for arm in arms]
-    back = inverse(links[0][-1])
-    return tuple(_spread(arm, own, own[-1] @ back) for arm, own in zip(arms, links, strict=True))
-
-
-def _links(arm: Arm) -> Floats:
-    steps = exponential(arm.screws, arm.signs * arm.amounts[list(arm.uses)] / 2)
-    found = np.empty((len(steps) + 1, 4, 4))
-    found[0] = np.eye(4)
-    for k, step in enumerate(steps):
-        found[k + 1] = found[k] @ step
-    return found
+    links = [products(exponential(a.screws, a.signs * a.amounts[..., list(a.uses)] / 2)) for a in arms]
+    back = inverse(links[0][..., -1, :, :])
+    return tuple(_spread(arm, own, own[..., -1, :, :] @ back) for arm, own in zip(arms, links, strict=True))
 
 
 def _spread(arm: Arm, links: Floats, motion: Floats) -> Spread:
-    count = len(arm.screws)
-    twists = carried(links[:-1], arm.screws)
-    w = twists[:, :3]
+    count = arm.screws.shape[-2]
+    twists = carried(links[..., :-1, :, :], arm.screws)
+    w = twists[..., :3]
     hats = cross_matrix(w)
-    v = twists[:, 3:] + hats @ motion[:3, 3]
-    turned = hats @ motion[:3, :3]
-    first = np.concatenate([_axial(turned), v], axis=1)
-    bent = np.concatenate([_axial(hats[:, None] @ turned[None]), (hats[:, None] @ v[None, :, :, None])[..., 0]], axis=2)
+    v = twists[..., 3:] + crossed(w, motion[..., None, :3, 3])
+    turned = hats @ motion[..., None, :3, :3]
+    first = np.concatenate([_axial(turned), v], axis=-1)
+    twice = hats[..., :, None, :, :] @ turned[..., None, :, :, :]
+    bent = np.concatenate([_axial(twice), crossed(w[..., :, None, :], v[..., None, :, :])], axis=-1)
     j, k = np.indices((count, count))
-    bent = np.where((j <= k)[..., None], bent, np.swapaxes(bent, 0, 1))
-    parts = np.zeros((count, len(arm.amounts)))
+    bent = np.where((j <= k)[..., None], bent, np.swapaxes(bent, -3, -2))
+    parts = np.zeros((count, arm.amounts.shape[-1]))
     parts[np.arange(count), list(arm.uses)] = arm.signs
     return Spread(
         arm.amounts,
-        first.T @ parts,
-        np.einsum("hkr,hi,kj->rij", bent, parts, parts),
-        np.linalg.norm(w, axis=1),
-        np.linalg.norm(v, axis=1),
+        np.swapaxes(first, -1, -2) @ parts,
+        parts.T @ np.moveaxis(bent, -1, -3) @ parts,
+        np.linalg.norm(w, axis=-1),
+        np.linalg.norm(v, axis=-1),
         np.abs(parts),
     )
 
@@ -156,72 +147,108 @@ def _axial(matrices: Floats) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class _Equations:
-    """The loops of several chains linearised in the middle: `back` (r, 6 loops) is an inverse of the derivatives by the
-    r chosen coordinates; `columns` are those of each chain.
+    """The loops of several chains linearised in the middle: `back` (..., r, 6 loops) is an inverse of the derivatives
+    by the r chosen coordinates; `columns` are those of each chain.
     """
 
     chains: tuple[Spread, ...]
     columns: tuple[Places, ...]
     back: Floats
-    rest: Floats  # (r, r), |1 − B M| in the middle
+    rest: Floats  # (..., r, r), |1 − B M| in the middle
 
-    def block(self, place: int) -> Floats:
-        """What Λ of one chain counts in B F: (r, 6)."""
-        blocks = self.back.reshape(len(self.back), -1, 6)
-        return np.asarray(-blocks.sum(axis=1) if place == 0 else blocks[:, place - 1])
+    @cached_property
+    def blocks(self) -> tuple[Floats, ...]:
+        """What Λ of each chain counts in B F: (..., r, 6)."""
+        parts = self.back.reshape(*self.back.shape[:-1], -1, 6)
+        return (-parts.sum(axis=-2), *(parts[..., k, :] for k in range(len(self.chains) - 1)))
+
+    @cached_property
+    def curvatures(self) -> tuple[Floats, ...]:
+        """B ∂²Λ of each chain, (..., r, n, n)."""
+        return tuple(
+            (b @ c.second.reshape(*c.second.shape[:-2], -1)).reshape(*b.shape[:-1], *c.second.shape[-2:])
+            for b, c in zip(self.blocks, self.chains, strict=True)
+        )
 
     def bent(self, reach: Sequence[Floats]) -> Floats:
-        """K (r, r) ≥ |1 − B M(q)| over the box of this reach."""
+        """K (..., r, r) ≥ |1 − B M(q)| over the box of this reach."""
         found = []
-        for place, (chain, own) in enumerate(zip(self.chains, self.columns, strict=True)):
-            b = self.block(place)
-            slope = np.einsum("jrk,j->rk", np.abs(np.tensordot(b, chain.second, 1)).transpose(1, 0, 2), reach[place])
-            found.append((slope + _sized(b, chain.third(reach[place])) / 2)[:, own])
-        return np.asarray(np.concatenate(found, axis=1) + self.rest)
+        for k, (chain, own) in enumerate(zip(self.chains, self.columns, strict=True)):
+            slope = (np.abs(self.curvatures[k]) * reach[k][..., None, :, None]).sum(axis=-2)
+            found.append((slope + _sized(self.blocks[k], chain.third(reach[k])) / 2)[..., own])
+        return np.asarray(np.concatenate(found, axis=-1) + self.rest)
 
     def gap(self, reach: Sequence[Floats]) -> Floats:
-        """β (r,) ≥ |B F| along the straight way: its curvature by 8, and what is open at its ends."""
-        curved = np.zeros(len(self.back))
-        more = np.zeros(len(self.back))
-        for place, chain in enumerate(self.chains):
-            b, a = self.block(place), chain.amounts
-            curved += b @ (chain.second @ a @ a)
-            far = np.maximum(reach[place], np.abs(a) / 2)
-            more += 4 * _sized(b, chain.third(far)) @ far  # |a| ≤ 2 far
-        return np.asarray((np.abs(curved) + more) / 8 + _CLOSED * np.abs(self.back).sum(axis=1))
+        """β (..., r) ≥ |B F| along the straight way: its curvature by 8, and what is open at its ends."""
+        curved = np.zeros(self.back.shape[:-1])
+        more = np.zeros(self.back.shape[:-1])
+        for k, chain in enumerate(self.chains):
+            a = chain.amounts
+            curved += _applied(_applied(self.curvatures[k], a[..., None, :]), a)
+            far = np.maximum(reach[k], np.abs(a) / 2)
+            more += 4 * _applied(_sized(self.blocks[k], chain.third(far)), far)  # |a| ≤ 2 far
+        return np.asarray((np.abs(curved) + more) / 8 + _CLOSED * np.abs(self.back).sum(axis=-1))
+
+    def drift(self, reach: Sequence[Floats]) -> Floats:
+        """β (..., r) ≥ |B F| where the coordinates differ from the middle by no more than `reach`, which is 0 for the
+        chosen ones.
+        """
+        found = _CLOSED * np.abs(self.back).sum(axis=-1)
+        for k, chain in enumerate(self.chains):
+            far = reach[k]
+            curved = (np.abs(self.curvatures[k]) * far[..., None, :, None]).sum(axis=-2) / 2
+            slope = np.abs(self.blocks[k] @ chain.first) + curved + _sized(self.blocks[k], chain.third(far)) / 6
+            found = found + _applied(slope, far)
+        return np.asarray(found)
+
+
+def _applied(matrices: Floats, vectors: Floats) -> Floats:
+    return (matrices @ vectors[..., None])[..., 0]
 
 
 def _sized(block: Floats, bounds: tuple[Floats, Floats]) -> Floats:
-    turned, moved = bounds
-    lengths = np.linalg.norm(block.reshape(-1, 2, 3), axis=2)
-    return np.asarray(np.outer(lengths[:, 0], turned) + np.outer(lengths[:, 1], moved))
+    turned, moved = (b[..., None, :] for b in bounds)
+    lengths = np.linalg.norm(block.reshape(*block.shape[:-1], 2, 3), axis=-1)
+    return np.asarray(lengths[..., :1] * turned + lengths[..., 1:] * moved)
 
 
 def _equations(chains: Sequence[Spread], free: Sequence[Choice], idle: int) -> _Equations | None:
     """The loops by the free coordinates, of which `idle` may be held at what they are; None where more would have to
-    be. `free` (n,) tells of each chain's coordinates whether they are free.
+    be. `free` (n,) tells of each chain's coordinates whether they are free. Of several at once those are held that are
+    right for the first one: nothing is proved where others would have to be.
     """
     loops = len(chains) - 1
-    whole = []
-    for place, chain in enumerate(chains):
-        own = np.zeros((6 * loops, chain.first.shape[1]))
-        for n in range(loops):
-            own[6 * n : 6 * n + 6] = -chain.first if place == 0 else chain.first if place == n + 1 else 0.0
-        whole.append(own)
-    starts = np.cumsum([0, *(len(c.amounts) for c in chains)])
-    matrix = np.concatenate(whole, axis=1)
+    starts = np.cumsum([0, *(c.amounts.shape[-1] for c in chains)])
+    matrix = np.zeros((*chains[0].first.shape[:-2], 6 * loops, starts[-1]))
+    for n in range(loops):
+        rows = slice(6 * n, 6 * n + 6)
+        matrix[..., rows, : starts[1]] = -chains[0].first
+        matrix[..., rows, starts[n + 1] : starts[n + 2]] = chains[n + 1].first
     chosen = np.flatnonzero(np.concatenate(free))
-    _, sizes, right = np.linalg.svd(matrix[:, chosen])
-    kernel = right[int((sizes > _DEPENDENT * max([1.0, *sizes])).sum()) :]
-    if len(kernel) > idle:
-        return None
-    chosen = np.delete(chosen, _pivots(kernel))
+    one = matrix[(0,) * (matrix.ndim - 2)][:, chosen]
+    if idle or one.shape[0] != one.shape[1]:
+        _, sizes, right = np.linalg.svd(one)
+        kernel = right[int((sizes > _DEPENDENT * max([1.0, *sizes])).sum()) :]
+        if len(kernel) > idle:
+            return None
+        chosen = np.delete(chosen, _pivots(kernel))
     if not len(chosen):
         return None
-    back = np.linalg.pinv(matrix[:, chosen])
-    rest = np.abs(np.eye(len(chosen)) - back @ matrix[:, chosen])
+    own = matrix[..., chosen]
+    back = _inverted(own)
+    rest = np.abs(np.eye(len(chosen)) - back @ own)
     columns = tuple(chosen[(chosen >= a) & (chosen < b)] - a for a, b in pairwise(starts))
-    return _Equations(tuple(chains), columns, np.asarray(back), np.asarray(rest + _ROUNDING))
+    return _Equations(tuple(chains), columns, back, np.asarray(rest + _ROUNDING))
+
+
+def _inverted(matrices: Floats) -> Floats:
+    """Left inverses, of matrices that have one."""
+    if matrices.shape[-1] == matrices.shape[-2]:
+        try:
+            return np.asarray(np.linalg.inv(matrices))
+        except np.linalg.LinAlgError:
+            pass
+    return np.asarray(np.linalg.pinv(matrices))
 
 
 def _pivots(kernel: Floats) -> list[int]:
@@ -235,52 +262,75 @@ def _pivots(kernel: Floats) -> list[int]:
     return found
 
 
-def follows(chains: Sequence[Spread], free: Sequence[Choice], idle: int) -> tuple[Floats, ...] | None:
-    """How far (n,) each chain's coordinates may be from the straight way in a tube that holds one branch of solutions,
-    from one end to the other; None where that is not proved.
+def follows(chains: Sequence[Spread], free: Sequence[Choice], idle: int) -> tuple[Floats, ...]:
+    """How far (..., n) each chain's coordinates may be from the straight way in a tube that holds one branch of
+    solutions, from one end to the other; infinite where that is not proved.
     """
+    return _tubes(chains, free, idle, [np.abs(c.amounts) / 2 for c in chains], _Equations.gap)
+
+
+def holds(chains: Sequence[Spread], free: Sequence[Choice], idle: int, reach: Sequence[Floats]) -> tuple[Floats, ...]:
+    """How far (..., n) the free coordinates may be from the middle in a box that holds, for all values of the other
+    ones within their `reach`, exactly one solution, a continuous one; infinite where that is not proved.
+    """
+    return _tubes(chains, free, idle, reach, _Equations.drift)
+
+
+def _tubes(
+    chains: Sequence[Spread],
+    free: Sequence[Choice],
+    idle: int,
+    known: Sequence[Floats],
+    off: Callable[[_Equations, Sequence[Floats]], Floats],
+) -> tuple[Floats, ...]:
+    """The tube around coordinates that go as far as `known` by themselves; `off` bounds how far B F is from 0 there."""
     if not any(f.any() for f in free):  # nothing is unknown
-        return tuple(np.zeros(len(c.amounts)) for c in chains)
+        return tuple(np.zeros(c.amounts.shape) for c in chains)
+    nowhere = tuple(np.full(c.amounts.shape, np.inf) for c in chains)
     e = _equations(chains, free, idle)
     if e is None:
-        return None
-    halves = [np.abs(c.amounts) / 2 for c in chains]
-    if e.bent(halves).sum(axis=1).min() >= 1.0:  # no tube, however thin
-        return None
-    radius = e.gap(halves) * _INFLATED
+        return nowhere
+    along = off is _Equations.gap
+    proved = e.bent(known).sum(axis=-1).min(axis=-1) < 1.0  # else no tube, however thin
+    radius = off(e, known) * _INFLATED
+    done = np.zeros_like(proved)
     for _ in range(_TRIALS):
+        radius = np.where(proved[..., None], radius, 0.0)
         tube = _in_place(e, radius)
-        reach = [h + r for h, r in zip(halves, tube, strict=True)]
-        needed = e.gap(reach) + e.bent(reach) @ radius
-        if (needed <= radius * (1 - _ROUNDING)).all():
-            return tuple(tube)
-        if not needed.max() < 1.0:
-            return None
-        radius = np.maximum(radius, needed) * _INFLATED
-    return None
+        reach = [h + r for h, r in zip(known, tube, strict=True)]
+        needed = off(e, reach if along else known) + _applied(e.bent(reach), radius)
+        done = proved & (needed <= radius * (1 - _ROUNDING)).all(axis=-1)
+        proved &= needed.max(axis=-1) < 1.0
+        if (done | ~proved).all():
+            break
+        radius = np.where(done[..., None], radius, needed * _INFLATED)
+    return tuple(np.where(done[..., None], t, np.inf) for t in _in_place(e, radius))
 
 
 def _in_place(e: _Equations, radius: Floats) -> list[Floats]:
     starts = np.cumsum([0, *map(len, e.columns)])
     found = []
     for chain, own, a, b in zip(e.chains, e.columns, starts, starts[1:], strict=False):
-        every = np.zeros(len(chain.amounts))
-        every[own] = radius[a:b]
+        every = np.zeros(chain.amounts.shape)
+        every[..., own] = radius[..., a:b]
         found.append(every)
     return found
 
 
-def keeps_rank(chains: Sequence[Spread], free: Sequence[Choice], idle: int, tube: Sequence[Floats]) -> bool:
-    """Whether the loops have, everywhere in the tube, only the motions in which no free coordinate but `idle` ones
-    takes part.
+def keeps_rank(
+    chains: Sequence[Spread], free: Sequence[Choice], idle: int, reach: Sequence[Floats]
+) -> NDArray[np.bool_]:
+    """Whether (...,) the loops have, wherever the coordinates differ from the middle by no more than `reach`, only the
+    motions in which no free coordinate but `idle` ones takes part.
     """
+    shape = chains[0].amounts.shape[:-1]
     if not any(f.any() for f in free):
-        return True
+        return np.ones(shape, dtype=bool)
     e = _equations(chains, free, idle)
     if e is None:
-        return False
-    k = e.bent([np.abs(c.amounts) / 2 + r for c, r in zip(chains, tube, strict=True)])
-    if not k.max() < 1e6:
-        return False
-    v = np.linalg.solve(np.eye(len(k)) - k, np.ones(len(k))) if abs(np.linalg.det(np.eye(len(k)) - k)) > 0 else None
-    return v is not None and bool((v > 0).all() and (k @ v < v * (1 - _ROUNDING)).all())
+        return np.zeros(shape, dtype=bool)
+    k = e.bent([np.where(np.isfinite(r), r, 1e9) for r in reach])
+    small = k.max(axis=(-1, -2)) < 1e6
+    left = np.eye(k.shape[-1]) - np.where(small[..., None, None], k, 0.0)
+    v = _applied(_inverted(left), np.ones((*shape, k.shape[-1])))
+    return np.asarray(small & (v > 0).all(axis=-1) & (_applied(k, v) < v * (1 - _ROUNDING)).all(axis=-1))

@@ -23,7 +23,8 @@ import numpy as np
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.solve import Course, Solution, check_target, free_coordinates, goal
+from gcrules.mechanisms.kinematics.loops import Course
+from gcrules.mechanisms.kinematics.solve import Solution, check_target, free_coordinates, goal
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.poses.limbs.search import first_singular
 from gcrules.screws.pose_text import ANGLES

@@ -12,7 +12,6 @@ from math import floor
 from typing import Any
 
 from gcrules.core.english import listed
-from gcrules.mechanisms.kinematics.determinants import has_sign
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.solve import Solution
 from gcrules.poses.limbs.way import Way
@@ -115,5 +114,5 @@ def assembly_mode(m: Linkage, solution: Solution) -> AssemblyMode:
         tuple(float((a + b) / (2 * end)) for a, b in crossings),
         None if unknown is None else float(unknown / end),
         float(regular / end),
-        not has_sign(way.frames(solution.configuration)),
+        not way.frames(solution.configuration).signed[0],
     )

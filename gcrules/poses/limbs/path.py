@@ -160,8 +160,8 @@ def _crossing(way: Way, analysis: RobotAnalysis, k: int, at: Stretch, around: St
 
 def _secant(way: Way, at: Stretch) -> float:
     """Where the determinant is 0 if it is linear between two places so near to each other."""
-    low, high = (abs(way.frames(way.at(p)).determinant or 0.0) for p in at)
-    return float(at[0] + (at[1] - at[0]) * low / (low + high)) if low + high else sum(at) / 2
+    low, high = (abs(float(way.frames(way.at(p)).determinant[0])) for p in at)
+    return float(at[0] + (at[1] - at[0]) * low / (low + high)) if low + high > 0 else sum(at) / 2
 
 
 def _report(

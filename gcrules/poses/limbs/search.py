@@ -14,8 +14,9 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.linkage import Linkage
+from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.margin import margin
-from gcrules.mechanisms.kinematics.solve import Course, Solution, goal
+from gcrules.mechanisms.kinematics.solve import Solution, goal
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.poses.limbs.factors import factors
 from gcrules.screws.verdict import SOLVED

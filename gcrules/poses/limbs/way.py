@@ -13,10 +13,12 @@ from itertools import pairwise
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.branch import Move, is_regular
-from gcrules.mechanisms.kinematics.determinants import Frames, frames, has_sign, relative_sign
+from gcrules.mechanisms.kinematics.branch import Steps, are_regular
+from gcrules.mechanisms.kinematics.configurations import Configurations
+from gcrules.mechanisms.kinematics.determinants import Frames, frames, relative_sign
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.solve import Course, Solution, goal
+from gcrules.mechanisms.kinematics.loops import Course
+from gcrules.mechanisms.kinematics.solve import Solution, goal
 from gcrules.mechanisms.kinematics.targets import Target
 
 __all__ = ["Node", "Stretch", "Way"]
@@ -38,7 +40,7 @@ class Way:
         self.m, self.target, self.nodes = m, target, list(nodes)
         self.course = Course(m, target)
         self.end = self.nodes[-1][0]
-        self._frames = cache(lambda c: frames(m, c, m.centre))
+        self._frames = cache(lambda c: frames(m, Configurations.of([c]), m.centre))
 
     @classmethod
     def to(cls, m: Linkage, target: Target, start: Configuration) -> tuple[Way, float | None]:
@@ -82,9 +84,9 @@ class Way:
         crossings: list[Stretch] = []
         unknown: float | None = None
         first, *others = self.nodes
-        if not has_sign(self.frames(first[1])):
+        if not self.frames(first[1]).signed[0]:
             return (), first[0]
-        signed = [first, *(n for n in others if has_sign(self.frames(n[1])))]
+        signed = [first, *(n for n in others if self.frames(n[1]).signed[0])]
         for a, b in pairwise(signed):
             for found, sure in self._changes(a, b):
                 if sure:
@@ -94,7 +96,7 @@ class Way:
         return tuple(crossings), unknown
 
     def _changes(self, a: Node, b: Node) -> Iterator[tuple[Stretch, bool]]:
-        sign = relative_sign(self.frames(a[1]), self.frames(b[1]))
+        sign = self._sign(a, b)
         if sign == 1:
             return
         if b[0] - a[0] <= _NARROW * self.end:
@@ -105,11 +107,14 @@ class Way:
             yield (a[0], b[0]), False
             return
         if sign == -1:
-            first = relative_sign(self.frames(a[1]), self.frames(middle[1]))
+            first = self._sign(a, middle)
             yield from self._changes(a, middle) if first != 1 else self._changes(middle, b)
         else:
             yield from self._changes(a, middle)
             yield from self._changes(middle, b)
+
+    def _sign(self, a: Node, b: Node) -> int:
+        return int(relative_sign(self.frames(a[1]), self.frames(b[1]))[0])
 
     # --- proofs ---
 
@@ -129,7 +134,9 @@ class Way:
         return todo[-1][0][0] if todo else self.end
 
     def _proved(self, a: Node, b: Node) -> bool:
-        return is_regular(self.m, self.target, Move.between(a[1], b[1]), (a[0], b[0]))
+        here, there = Configurations.of([a[1]]), Configurations.of([b[1]])
+        grown = (b[0] - a[0]) * self.target.values[None]
+        return bool(are_regular(self.m, self.target, Steps.between(here, there, grown))[0])
 
     def _middle(self, a: Node, b: Node) -> Node | None:
         """Where a stretch is parted for a proof; None where it is too short."""

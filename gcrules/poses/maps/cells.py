@@ -16,14 +16,15 @@ from gcrules.core.budget import checkpoint
 from gcrules.poses.maps.bernstein import coefficients, corners, halves, tolerance
 from gcrules.poses.maps.slices import SliceFactor
 
-__all__ = ["CROSSED", "FREE", "MEANINGS", "UNDECIDED", "block_error", "certified", "open_cells"]
+__all__ = ["CROSSED", "FREE", "MEANINGS", "OUTSIDE", "UNDECIDED", "block_error", "certified", "open_cells"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Statuses = NDArray[np.uint8]
 
-FREE, CROSSED, UNDECIDED = 0, 1, 2
-MEANINGS = ("free", "crossed", "undecided")
+FREE, CROSSED, UNDECIDED, OUTSIDE = range(4)
+MEANINGS = ("free", "crossed", "undecided", "outside")
+"""The last one is for robots of joints: cells with a corner that is not reached."""
 
 _DEPTH = {2: 12, 3: 6}  # halvings, by the number of axes
 _BLOCK = 20_000  # blocks of cells at once

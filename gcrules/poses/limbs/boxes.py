@@ -1,0 +1,287 @@
+r"""Which cells of a sweep are proved free of singular configurations: box by box, large ones first.
+
+Around the configuration in the middle of a box `Cells` shows that for all values of the coordinates in the box there is
+one configuration near by, a continuous one, and that none is singular. A box in which that fails is halved along its
+longest sides, also below the size of a cell. What a proved box holds hangs together: nodes and middles of other boxes
+whose configurations lie in it. Only what hangs together with the first node counts.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+
+import networkx as nx
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.core.budget import checkpoint, report
+from gcrules.mechanisms.kinematics.branch import Cells
+from gcrules.mechanisms.kinematics.determinants import frames, relative_sign
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.poses.limbs.sweep import Sweep, blocks
+from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
+
+__all__ = ["proved_cells"]
+
+Integers = NDArray[np.int64]
+Truths = NDArray[np.bool_]
+
+_UNIT = 8  # parts of a cell along each axis: the smallest boxes
+_LARGEST = 8 * _UNIT
+_NEAR = 1e-9  # room for rounding in comparing configurations
+_ALIKE = 1e-6  # configurations that are the same one
+_MOST = 30_000  # boxes smaller than cells that are tried at once
+_HALVINGS = 3  # of a way from node to node
+
+
+def proved_cells(sweep: Sweep) -> NDArray[np.uint8]:
+    """The status of each cell; `sweep` keeps those nodes only that are proved to hang together with the first one.
+
+    A cell is free where all of it is proved, outside where a corner is not reached, crossed where one branch goes
+    through it and the determinant has both signs at its corners, else undecided.
+    """
+    return _Boxes(sweep).statuses()
+
+
+class _Boxes:
+    def __init__(self, sweep: Sweep) -> None:
+        self.sweep = sweep
+        self.cells = tuple(n - 1 for n in sweep.shape)
+        self.axes = len(self.cells)
+        self.graph = nx.Graph()
+        self.graph.add_node(sweep.first)
+        self.count = len(sweep.reached)  # numbers of nodes are below, of middles from here on
+        self.joined = np.zeros(self.cells, dtype=bool)  # cells through which one branch goes, with all their corners
+        self.crossed = np.zeros(self.cells, dtype=bool)  # of these, those with both signs at their corners
+        self.pieces: list[tuple[Integers, Integers, Integers]] = []  # number, low, width
+        self.sums = _sums(sweep.reached.reshape(sweep.shape))
+
+    def statuses(self) -> NDArray[np.uint8]:
+        low, width = self._first()
+        middles = np.full((len(low), len(self.sweep.units)), np.nan)
+        before, number = np.zeros((len(low), self.axes)), np.full(len(low), -1)
+        while len(low):
+            report(f"proving {len(low):,} boxes")
+            low, width, middles, before, number = self._level(low, width, middles, before, number)
+        return self._statuses()
+
+    def _first(self) -> tuple[Integers, Integers]:
+        sides = []
+        for n in self.cells:
+            ends = [0]
+            while ends[-1] < n * _UNIT:
+                ends.append(ends[-1] + min(_LARGEST, 1 << ((n * _UNIT - ends[-1]).bit_length() - 1)))
+            sides.append(np.array(ends))
+        low = np.stack(np.meshgrid(*(s[:-1] for s in sides), indexing="ij"), axis=-1).reshape(-1, self.axes)
+        width = np.stack(np.meshgrid(*(np.diff(s) for s in sides), indexing="ij"), axis=-1).reshape(-1, self.axes)
+        return low.astype(np.int64), width.astype(np.int64)
+
+    def _level(
+        self, low: Integers, width: Integers, known: Floats, before: Floats, parent: Integers
+    ) -> tuple[Integers, Integers, Floats, Floats, Integers]:
+        """Try boxes; those that are to be halved come back in parts, each with the configuration in the middle of what
+        it is a part of, with the place and the number of that.
+        """
+        sweep = self.sweep
+        lit = self._lit(low, width)
+        low, width, known, before, parent = (a[lit] for a in (low, width, known, before, parent))
+        place = (low + width / 2) / _UNIT
+        amounts, number = self._middles(low, width, place, known, before)
+        one, regular = np.zeros(len(low), dtype=bool), np.zeros(len(low), dtype=bool)
+        reach = np.zeros(amounts.shape)
+        there = np.flatnonzero(~np.isnan(amounts[:, 0]))
+        far = width / (2 * _UNIT) @ np.abs(sweep.steps)
+        for some in blocks(len(there)):
+            checkpoint()
+            k = there[some]
+            cells = Cells.around(sweep.course.m, sweep.course.target, sweep.at(amounts[k]), far[k])
+            one[k], regular[k] = cells.one_branch, cells.one_branch & cells.regular
+            reach[k] = np.concatenate(cells.reach, axis=1) * sweep.units + _NEAR * sweep.units
+        self._join(one, low, width, amounts, reach, number, known, parent)
+        self.pieces.append((number[regular], low[regular], width[regular]))
+        again = ~regular & (width > 1).any(axis=1) & ~self._crossed_cells(low, width)
+        small = again & (width <= _UNIT).all(axis=1)
+        if small.sum() > _MOST:
+            again &= ~small
+        return self._halved(low[again], width[again], amounts[again], place[again], number[again])
+
+    def _crossed_cells(self, low: Integers, width: Integers) -> Truths:
+        """Whether boxes are cells through which one branch goes with both signs of the determinant at its corners."""
+        sweep, m = self.sweep, self.sweep.course.m
+        found = np.zeros(len(low), dtype=bool)
+        cell = low // _UNIT
+        at = np.flatnonzero((width == _UNIT).all(axis=1) & self.joined[tuple(cell.T)])
+        for some in blocks(len(at)):
+            checkpoint()
+            k = at[some]
+            plus, minus = np.zeros(len(k), dtype=bool), np.zeros(len(k), dtype=bool)
+            first = None
+            for corner in product((0, 1), repeat=self.axes):
+                node = sweep.nodes(cell[k] + np.array(corner))
+                own = frames(m, sweep.at(sweep.amounts[node]), m.centre)
+                first = own if first is None else first
+                sign = relative_sign(first, own)
+                plus |= sign > 0
+                minus |= sign < 0
+            found[k] = plus & minus
+        self.crossed[tuple(cell[found].T)] = True
+        return found
+
+    def _lit(self, low: Integers, width: Integers) -> Truths:
+        """Boxes in which, or in the cell around which, a node is reached."""
+        first, last = low // _UNIT, -(-(low + width) // _UNIT)
+        total = np.zeros(len(low), dtype=np.int64)
+        for ends in product((0, 1), repeat=self.axes):
+            corner = np.where(ends, last + 1, first)
+            total += (-1) ** (self.axes - sum(ends)) * self.sums[tuple(corner.T)]
+        return total > 0
+
+    def _middles(
+        self, low: Integers, width: Integers, place: Floats, known: Floats, before: Floats
+    ) -> tuple[Floats, Integers]:
+        """The configurations in the middle of boxes, and their numbers: those of nodes, or solved from what is known,
+        else from a node near by.
+        """
+        sweep = self.sweep
+        number = self.count + np.arange(len(low))
+        self.count += len(low)
+        whole = (np.rint(place) == place).all(axis=1)
+        node = np.full(len(low), -1)
+        node[whole] = sweep.nodes(place[whole])
+        own = whole & sweep.reached[node]
+        number[own] = node[own]
+        source = np.where(np.isnan(known[:, :1]), np.nan, known)
+        begin = before.copy()
+        last = np.array(sweep.shape) - 1
+        for corner in product((0, 1), repeat=self.axes):
+            near = np.clip(np.floor(place) + np.array(corner), 0, last)
+            nodes = sweep.nodes(near)
+            blank = np.isnan(source[:, 0]) & sweep.reached[nodes]
+            source[blank], begin[blank] = sweep.amounts[nodes[blank]], near[blank]
+        found = np.where(own[:, None], sweep.amounts[node], np.nan)
+        rest = ~own & ~np.isnan(source[:, 0])
+        found[rest] = sweep.solved(source[rest], begin[rest], place[rest])
+        return found, number
+
+    def _join(
+        self,
+        one: Truths,
+        low: Integers,
+        width: Integers,
+        amounts: Floats,
+        reach: Floats,
+        number: Integers,
+        known: Floats,
+        parent: Integers,
+    ) -> None:
+        """Note what hangs together: the middle of each box with one branch, the nodes in it, and the middle of the box
+        that it is a part of, where their configurations lie in it.
+        """
+        sweep = self.sweep
+        inside = one & (np.abs(known - amounts) <= reach).all(axis=1)
+        self.graph.add_edges_from(zip(number[inside].tolist(), parent[inside].tolist(), strict=True))
+        first = -(-low // _UNIT)
+        nodes = (low + width) // _UNIT - first + 1  # along each axis, in the box
+        some = one & (nodes > 0).all(axis=1)
+        for shape in np.unique(nodes[some], axis=0):
+            which = np.flatnonzero(some & (nodes == shape).all(axis=1))
+            for part in blocks(len(which)):
+                checkpoint()
+                k = which[part]
+                all_in = np.ones(len(k), dtype=bool)
+                for offset in product(*(range(n) for n in shape)):
+                    node = sweep.nodes(first[k] + np.array(offset))
+                    near = (np.abs(sweep.amounts[node] - amounts[k]) <= reach[k]).all(axis=1)
+                    all_in &= near
+                    self.graph.add_edges_from(zip(number[k[near]].tolist(), node[near].tolist(), strict=True))
+                cell = all_in & (width[k] == _UNIT).all(axis=1)
+                self.joined[tuple((low[k[cell]] // _UNIT).T)] = True
+
+    def _halved(
+        self, low: Integers, width: Integers, amounts: Floats, place: Floats, number: Integers
+    ) -> tuple[Integers, Integers, Floats, Floats, Integers]:
+        """Both halves along each of the longest sides."""
+        parts = [(low, width, np.arange(len(low)))]
+        for axis in range(self.axes):
+            longest = width[:, axis] == width.max(axis=1, initial=0)
+            more = []
+            for at, wide, owner in parts:
+                cut = longest[owner]
+                step = np.zeros_like(at)
+                thin = wide.copy()
+                thin[cut, axis] //= 2
+                step[:, axis] = thin[:, axis]
+                more += [(at, thin, owner), ((at + step)[cut], thin[cut], owner[cut])]
+            parts = more
+        owner = np.concatenate([p[2] for p in parts])
+        lows, widths = (np.concatenate([p[n] for p in parts]) for n in (0, 1))
+        return lows, widths, amounts[owner], place[owner], number[owner]
+
+    def _statuses(self) -> NDArray[np.uint8]:
+        sweep = self.sweep
+        mine = self._linked()
+        free = self._volumes(mine) == _UNIT**self.axes
+        corners = list(product((0, 1), repeat=self.axes))
+        at = [tuple(slice(k, k + n) for k, n in zip(c, self.cells, strict=True)) for c in corners]
+        reached = sweep.reached.reshape(sweep.shape)
+        outside = np.any([~reached[a] for a in at], axis=0)
+        found = np.full(self.cells, UNDECIDED, dtype=np.uint8)
+        found[self.crossed & self.joined] = CROSSED
+        found[outside] = OUTSIDE
+        found[free & ~outside] = FREE
+        return found
+
+    def _linked(self) -> set[int]:
+        """The numbers of all that hangs together with the first node; other nodes are proved one by one, from those
+        beside them, or forgotten.
+        """
+        sweep = self.sweep
+        together = {n: part for part in nx.connected_components(self.graph) for n in part}
+        mine = set(together[sweep.first])
+        kept = np.zeros(len(sweep.reached), dtype=bool)
+        kept[[n for n in mine if n < len(kept)]] = True
+        front = np.flatnonzero(kept)
+        while len(front):
+            found = [front[:0]]
+            for parents, children in sweep.neighbours(front):
+                new = sweep.reached[children] & ~kept[children]
+                parents, children = parents[new], children[new]
+                there = sweep.solved(
+                    sweep.amounts[parents], sweep.places(parents), sweep.places(children), halvings=_HALVINGS
+                )
+                good = ~np.isnan(there[:, 0])
+                for node, amounts in zip(children[good].tolist(), there[good], strict=True):
+                    if kept[node]:
+                        continue
+                    alike = bool((np.abs(sweep.amounts[node] - amounts) <= _ALIKE * sweep.units).all())
+                    part = together.get(node, {node}) if alike else {node}
+                    sweep.amounts[node] = amounts
+                    mine |= part
+                    more = np.array([n for n in part if n < len(kept)])
+                    kept[more] = True
+                    found.append(more)
+            front = np.concatenate(found)
+        sweep.keep(kept)
+        return mine
+
+    def _volumes(self, mine: set[int]) -> Integers:
+        """How much of each cell is proved, in smallest boxes."""
+        found = np.zeros(self.cells, dtype=np.int64)
+        number, low, width = (np.concatenate([p[k] for p in self.pieces]) for k in range(3))
+        own = np.isin(number, np.fromiter(mine, dtype=np.int64, count=len(mine)))
+        low, width = low[own], width[own]
+        sizes = np.maximum(width // _UNIT, 1)
+        for size in np.unique(sizes, axis=0):
+            some = (sizes == size).all(axis=1)
+            share = np.minimum(width[some], _UNIT).prod(axis=1)
+            for offset in product(*(range(n) for n in size)):
+                np.add.at(found, tuple((low[some] // _UNIT + np.array(offset)).T), share)
+        return found
+
+
+def _sums(reached: Truths) -> Integers:
+    """Sums over all nodes before, with zeros in front."""
+    found = np.pad(reached.astype(np.int64), [(1, 0)] * reached.ndim)
+    for axis in range(reached.ndim):
+        found = found.cumsum(axis=axis)
+    return found
