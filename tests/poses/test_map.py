@@ -176,7 +176,7 @@ def test_poses_of_a_slice(robots: dict[str, Analysis], over: list[str], at: str 
 
 def test_angles_stay_as_they_were_typed(robots: dict[str, Analysis]) -> None:
     g = grid_of(robots["octahedral"], ["zyx1 0:1:2 deg", "x 0:1:2"], "0 0 0; euler zyx 10 120 200 deg")
-    assert g.rest == (10, 120, 200)
+    assert g.angles == (10, 120, 200)
     h = grid_of(robots["octahedral"], ["zyx1 0:1:2 deg", "x 0:1:2"], parse_pose("0 0 0; euler zyx 10 120 200 deg"))
     assert np.allclose(g.ends(np.array([g.home])), h.ends(np.array([h.home])))
     locked = grid_of(robots["octahedral"], ["xyz2 0:1:2 deg", "x 0:1:2"], "0 0 0; euler zyx 20 90 0 deg")
@@ -201,7 +201,7 @@ def test_the_polynomial_of_a_slice(
     value = sum((c * math.prod(w**e for w, e in zip(at, k, strict=True)) for k, c in p.items()), F(0))
     assert value == exact_value(g, at)
     if p:
-        w = tuple((c - a.start) / a.step - m for c, a, m in zip(at, g.axes, middle(g), strict=True))
+        w = tuple((c - a.start) / a.step - m for c, a, m in zip(at, g.axes, middle(g.shape), strict=True))
         product = math.prod(f.exact(w) ** f.multiplicity for f in factors(g))
         assert (product == 0) == (value == 0)
 

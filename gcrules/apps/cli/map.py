@@ -16,10 +16,8 @@ from gcrules.core.budget import report
 from gcrules.core.errors import InputError
 from gcrules.core.files import after_writing
 from gcrules.mechanisms.mechanism import mechanism
-from gcrules.poses.maps.axes import read_axes
 from gcrules.poses.maps.maps import MEASURES, bytes_of, done, planned
 from gcrules.poses.maps.store import check_room
-from gcrules.poses.methods import on_six_legs
 from gcrules.views.plots.map_files import MAP_FORMATS, check_outputs
 
 __all__ = ["map_"]
@@ -38,7 +36,7 @@ __all__ = ["map_"]
 @click.option(
     "--limits",
     metavar="RANGES",
-    help='What the legs reach, in the unit of the file: "leg lengths 1..3", or "ab 1..3, cd 2..".',
+    help='What legs or actuators reach: "leg lengths 1..3", "ab 1..3, cd 2..", of joints "q1 -30..30 deg".',
 )
 @click.option(
     "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
@@ -84,31 +82,27 @@ def map_(
     gcrules map robot.yaml --over "x -200:200:201" --over "z -400:100:251" -o map.svg
     gcrules map robot.yaml --over "x -1:1:101" --over "y -1:1:101" --over "z 0:1:51" -o map.nc -o surface.glb
     gcrules map robot.yaml --over "rx -60:60:121 deg" --over "ry -60:60:121 deg" --at "0 0 50" --limits "legs 1..3"
+    gcrules map delta --over "x -0.8:0.8:81" --over "y -0.8:0.8:81" --at "z=0.2" -o map.svg
 
-    The coordinates are x, y, z (translation), rx, ry, rz (rotation vector), zyx1, zyx2, zyx3 or another sequence of
-    Euler angles, or azimuth, tilt, torsion; angles end with deg or rad. A long run may be interrupted: with -o the
-    finished chunks are kept in a folder FILE.part, and the same command goes on from there. "-" reads the robot's
-    file from standard input; the id of a robot with six legs, as of "gcrules robot list", does as well.
+    The coordinates are x, y, z (translation), roll, pitch, yaw, rx, ry, rz (rotation vector), zyx1, zyx2, zyx3 or
+    another sequence of Euler angles, or azimuth, tilt, torsion; angles end with deg or rad. A robot of joints is mapped
+    over x, y, z, roll, pitch, yaw or over its actuators q1, q2 …, from home; --at names what the others are. A long run
+    may be interrupted: with -o the finished chunks are kept in a folder FILE.part, and the same command goes on from
+    there. "-" reads the robot's file from standard input; the id of a robot, as of "gcrules robot list", does as well.
     """
-    legs = on_six_legs(mechanism(warn(read_source(file)), about=about), "a map")
-    check_outputs(outputs, len(read_axes(over, legs.unit)))
+    check_outputs(outputs, len(over))
     work = _folder(outputs)
     if work is None and restart:
         raise InputError("--restart without -o", hint="chunks are kept only where -o names a file")
-    analysis, task, limit = planned(legs, over, at, limits, threshold, measure)
+    plan = planned(mechanism(warn(read_source(file)), about=about), over, at, limits, threshold, measure)
+    task = plan.task
     if work is not None:
         if task.number == 1 and not os.path.isdir(work):
             work = None
         check_room(outputs[0], bytes_of(task) * ((work is not None) + any(o.lower().endswith(".nc") for o in outputs)))
     with working("computing"):
         try:
-            found = done(
-                analysis,
-                task,
-                limit,
-                work=work,
-                restart=restart,
-            )
+            found = done(plan, work=work, restart=restart)
             _save(found, outputs)
         except KeyboardInterrupt:
             if work is not None:

@@ -51,20 +51,12 @@ class Configurations:
             links[0][:, -1] @ self.platform,
         )
 
-    def put(self, chosen: Any, others: Configurations) -> None:
-        """Write others into these places."""
-        for own, other in zip(self.chains, others.chains, strict=True):
-            own.screws[chosen] = other.screws
-        for a, b in zip(self.joint_values, others.joint_values, strict=True):
-            a[chosen] = b
-        self.platform[chosen] = others.platform
-
     @classmethod
-    def empty(cls, like: Configurations, number: int) -> Configurations:
-        """Places for so many configurations of the same robot, not a number yet."""
-
-        def room(a: Floats) -> Floats:
-            return np.full((number, *a.shape[1:]), np.nan)
-
-        chains = (replace(c, screws=room(c.screws)) for c in like.chains)
-        return cls(tuple(chains), tuple(room(a) for a in like.joint_values), room(like.platform))
+    def together(cls, parts: Sequence[Configurations]) -> Configurations:
+        """Several stacks of one robot as one."""
+        limbs = range(len(parts[0].chains))
+        chains = (
+            replace(parts[0].chains[k], screws=np.concatenate([p.chains[k].screws for p in parts])) for k in limbs
+        )
+        amounts = (np.concatenate([p.joint_values[k] for p in parts]) for k in limbs)
+        return cls(tuple(chains), tuple(amounts), np.concatenate([p.platform for p in parts]))

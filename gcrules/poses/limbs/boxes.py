@@ -48,7 +48,7 @@ class _Boxes:
         self.sweep = sweep
         self.cells = tuple(n - 1 for n in sweep.shape)
         self.axes = len(self.cells)
-        self.graph = nx.Graph()
+        self.graph: nx.Graph[int] = nx.Graph()
         self.graph.add_node(sweep.first)
         self.count = len(sweep.reached)  # numbers of nodes are below, of middles from here on
         self.joined = np.zeros(self.cells, dtype=bool)  # cells through which one branch goes, with all their corners
@@ -84,7 +84,7 @@ class _Boxes:
         """
         sweep = self.sweep
         lit = self._lit(low, width)
-        low, width, known, before, parent = (a[lit] for a in (low, width, known, before, parent))
+        low, width, known, before, parent = low[lit], width[lit], known[lit], before[lit], parent[lit]
         place = (low + width / 2) / _UNIT
         amounts, number = self._middles(low, width, place, known, before)
         one, regular = np.zeros(len(low), dtype=bool), np.zeros(len(low), dtype=bool)

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cache
-from heapq import heapify, heappop, heappush
 from itertools import pairwise
+
+import numpy as np
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
@@ -17,7 +18,7 @@ from gcrules.mechanisms.kinematics.branch import Steps, are_regular
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.determinants import Frames, frames, relative_sign
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.loops import Course
+from gcrules.mechanisms.kinematics.loops import Course, close_loops
 from gcrules.mechanisms.kinematics.solve import Solution, goal
 from gcrules.mechanisms.kinematics.targets import Target
 
@@ -120,48 +121,40 @@ class Way:
 
     def proved_to(self, most: int = _MOST) -> float:
         """The part up to which it is proved that nothing is singular."""
-        todo = list(pairwise(self.nodes))[::-1]
-        for _ in range(most):
-            if not todo:
-                return self.end
-            a, b = todo.pop()
-            if self._proved(a, b):
-                continue
-            middle = self._middle(a, b)
-            if middle is None:
-                return a[0]
-            todo += [(middle, b), (a, middle)]
-        return todo[-1][0][0] if todo else self.end
-
-    def _proved(self, a: Node, b: Node) -> bool:
-        here, there = Configurations.of([a[1]]), Configurations.of([b[1]])
-        grown = (b[0] - a[0]) * self.target.values[None]
-        return bool(are_regular(self.m, self.target, Steps.between(here, there, grown))[0])
-
-    def _middle(self, a: Node, b: Node) -> Node | None:
-        """Where a stretch is parted for a proof; None where it is too short."""
-        return self.between(a, b) if b[0] - a[0] > _SHORTEST * self.end else None
+        left = self.unproved(most)
+        return left[0][0] if left else self.end
 
     def unproved(self, most: int = _MOST) -> tuple[Stretch, ...]:
-        """The stretches, those side by side as one, outside of which it is proved that nothing is singular."""
-        # the longest one first
-        todo: list[tuple[float, float, Node, Node]] = []
-        todo += [(a[0] - b[0], a[0], a, b) for a, b in pairwise(self.nodes)]
-        heapify(todo)
+        """The stretches, those side by side as one, outside of which it is proved that nothing is singular. So many
+        stretches are looked at, the longest ones first.
+        """
+        every = Configurations.of([c for _, c in self.nodes])
+        parts = np.array([p for p, _ in self.nodes])
+        ends = np.stack([parts[:-1], parts[1:]], axis=1)
+        here, there = every[:-1], every[1:]
         found: list[Stretch] = []
-        for _ in range(most):
-            if not todo:
-                break
-            *_, a, b = heappop(todo)
-            if self._proved(a, b):
-                continue
-            middle = self._middle(a, b)
-            if middle is None:
-                found.append((a[0], b[0]))
-            else:
-                heappush(todo, (a[0] - middle[0], a[0], a, middle))
-                heappush(todo, (middle[0] - b[0], middle[0], middle, b))
-        found += [(a[0], b[0]) for *_, a, b in todo]
+        while len(ends):
+            checkpoint()
+            order = np.argsort(ends[:, 0] - ends[:, 1], kind="stable")
+            found += map(tuple, ends[order[most:]].tolist())
+            order = order[:most]
+            most -= len(order)
+            ends, here, there = ends[order], here[order], there[order]
+            grown = (ends[:, 1:] - ends[:, :1]) * self.target.values
+            left = ~are_regular(self.m, self.target, Steps.between(here, there, grown))
+            short = ends[:, 1] - ends[:, 0] <= _SHORTEST * self.end
+            found += map(tuple, ends[left & short].tolist())
+            left &= ~short
+            ends, here, there = ends[left], here[left], there[left]
+            middle = ends.mean(axis=1)
+            joints = close_loops(self.course, here, self.course.goal(middle))
+            found += map(tuple, ends[~joints.closed].tolist())
+            ends, middle = ends[joints.closed], middle[joints.closed]
+            here, there = here[joints.closed], there[joints.closed]
+            amounts, links = ([x[joints.closed] for x in several] for several in (joints.amounts, joints.links))
+            between = here.after(amounts, links)
+            ends = np.concatenate([np.stack([ends[:, 0], middle], 1), np.stack([middle, ends[:, 1]], 1)])
+            here, there = Configurations.together([here, between]), Configurations.together([between, there])
         return tuple(_joined(sorted(found)))
 
 

@@ -10,7 +10,7 @@ r"""The coordinates of poses that a map runs over: their names, units and nodes.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -24,27 +24,36 @@ from gcrules.core.hints import run_together
 from gcrules.screws.pose import check_unit, read_number
 from gcrules.screws.rotations import check_sequence
 
-__all__ = ["MAX_NODES", "TILT", "TRANSLATION", "VECTOR", "GridAxis", "parse_axis", "read_axes"]
+__all__ = ["ACTUATOR", "MAX_NODES", "TILT", "TRANSLATION", "TURNS", "VECTOR", "GridAxis", "parse_axis", "read_axes"]
 
 Floats = NDArray[np.float64]
 
 TRANSLATION = ("x", "y", "z")
 VECTOR = ("rx", "ry", "rz")
 TILT = ("azimuth", "tilt", "torsion")
+TURNS = ("yaw", "pitch", "roll")
+"""In the order of the Euler angles zyx, which they are."""
+ACTUATOR = "actuator"
+"""The kind of axes that stand for actuators, of robots of joints."""
 MAX_NODES = 100_000
 """Nodes of one axis; more are refused."""
 
+_DRIVE = re.compile(r"q[1-9]\d*")
 _EULER = re.compile(r"([xyz]{3}|[XYZ]{3})([123])")
 _ANGLES = {"deg": "deg", "degree": "deg", "degrees": "deg", "°": "deg", "rad": "rad", "radian": "rad", "radians": "rad"}
 _FORM = 'write a coordinate, start:stop:number and the unit of angles: "x -200:200:201", "rz -90:90:181 deg"'
-_NAMES = "x, y, z; rx, ry, rz; zyx1, zyx2, zyx3 (or another sequence); azimuth, tilt, torsion"
+_NAMES = (
+    "x, y, z; roll, pitch, yaw; rx, ry, rz; zyx1, zyx2, zyx3 (or another sequence); azimuth, tilt, torsion; of a robot "
+    "of joints its actuators q1, q2 …"
+)
 
 
 @dataclass(frozen=True)
 class GridAxis:
     """`number` nodes of the coordinate `name`, evenly from `start` to `stop`, both included, in `unit`.
 
-    `kind` is translation | vector | tilt | a sequence of Euler angles, `place` which of its three coordinates this is.
+    `kind` is translation | vector | tilt | actuator | a sequence of Euler angles, `place` which of its coordinates this
+    is; roll, pitch and yaw are Euler angles zyx.
     """
 
     name: str
@@ -58,14 +67,16 @@ class GridAxis:
         for kind, names in (("translation", TRANSLATION), ("vector", VECTOR), ("tilt", TILT)):
             if self.name in names:
                 return kind
-        return self.name[:3]
+        if self.name in TURNS:
+            return "zyx"
+        return ACTUATOR if _DRIVE.fullmatch(self.name) else self.name[:3]
 
     @property
     def place(self) -> int:
-        for names in (TRANSLATION, VECTOR, TILT):
+        for names in (TRANSLATION, VECTOR, TILT, TURNS):
             if self.name in names:
                 return names.index(self.name)
-        return int(self.name[3]) - 1
+        return int(self.name.lstrip("q") if self.kind == ACTUATOR else self.name[3]) - 1
 
     @property
     def step(self) -> Fraction:
@@ -101,6 +112,10 @@ class GridAxis:
                     "tilt": "angle by which the platform's z axis is tilted",
                     "torsion": "turn of the platform about its own z axis",
                 }[self.name]
+            case "actuator":
+                return f"amount of the actuator {self.name}, from home"
+        if self.name in TURNS:
+            return f"{self.name} of the platform (rotation: yaw about z, then pitch about y, then roll about x)"
         ordinal = ("first", "second", "third")[self.place]
         return f"{ordinal} Euler angle of the platform, sequence {self.kind}"
 
@@ -124,18 +139,27 @@ def _plain(number: Fraction) -> str:
     return text if Fraction(text) == number else str(number)
 
 
-def read_axes(over: Sequence[str | GridAxis], unit: str = "") -> tuple[GridAxis, ...]:
-    """Two or three axes. Raises InputError for another number, for coordinates that do not go together, and for
-    whatever `parse_axis` refuses.
+def read_axes(
+    over: Sequence[str | GridAxis], unit: str = "", actuators: Mapping[str, bool] | None = None
+) -> tuple[GridAxis, ...]:
+    """Two or three axes; of a robot of joints `actuators` tells which of them are angles. Raises InputError for another
+    number, for coordinates that do not go together, and for whatever `parse_axis` refuses.
     """
     listed = [over] if isinstance(over, (str, GridAxis)) else list(over)
-    axes = tuple(a if isinstance(a, GridAxis) else parse_axis(a, unit) for a in listed)
+    axes = tuple(a if isinstance(a, GridAxis) else parse_axis(a, unit, actuators) for a in listed)
     if len(axes) not in (2, 3):
         raise InputError(f"a map is over two or three coordinates, found {len(axes)}", hint=_FORM)
-    names = [a.name for a in axes]
-    twice = next((n for i, n in enumerate(names) if n in names[:i]), None)
+    meant = [(a.kind, a.place) for a in axes]
+    twice = next((a.name for i, a in enumerate(axes) if meant[i] in meant[:i]), None)
     if twice is not None:
         raise InputError(f"the coordinate {twice} is given twice")
+    driven = [a.name for a in axes if a.kind == ACTUATOR]
+    if driven:
+        if len(driven) < len(axes):
+            raise InputError(
+                f"{driven[0]} is an actuator, and others are coordinates of the pose", hint="take one kind"
+            )
+        return axes
     turns = [a for a in axes if a.kind != "translation"]
     if len({a.kind for a in turns}) > 1:
         raise InputError(
@@ -147,29 +171,33 @@ def read_axes(over: Sequence[str | GridAxis], unit: str = "") -> tuple[GridAxis,
     return axes
 
 
-def parse_axis(text: str, unit: str = "") -> GridAxis:
-    """Read "NAME start:stop:number [unit]"; lengths are in `unit`, which they may name, angles say deg or rad.
+def parse_axis(text: str, unit: str = "", actuators: Mapping[str, bool] | None = None) -> GridAxis:
+    """Read "NAME start:stop:number [unit]"; lengths are in `unit`, which they may name, angles say deg or rad, those of
+    `actuators` that are angles too.
 
     Raises InputError for what is no axis, for numbers that are not finite, for a range that is empty or runs
     backwards and for fewer than two nodes, LimitReached for more than `MAX_NODES`.
     """
     try:
-        return _axis(text.replace("°", " ° ").split(), unit)
+        return _axis(text.replace("°", " ° ").split(), unit, actuators or {})
     except GcrulesError as fault:
         raise fault.located(text, "--over", Span(0, max(len(text), 1))) from None
 
 
-def _axis(words: list[str], unit: str) -> GridAxis:
+def _axis(words: list[str], unit: str, actuators: Mapping[str, bool]) -> GridAxis:
     if not 2 <= len(words) <= 3:
-        apart = run_together(words[0], (*TRANSLATION, *VECTOR, *TILT)) if words else None
+        apart = run_together(words[0], (*TRANSLATION, *VECTOR, *TILT, *TURNS)) if words else None
         more = f", one --over for each of {' and '.join(apart)}" if apart else ""
         raise InputError("this is no coordinate with its range", hint=f"{_FORM}{more}; the coordinates are {_NAMES}")
     name, bounds = words[:2]
-    angle = name not in TRANSLATION
+    angle = actuators.get(name, name not in TRANSLATION)
     euler = _EULER.fullmatch(name)
     if euler:
         check_sequence(euler[1])
-    elif angle and name not in (*VECTOR, *TILT):
+    elif name not in (*TRANSLATION, *VECTOR, *TILT, *TURNS, *actuators):
+        if _DRIVE.fullmatch(name):
+            some = f"the actuators are {', '.join(actuators)}" if actuators else "take coordinates of the pose"
+            raise InputError(f"there is no actuator {name} to map over", hint=some)
         raise InputError(f"{name[:40]!r} is no coordinate of a pose", hint=f"the coordinates are {_NAMES}")
     parts = bounds.split(":")
     if len(parts) != 3:

@@ -33,14 +33,14 @@ MAX_FLAT = 16_000_000
 
 @dataclass(frozen=True)
 class Grid:
-    """Poses over `axes` around the pose `at`. The three angles of the axes' kind are `rest` (in the axes' unit), each
+    """Poses over `axes` around the pose `at`. The three angles of the axes' kind are `angles` (in the axes' unit), each
     replaced where an axis stands for it; without axes that turn the orientation is that of `at`, exactly.
     """
 
     rig: MovingPlatform
     axes: tuple[GridAxis, ...]
     at: Pose
-    rest: Vector = (Fraction(0), Fraction(0), Fraction(0))
+    angles: Vector = (Fraction(0), Fraction(0), Fraction(0))
     notes: tuple[str, ...] = ()
 
     @property
@@ -52,6 +52,28 @@ class Grid:
         return math.prod(self.shape)
 
     @property
+    def title(self) -> str:
+        return self.rig.title
+
+    @property
+    def unit(self) -> str:
+        return self.rig.unit
+
+    @property
+    def actuators(self) -> tuple[str, ...]:
+        return self.rig.names
+
+    @property
+    def rest(self) -> str:
+        """The given pose, in words."""
+        return f'"{self.at.text()}"'
+
+    @property
+    def moved(self) -> bool:
+        """Whether the given pose is not that of the file."""
+        return any(self.at.translation) or self.at.angle != 0
+
+    @property
     def rotation_axis(self) -> GridAxis | None:
         """An axis that turns, if there is one."""
         return next((a for a in self.axes if a.kind != "translation"), None)
@@ -60,7 +82,7 @@ class Grid:
     def home(self) -> tuple[float, ...]:
         """The coordinates of the pose `at`, in the order of the axes."""
         shift = self.at.translation
-        return tuple(float(shift[a.place] if a.kind == "translation" else self.rest[a.place]) for a in self.axes)
+        return tuple(float(shift[a.place] if a.kind == "translation" else self.angles[a.place]) for a in self.axes)
 
     def arrays(self, coordinates: Floats) -> tuple[Floats, Floats]:
         """Poses at coordinates (N, axes), as translations (N, 3) and rotations (N, 3, 3), or (1, 3, 3) for all."""
@@ -71,7 +93,7 @@ class Grid:
         turning = self.rotation_axis
         if turning is None:
             return shift, self._orientation
-        angles = np.repeat(np.array([[float(c) for c in self.rest]]), len(coordinates), axis=0)
+        angles = np.repeat(np.array([[float(c) for c in self.angles]]), len(coordinates), axis=0)
         for k, axis in enumerate(self.axes):
             if axis.kind != "translation":
                 angles[:, axis.place] = coordinates[:, k]
@@ -84,7 +106,7 @@ class Grid:
 
     def pose(self, coordinates: Sequence[Fraction]) -> Pose:
         """The exact pose at exact coordinates."""
-        shift, angles = list(self.at.translation), list(self.rest)
+        shift, angles = list(self.at.translation), list(self.angles)
         for axis, value in zip(self.axes, coordinates, strict=True):
             (shift if axis.kind == "translation" else angles)[axis.place] = value
         x, y, z = shift

@@ -86,6 +86,6 @@ def reach(g: Grid, half: float) -> tuple[float, float]:
 def _largest_tilt(g: Grid) -> float:
     """Over the whole slice, in radians."""
     axis = next((a for a in g.axes if a.name == "tilt"), None)
-    largest = max(abs(axis.start), abs(axis.stop)) if axis else abs(g.rest[1])
+    largest = max(abs(axis.start), abs(axis.stop)) if axis else abs(g.angles[1])
     assert g.rotation_axis is not None
     return float(np.radians(float(largest))) if g.rotation_axis.unit == "deg" else float(largest)

@@ -16,21 +16,23 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from os import PathLike
 from typing import Any
 
 import numpy as np
 
-from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import checkpoint, report
 from gcrules.core.errors import FileError, InputError, LimitReached
+from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import drawn
-from gcrules.core.version import __version__
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
-from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.compiled import compiled
+from gcrules.poses.limbs.map_task import limbs_task
 from gcrules.poses.maps.axes import GridAxis, read_axes
 from gcrules.poses.maps.grid import grid
 from gcrules.poses.maps.joining import joined
@@ -40,12 +42,13 @@ from gcrules.poses.maps.report import Curve, SingularMap
 from gcrules.poses.maps.slices import factors, middle, slice_polynomial, vanishes
 from gcrules.poses.maps.store import Folder, Memory, Store
 from gcrules.poses.maps.summary import MapSummary, summed, together
+from gcrules.poses.maps.task import KINDS, MapTask, width_of
 from gcrules.poses.maps.tracing import polished, traced
-from gcrules.poses.maps.values import KINDS, MapTask
-from gcrules.poses.methods import on_six_legs
+from gcrules.poses.maps.values import LegsTask
+from gcrules.poses.methods import Methods, method
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of
 
-__all__ = ["MEASURES", "bytes_of", "done", "planned", "singular_map"]
+__all__ = ["MEASURES", "Plan", "bytes_of", "done", "planned", "singular_map"]
 
 MEASURES = ("margin", "value")
 _BAR = 24
@@ -68,26 +71,66 @@ def singular_map(
     """The singular poses over two or three coordinates (a `SingularMap`): arrays, curves or a surface, and what is
     proved free of them.
 
-    `source`, `at` (one pose, for the other coordinates) and `about` are those of `pose`, for platforms on six legs.
-    `over` lists coordinates with start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"].
-    `limits` is text such as "leg lengths 1..3"; `threshold` is an angle. `measure` is "margin", or "value" for the
-    superbracket alone, which is quick. `work` names a folder for the chunks of a large map: a run that was interrupted
+    `source`, `at` (one pose, for the other coordinates) and `about` are those of `pose`. `over` lists coordinates with
+    start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"]; for a robot of joints
+    coordinates of its pose or actuators, from home. `limits` is text such as "leg lengths 1..3" or "q1 -30..30 deg";
+    `threshold` is an angle. `measure` is "margin", or for platforms "value" for the superbracket alone, which is quick.
+    `work` names a folder for the chunks of a large map: a run that was interrupted
     goes on from there, unless `restart` throws them away; `.store.close()` removes it. Raises InputError for what makes
     no sense and for degenerate robots, LimitReached for maps that are too large.
     """
-    legs = on_six_legs(mechanism(source, about=about), "a map")
-    return done(*planned(legs, over, at, limits, threshold, measure), work=work, restart=restart)
+    plan = planned(mechanism(source, about=about), over, at, limits, threshold, measure)
+    return done(plan, work=work, restart=restart)
 
 
-def done(
-    analysis: Analysis,
-    task: MapTask,
-    limit: Threshold,
-    *,
-    work: str | PathLike[str] | None = None,
-    restart: bool = False,
-) -> SingularMap:
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """What is to be computed, of which condition, and the threshold."""
+
+    task: MapTask
+    sentence: str
+    wording: Mapping[str, str | None]
+    limit: Threshold
+
+
+def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold: Any, measure: str) -> Plan:
+    """What is to be computed, all faults of the input told."""
+    limit = angle_threshold(threshold, "in a map")
+    if measure not in MEASURES:
+        raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
+    return method(_PLANNED, found, "a map")(over, at, limits, limit, measure)
+
+
+def _of_legs(m: SixLegs, over: Any, at: Any, limits: str | None, limit: Threshold, measure: str) -> Plan:
+    axes = read_axes(over, m.unit)
+    reached = parse_limits(limits, m.actuators, m.unit) if limits is not None else None
+    g = grid(m.rig, axes, at)
+    condition = compiled(m.analysis, about=m.about)
+    moved = g.rotation_axis is not None
+    everywhere = vanishes(g) if moved else not slice_polynomial(g)
+    task = LegsTask(g, condition, measure, reached, None if moved else factors(g), everywhere)
+    stated = m.analysis.condition
+    return Plan(task, stated.sentence, stated.wording(), limit)
+
+
+def _of_limbs(m: Limbs, over: Any, at: Any, limits: str | None, limit: Threshold, measure: str) -> Plan:
+    """By the exact polynomial where the limbs are six legs."""
+    try:
+        legs = m.six_legs()
+    except InputError:
+        stated = m.analysis.statement
+        task = limbs_task(m, over, at, limits, measure)
+        return Plan(task, stated, {"statement": stated, "statement_source": None}, limit)
+    return _of_legs(legs, over, at, limits, limit, measure)
+
+
+_PLANNED: Methods[Plan] = {SixLegs: _of_legs, Limbs: _of_limbs}
+"""The method for each kind of mechanism."""
+
+
+def done(plan: Plan, *, work: str | PathLike[str] | None = None, restart: bool = False) -> SingularMap:
     """What was planned, computed; raises as `singular_map`."""
+    task = plan.task
     store: Store = Memory()
     if work is not None:
         store = Folder.open(str(work), task.names, _manifest(task), restart=restart)
@@ -96,55 +139,23 @@ def done(
             f"{task.grid.size:,} poses: more than {MAX_HELD:,} are not kept in memory",
             hint='name a folder for them, work="map.part" (the command does so for -o map.nc), or take a coarser grid',
         )
-    summary = _computed(task, store, limit)
-    found = SingularMap(task, analysis.condition, limit, store, summary, notes=task.grid.notes)
+    summary = _computed(task, store, plan.limit)
+    parts = (task, plan.sentence, FrozenMap(plan.wording), plan.limit, store, summary)
+    found = SingularMap(*parts, notes=task.grid.notes)
     curves = _curves(found) if len(task.grid.axes) == 2 and not task.everywhere else ()
-    return SingularMap(task, analysis.condition, limit, store, summary, curves, task.grid.notes)
-
-
-def planned(
-    legs: SixLegs, over: Any, at: Any, limits: str | None, threshold: Any, measure: str
-) -> tuple[Analysis, MapTask, Threshold]:
-    """What is to be computed, all faults of the input told."""
-    axes = read_axes(over, legs.unit)
-    limit = angle_threshold(threshold, "in a map")
-    if measure not in MEASURES:
-        raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
-    reached = parse_limits(limits, legs.actuators, legs.unit) if limits is not None else None
-    g = grid(legs.rig, axes, at)
-    condition = compiled(legs.analysis, about=legs.about)
-    moved = g.rotation_axis is not None
-    everywhere = vanishes(g) if moved else not slice_polynomial(g)
-    task = MapTask(g, condition, measure, reached, None if moved else factors(g), everywhere)
-    return legs.analysis, task, limit
+    return SingularMap(*parts, curves, task.grid.notes)
 
 
 def bytes_of(task: MapTask) -> int:
     """How many bytes the arrays of a map take on disk."""
-    each: int = sum(np.dtype(KINDS[n]).itemsize * (6 if n == "leg_length" else 1) for n in task.names)
+    each: int = sum(np.dtype(KINDS[n]).itemsize * width_of(task, n) for n in task.names)
     return each * task.grid.size
 
 
 def _manifest(task: MapTask) -> dict[str, Any]:
     """Of what the chunks of a task are, with a fingerprint of all of it."""
-    g = task.grid
-    found = {
-        "version": __version__,
-        "robot": {
-            "legs": [list(leg) for leg in g.rig.structure.legs],
-            "points": {n: [str(c) for c in p] for n, p in g.rig.points.items()},
-            "unit": g.rig.unit,
-        },
-        "centre": [str(c) for c in g.rig.centre],
-        "pose": [str(c) for c in (*g.at.translation, *g.at.quaternion)],
-        "angles": [str(c) for c in g.rest],
-        "over": [a.text for a in g.axes],
-        "measure": task.measure,
-        "limits": task.limits.to_json() if task.limits else None,
-        "layers": task.layers,
-    }
-    digest = hashlib.sha256(json.dumps(found, sort_keys=True).encode()).hexdigest()
-    return {**found, "fingerprint": digest}
+    digest = hashlib.sha256(json.dumps(task.manifest, sort_keys=True).encode()).hexdigest()
+    return {**task.manifest, "fingerprint": digest}
 
 
 def _computed(task: MapTask, store: Store, limit: Threshold) -> MapSummary:
@@ -202,9 +213,10 @@ def _curves(m: SingularMap) -> tuple[Curve, ...]:
     found: list[tuple[Any, int | None]] = []
     if m.factors is not None:
         for k, f in enumerate(m.factors):
-            found += [(polished(f, line, middle(g)), k) for line in joined(traced(f, g.shape, middle(g)))]
+            start = middle(g.shape)
+            found += [(polished(f, line, start), k) for line in joined(traced(f, g.shape, start))]
     else:
-        found += [(line, None) for line in joined(marched(m.values("superbracket"), m.task.value))]
+        found += [(line, None) for line in joined(marched(m.level, m.task.value, m.task.halvings))]
     curves = []
     for places, factor in found:
         points = g.coordinates(places)

@@ -23,14 +23,14 @@ Value = Callable[[Floats], Floats]
 _HALVINGS = 50
 
 
-def bracketed(value: Value, low: Floats, high: Floats) -> Floats:
+def bracketed(value: Value, low: Floats, high: Floats, halvings: int = _HALVINGS) -> Floats:
     """The zero between places of different signs, (N, axes) each; 0 counts as positive."""
     if not len(low):
         return low
     rising = value(low) < 0
     start, stop = np.zeros(len(low)), np.ones(len(low))
     along = high - low
-    for _ in range(_HALVINGS):
+    for _ in range(halvings):
         t = (start + stop) / 2
         beyond = (value(low + t[:, None] * along) >= 0) == rising
         start, stop = np.where(beyond, start, t), np.where(beyond, t, stop)
@@ -38,19 +38,21 @@ def bracketed(value: Value, low: Floats, high: Floats) -> Floats:
     return found
 
 
-def marched(values: Floats, value: Value) -> Arcs:
-    """The arcs between the zeros on the edges of a grid with these values at its nodes, (n0, n1)."""
-    sign = values >= 0
+def marched(values: Floats, value: Value, halvings: int = _HALVINGS) -> Arcs:
+    """The arcs between the zeros on the edges of a grid with these values at its nodes, (n0, n1); there are none at
+    nodes whose value is not a number.
+    """
+    sign, known = values >= 0, ~np.isnan(values)
     # Edges along the axis 0, then along the axis 1: their zeros, and the numbers of these.
     places, lines, number = [], [], []
     count = 0
     for axis in range(2):
-        changed = np.diff(sign, axis=axis)
+        changed = np.diff(sign, axis=axis) & np.delete(known, 0, axis) & np.delete(known, -1, axis)
         nodes = np.argwhere(changed)
         step = np.zeros(2)
         step[axis] = 1
         low = nodes.astype(np.float64)
-        places.append(bracketed(value, low, low + step))
+        places.append(bracketed(value, low, low + step, halvings))
         lines.append(np.stack([np.full(len(nodes), 1 - axis), nodes[:, 1 - axis]], axis=1))
         table = np.full(changed.shape, -1, dtype=np.int64)
         table[changed] = count + np.arange(len(nodes))

@@ -15,15 +15,13 @@ from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.core.version import __version__
-from gcrules.poses.maps.grid import Grid
 from gcrules.poses.maps.limits import LengthLimits
 from gcrules.poses.maps.mesh import Mesh
-from gcrules.poses.maps.slices import MEMBERS, SliceFactor
+from gcrules.poses.maps.slices import SliceFactor
 from gcrules.poses.maps.store import Store
 from gcrules.poses.maps.summary import MapSummary
 from gcrules.poses.maps.surface import Sheet, of_factor, sheet
-from gcrules.poses.maps.values import Chunk, MapTask
-from gcrules.rules.condition import Condition
+from gcrules.poses.maps.task import Chunk, MapTask, Slice, width_of
 from gcrules.screws.threshold import Threshold, margin_of
 
 if TYPE_CHECKING:
@@ -68,10 +66,12 @@ class SingularMap(HoldsArrays, Shown):
     `values(name)` are arrays over the grid, in the order of the axes (`arrays` are their names); `curves` are the
     singular curves of a map over two coordinates, `mesh` is the surface of one over three. `factors` are those of the
     superbracket where it is a polynomial on the slice (None otherwise), `everywhere` says that it is 0 throughout.
+    `sentence` is the robot's condition in words, `wording` that with its source apart.
     """
 
     task: MapTask
-    condition: Condition
+    sentence: str
+    wording: Mapping[str, str | None]
     threshold: Threshold
     store: Store
     summary: MapSummary
@@ -79,7 +79,7 @@ class SingularMap(HoldsArrays, Shown):
     notes: tuple[str, ...] = ()
 
     @property
-    def grid(self) -> Grid:
+    def grid(self) -> Slice:
         return self.task.grid
 
     @property
@@ -96,8 +96,16 @@ class SingularMap(HoldsArrays, Shown):
 
     @property
     def arrays(self) -> tuple[str, ...]:
-        """superbracket, and as asked for margin, leg_length, allowed; cell_status has an entry for each cell."""
+        """Of platforms superbracket, and as asked for margin, leg_length, allowed; of robots of joints margin (not a
+        number where they are not reached), the sign of the determinant, actuator and allowed. cell_status has an entry
+        for each cell.
+        """
         return self.task.names
+
+    @property
+    def level(self) -> Floats:
+        """What changes its sign at singular poses, at the nodes; not a number where it is not known."""
+        return np.concatenate([self.task.level(chunk) for _, chunk in self.chunks()])
 
     @property
     def sigma(self) -> float:
@@ -121,7 +129,7 @@ class SingularMap(HoldsArrays, Shown):
         """One array over the whole grid. Raises LimitReached where it is too large to be in memory."""
         if name not in self.arrays:
             raise InputError(f"the map has no {name!r}", hint=f"it has {', '.join(self.arrays)}")
-        if self.grid.size * (6 if name == "leg_length" else 1) > MAX_IN_MEMORY:
+        if self.grid.size * width_of(self.task, name) > MAX_IN_MEMORY:
             raise LimitReached(f"{name} is too large to be in memory", hint="write a NetCDF file, or use chunks()")
         return np.concatenate([chunk[name] for _, chunk in self.chunks()])
 
@@ -138,7 +146,7 @@ class SingularMap(HoldsArrays, Shown):
         if task.factors is not None:
             sheets: list[Sheet] = []
             for f in task.factors:
-                sheets.append(sheet(*of_factor(f, g), g.shape, before=sum(len(s[2]) for s in sheets)))
+                sheets.append(sheet(*of_factor(f, g.shape), g.shape, before=sum(len(s[2]) for s in sheets)))
         else:
             sheets = [] if self.everywhere else [sheet(task.value, self._layers, g.shape)]
         steps = np.array([float(a.step) for a in g.axes])
@@ -163,40 +171,26 @@ class SingularMap(HoldsArrays, Shown):
         )
 
     def _layers(self, first: int, last: int) -> Floats:
-        """The superbracket at layers from `first` to the one before `last`, from the chunks."""
+        """The level at layers from `first` to the one before `last`, from the chunks."""
         found = []
         for n in range(first // self.task.layers, -(-last // self.task.layers)):
             start, stop = self.task.span(n)
-            found.append(self._chunk(n)["superbracket"][max(first - start, 0) : min(last, stop) - start])
+            found.append(self.task.level(self._chunk(n))[max(first - start, 0) : min(last, stop) - start])
         return np.concatenate(found)
 
     def allows(self, coordinates: Floats) -> NDArray[np.bool_]:
         """Which poses at coordinates (N, axes) keep to the limits."""
-        found = np.ones(len(coordinates), dtype=bool)
-        if self.limits is None:
-            return found
-        for start in range(0, len(coordinates), 100_000):
-            part = slice(start, start + 100_000)
-            lengths = np.linalg.norm(self.grid.ends(coordinates[part]) - self.grid.rig.base, axis=2)
-            found[part] = self.limits.allow(lengths)
-        return found
+        return np.asarray(self.task.spare(coordinates) >= 0)
 
     @property
     def about(self) -> Mapping[str, str]:
         """What the map is, for the attributes of files; no dates, so that equal maps are equal files."""
-        rig = self.grid.rig
-        legs = ", ".join(rig.names)
+        title = self.grid.title or "a robot"
         found = {
             "Conventions": "CF-1.11",
-            "title": f"Singular poses of {rig.title or 'a robot'} over {', '.join(a.name for a in self.grid.axes)}",
+            "title": f"Singular poses of {title} over {', '.join(a.name for a in self.grid.axes)}",
             "source": f"gcrules {__version__}",
-            "robot": rig.title,
-            "legs": legs,
-            "condition": self.condition.sentence,
-            "superbracket": self.task.condition.expression,
-            "pose_of_the_rest": self.grid.at.text(),
-            "centre_of_turns": " ".join(f"{float(c):.17g}" for c in rig.centre),
-            "unit_of_length": rig.unit or "not named",
+            **self.task.about(self.sentence),
             "axes": "; ".join(a.text for a in self.grid.axes),
             "limits": self.limits.text if self.limits else "none",
             "guarantee": self.guarantee,
@@ -206,35 +200,15 @@ class SingularMap(HoldsArrays, Shown):
     @property
     def guarantee(self) -> str:
         """What is proved, in one sentence."""
-        free, crossed, undecided = self.summary.cells
-        if self.everywhere and self.factors is None:
-            return f"every pose is singular: the superbracket is exactly 0 in {MEMBERS} random poses of the slice"
-        if self.everywhere:
-            return "the superbracket is the zero polynomial on this slice, exactly: every pose is singular"
-        if self.factors is None and self.task.measure == "value":
-            return f"none: {crossed:,} cells are crossed by a change of sign; --measure margin proves others free"
-        if self.factors is not None:
-            how = "the superbracket is an exact polynomial there, its Bernstein coefficients show its signs"
-        else:
-            how = "by the margin at their middles"
-        left = f"{crossed:,} crossed, {undecided:,} undecided"
-        return (
-            f"every singular pose of the slice lies in the {crossed + undecided:,} cells that are not free ({left}); "
-            + (f"{free:,} cells are proved free: {how}")
-        )
+        return self.task.guarantee(self.summary)
 
     def to_json(self) -> dict[str, Any]:
         """One JSON object, with the curves but without the arrays."""
-        g = self.grid
         return {
             "schema": 1,
-            "title": g.rig.title,
-            "unit": g.rig.unit,
-            "legs": [list(leg) for leg in g.rig.structure.legs],
-            "platform": list(g.rig.structure.platform),
-            "about": [float(c) for c in g.rig.centre],
-            **g.to_json(),
-            **self.condition.wording(),
+            **self.task.subject(),
+            **self.grid.to_json(),
+            **self.wording,
             "measure": self.task.measure,
             "limits": self.limits.to_json() if self.limits else None,
             "threshold": {"angle": self.threshold.angle},

@@ -78,9 +78,9 @@ class SliceFactor:
         return {"degree": self.degree, "multiplicity": self.multiplicity, "polynomial": self.text or None}
 
 
-def middle(g: Grid) -> tuple[int, ...]:
+def middle(shape: tuple[int, ...]) -> tuple[int, ...]:
     """The node of each axis from which w is counted."""
-    return tuple((a.number - 1) // 2 for a in g.axes)
+    return tuple((n - 1) // 2 for n in shape)
 
 
 def slice_polynomial(g: Grid) -> Polynomial:
@@ -173,5 +173,5 @@ def factors(g: Grid) -> tuple[SliceFactor, ...]:
 
 
 def _in_nodes(p: Polynomial, g: Grid) -> Polynomial:
-    lines = [(k, a.start + m * a.step, a.step) for k, (a, m) in enumerate(zip(g.axes, middle(g), strict=True))]
+    lines = [(k, a.start + m * a.step, a.step) for k, (a, m) in enumerate(zip(g.axes, middle(g.shape), strict=True))]
     return _substituted(p, lines, len(g.axes))

@@ -20,7 +20,7 @@ import numpy as np
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.files import unwritable
 from gcrules.core.frozen import HoldsArrays
-from gcrules.poses.maps.values import Chunk
+from gcrules.poses.maps.task import Chunk
 
 __all__ = ["Folder", "Memory", "Store", "check_room", "written"]
 

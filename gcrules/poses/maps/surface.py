@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.poses.maps.grid import Grid
 from gcrules.poses.maps.marching import bracketed
 from gcrules.poses.maps.slices import SliceFactor, middle
 
@@ -38,9 +37,9 @@ Sheet = tuple[Floats, Floats, Integers, NDArray[np.bool_]]
 """Places in nodes (V, 3), gradients there (per node), triangles (F, 3), and which places were brought to zero."""
 
 
-def of_factor(f: SliceFactor, g: Grid) -> tuple[Value, Layers]:
+def of_factor(f: SliceFactor, shape: tuple[int, ...]) -> tuple[Value, Layers]:
     """A factor as a function of places, and at layers of nodes."""
-    start = np.array(middle(g), dtype=np.float64)
+    start = np.array(middle(shape), dtype=np.float64)
     exponents = sorted(f.polynomial)
 
     def value(places: Floats) -> Floats:
@@ -53,7 +52,7 @@ def of_factor(f: SliceFactor, g: Grid) -> tuple[Value, Layers]:
         return found
 
     def layers(first: int, last: int) -> Floats:
-        nodes = [np.arange(first, last), np.arange(g.shape[1]), np.arange(g.shape[2])]
+        nodes = [np.arange(first, last), np.arange(shape[1]), np.arange(shape[2])]
         powers = [np.stack([(n - c) ** k for k in range(4)]) for n, c in zip(nodes, start, strict=True)]
         found: Floats = np.einsum("pqr,pi,qj,rk->ijk", f.tensor, *powers, optimize=True)
         return found
@@ -73,13 +72,15 @@ def sheet(value: Value, layers: Layers, shape: tuple[int, ...], before: int = 0)
     for first, last in _slabs(shape):
         checkpoint()
         values = layers(first, last)
-        largest = float(np.abs(values).max(initial=0))
-        if not largest or values.min() >= 0 or values.max() < 0:
+        known = ~np.isnan(values)
+        largest = float(np.abs(values[known]).max(initial=0))
+        if not largest or values[known].min() >= 0 or values[known].max() < 0:
             border = border[0][:0], border[1][:0]
             continue
         small = (values / largest).astype(np.float32)
         small = np.where(values >= 0, np.maximum(small, _TINY), np.minimum(small, -_TINY))
-        found, corners, _, _ = march(small, level=0.0, allow_degenerate=False)
+        mask = None if known.all() else known
+        found, corners, _, _ = march(small, level=0.0, allow_degenerate=False, mask=mask)
         vertex = np.asarray(found, dtype=np.float64) + np.array([first, 0, 0])
         triangles += len(corners)
         if triangles > MAX_TRIANGLES:

@@ -8,7 +8,6 @@ for the cells between its layers and up to the next one.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,28 +16,21 @@ from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.frozen import HoldsArrays
+from gcrules.core.version import __version__
 from gcrules.poses.compiling.compiled import CompiledCondition
 from gcrules.poses.maps.cells import CROSSED, FREE, UNDECIDED, certified
 from gcrules.poses.maps.grid import Grid
 from gcrules.poses.maps.guarded import guarded
 from gcrules.poses.maps.limits import LengthLimits
-from gcrules.poses.maps.slices import SliceFactor, middle
+from gcrules.poses.maps.slices import MEMBERS, SliceFactor, middle
+from gcrules.poses.maps.summary import MapSummary
+from gcrules.poses.maps.task import Chunk
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.margin import jacobian
 
-__all__ = ["KINDS", "Chunk", "MapTask"]
+__all__ = ["LegsTask"]
 
 Floats = NDArray[np.float64]
-Chunk = Mapping[str, NDArray[Any]]
-
-KINDS: Mapping[str, Any] = {
-    "superbracket": np.float64,
-    "margin": np.float32,
-    "leg_length": np.float32,
-    "allowed": np.uint8,
-    "cell_status": np.uint8,
-}
-"""The arrays that a chunk can have, and their types."""
 
 _POSES = 120_000  # in one chunk, about
 _ROUNDING = 1e-12  # of σ: less is 0
@@ -46,8 +38,9 @@ _BATCH = 20_000  # poses whose Jacobians are in memory at once
 
 
 @dataclass(frozen=True, eq=False)
-class MapTask(HoldsArrays):
-    """What is computed: `measure` is margin (everything) or value (the superbracket, and what the limits need).
+class LegsTask(HoldsArrays):
+    """A `MapTask` of a platform on six legs: `measure` is margin (everything) or value (the superbracket, and what the
+    limits need).
 
     `factors` are those of the superbracket where all axes are translations, else None; `everywhere` says that it is
     exactly 0 in all poses of the slice.
@@ -59,6 +52,8 @@ class MapTask(HoldsArrays):
     limits: LengthLimits | None
     factors: tuple[SliceFactor, ...] | None
     everywhere: bool = False
+
+    halvings = 50
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -84,6 +79,96 @@ class MapTask(HoldsArrays):
     def value(self, places: Floats) -> Floats:
         """The superbracket at places (N, axes) that are counted in nodes."""
         return self.condition(*self.grid.arrays(self.grid.coordinates(places)))
+
+    def level(self, chunk: Chunk) -> Floats:
+        """The superbracket at the nodes."""
+        return chunk["superbracket"]
+
+    def spare(self, coordinates: Floats) -> Floats:
+        """By how much poses (N, axes) keep to the limits of leg lengths; below 0: not."""
+        if self.limits is None:
+            return np.ones(len(coordinates))
+        parts = [np.zeros(0)]
+        for start in range(0, len(coordinates), 5 * _BATCH):
+            ends = self.grid.ends(coordinates[start : start + 5 * _BATCH])
+            parts.append(self.limits.margin(np.linalg.norm(ends - self.grid.rig.base, axis=2)))
+        return np.concatenate(parts)
+
+    @property
+    def accuracy(self) -> str:
+        """How curves are found that are no zeros of a polynomial."""
+        return (
+            "curves are traced from the signs at the nodes, zeros on edges found by halving; pieces smaller than a "
+            "cell may be missed, but in undecided cells only"
+        )
+
+    @property
+    def guard(self) -> str:
+        """What a margin guarantees."""
+        return "no pose is singular before some leg has turned by asin(sigma) relative to the platform"
+
+    def about(self, sentence: str) -> dict[str, str]:
+        """The robot, its condition and the pose of the other coordinates."""
+        rig = self.grid.rig
+        return {
+            "robot": rig.title,
+            "legs": ", ".join(rig.names),
+            "condition": sentence,
+            "superbracket": self.condition.expression,
+            "pose_of_the_rest": self.grid.at.text(),
+            "centre_of_turns": " ".join(f"{float(c):.17g}" for c in rig.centre),
+            "unit_of_length": rig.unit or "not named",
+        }
+
+    def subject(self) -> dict[str, Any]:
+        """The robot and its legs."""
+        rig = self.grid.rig
+        return {
+            "title": rig.title,
+            "unit": rig.unit,
+            "legs": [list(leg) for leg in rig.structure.legs],
+            "platform": list(rig.structure.platform),
+            "about": [float(c) for c in rig.centre],
+        }
+
+    def guarantee(self, summary: MapSummary) -> str:
+        """What is proved, in one sentence."""
+        free, crossed, undecided = summary.cells
+        if self.everywhere and self.factors is None:
+            return f"every pose is singular: the superbracket is exactly 0 in {MEMBERS} random poses of the slice"
+        if self.everywhere:
+            return "the superbracket is the zero polynomial on this slice, exactly: every pose is singular"
+        if self.factors is None and self.measure == "value":
+            return f"none: {crossed:,} cells are crossed by a change of sign; --measure margin proves others free"
+        if self.factors is not None:
+            how = "the superbracket is an exact polynomial there, its Bernstein coefficients show its signs"
+        else:
+            how = "by the margin at their middles"
+        left = f"{crossed:,} crossed, {undecided:,} undecided"
+        return (
+            f"every singular pose of the slice lies in the {crossed + undecided:,} cells that are not free ({left}); "
+            + (f"{free:,} cells are proved free: {how}")
+        )
+
+    @property
+    def manifest(self) -> dict[str, Any]:
+        """Of what its chunks are."""
+        g = self.grid
+        return {
+            "version": __version__,
+            "robot": {
+                "legs": [list(leg) for leg in g.rig.structure.legs],
+                "points": {n: [str(c) for c in p] for n, p in g.rig.points.items()},
+                "unit": g.rig.unit,
+            },
+            "centre": [str(c) for c in g.rig.centre],
+            "pose": [str(c) for c in (*g.at.translation, *g.at.quaternion)],
+            "angles": [str(c) for c in g.angles],
+            "over": [a.text for a in g.axes],
+            "measure": self.measure,
+            "limits": self.limits.to_json() if self.limits else None,
+            "layers": self.layers,
+        }
 
     def compute(self, chunk: int) -> Chunk:
         """All arrays of a chunk."""
@@ -136,7 +221,7 @@ class MapTask(HoldsArrays):
         if self.everywhere:
             return np.full(shape, CROSSED, dtype=np.uint8)
         if self.factors is not None:
-            start = middle(self.grid)
+            start = middle(self.grid.shape)
             reach = tuple(max(m, n - 1 - m) for m, n in zip(start, self.grid.shape, strict=True))
             return certified(self.factors, (first - start[0], *(-m for m in start[1:])), shape, reach)
         low = high = values

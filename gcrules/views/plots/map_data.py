@@ -12,13 +12,18 @@ from numpy.typing import NDArray
 from gcrules.core.errors import InputError
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.maps.report import SingularMap
-from gcrules.poses.maps.values import KINDS
+from gcrules.poses.maps.task import KINDS
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
 __all__ = ["Variable", "dataset", "netcdf"]
 
+_DIMENSIONS = {
+    "leg_length": ("leg", "legs of the robot"),
+    "actuator": ("driven", "actuators of the robot"),
+}
+"""The further dimension of arrays that have one."""
 _UNITS = {"deg": "degree", "rad": "radian"}
 
 
@@ -94,8 +99,9 @@ def _coordinates(m: SingularMap) -> dict[str, Variable]:
         found[f"{a.name}_cell"] = Variable(
             (f"{a.name}_cell",), {"long_name": f"{a.name} in the middle of cells", **_unit(a.unit)}, middles
         )
-    if "leg_length" in m.arrays:
-        found["leg"] = Variable(("leg",), {"long_name": "legs of the robot"}, np.array(m.grid.rig.names))
+    for name, (dimension, words) in _DIMENSIONS.items():
+        if name in m.arrays:
+            found[dimension] = Variable((dimension,), {"long_name": words}, np.array(m.grid.actuators))
     return found
 
 
@@ -105,7 +111,7 @@ def _unit(unit: str) -> dict[str, str]:
 
 def _variables(m: SingularMap) -> dict[str, Variable]:
     names = tuple(a.name for a in m.grid.axes)
-    unit = m.grid.rig.unit
+    unit = m.grid.unit
     about: dict[str, dict[str, Any]] = {
         "superbracket": {
             "long_name": "superbracket of the six legs, 0 in singular poses",
@@ -114,24 +120,30 @@ def _variables(m: SingularMap) -> dict[str, Variable]:
         "margin": {
             "long_name": "margin sigma, 0 in singular poses, at most 1",
             "units": "1",
-            "comment": "no pose is singular before some leg has turned by asin(sigma) relative to the platform",
+            "comment": m.task.guard,
             "threshold": m.sigma,
         },
+        "sign": {
+            "long_name": "sign of the determinant of all wrenches, 0 where it is not known",
+            "comment": "that of the first node is 1; singular poses part the signs",
+        },
         "leg_length": {"long_name": "lengths of the legs", **_unit(unit)},
+        "actuator": {"long_name": "amounts of the actuators from home, angles in radians"},
         "allowed": {
-            "long_name": "whether the leg lengths keep to the limits",
+            "long_name": "whether the pose is reached within the limits of legs or actuators",
             "flag_values": np.array([0, 1], dtype=np.uint8),
             "flag_meanings": "outside within",
             "limits": m.limits.text if m.limits else "none",
         },
         "cell_status": {
             "long_name": "whether the cell is proved free of singular poses",
-            "flag_values": np.array([0, 1, 2], dtype=np.uint8),
+            "flag_values": np.arange(len(MEANINGS), dtype=np.uint8),
             "flag_meanings": " ".join(MEANINGS),
             "comment": m.guarantee,
         },
     }
-    dims = {"leg_length": (*names, "leg"), "cell_status": tuple(f"{n}_cell" for n in names)}
+    dims = {name: (*names, dimension) for name, (dimension, _) in _DIMENSIONS.items()}
+    dims["cell_status"] = tuple(f"{n}_cell" for n in names)
     return {name: Variable(dims.get(name, names), about[name]) for name in m.arrays}
 
 

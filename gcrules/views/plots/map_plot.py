@@ -116,10 +116,9 @@ def _flat(m: SingularMap) -> Figure:
     if extent[0] <= home[0] <= extent[1] and extent[2] <= home[1] <= extent[3]:
         style: Any = {"marker": "P", "ms": 8.5, "mfc": "white", "mec": _INK, "mew": 1.1, "ls": "none"}
         axes.plot(*home, **style, zorder=7, clip_on=False)
-        moved = any(m.grid.at.translation) or m.grid.at.angle != 0
-        handles.append(Line2D([], [], **style, label="given pose" if moved else "home pose"))
+        handles.append(Line2D([], [], **style, label="given pose" if m.grid.moved else "home pose"))
     axes.set(xlabel=first.label, ylabel=second.label, xlim=extent[:2], ylim=extent[2:])
-    axes.set_title(m.grid.rig.title, fontsize=11)
+    axes.set_title(m.grid.title, fontsize=11)
     axes.tick_params(direction="out", length=3, width=0.7)
     if same:
         axes.set_aspect("equal", adjustable="box" if 0.4 < span[1] / span[0] < 2.5 else "datalim")
@@ -142,7 +141,7 @@ def _places(m: SingularMap) -> tuple[Floats, Floats, list[int]]:
 
 
 def _margin(m: SingularMap, made: Figure, axes: Any, x: Floats, y: Floats, sigma: Floats, handles: list[Any]) -> None:
-    top = float(sigma.max())
+    top = float(np.nanmax(sigma, initial=0.0))
     bounds = _bounds(top)
     norm = BoundaryNorm(bounds, _SIGMA.N)
     dx, dy = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
@@ -158,7 +157,7 @@ def _margin(m: SingularMap, made: Figure, axes: Any, x: Floats, y: Floats, sigma
         zorder=1,
     )
     axes.contour(x, y, sigma.T, levels=bounds[1:-1], colors="white", linewidths=0.35, alpha=0.7, zorder=2)
-    if float(sigma.min()) < m.sigma < top:
+    if float(np.nanmin(sigma, initial=1.0)) < m.sigma < top:
         rim: Any = {"path_effects": [withStroke(linewidth=2.0, foreground=_INK)]}
         lines = axes.contour(x, y, sigma.T, levels=[m.sigma], colors=[_YELLOW], linewidths=1.0, zorder=3)
         lines.set(**rim)
@@ -203,13 +202,10 @@ def _grown(cells: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _limits(m: SingularMap, axes: Any, handles: list[Any]) -> None:
-    """What the legs do not reach, hatched."""
-    if m.limits is None:
-        return
+    """What is not reached, hatched."""
     x, y = (np.linspace(float(a.start), float(a.stop), min(300, 2 * a.number)) for a in m.grid.axes)
     places = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
-    lengths = np.linalg.norm(m.grid.ends(places) - m.grid.rig.base, axis=2)
-    margin = m.limits.margin(lengths).reshape(len(x), len(y)).T
+    margin = m.task.spare(places).reshape(len(x), len(y)).T
     if margin.min() >= 0:
         return
     low = [float(margin.min()) - 1, 0.0]

@@ -56,7 +56,7 @@ def views(m: SingularMap) -> Figure:
         axes.imshow(image, extent=(-half, half, -half, half), origin="lower", zorder=2, interpolation="antialiased")
         _box(axes, frame, size, front=True)
         _ranges(axes, m, frame, size)
-    made.suptitle(m.grid.rig.title, fontsize=11, y=0.985)
+    made.suptitle(m.grid.title, fontsize=11, y=0.985)
     if handles:
         made.legend(handles=handles, loc="lower center", ncols=min(4, len(handles)), frameon=False, fontsize=9)
     return made
@@ -84,11 +84,8 @@ def _half(frame: Floats, size: Floats) -> float:
 
 
 def _margin(m: SingularMap, mesh: Mesh) -> Floats:
-    """By how much each vertex keeps to the limits of leg lengths (below 0: not)."""
-    if m.limits is None:
-        return np.ones(len(mesh.vertices))
-    lengths = np.linalg.norm(m.grid.ends(mesh.vertices) - m.grid.rig.base, axis=2)
-    return m.limits.margin(lengths)
+    """By how much each vertex keeps to the limits (below 0: not)."""
+    return m.task.spare(mesh.vertices)
 
 
 def _rendered(mesh: Mesh, places: Floats, normals: Floats, margin: Floats, half: float) -> Bytes:

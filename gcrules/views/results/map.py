@@ -24,13 +24,14 @@ def as_text(m: SingularMap, *, unicode: bool = False) -> str:
 
 def _lines(m: SingularMap) -> Iterator[str]:
     g = m.grid
-    rows = [("map", f"{' × '.join(f'{n:,}' for n in g.shape)} poses of {g.rig.title or 'the robot'}")]
+    rows = [("map", f"{' × '.join(f'{n:,}' for n in g.shape)} poses of {g.title or 'the robot'}")]
     for a in g.axes:
         span = f"{a.name} from {float(a.start):g} to {float(a.stop):g} {a.unit}".rstrip()
         rows.append(("over", f"{span}, every {float(a.step):.4g}: {a.meaning}"))
-    rows.append(("rest", f'"{g.at.text()}"'))
+    rows.append(("rest", g.rest))
     if m.limits:
         rows.append(("limits", m.limits.text))
+    if m.limits or m.summary.outside:
         rows.append(("reached", f"{_share(m.summary.allowed, m.summary.poses)} of the poses"))
     if m.summary.margin is not None and m.summary.place is not None:
         at = ", ".join(f"{a.name} = {c:.6g}" for a, c in zip(g.axes, m.summary.place, strict=True))
@@ -56,11 +57,7 @@ def _found(m: SingularMap) -> Iterator[tuple[str, str]]:
         listed = f"{len(m.curves)} ({closed} closed){reached}" if m.curves else "none"
         yield "curves", listed
         if m.factors is None and not m.everywhere:
-            yield (
-                "accuracy",
-                "curves are traced from the signs at the nodes, zeros on edges found by halving; pieces smaller than a "
-                "cell may be missed, but in undecided cells only",
-            )
+            yield "accuracy", m.task.accuracy
 
 
 def _share(part: int, whole: int) -> str:
