@@ -193,7 +193,7 @@ def _answers() -> Iterator[type]:
         if not module.name.startswith(("gcrules._", "gcrules.apps.cli")):
             classes = filter(inspect.isclass, vars(importlib.import_module(module.name)).values())
             own = (c for c in classes if c.__module__ == module.name and not inspect.isabstract(c))
-            yield from (c for c in own if "to_json" in vars(c))
+            yield from (c for c in own if "to_json" in vars(c) and not getattr(c, "_is_protocol", False))
 
 
 ANSWERS = list(_answers())

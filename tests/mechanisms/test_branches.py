@@ -17,7 +17,10 @@ from gcrules.apps.cli import cli
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.chains import Chain
+from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.margin import margin
@@ -28,6 +31,7 @@ from gcrules.mechanisms.kinematics.tubes import Arm, follows, keeps_rank, spread
 from gcrules.mechanisms.load import read_robot
 from gcrules.poses.limbs.assembly_mode import AssemblyMode, assembly_mode
 from gcrules.poses.limbs.remark import home_remark
+from gcrules.rules.plugin import shipped_folder
 from gcrules.screws.pose_text import parse_pose
 
 IDS = tuple(one.id for one in robots())
@@ -361,6 +365,25 @@ def test_what_is_stretched_is_not_proved() -> None:
     tube = [np.zeros(1), np.zeros(3)]
     assert not keeps_rank(spreads(four_bar(0.0)), free, 0, tube)
     assert keeps_rank(spreads(four_bar(0.8)), free, 0, tube)
+
+
+def test_freedoms_that_stay_at_rest_count() -> None:
+    """A pair of rods may turn about itself at once, though it has to stay parallel: here the platform can turn, and
+    nowhere near is a proof that it cannot."""
+    text = (shipped_folder() / "delta" / "robot.yaml").read_text(encoding="utf-8")
+    home = {"d1": "[0, 1, -5]", "d2": "[3/2, 1, -5]", "d3": "[3/2, -1, -5]"}  # each in the plane of its hinge and z
+    lines = [f"  {n}: {home[n]}" if (n := line.split(":")[0].strip()) in home else line for line in text.splitlines()]
+    m = linkage(parse_robot("\n".join(lines)))
+    here = Configurations.of([m.home])
+    assert margin(m, m.home).sigma < 1e-12
+    for width in (1e-6, 1e-3, 0.05):
+        cells = Cells.around(m, Target(("x", "y", "z"), np.zeros(3)), here, np.full((1, 3), width))
+        assert not cells.regular[0]
+    plain = linkage(read_robot("delta"))
+    cells = Cells.around(
+        plain, Target(("x", "y", "z"), np.zeros(3)), Configurations.of([plain.home]), np.full((1, 3), 1e-3)
+    )
+    assert cells.regular[0]
 
 
 def test_words_of_modes() -> None:

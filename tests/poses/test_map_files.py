@@ -46,7 +46,7 @@ def test_data_are_read_back(robots: dict[str, Analysis], tmp_path: Path, monkeyp
         assert found.superbracket.units == "mm9"
         assert found.margin.dims == ("x", "z")
         assert found.leg_length.sel(leg="af").shape == (15, 16)
-        assert found.cell_status.attrs["flag_meanings"] == "free crossed undecided"
+        assert found.cell_status.attrs["flag_meanings"] == "free crossed undecided outside"
         assert found.attrs["Conventions"].startswith("CF")
         assert set(found.data_vars) >= set(m.arrays)
         assert float(found.margin.sel(x=0, z=-20, method="nearest")) == m.values("margin")[7, 12]
@@ -105,16 +105,16 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """The chunks that are computed; they are small."""
     monkeypatch.setattr(values, "_POSES", 40)
     found: list[int] = []
-    compute = values.MapTask.compute
+    compute = values.LegsTask.compute
 
-    def count(self: values.MapTask, chunk: int) -> Any:
+    def count(self: values.LegsTask, chunk: int) -> Any:
         if -1 in found and len(found) > 3:
             found.remove(-1)
             raise KeyboardInterrupt
         found.append(chunk)
         return compute(self, chunk)
 
-    monkeypatch.setattr(values.MapTask, "compute", count)
+    monkeypatch.setattr(values.LegsTask, "compute", count)
     return found
 
 

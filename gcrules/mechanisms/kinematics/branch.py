@@ -81,7 +81,7 @@ def are_regular(m: Linkage, wanted: Target, steps: Steps) -> Truths:
     tubes = _tubes(m, wanted, steps)
     arms = _arms(m, steps.here, steps.amounts)
     reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, tubes, strict=True)]
-    return keeps_rank(spreads(arms), _passive(m), _passive_idle(m), reach)
+    return keeps_rank(spreads(arms), _undriven(m), _undriven_idle(m), reach)
 
 
 def _tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
@@ -128,7 +128,7 @@ class Cells:
                 far[:, order.index(name)] = widths[:, n] * _ROOM / (m.size if name in SHIFTS else 1.0)
             chains = (*spreads([arm]), *limbs)  # in the middle all of them have the platform at one place
             reach = list(holds(chains, [free, *_unlocked(m)], _idle(m), [far, *known])[1:])
-        return cls(tuple(reach), keeps_rank(limbs, _passive(m), _passive_idle(m), reach))
+        return cls(tuple(reach), keeps_rank(limbs, _undriven(m), _undriven_idle(m), reach))
 
     @property
     def one_branch(self) -> Truths:
@@ -150,10 +150,14 @@ def _unlocked(m: Linkage) -> list[Choice]:
     return [~h for h in _coordinates(m, ((place, k) for place, k, _ in m.locked))]
 
 
+def _undriven(m: Linkage) -> list[Choice]:
+    """The coordinates that may move at once with the actuators locked, those that have to stay at 0 among them."""
+    return [~d for d in _coordinates(m, ((a.place, a.coordinate) for a in m.actuators))]
+
+
 def _passive(m: Linkage) -> list[Choice]:
     """The coordinates that may move with the actuators locked."""
-    driven = _coordinates(m, ((a.place, a.coordinate) for a in m.actuators))
-    return [u & ~d for u, d in zip(_unlocked(m), driven, strict=True)]
+    return [u & d for u, d in zip(_unlocked(m), _undriven(m), strict=True)]
 
 
 def _idle(m: Linkage) -> int:
@@ -162,6 +166,10 @@ def _idle(m: Linkage) -> int:
 
 def _passive_idle(m: Linkage) -> int:
     return _left(_passive(m), m.passive_ranks)
+
+
+def _undriven_idle(m: Linkage) -> int:
+    return _left(_undriven(m), m.passive_ranks)
 
 
 def _left(moving: Sequence[Choice], ranks: Sequence[int]) -> int:

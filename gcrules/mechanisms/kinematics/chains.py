@@ -110,11 +110,11 @@ _OWN: Mapping[str, Shape] = FrozenMap(
             (
                 ElementaryMotion("swing", 0, 1, True, _swing(0, back=False)),
                 ElementaryMotion("swing across", 1, 1, True, _swing(1, back=False)),
-                ElementaryMotion("swing across, back", 1, -1, True, _swing(1, back=True)),
-                ElementaryMotion("swing back", 0, -1, True, _swing(0, back=True)),
                 ElementaryMotion(
                     "turn about the bar", 2, 1, True, lambda g: _turn(g["first"] + g["bars"], _unit(g["bars"]))
                 ),
+                ElementaryMotion("swing across, back", 1, -1, True, _swing(1, back=True)),
+                ElementaryMotion("swing back", 0, -1, True, _swing(0, back=True)),
                 ElementaryMotion(
                     "turn about the side",
                     3,
@@ -123,13 +123,14 @@ _OWN: Mapping[str, Shape] = FrozenMap(
                     lambda g: _turn(g["first"] + g["bars"], _unit(g["second"] - g["first"])),
                 ),
             ),
-            {"first": (0, 0), "second": (0, 0), "bars": (2, 2)},
+            {"first": (0, 0), "second": (0, 0), "bars": (2, 3)},
             locked=(2,),
         ),
     }
 )
 """Kinds that move otherwise than by their twists one after the other: the slides of E are lengths; bars swing. The turn
-of 4S about the bar is 0 wherever its bars are parallel; other places, where its twists are others, are refused.
+of 4S about the bar is 0 wherever its bars are parallel; other places, where its twists are others, are refused. It
+stands where the bar is, so that its axis goes with it.
 """
 
 

@@ -102,7 +102,8 @@ class Course:
     @property
     def length(self) -> float:
         """How far it goes: the largest of its values, lengths divided by the robot's size."""
-        return float(np.abs(self.target.values / self.weights).max(initial=0.0))
+        with np.errstate(over="ignore"):
+            return float(np.abs(self.target.values / self.weights).max(initial=0.0))
 
 
 def units_of(m: Linkage) -> Floats:

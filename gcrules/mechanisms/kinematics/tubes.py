@@ -224,6 +224,8 @@ def _equations(chains: Sequence[Spread], free: Sequence[Choice], idle: int) -> _
         rows = slice(6 * n, 6 * n + 6)
         matrix[..., rows, : starts[1]] = -chains[0].first
         matrix[..., rows, starts[n + 1] : starts[n + 2]] = chains[n + 1].first
+    if not matrix.size:
+        return None
     chosen = np.flatnonzero(np.concatenate(free))
     one = matrix[(0,) * (matrix.ndim - 2)][:, chosen]
     if idle or one.shape[0] != one.shape[1]:

@@ -26,11 +26,11 @@ __all__ = ["proved_cells"]
 Integers = NDArray[np.int64]
 Truths = NDArray[np.bool_]
 
-_UNIT = 8  # parts of a cell along each axis: the smallest boxes
+_UNIT = 4  # parts of a cell along each axis: the smallest boxes
 _LARGEST = 8 * _UNIT
 _NEAR = 1e-9  # room for rounding in comparing configurations
 _ALIKE = 1e-6  # configurations that are the same one
-_MOST = 30_000  # boxes smaller than cells that are tried at once
+_MOST = 10_000  # boxes smaller than cells that are tried at once
 _HALVINGS = 3  # of a way from node to node
 
 

@@ -98,7 +98,7 @@ class Sweep:
             joints = close_loops(self.course, now, begin[here] + k / parts * grown[here])
             more = np.concatenate(joints.amounts, axis=1)
             good = joints.closed & self._still(more)
-            if prove:
+            if prove and good.any():
                 good[good] = follow_branch(m, target, Steps.of(now, joints, grown[here] / parts)[good])
             there[here] += np.where(good[:, None], more, np.nan)
             here = here[good]

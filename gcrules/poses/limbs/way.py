@@ -26,6 +26,7 @@ __all__ = ["Node", "Stretch", "Way"]
 
 _NARROW = 1e-5  # of the way: how closely a crossing is located
 _SHORTEST = 1 / 4096  # of the way: shorter stretches are not parted for a proof
+_SIGNS = 400  # stretches that are looked at for changes of sign
 _MOST = 400  # stretches that are looked at for the proof of one way
 
 Node = tuple[float, Configuration]
@@ -41,6 +42,7 @@ class Way:
         self.m, self.target, self.nodes = m, target, list(nodes)
         self.course = Course(m, target)
         self.end = self.nodes[-1][0]
+        self._looks = _SIGNS
         self._frames = cache(lambda c: frames(m, Configurations.of([c]), m.centre))
 
     @classmethod
@@ -100,7 +102,8 @@ class Way:
         sign = self._sign(a, b)
         if sign == 1:
             return
-        if b[0] - a[0] <= _NARROW * self.end:
+        self._looks -= 1
+        if b[0] - a[0] <= _NARROW * self.end or self._looks < 0:
             yield (a[0], b[0]), sign == -1
             return
         middle = self.between(a, b)

@@ -152,7 +152,7 @@ def read_axes(
     meant = [(a.kind, a.place) for a in axes]
     twice = next((a.name for i, a in enumerate(axes) if meant[i] in meant[:i]), None)
     if twice is not None:
-        raise InputError(f"the coordinate {twice} is given twice")
+        raise InputError(f"the coordinate {twice} is given twice", hint="each axis is another coordinate")
     driven = [a.name for a in axes if a.kind == ACTUATOR]
     if driven:
         if len(driven) < len(axes):

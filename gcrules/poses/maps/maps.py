@@ -34,6 +34,7 @@ from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.compiled import compiled
 from gcrules.poses.limbs.map_task import limbs_task
 from gcrules.poses.maps.axes import GridAxis, read_axes
+from gcrules.poses.maps.cells import CROSSED, FREE, MEANINGS, OUTSIDE, UNDECIDED
 from gcrules.poses.maps.grid import grid
 from gcrules.poses.maps.joining import joined
 from gcrules.poses.maps.limits import parse_limits
@@ -41,8 +42,8 @@ from gcrules.poses.maps.marching import marched
 from gcrules.poses.maps.report import Curve, SingularMap
 from gcrules.poses.maps.slices import factors, middle, slice_polynomial, vanishes
 from gcrules.poses.maps.store import Folder, Memory, Store
-from gcrules.poses.maps.summary import MapSummary, summed, together
-from gcrules.poses.maps.task import KINDS, MapTask, width_of
+from gcrules.poses.maps.summary import MapSummary, together
+from gcrules.poses.maps.task import KINDS, Chunk, MapTask, width_of
 from gcrules.poses.maps.tracing import polished, traced
 from gcrules.poses.maps.values import LegsTask
 from gcrules.poses.methods import Methods, method
@@ -172,12 +173,29 @@ def _computed(task: MapTask, store: Store, limit: Threshold) -> MapSummary:
             store.put(n, chunk)
         else:
             kept.append(n)
-        parts.append(summed(chunk, task, n, sigma))
+        parts.append(_summed(chunk, task, n, sigma))
         poses += parts[-1].poses
         report(_bar(poses, task.grid.size))
     if kept and isinstance(store, Folder):
         _check_kept(task, store, drawn("map", str(store.path), len(kept)).choice(kept))
     return together(parts)
+
+
+def _summed(chunk: Chunk, task: MapTask, number: int, sigma: float) -> MapSummary:
+    """The summary of one chunk; poses are close below the margin `sigma`."""
+    first, _ = task.span(number)
+    counts = np.bincount(chunk["cell_status"].ravel(), minlength=len(MEANINGS))
+    level = task.level(chunk)
+    poses = level.size
+    inside = chunk["allowed"].astype(bool) if "allowed" in chunk else np.ones(level.shape, bool)
+    cells, outside = (int(counts[FREE]), int(counts[CROSSED]), int(counts[UNDECIDED])), int(counts[OUTSIDE])
+    if "margin" not in chunk or not inside.any():
+        return MapSummary(cells, poses, int(inside.sum()), 0, outside=outside)
+    values = np.where(inside, chunk["margin"], np.inf)
+    k = np.unravel_index(int(values.argmin()), values.shape)
+    place = task.grid.coordinates(np.array([[k[0] + first, *k[1:]]], dtype=np.float64))[0]
+    close = int((values < sigma).sum())
+    return MapSummary(cells, poses, int(inside.sum()), close, float(values[k]), tuple(map(float, place)), outside)
 
 
 def _bar(done: int, number: int) -> str:

@@ -6,12 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
+from gcrules.poses.maps.cells import MEANINGS
 
-from gcrules.poses.maps.cells import CROSSED, FREE, MEANINGS, OUTSIDE, UNDECIDED
-from gcrules.poses.maps.task import Chunk, MapTask
-
-__all__ = ["MapSummary", "summed", "together"]
+__all__ = ["MapSummary", "together"]
 
 
 @dataclass(frozen=True)
@@ -38,23 +35,6 @@ class MapSummary:
             "least_margin": self.margin,
             "at": list(self.place) if self.place else None,
         }
-
-
-def summed(chunk: Chunk, task: MapTask, number: int, sigma: float) -> MapSummary:
-    """The summary of one chunk; poses are close below the margin `sigma`."""
-    first, _ = task.span(number)
-    counts = np.bincount(chunk["cell_status"].ravel(), minlength=len(MEANINGS))
-    level = task.level(chunk)
-    poses = level.size
-    inside = chunk["allowed"].astype(bool) if "allowed" in chunk else np.ones(level.shape, bool)
-    cells, outside = (int(counts[FREE]), int(counts[CROSSED]), int(counts[UNDECIDED])), int(counts[OUTSIDE])
-    if "margin" not in chunk or not inside.any():
-        return MapSummary(cells, poses, int(inside.sum()), 0, outside=outside)
-    values = np.where(inside, chunk["margin"], np.inf)
-    k = np.unravel_index(int(values.argmin()), values.shape)
-    place = task.grid.coordinates(np.array([[k[0] + first, *k[1:]]], dtype=np.float64))[0]
-    close = int((values < sigma).sum())
-    return MapSummary(cells, poses, int(inside.sum()), close, float(values[k]), tuple(map(float, place)), outside)
 
 
 def together(parts: Iterable[MapSummary]) -> MapSummary:
