@@ -2,7 +2,7 @@
 
 The superbracket over a grid: a loop over the poses that takes `numpy.linalg.det` of each Jacobian, and the stack of all
 Jacobians at once. Proving cells free: marching over signs only is no proof, so the peer is the margin at the middle
-of each cell, which proves it too.
+of each cell, which proves it too. A robot of joints: closing its loops at each pose by itself, from home.
 """
 
 from __future__ import annotations
@@ -20,7 +20,13 @@ import numpy as np
 import pytest
 
 from gcrules.mechanisms.description.platform_file import load_platform
+from gcrules.mechanisms.kinematics.margin import margin
+from gcrules.mechanisms.kinematics.solve import solve
+from gcrules.mechanisms.kinematics.targets import Target
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.load import read_robot
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.limbs.map_task import limbs_task
 from gcrules.poses.maps.maps import planned
 from gcrules.screws.threshold import DEFAULT
 
@@ -30,7 +36,7 @@ OVER = ["x -300:300:160", "z -500:100:250"]
 
 def task(robot: str, over: list[str], measure: str) -> Any:
     legs = SixLegs(load_platform(EXAMPLES / f"{robot}.yaml"), "origin")
-    return planned(legs, over, None, None, DEFAULT, measure)[1]
+    return planned(legs, over, None, None, DEFAULT, measure).task
 
 
 def nodes(t: Any) -> Any:
@@ -73,6 +79,26 @@ def test_values_of_a_map(ratio: Callable[..., Any]) -> None:
         at_least={"stacked determinants": 1, "one by one": 20},
         others_rounds=1,
     )
+
+
+def test_a_robot_of_joints(ratio: Callable[..., Any]) -> None:
+    """Delta over 31 × 31 poses, its cells proved, beside each pose solved from home, which proves no cell."""
+    found = Limbs.of(read_robot("delta"))
+    over = ["x -0.6:0.6:31", "y -0.6:0.6:31"]
+
+    def swept() -> Any:
+        return limbs_task(found, over).compute(0)["margin"].ravel()
+
+    def alone() -> Any:
+        grid, m = limbs_task(found, over).grid, found.linkage
+        origin, steps = grid.linear
+        goals = origin + np.stack(np.unravel_index(np.arange(grid.size), grid.shape), axis=1) @ steps
+        return np.array([margin(m, solve(m, Target(grid.names, g)).configuration).sigma for g in goals])
+
+    def agree(one: Any, other: Any) -> bool:
+        return bool(np.abs(one - other).max() <= 1e-6)
+
+    ratio(swept, {"each from home": alone}, agree=agree, at_least={"each from home": 4}, rounds=2, others_rounds=1)
 
 
 @pytest.mark.parametrize("robot", ["octahedral", "platform-6-6"])

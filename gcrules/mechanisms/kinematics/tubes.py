@@ -48,7 +48,7 @@ Places = NDArray[np.intp]
 _CLOSED = 1e-9  # how far F may be from 0 at both ends of a way
 _ROUNDING = 1e-9  # room that is left for rounding, in parts of what is compared
 _DEPENDENT = 1e-7
-_TRIALS = 8
+_TRIALS = 6
 _INFLATED = 1.1
 
 
@@ -294,13 +294,14 @@ def _tubes(
         return nowhere
     along = off is _Equations.gap
     proved = e.bent(known).sum(axis=-1).min(axis=-1) < 1.0  # else no tube, however thin
-    radius = off(e, known) * _INFLATED
+    start = off(e, known)
+    radius = start * _INFLATED
     done = np.zeros_like(proved)
     for _ in range(_TRIALS):
         radius = np.where(proved[..., None], radius, 0.0)
         tube = _in_place(e, radius)
         reach = [h + r for h, r in zip(known, tube, strict=True)]
-        needed = off(e, reach if along else known) + _applied(e.bent(reach), radius)
+        needed = (off(e, reach) if along else start) + _applied(e.bent(reach), radius)
         done = proved & (needed <= radius * (1 - _ROUNDING)).all(axis=-1)
         proved &= needed.max(axis=-1) < 1.0
         if (done | ~proved).all():

@@ -27,7 +27,7 @@ __all__ = ["Sweep", "blocks"]
 Truths = NDArray[np.bool_]
 Places = NDArray[np.intp]
 
-_AT_ONCE = 1000  # configurations
+_AT_ONCE = 256  # configurations: their arrays fit into a cache
 _STEP = 0.2  # rad, or parts of the robot's size: the longest step
 _STILL = 1e-7  # rad: of a joint that has to stay at 0
 
