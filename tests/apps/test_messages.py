@@ -191,8 +191,8 @@ OVER = {
     "locus, three": (("locus", PLATFORM, "--over", "xyz"), 'separate them: "x, y, z"'),
     "locus, turns": (("locus", PLATFORM, "--over", "e0e1e2"), 'separate them: "e0, e1, e2"'),
     "locus, unknown": (("locus", PLATFORM, "--over", "w"), "x, y, z"),
-    "map": (("map", PLATFORM, "--over", "xy"), "one --over for each of x and y; the coordinates are x, y, z; rx"),
-    "map, no range": (("map", PLATFORM, "--over", "x"), "the coordinates are x, y, z; rx, ry, rz"),
+    "map": (("map", PLATFORM, "--over", "xy"), "one --over for each of x and y; the coordinates are x, y, z; roll"),
+    "map, no range": (("map", PLATFORM, "--over", "x"), "the coordinates are x, y, z; roll, pitch, yaw; rx, ry, rz"),
     "map, two in one": (("map", PLATFORM, "--over", "x -1:1:3, y -1:1:3"), '"x -200:200:201"'),
 }
 

@@ -62,7 +62,7 @@ def main() -> int:
         print(result.text(), flush=True)
         wrong += len(result.found)
         if asked.record:
-            recorded(result, commit)
+            recorded(result, commit, asked.start)
     return 1 if wrong else 0
 
 

@@ -18,8 +18,8 @@ _HEAD = """\
 # What was tried
 
 Each row is one campaign. At its commit (`-dirty`: something else was changed too) the same inputs run again with
-`python -m tests.fuzz --family NAME --seed N --count INPUTS --record`, which writes the row; how many reach a limit
-of time (exit code 3) is up to the machine. What counts as wrong stands in [judging.py](judging.py); what was found
+`python -m tests.fuzz --family NAME --seed N --count INPUTS --record`, which writes the row (with `--start K` where a row
+says `from K`); how many reach a limit of time (exit code 3) is up to the machine. What counts as wrong stands in [judging.py](judging.py); what was found
 stands, made small, in [cases/](cases), and is tried by every run of the tests.
 
 | family | seed | inputs | commit | date | exit codes | slowest | outcome |
@@ -27,9 +27,9 @@ stands, made small, in [cases/](cases), and is tried by every run of the tests.
 """
 
 
-def recorded(result: Result, commit: str) -> None:
-    """Put a row for this result, of this commit, in place of the one for the same family and seed."""
-    head = f"| {result.family} | {result.seed} |"
+def recorded(result: Result, commit: str, start: int = 0) -> None:
+    """Put a row for this result, of this commit, in place of the one for the same family, seed and first input."""
+    head = f"| {result.family} | {result.seed}{f' from {start:,}' if start else ''} |"
     rows = [r for r in _rows() if not r.startswith(head)]
     codes = ", ".join(f"{c}: {n:,}" for c, n in sorted(result.codes.items(), key=lambda pair: str(pair[0])))
     outcome = "nothing wrong" if not result.found else "; ".join(f"{result.times[n]:,} × {n}" for n in result.found)

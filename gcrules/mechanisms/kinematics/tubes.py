@@ -48,7 +48,7 @@ Places = NDArray[np.intp]
 _CLOSED = 1e-9  # how far F may be from 0 at both ends of a way
 _ROUNDING = 1e-9  # room that is left for rounding, in parts of what is compared
 _DEPENDENT = 1e-7
-_TRIALS = 6
+_TRIALS = 12
 _INFLATED = 1.1
 
 

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.english import listed
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.version import __version__
@@ -339,8 +340,9 @@ def _coordinates(
     names = tuple(named) if len(named) == m.robot.mobility else free_coordinates(m, named)
     missing = [n for n in named if n not in names]
     if missing:
+        beside = listed([n for n in named if n != missing[0]])
         raise InputError(
-            f"{missing[0]} does not determine the pose of {m.robot.id} near home together with {', '.join(over)}",
+            f"{missing[0]} tells nothing of the pose of {m.robot.id} near home beside {beside}",
             hint=f"independent there are, for example, {', '.join(free_coordinates(m))}",
         )
     return names, tuple(given.get(n, 0.0) for n in names)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from .calls import CALLS
 from .expressions import EXPRESSIONS
 from .family import Family
-from .files import CATALOGS, GEOMETRY, ROBOTS, TABLES
+from .files import CATALOGS, GEOMETRY, ROBOTS, TABLES, WORKSPACES
 from .identities import IDENTITIES
 from .interrupts import INTERRUPTS, KILLS
 from .options import OPTIONS
@@ -27,6 +27,7 @@ _ALL = (
     ROBOTS,
     CATALOGS,
     TABLES,
+    WORKSPACES,
     OPTIONS,
     CALLS,
     STUDIO,

@@ -271,6 +271,41 @@ def robots(rng: Random) -> Case:
     return Case("robots", argv, {name: text}, seconds=20.0 if kind == "check" else 5.0, mixed=kind == "check")
 
 
+_SOME = ("x", "y", "z", "roll", "pitch", "yaw", "rx", "q1", "q2", "q3")
+_RANGES = ("-0.2:0.2:4", "-1:1:5", "0:1e-9:3", "-1e9:1e9:3", "-300:300:3", "5:6:2", "1:0:4", "0:nan:3", "-2:2:1")
+
+
+def workspaces(rng: Random) -> Case:
+    """Robots of joints along paths and over maps; half of their files are whole."""
+    text = rng.choice(corpus("robots"))
+    text = _broken(rng, text, _ROBOT_WORDS) if rng.random() < 0.5 else text
+    argv = _map_words(rng) if rng.random() < 0.6 else _path_words(rng)
+    return Case("workspaces", (*argv, *_form(rng)), {"robot.yaml": text}, seconds=10.0)
+
+
+def _map_words(rng: Random) -> tuple[str, ...]:
+    axes = rng.sample(_SOME, rng.choice((2, 2, 2, 2, 3, 1)))
+    if rng.random() < 0.7:
+        axes = [a for a in axes if a[0] != "q"] if rng.random() < 0.7 else [f"q{k + 1}" for k in range(len(axes))]
+    ranges = (f"{a} {rng.choice(_RANGES[: rng.choice((2, 9))])}{_unit(rng, a)}" for a in axes)
+    over = tuple(w for text in ranges for w in ("--over", text))
+    at = rng.choice((None, None, "z=0.1", "yaw=5deg", "q3=0.1", "0 0 1", "x=nan"))
+    limits = rng.choice((None, None, "q1 -5..5 deg", "actuators -1..1", "q1 ..0.2", "legs 1..2"))
+    given = (("--at", at) if at else ()) + (("--limits", limits) if limits else ())
+    more = rng.choice(((), ("-o", "m.svg"), ("-o", "m.ply"), ("--measure", "value")))
+    return ("map", "robot.yaml", *over, *given, *more)
+
+
+def _path_words(rng: Random) -> tuple[str, ...]:
+    end = rng.choice(("z=0.1", "x=0.1, y=0.1, z=0.2", "z=0.2, roll=5deg, pitch=-5deg", "yaw=40deg, x=0, y=0", "z=9"))
+    return ("path", "robot.yaml", "--at", "home", "--at", end, "--samples", rng.choice(("2", "5", "0")))
+
+
+def _unit(rng: Random, axis: str) -> str:
+    usual = " deg" if axis in ("roll", "pitch", "yaw", "rx") else rng.choice(("", " deg")) if axis[0] == "q" else ""
+    return usual if rng.random() < 0.95 else rng.choice((" deg", "", " mm"))
+
+
 def catalogs(rng: Random) -> Case:
     text = rng.choice(corpus("catalogs"))
     words = (
@@ -350,5 +385,6 @@ def run_table(case: Case, jail: Jail) -> Outcome:
 
 GEOMETRY = Family("geometry", "geometry files, with poses, paths, maps, figures and reports", geometry, share=3, few=25)
 ROBOTS = Family("robots", "robot files: shown, analysed, checked, posed", robots, share=3, few=25)
+WORKSPACES = Family("workspaces", "robots of joints along paths and over maps", workspaces, few=8)
 CATALOGS = Family("catalogs", "catalog files", catalogs)
 TABLES = Family("tables", "tables of poses", tables, run_table, few=10)
