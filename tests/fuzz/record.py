@@ -18,9 +18,9 @@ _HEAD = """\
 # What was tried
 
 Each row is one campaign. At its commit (`-dirty`: something else was changed too) the same inputs run again with
-`python -m tests.fuzz --family NAME --seed N --count INPUTS --record`, which writes the row (with `--start K` where a row
-says `from K`); how many reach a limit of time (exit code 3) is up to the machine. What counts as wrong stands in [judging.py](judging.py); what was found
-stands, made small, in [cases/](cases), and is tried by every run of the tests.
+`python -m tests.fuzz --family NAME --seed N --count INPUTS --record`, which writes the row, and with `--start K` where
+it says `from K`; how many reach a limit of time (exit code 3) is up to the machine. What counts as wrong stands in
+[judging.py](judging.py); what was found stands, made small, in [cases/](cases), and is tried by every run of the tests.
 
 | family | seed | inputs | commit | date | exit codes | slowest | outcome |
 |---|---|---|---|---|---|---|---|

@@ -345,6 +345,7 @@ def test_cells_that_margin_guards(robots: dict[str, Analysis], name: str, over: 
 )
 def test_values_are_those_of_a_pose(robots: dict[str, Analysis], name: str, over: list[str], at: Any) -> None:
     m = singular_map(robots[name], over, at, limits="leg lengths 0.2..500")
+    assert isinstance(m.grid, Grid)
     rng = np.random.default_rng(3)
     for _ in range(6):
         node = tuple(int(rng.integers(n)) for n in m.grid.shape)
