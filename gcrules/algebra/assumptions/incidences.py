@@ -109,7 +109,7 @@ def equations(assumption: Assumption, rank: int) -> tuple[Expr, ...]:
         case "collinear" | "coplanar":
             return tuple(f.equation for f in facts(assumption, d).conditions)
         case "incident":
-            return tuple(_incidences(assumption, args[0], args[1], d))
+            return tuple(e for X, Y in _inclusions(*args) for e in _incidences(assumption, X, Y, d))
         case "concurrent":
             return tuple(_concurrences(assumption, d))
     return () if args[0] == ZERO else args
@@ -182,7 +182,17 @@ def dependent(cause: Assumption, points: Sequence[Expr], number: int, rank: int)
 
 
 def _incident(assumption: Assumption, rank: int) -> Facts:
-    return _contained(assumption, *small_first(*assumption.args), rank)
+    return all_of(_contained(assumption, X, Y, rank) for X, Y in _inclusions(*assumption.args))
+
+
+def _inclusions(X: Expr, Y: Expr) -> Iterable[tuple[Expr, Expr]]:
+    """Which extensor lies on which: the smaller one on the other, and of two joins of one step each on the other, so
+    that it matters to no position, not even to one where a join vanishes, which of the two is written first.
+    """
+    X, Y = small_first(X, Y)
+    yield X, Y
+    if X.step == Y.step and isinstance(X, Join) and isinstance(Y, Join):
+        yield Y, X
 
 
 def small_first(X: Expr, Y: Expr) -> tuple[Expr, Expr]:
@@ -207,8 +217,7 @@ def _contained(cause: Assumption, X: Expr, Y: Expr, rank: int) -> Facts:
 
 
 def _incidences(cause: Assumption, X: Expr, Y: Expr, rank: int) -> Iterable[Expr]:
-    """What vanishes where one of two extensors lies in the other, point by point of the smaller one."""
-    X, Y = small_first(X, Y)
+    """What vanishes where X lies in Y, point by point of X."""
     for part in X.args if isinstance(X, Join) else (X,):
         if part.step == 1:
             yield _sorted(ex.join(part, Y, rank=rank), rank)
