@@ -25,6 +25,8 @@ __all__ = ["proved_cells"]
 
 Integers = NDArray[np.int64]
 Truths = NDArray[np.bool_]
+Edges = NDArray[np.intp]
+"""Nodes (K, 2): from one to the next one along an axis."""
 
 _UNIT = 4  # parts of a cell along each axis: the smallest boxes
 _LARGEST = 8 * _UNIT
@@ -38,7 +40,7 @@ def proved_cells(sweep: Sweep) -> NDArray[np.uint8]:
     """The status of each cell; `sweep` keeps those nodes only that are proved to hang together with the first one.
 
     A cell is free where all of it is proved, outside where a corner is not reached, crossed where one branch goes
-    through it and the determinant has both signs at its corners, else undecided.
+    along one of its edges and the determinant has different signs at its ends, else undecided.
     """
     return _Boxes(sweep).statuses()
 
@@ -51,8 +53,8 @@ class _Boxes:
         self.graph: nx.Graph[int] = nx.Graph()
         self.graph.add_node(sweep.first)
         self.count = len(sweep.reached)  # numbers of nodes are below, of middles from here on
-        self.joined = np.zeros(self.cells, dtype=bool)  # cells through which one branch goes, with all their corners
-        self.crossed = np.zeros(self.cells, dtype=bool)  # of these, those with both signs at their corners
+        self.changes = self._changes()
+        self.crossed = self._beside(self.changes)
         self.pieces: list[tuple[Integers, Integers, Integers]] = []  # number, low, width
         self.sums = _sums(sweep.reached.reshape(sweep.shape))
 
@@ -99,32 +101,46 @@ class _Boxes:
             reach[k] = np.concatenate(cells.reach, axis=1) * sweep.units + _NEAR * sweep.units
         self._join(one, low, width, amounts, reach, number, known, parent)
         self.pieces.append((number[regular], low[regular], width[regular]))
-        again = ~regular & (width > 1).any(axis=1) & ~self._crossed_cells(low, width)
+        again = ~regular & (width > 1).any(axis=1)
+        again &= ~((width == _UNIT).all(axis=1) & self.crossed[tuple((low // _UNIT).T)])
         small = again & (width <= _UNIT).all(axis=1)
         if small.sum() > _MOST:
             again &= ~small
         return self._halved(low[again], width[again], amounts[again], place[again], number[again])
 
-    def _crossed_cells(self, low: Integers, width: Integers) -> Truths:
-        """Whether boxes are cells through which one branch goes with both signs of the determinant at its corners."""
+    def _changes(self) -> Edges:
+        """The edges of cells along which it is proved that one branch goes, from a node to the one after it, and at
+        whose ends the determinant has different signs.
+        """
         sweep, m = self.sweep, self.sweep.course.m
-        found = np.zeros(len(low), dtype=bool)
-        cell = low // _UNIT
-        at = np.flatnonzero((width == _UNIT).all(axis=1) & self.joined[tuple(cell.T)])
-        for some in blocks(len(at)):
-            checkpoint()
-            k = at[some]
-            plus, minus = np.zeros(len(k), dtype=bool), np.zeros(len(k), dtype=bool)
-            first = None
-            for corner in product((0, 1), repeat=self.axes):
-                node = sweep.nodes(cell[k] + np.array(corner))
-                own = frames(m, sweep.at(sweep.amounts[node]), m.centre)
-                first = own if first is None else first
-                sign = relative_sign(first, own)
-                plus |= sign > 0
-                minus |= sign < 0
-            found[k] = plus & minus
-        self.crossed[tuple(cell[found].T)] = True
+        found = []
+        for parents, children in sweep.neighbours(np.flatnonzero(sweep.reached)):
+            differ = (children > parents) & sweep.reached[children] & (sweep.signs[parents] != sweep.signs[children])
+            parents, children = parents[differ], children[differ]
+            there = sweep.solved(
+                sweep.amounts[parents], sweep.places(parents), sweep.places(children), halvings=_HALVINGS
+            )
+            one = np.flatnonzero(self._alike(there, sweep.amounts[children]))
+            for some in blocks(len(one)):
+                checkpoint()
+                k = one[some]
+                ends = (sweep.at(sweep.amounts[n[k]]) for n in (parents, children))
+                k = k[relative_sign(*(frames(m, c, m.centre) for c in ends)) < 0]
+                found.append(np.stack([parents[k], children[k]], axis=1))
+        return np.concatenate([np.zeros((0, 2), dtype=np.intp), *found])
+
+    def _alike(self, one: Floats, other: Floats) -> Truths:
+        """Whether amounts (K, all) are those of the same configurations."""
+        return np.asarray((np.abs(one - other) <= _ALIKE * self.sweep.units).all(axis=1))
+
+    def _beside(self, edges: Edges) -> Truths:
+        """The cells that have one of these edges."""
+        found = np.zeros(self.cells, dtype=bool)
+        low, high = (np.stack(np.unravel_index(edges[:, k], self.sweep.shape), axis=1) for k in (0, 1))
+        for back in product((0, 1), repeat=self.axes):
+            cell = low - np.array(back)
+            inside = ((high <= cell + 1) & (cell >= 0) & (cell < np.array(self.cells))).all(axis=1)
+            found[tuple(cell[inside].T)] = True
         return found
 
     def _lit(self, low: Integers, width: Integers) -> Truths:
@@ -188,14 +204,10 @@ class _Boxes:
             for part in blocks(len(which)):
                 checkpoint()
                 k = which[part]
-                all_in = np.ones(len(k), dtype=bool)
                 for offset in product(*(range(n) for n in shape)):
                     node = sweep.nodes(first[k] + np.array(offset))
                     near = (np.abs(sweep.amounts[node] - amounts[k]) <= reach[k]).all(axis=1)
-                    all_in &= near
                     self.graph.add_edges_from(zip(number[k[near]].tolist(), node[near].tolist(), strict=True))
-                cell = all_in & (width[k] == _UNIT).all(axis=1)
-                self.joined[tuple((low[k[cell]] // _UNIT).T)] = True
 
     def _halved(
         self, low: Integers, width: Integers, amounts: Floats, place: Floats, number: Integers
@@ -226,7 +238,7 @@ class _Boxes:
         reached = sweep.reached.reshape(sweep.shape)
         outside = np.any([~reached[a] for a in at], axis=0)
         found = np.full(self.cells, UNDECIDED, dtype=np.uint8)
-        found[self.crossed & self.joined] = CROSSED
+        found[self._beside(self.changes[sweep.reached[self.changes].all(axis=1)])] = CROSSED
         found[outside] = OUTSIDE
         found[free & ~outside] = FREE
         return found
@@ -253,8 +265,11 @@ class _Boxes:
                 for node, amounts in zip(children[good].tolist(), there[good], strict=True):
                     if kept[node]:
                         continue
-                    alike = bool((np.abs(sweep.amounts[node] - amounts) <= _ALIKE * sweep.units).all())
-                    part = together.get(node, {node}) if alike else {node}
+                    part = {node}
+                    if self._alike(sweep.amounts[node][None], amounts[None])[0]:
+                        part = together.get(node, part)
+                    else:  # another branch than that of the edges here
+                        self.changes = self.changes[(self.changes != node).all(axis=1)]
                     sweep.amounts[node] = amounts
                     mine |= part
                     more = np.array([n for n in part if n < len(kept)])

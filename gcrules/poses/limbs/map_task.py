@@ -5,7 +5,7 @@ r"""A map of a robot of joints: the slice of coordinates or actuators, and what 
 >>> task.grid.names, task.grid.rest
 (('x', 'yaw', 'y'), 'y = 0')
 >>> [int((task.compute(0)["cell_status"] == k).sum()) for k in range(4)]  # free, crossed, undecided, outside
-[12, 4, 0, 0]
+[8, 4, 4, 0]
 """
 
 from __future__ import annotations

@@ -138,6 +138,7 @@ class Sweep:
         """Forget all other nodes (N,)."""
         self.reached &= nodes
         self.amounts[~self.reached] = np.nan
+        self.__dict__.pop("signs", None)  # they may have been carried over other nodes
 
     # --- numbers ---
 

@@ -33,6 +33,7 @@ __all__ = ["INTERRUPTS", "KILLS"]
 _G, _R = {"g.yaml": corpus("platforms")[0]}, {"r.yaml": corpus("robots")[4]}
 _S = {"s.gca": "claim ab /\\ cd == [abcd]\nshow ab /\\ cde\nclaim [abcd] == [abce]\n"}
 
+# Weights: each command is met thousands of times in a campaign, those that take long less often than the others.
 COMMANDS: tuple[tuple[float, tuple[str, ...], dict[str, str], str], ...] = (
     (4, ("expand", "(ab /\\ cde) (fg /\\ hij)", "-o", "out.txt"), {}, ""),
     (4, ("straighten", "[aefg][bcdh]", "--steps"), {}, ""),
@@ -40,11 +41,11 @@ COMMANDS: tuple[tuple[float, tuple[str, ...], dict[str, str], str], ...] = (
     (4, ("prove", "[abc] d == [dbc] a - [dac] b + [dab] c", "--rank", "3"), {}, ""),
     (4, ("prove", "[bcd] == 0", "--rank", "3", "--given", "collinear(a, b, c), collinear(a, b, d)"), {}, ""),
     (3, ("shorten", "[abc][def] - [abd][cef] + [abe][cdf]", "--rank", "3", "-o", "out.txt"), {}, ""),
-    (0.1, ("factor", "[abfc][acde][bdef] + [abfd][acbe][cdef]", "--json", "-o", "out.txt"), {}, ""),
+    (0.03, ("factor", "[abfc][acde][bdef] + [abfd][acbe][cdef]", "--json", "-o", "out.txt"), {}, ""),
     (3, ("rewrite", "ab /\\ cde", "--rules", "expansion"), {}, ""),
-    (3, ("analyze", "ab af cb cd ed ef", "--json", "-o", "out.txt"), {}, ""),
-    (0.7, ("analyze", "Aa Bb Cc Dd Ee Ff", "--search", "0.1"), {}, ""),
-    (0.5, ("transversals", "Aa Ab Bc Cd De Ef", "-o", "out.txt"), {}, ""),
+    (1, ("analyze", "ab af cb cd ed ef", "--json", "-o", "out.txt"), {}, ""),
+    (0.1, ("analyze", "Aa Bb Cc Dd Ee Ff", "--search", "0.1"), {}, ""),
+    (0.1, ("transversals", "Aa Ab Bc Cd De Ef", "-o", "out.txt"), {}, ""),
     (
         3,
         ("analyze", "ab af cb cd ed ef", "--session", "kept.yaml", "--propose", "plane abc", "--propose", "auto"),
@@ -54,10 +55,10 @@ COMMANDS: tuple[tuple[float, tuple[str, ...], dict[str, str], str], ...] = (
     (3, ("analyze", "ab af cb cd ed ef", "--manual"), {}, "plane abc\nauto\nstatement\nsave kept.yaml\n"),
     (3, ("run", "s.gca", "-o", "out.txt"), _S, ""),
     (4, ("repl",), _S, "let p = ab /\\ cde\np f\n:load s.gca\n:save kept.gca\n[abcd] == [abdc]\n"),
-    (2, ("pose", "g.yaml", "--no-nearest", "-o", "out.txt"), _G, ""),
-    (0.05, ("pose", "g.yaml"), _G, ""),
+    (0.3, ("pose", "g.yaml", "--no-nearest", "-o", "out.txt"), _G, ""),
+    (0.01, ("pose", "g.yaml"), _G, ""),
     (
-        2,
+        0.3,
         (
             "path",
             "g.yaml",
@@ -75,17 +76,17 @@ COMMANDS: tuple[tuple[float, tuple[str, ...], dict[str, str], str], ...] = (
         _G,
         "",
     ),
-    (1, ("locus", "g.yaml", "--over", "x,y", "-o", "out.txt"), _G, ""),
-    (0.1, ("map", "g.yaml", "--over", "x -1:1:4", "--over", "y -1:1:4", "-o", "out.svg", "-o", "out.json"), _G, ""),
-    (0.2, ("map", "g.yaml", "--over", "x -1:1:4", "--over", "y -1:1:4", "--over", "z 0:1:3", "-o", "out.ply"), _G, ""),
-    (1, ("report", "g.yaml", "-o", "out.html"), _G, ""),
-    (1, ("analyze", "g.yaml", "--figure", "out.svg"), _G, ""),
-    (0.2, ("analyze", "g.yaml", "--figure", "out.pdf"), _G, ""),
+    (0.2, ("locus", "g.yaml", "--over", "x,y", "-o", "out.txt"), _G, ""),
+    (0.01, ("map", "g.yaml", "--over", "x -1:1:4", "--over", "y -1:1:4", "-o", "out.svg", "-o", "out.json"), _G, ""),
+    (0.01, ("map", "g.yaml", "--over", "x -1:1:4", "--over", "y -1:1:4", "--over", "z 0:1:3", "-o", "out.ply"), _G, ""),
+    (0.1, ("report", "g.yaml", "-o", "out.html"), _G, ""),
+    (0.2, ("analyze", "g.yaml", "--figure", "out.svg"), _G, ""),
+    (0.03, ("analyze", "g.yaml", "--figure", "out.pdf"), _G, ""),
     (2, ("robot", "show", "r.yaml"), _R, ""),
-    (1, ("robot", "analyze", "r.yaml", "--search", "0"), _R, ""),
-    (1, ("robot", "pose", "r.yaml", "-o", "out.txt"), _R, ""),
+    (0.1, ("robot", "analyze", "r.yaml", "--search", "0"), _R, ""),
+    (0.1, ("robot", "pose", "r.yaml", "-o", "out.txt"), _R, ""),
     (2, ("robot", "new", "my-robot"), {}, ""),
-    (2, ("catalog", "show", "6-3.2"), {}, ""),
+    (0.3, ("catalog", "show", "6-3.2"), {}, ""),
     (1, ("rules", "list", "--json"), {}, ""),
 )
 _SPOILS = {".part": "map keeps what is done for the next time"}
