@@ -22,13 +22,17 @@ remove_unfinished = deferred("gcrules.core.files:remove_unfinished")
 flush = deferred("gcrules.core.streams:flush")
 silence = deferred("gcrules.core.streams:silence")
 
+_INTERRUPTED = 130
 _NEW_VALUES = 50_000  # between two searches for garbage: what is made at the start, most of it stays to the end
 
 
 def main() -> NoReturn:
     """Answer the command line. A fault of gcrules itself shows its traceback and ends with code 70."""
-    gc.set_threshold(_NEW_VALUES)
-    code = interrupts.run(_answered)
+    try:
+        gc.set_threshold(_NEW_VALUES)
+        code = interrupts.run(_answered)
+    except KeyboardInterrupt:  # it came before signals were heard
+        code = _INTERRUPTED
     interrupts.ignore()
     _tidy()
     if interrupts.pending() is None and not _waits():

@@ -12,9 +12,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import monotonic
 from types import FrameType
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from gcrules.core.budget import Budget, within
+from gcrules.core.interrupts import deferred
 from gcrules.core.memory import memory_limit
 
 __all__ = ["GRACE", "limited", "paced", "ringing"]
@@ -81,13 +82,18 @@ def ringing(ring: Callable[[FrameType | None], None], first: float, again: float
         if not over:
             ring(frame)
 
-    handler, since = signal.signal(signal.SIGALRM, rings), monotonic()
-    left, interval = signal.setitimer(signal.ITIMER_REAL, first, again)
+    handler: Any = None
+    left = since = interval = 0.0
     try:
+        with deferred():  # an interrupt amid this, or at the end, would leave a timer behind that rings later
+            handler, since = signal.signal(signal.SIGALRM, rings), monotonic()
+            left, interval = signal.setitimer(signal.ITIMER_REAL, first, again)
         yield
     finally:
         over = True
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, handler)
-        if left:
-            signal.setitimer(signal.ITIMER_REAL, max(_SOON, left - (monotonic() - since)), interval)
+        with deferred():
+            if since:
+                signal.setitimer(signal.ITIMER_REAL, 0)
+                signal.signal(signal.SIGALRM, handler)
+            if left:
+                signal.setitimer(signal.ITIMER_REAL, max(_SOON, left - (monotonic() - since)), interval)

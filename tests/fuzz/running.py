@@ -137,6 +137,8 @@ def _forget_signals() -> None:
     while interrupts._heard.reminding and monotonic() < until:
         sleep(0.001)
     interrupts._heard = interrupts._Signals()
+    if hasattr(signal, "setitimer"):
+        signal.setitimer(signal.ITIMER_REAL, 0)  # one that a process would take with it to its end
 
 
 def run_call(case: Case, jail: Jail, call: Callable[[], Sequence[str]]) -> Outcome:

@@ -141,7 +141,7 @@ class _Moment:
         if self.at is None or self.count <= self.at or frame.f_code.co_name in ("__del__", "<lambda>", "_remove"):
             return
         sys.setprofile(None)
-        self.at, self.came = None, True
+        self.at, self.came = None, not interrupts._heard.settled  # the answer stands: it comes too late
         handler = signal.getsignal(self.number)
         if callable(handler):
             handler(self.number, frame)
@@ -269,7 +269,8 @@ def _child(case: Case, streams: dict[str, str], begun: int) -> None:
         code = end.code if isinstance(end.code, int) else 0
         sys.stdout.flush()
     except BaseException as fault:
-        if isinstance(fault, KeyboardInterrupt) and "gcrules" not in last_frame(fault):
+        place = last_frame(fault)
+        if isinstance(fault, KeyboardInterrupt) and ("gcrules" not in place or place.endswith("apps/main.py:main")):
             code = 130  # it came before the entry point had begun
         else:
             traceback.print_exc()
