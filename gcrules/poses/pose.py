@@ -47,7 +47,7 @@ def pose(
     about: str | Sequence[Any] = "centroid",
     threshold: str | Threshold = DEFAULT.text,
     accuracy: str | float | None = None,
-    nearest: bool | None = None,
+    nearest: bool = True,
     plugins: Folders = (),
 ) -> PoseReport | PoseNumbers | RobotPose | tuple[RobotPose, ...]:
     """How close a mechanism is to a singularity at one pose, or at N poses.
@@ -62,15 +62,13 @@ def pose(
     `actuators`: text as "q1=0.1, q2=5deg", a mapping, or all of them in the order of the file.
 
     `threshold` is an angle or, for platforms, a length ("2 deg", "5 mm"), `accuracy` a length up to which the joints'
-    places are known. The search for the `nearest` singular poses, which takes a second or two, is for platforms and
-    left out with False; with True, or an accuracy, a robot whose limbs are six legs is taken as a platform.
+    places are known; with it a robot whose limbs are six legs is taken as a platform. The search for the `nearest`
+    singular poses takes a second or two; it is left out with False, and at N poses.
 
     Raises InputError for what is no pose, for degenerate robots, and where the robot does not assemble.
     """
     found = mechanism(source, about=about, plugins=plugins)
-    if nearest:
-        found = on_six_legs(found, "the search for the nearest singular poses")
-    elif accuracy is not None:
+    if accuracy is not None:
         found = on_six_legs(found, "the accuracy of the joints")
     turns = {"quaternion": quaternion, "rotation_vector": rotation_vector, "euler": euler}
     return method(_POSE, found, "a pose")(at, actuators, turns, degrees, threshold, accuracy, nearest)
@@ -106,7 +104,7 @@ def _at_legs(
     degrees: bool,
     threshold: str | Threshold,
     accuracy: str | float | None,
-    nearest: bool | None,
+    nearest: bool,
 ) -> PoseReport | PoseNumbers:
     _no_actuators(actuators)
     limit = threshold_of(threshold, m.unit)
@@ -120,7 +118,7 @@ def _at_legs(
     one = one_pose(at, turns, degrees, m.unit)
     if one is None:
         return numbers_of_legs(m, at, turns, degrees, limit, known)
-    return report_of_legs(m, one, threshold=limit, accuracy=known, nearest=nearest is not False)
+    return report_of_legs(m, one, threshold=limit, accuracy=known, nearest=nearest)
 
 
 def _first_of_legs(
@@ -155,12 +153,12 @@ def _of_joints(
     degrees: bool,
     threshold: str | Threshold,
     accuracy: str | float | None,
-    nearest: bool | None,
+    nearest: bool,
 ) -> RobotPose | tuple[RobotPose, ...]:
     beside = {kind: turn for kind, turn in turns.items() if turn is not None}
     if not is_many(at, beside) or not np.iterable(at):
         asked = one_pose(at, turns, degrees, m.unit) if beside else at
-        return report_of_limbs(m, asked, actuators, degrees=degrees, threshold=threshold)
+        return report_of_limbs(m, asked, actuators, degrees=degrees, threshold=threshold, nearest=nearest)
     if beside:
         raise InputError("many poses, and a turn beside them", hint="give poses that hold their turns")
     if actuators is not None:

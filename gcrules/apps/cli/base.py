@@ -35,6 +35,7 @@ __all__ = [
     "decorated",
     "given_option",
     "limit_option",
+    "nearest_option",
     "output_options",
     "search_option",
     "space_options",
@@ -366,6 +367,12 @@ def search_option(default: float) -> Callable[[_Command], _Command]:
     )
 
 
+nearest_option = click.option(
+    "--nearest/--no-nearest",
+    default=True,
+    show_default=True,
+    help="Seek the nearest singular poses, for a second or two.",
+)
 about_option = click.option(
     "--about",
     default="centroid",

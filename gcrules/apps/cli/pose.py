@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, output_options
+from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, nearest_option, output_options
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.sources import read_source, warn
@@ -30,7 +30,7 @@ __all__ = ["pose"]
     help="Closer than this is close: turn of a leg (deg, rad), or translation.",
 )
 @click.option("--accuracy", metavar="LENGTH", help="How well the joints' places are known; by default exactly.")
-@click.option("--nearest/--no-nearest", default=None, help="Seek the nearest singular poses (about a second).")
+@nearest_option
 @time_limit()
 @output_options()
 def pose(
@@ -40,7 +40,7 @@ def pose(
     about: str,
     threshold: str,
     accuracy: str | None,
-    nearest: bool | None,
+    nearest: bool,
     out: Output,
 ) -> None:
     """Tell how close a robot is to a singularity in a pose, what is nearest, and why.
@@ -56,8 +56,8 @@ def pose(
     ry, rz, the rotation vector. Or it is a translation x y z and, after a semicolon, a turn: quaternion w x y z,
     rotation-vector x y z deg, or euler SEQUENCE a b c deg (xyz about the fixed axes, XYZ about the axes that turn
     along). It moves the platform from where the file has it. "-" reads the file from standard input. A robot that is
-    described by its joints, a file or an id, is answered as by "gcrules robot pose"; with --nearest or --accuracy as
-    the platform that its six legs make.
+    described by its joints, a file or an id, is answered as by "gcrules robot pose"; with --accuracy as the platform
+    that its six legs make.
     """
     loaded = warn(read_source(file))
     with working("computing"):

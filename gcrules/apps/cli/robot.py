@@ -9,7 +9,15 @@ from pathlib import Path
 
 import click
 
-from gcrules.apps.cli.base import SEEDED, ExpressionCommand, Output, output_options, search_option, seeded
+from gcrules.apps.cli.base import (
+    SEEDED,
+    ExpressionCommand,
+    Output,
+    nearest_option,
+    output_options,
+    search_option,
+    seeded,
+)
 from gcrules.apps.cli.files import OutputCommand, OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
@@ -175,6 +183,7 @@ def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Out
 @click.option(
     "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
 )
+@nearest_option
 @time_limit()
 @click.option("--search", is_flag=True, help="Seek the first singular configuration on the way there from home.")
 @output_options()
@@ -184,6 +193,7 @@ def pose_command(
     at: str | None,
     actuators: str | None,
     threshold: str,
+    nearest: bool,
     search: bool,
     out: Output,
 ) -> None:
@@ -201,7 +211,7 @@ def pose_command(
     read = read_robot(name, folders)
     with working("computing"):
         if not search:
-            out.show(_pose(read, at, actuators=actuators, threshold=threshold))
+            out.show(_pose(read, at, actuators=actuators, threshold=threshold, nearest=nearest))
             return
         found = _singular(read, at, actuators=actuators, threshold=threshold)
     if found is None:

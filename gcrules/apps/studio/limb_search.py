@@ -13,12 +13,13 @@ from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.core.budget import report
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.linkage import Linkage
+from gcrules.mechanisms.kinematics.linkage import Linkage, begun_at
 from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.kinematics.targets import actuators_target
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.limbs.around import Heading, SingularAlong, actuator_values, begun_at, first_along, headings
+from gcrules.poses.limbs.around import Heading, SingularAlong, actuator_values, first_along, headings, nearest_around
 from gcrules.poses.limbs.pose_report import report_at
+from gcrules.screws.pose_text import ANGLES
 from gcrules.screws.threshold import DEFAULT, degrees
 from gcrules.screws.verdict import SOLVED
 
@@ -28,7 +29,7 @@ _SHORT = 0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2
 """Parts of the way by which the sliders may stop short of a singular pose: there the actuators themselves come to a
 stop, and the closer they are, the worse they tell the pose."""
 
-_NO_PROOF = "one coordinate of the platform at a time was searched; this is no proof that nothing singular lies nearer"
+_NO_PROOF = "a search, and no proof that nothing singular lies nearer"
 
 
 def first_around(limbs: Limbs, pose: PoseJson) -> Nearest:
@@ -41,7 +42,8 @@ def first_around(limbs: Limbs, pose: PoseJson) -> Nearest:
     given = pose.get("coordinates") or [0.0] * len(m.actuators)
     now = [radians(v) if a.angle else float(v) for a, v in zip(m.actuators, given, strict=True)]
     at = begun_at(m, solve(m, actuators_target(m, now)).configuration if any(now) else m.home)
-    met: list[SingularAlong] = []
+    one = nearest_around(at)
+    met = [one] if one else []
     stops: list[str] = []
     every = tuple(headings(at))
     for way in every:
@@ -55,12 +57,12 @@ def first_around(limbs: Limbs, pose: PoseJson) -> Nearest:
     views: list[SingularPoseView] = []
     lost: list[str] = []
     for one in sorted(met, key=lambda one: one.apart):
-        report(f"setting the actuators along {one.way}")
+        report(f"setting the actuators {_kind(one)}")
         view = _view(limbs, at, one, now, pose)
         if view:
             views.append(view)
         else:
-            lost.append(str(one.way))
+            lost.append(_kind(one))
     return {"found": views, "note": _note(views, every, stops, lost)}
 
 
@@ -80,14 +82,18 @@ def _view(limbs: Limbs, at: Linkage, one: SingularAlong, now: list[float], pose:
             break
     else:
         return None
-    unit = "deg" if one.way.angle else limbs.unit
-    shown = degrees(one.distance) if one.way.angle else f"{one.distance:.4g} {limbs.unit}".strip()
-    words = f"{shown} along {one.way}, the platform's other free coordinates kept; {_NO_PROOF}"
+    angle = one.way is not None and one.way.angle
+    unit = "deg" if angle else limbs.unit if one.way else ""
+    shown = degrees(one.distance) if angle else f"{one.distance:.4g} {unit}".strip()
+    if one.way is None:
+        words = f"{_changes(one)}: {shown} in radians and parts of the robot's size; {_NO_PROOF}"
+    else:
+        words = f"{shown} along {one.way}, the platform's other free coordinates kept; {_NO_PROOF}"
     if short:
         words += f"; the actuators stop just short of it, at σ = {reached.margin:.1g}"
     return {
-        "kind": f"along {one.way}",
-        "distance": to_degrees(one.distance) if one.way.angle else one.distance,
+        "kind": _kind(one),
+        "distance": to_degrees(one.distance) if angle else one.distance,
         "unit": unit,
         "certified": False,
         "text": words,
@@ -96,12 +102,24 @@ def _view(limbs: Limbs, at: Linkage, one: SingularAlong, now: list[float], pose:
     }
 
 
+def _kind(one: SingularAlong) -> str:
+    return f"along {one.way}" if one.way else "in any direction"
+
+
+def _changes(one: SingularAlong) -> str:
+    """By how much the free coordinates change on a way."""
+    target = one.course.target
+    pairs = zip(target.names, target.values.tolist(), strict=True)
+    return ", ".join(f"{n} {degrees(v) if n in ANGLES else f'{v:.4g}'}" for n, v in pairs)
+
+
 def _note(found: list[SingularPoseView], every: tuple[Heading, ...], stops: list[str], lost: list[str]) -> str:
     said = "Found" if found else "No singular pose was found"
     all_ways = listed([str(w) for w in every])
-    words = f"{said} by a search along {all_ways}, up to 60° or 0.75 times the robot's size: {_NO_PROOF}."
+    words = f"{said} by a search along {all_ways}, up to 60° or 0.75 times the robot's size, and in all directions at"
+    words += " once: this is no proof that nothing singular lies nearer."
     if stops:
         words += f" Along {listed(stops)} the robot does not assemble so far."
     if lost:
-        words += f" There is a singular pose along {listed(lost)}, to which the sliders do not lead from home."
+        words += f" There is a singular pose {listed(lost)}, to which the sliders do not lead from home."
     return words

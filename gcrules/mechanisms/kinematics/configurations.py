@@ -7,12 +7,15 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.linkage import Configuration
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
 __all__ = ["Configurations"]
+
+Places = NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +45,12 @@ class Configurations:
         """Those of an array of places, or a mask."""
         chains = (replace(c, screws=c.screws[chosen]) for c in self.chains)
         return Configurations(tuple(chains), tuple(a[chosen] for a in self.joint_values), self.platform[chosen])
+
+    def replaced(self, places: Places, others: Configurations) -> Configurations:
+        """With others at some places."""
+        order = np.arange(len(self))
+        order[places] = len(self) + np.arange(len(others))
+        return Configurations.together([self, others])[order]
 
     def after(self, amounts: Sequence[Floats], links: Sequence[Floats]) -> Configurations:
         """Those to which the coordinates grow by these amounts, the links moving like this."""

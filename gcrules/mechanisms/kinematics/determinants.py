@@ -50,6 +50,12 @@ class Frames:
         """Those of an array of places, or a mask."""
         return Frames(tuple(s[chosen] for s in self.systems), self.determinant[chosen])
 
+    def replaced(self, places: NDArray[np.intp], others: Frames) -> Frames:
+        """With others at some places."""
+        order = np.arange(len(self.determinant))
+        order[places] = len(order) + np.arange(len(others.determinant))
+        return Frames.together([self, others])[order]
+
     @property
     def signed(self) -> NDArray[np.bool_]:
         """Where the determinant is known and not 0 within rounding."""

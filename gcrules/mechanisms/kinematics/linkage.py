@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
@@ -19,7 +19,7 @@ from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS
 from gcrules.screws.pose_text import read_centre
 
-__all__ = ["Actuator", "Configuration", "Linkage", "linkage"]
+__all__ = ["Actuator", "Configuration", "Linkage", "begun_at", "linkage"]
 
 
 _FAR = 1e12
@@ -134,6 +134,17 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
         passive,
         tuple(_still(robot)),
     )
+
+
+def begun_at(m: Linkage, c: Configuration) -> Linkage:
+    """The same linkage, with this configuration for its home: all amounts and coordinates count from there."""
+    turn, shift = c.platform[:3, :3], c.platform[:3, 3]
+    home = replace(
+        c,
+        links=tuple(np.broadcast_to(np.eye(4), k.shape) for k in c.links),
+        joint_values=tuple(np.zeros_like(a) for a in c.joint_values),
+    )
+    return replace(m, home=home, centre=turn @ m.centre + shift, ends=m.ends @ turn.T + shift)
 
 
 def _end(robot: Robot, place: int, values: Mapping[str, Floats]) -> Floats:

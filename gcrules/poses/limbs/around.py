@@ -17,7 +17,7 @@ nothing singular lies nearer.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -26,10 +26,11 @@ from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.solve import Solution, check_target, free_coordinates, goal
 from gcrules.mechanisms.kinematics.targets import Target
+from gcrules.poses.limbs.nearest import nearest_singular
 from gcrules.poses.limbs.search import first_singular
 from gcrules.screws.pose_text import ANGLES
 
-__all__ = ["Heading", "SingularAlong", "actuator_values", "begun_at", "first_along", "headings"]
+__all__ = ["Heading", "SingularAlong", "actuator_values", "first_along", "headings", "nearest_around"]
 
 REACH = np.pi / 3, 0.75
 """How far it is looked: radians, and parts of the robot's size."""
@@ -56,10 +57,10 @@ class Heading:
 @dataclass(frozen=True, eq=False)
 class SingularAlong:
     """A singular configuration on a way, `distance` (a length or radians) from its start; `apart` is that in radians or
-    in parts of the robot's size.
+    in parts of the robot's size. The way is None for the nearest of all directions, of which `apart` is the distance.
     """
 
-    way: Heading
+    way: Heading | None
     distance: float
     apart: float
     solution: Solution
@@ -70,17 +71,6 @@ class SingularAlong:
         """The configuration that lies short of it by this part of the way. Raises InputError."""
         start = Solution(self.course.m.home, self.course.target)
         return goal(self.course, start, 0.0, self.part * (1 - short)).configuration
-
-
-def begun_at(m: Linkage, c: Configuration) -> Linkage:
-    """The same linkage, with this configuration for its home: all amounts and coordinates count from there."""
-    turn, shift = c.platform[:3, :3], c.platform[:3, 3]
-    home = replace(
-        c,
-        links=tuple(np.broadcast_to(np.eye(4), k.shape) for k in c.links),
-        joint_values=tuple(np.zeros_like(a) for a in c.joint_values),
-    )
-    return replace(m, home=home, centre=turn @ m.centre + shift, ends=m.ends @ turn.T + shift)
 
 
 def headings(m: Linkage) -> Iterator[Heading]:
@@ -101,6 +91,15 @@ def first_along(m: Linkage, analysis: RobotAnalysis, way: Heading) -> SingularAl
         return None
     apart = found.part * (REACH[0] if way.angle else REACH[1])
     return SingularAlong(way, found.part * far, apart, found.solution, Course(m, wanted), found.part)
+
+
+def nearest_around(m: Linkage) -> SingularAlong | None:
+    """The nearest one of a search in all directions from home, or None."""
+    found = nearest_singular(m)
+    if found is None or found.solution is None:
+        return None
+    course = Course(m, found.solution.target)
+    return SingularAlong(None, found.distance, found.distance, found.solution, course, 1.0)
 
 
 def actuator_values(m: Linkage, c: Configuration) -> list[float]:

@@ -14,7 +14,7 @@ from gcrules.core.errors import InputError
 from gcrules.core.floats import without_noise
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.coordinates import coordinates
-from gcrules.mechanisms.kinematics.linkage import Linkage
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, begun_at
 from gcrules.mechanisms.kinematics.margin import LimbMargin, limb_margins, margin
 from gcrules.mechanisms.kinematics.solve import Solution, check_target, solve
 from gcrules.mechanisms.kinematics.targets import (
@@ -30,7 +30,8 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.assembly_mode import assembly_mode
 from gcrules.poses.limbs.balance import limb_numbers
 from gcrules.poses.limbs.factors import ConditionFactor, factors
-from gcrules.poses.limbs.report import RobotPose
+from gcrules.poses.limbs.nearest import nearest_singular
+from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
 from gcrules.poses.limbs.search import first_singular
 from gcrules.poses.numbers.motion import Twist, twist_of
 from gcrules.screws.guarantees import DIGITS
@@ -48,13 +49,64 @@ _NEAR_ZERO = 1e-6  # of a factor, where the robot is singular
 
 
 def report_of_limbs(
-    m: Limbs, at: Any = None, actuators: Any = None, *, degrees: bool = False, threshold: str | Threshold = DEFAULT
+    m: Limbs,
+    at: Any = None,
+    actuators: Any = None,
+    *,
+    degrees: bool = False,
+    threshold: str | Threshold = DEFAULT,
+    nearest: bool = False,
 ) -> RobotPose:
-    """The numbers at a wanted pose, or at wanted actuators; at home where neither is given. Raises InputError."""
+    """The numbers at a wanted pose, or at wanted actuators; at home where neither is given; with the `nearest` singular
+    configuration if that is asked for. Raises InputError.
+    """
     limit = angle_threshold(threshold, "for robots described by joints")
     wanted = target_of(m.linkage, at, actuators, degrees)
     solution = solve(m.linkage, wanted) if wanted is not None else _at_home(m.linkage)
-    return report_at(m.linkage, m.analysis, solution, limit)
+    found = report_at(m.linkage, m.analysis, solution, limit)
+    if not nearest or found.verdict == "singular":
+        return found
+    return replace(found, nearest=_nearest(m, solution.configuration))
+
+
+def _nearest(m: Limbs, here: Configuration) -> NearestConfiguration | None:
+    """The nearest singular configuration in words and numbers, all from home but the changes; None where no coordinates
+    tell the pose near the configuration.
+    """
+    at = begun_at(m.linkage, here)
+    found = nearest_singular(at)
+    if found is None:
+        return None
+    size = at.size
+    known: dict[str, Any] = {"coordinates": {}, "actuators": {}, "margin": None, "causes": (), "branch_proved": False}
+    if found.solution is not None:
+        there = found.solution.configuration
+        pose = coordinates(COORDINATES, there.platform @ here.platform, m.linkage.centre)
+        known = {
+            "coordinates": _numbers(COORDINATES, pose, size),
+            "actuators": {
+                a.name: (there.joint_values[a.place] + here.joint_values[a.place])[a.coordinate]
+                for a in m.linkage.actuators
+            },
+            "margin": margin(at, there).sigma,
+            "causes": _causes(factors(m.analysis, there.values), "singular"),
+            "branch_proved": found.solution.doubt is None,
+        }
+    return NearestConfiguration(
+        changes={} if found.changes is None else _numbers(found.names, found.changes, size),
+        distance=found.distance,
+        reach=found.reach,
+        size=size,
+        free={n: found.free * (1.0 if n in ANGLES else size) for n in found.names},
+        directions=found.directions,
+        stopped=found.stopped,
+        **known,
+    )
+
+
+def _numbers(names: Sequence[str], values: Any, size: float) -> dict[str, float]:
+    """Coordinates by name, without what is rounding only."""
+    return {n: without_noise(v, 1.0 if n in ANGLES else size) for n, v in zip(names, values, strict=True)}
 
 
 def first_singular_pose(
@@ -121,7 +173,6 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
     own = limb_margins(m, c)
     verdict, reason = _verdict(m, near, own, limit)
     motions = _twists(m, near)
-    numbers = zip(COORDINATES, coordinates(COORDINATES, c.platform, m.centre), strict=True)
     return RobotPose(
         robot=m.robot.id,
         title=m.robot.title,
@@ -129,7 +180,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
         verdict=verdict,
         reason=reason,
         causes=_causes(values, verdict),
-        coordinates={n: without_noise(v, 1.0 if n in ANGLES else m.size) for n, v in numbers},
+        coordinates=_numbers(COORDINATES, coordinates(COORDINATES, c.platform, m.centre), m.size),
         centre=tuple(map(float, m.centre)),
         actuators=tuple(
             (a, without_noise(c.joint_values[a.place][a.coordinate], 1.0 if a.angle else m.size)) for a in m.actuators

@@ -17,7 +17,54 @@ from gcrules.poses.limbs.factors import ConditionFactor
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.threshold import Threshold
 
-__all__ = ["RobotPose"]
+__all__ = ["NearestConfiguration", "RobotPose"]
+
+
+@dataclass(frozen=True)
+class NearestConfiguration:
+    """The nearest singular configuration that a search in `directions` found around a configuration of a robot.
+
+    `changes` are those of the coordinates from there (radians and the unit of the file), none where nothing was found
+    up to `reach`; `distance` is √Σ of the squares of angles and of shifts in parts of the robot's `size`, infinite
+    then. `coordinates` and `actuators` are its pose and the amounts of its actuators, from home; `margin` is σ there,
+    `causes` are the factors that vanish, in words. That it lies on the same branch is `branch_proved` or not. It is a
+    search: another one may be nearer. But no configuration is singular where each of the coordinates named in
+    `free` changes by less than that: proved. In `stopped` of the directions the robot could not be followed so far.
+    """
+
+    changes: Mapping[str, float]
+    distance: float
+    reach: float
+    size: float
+    free: Mapping[str, float]
+    directions: int
+    stopped: int
+    coordinates: Mapping[str, float]
+    actuators: Mapping[str, float]
+    margin: float | None
+    causes: tuple[str, ...]
+    branch_proved: bool
+
+    def __post_init__(self) -> None:
+        for name in ("changes", "free", "coordinates", "actuators"):
+            object.__setattr__(self, name, FrozenMap(getattr(self, name)))
+
+    def to_json(self) -> dict[str, Any]:
+        """One JSON object; what does not exist is null."""
+        return {
+            "distance": self.distance if math.isfinite(self.distance) else None,
+            "reach": self.reach,
+            "size": self.size,
+            "changes": dict(self.changes),
+            "free": dict(self.free),
+            "directions": self.directions,
+            "stopped": self.stopped,
+            "pose": dict(self.coordinates),
+            "actuators": dict(self.actuators),
+            "sigma": self.margin,
+            "causes": list(self.causes),
+            "branch_proved": self.branch_proved,
+        }
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +78,7 @@ class RobotPose(HoldsArrays, Shown):
     says what is proved of the way to it from home: its branch, and its mode. `margin` is σ in [0, 1] and `turn` = asin
     σ its guarantee (see docs/robot-numbers.md). `factors` are those of the condition; `motions` what the platform gains
     where it is singular, `softest` the motion that the limbs notice least, `points` the places of all points and
-    directions.
+    directions. `nearest` is the nearest singular configuration, where it was asked for.
     """
 
     robot: str
@@ -59,6 +106,7 @@ class RobotPose(HoldsArrays, Shown):
     motions: tuple[Twist, ...]
     points: Mapping[str, tuple[float, ...]]
     notes: tuple[str, ...] = ()
+    nearest: NearestConfiguration | None = None
 
     def __post_init__(self) -> None:
         for name in ("coordinates", "points"):
@@ -114,6 +162,7 @@ class RobotPose(HoldsArrays, Shown):
             "softest_motion": self.softest.to_json(),
             "gained_motions": [motion.to_json() for motion in self.motions],
             "points": {n: list(p) for n, p in self.points.items()},
+            "nearest": self.nearest.to_json() if self.nearest else None,
             "notes": list(self.notes),
         }
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from gcrules.poses.limbs.report import RobotPose
-from gcrules.screws.pose_text import SHIFTS, TURNS
+from gcrules.core.english import listed
+from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
+from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
@@ -71,6 +72,53 @@ def _lines(r: RobotPose) -> Iterator[str]:
         yield from columns(rows, "  ")
     yield ""
     yield from _motion(r)
+    if r.nearest:
+        yield ""
+        yield from _nearest(r.nearest)
+
+
+def _nearest(n: NearestConfiguration) -> Iterator[str]:
+    yield "Nearest singular configuration, by a search in all directions"
+    stopped = f"; in {n.stopped} of them the robot cannot be followed so far" if n.stopped else ""
+    measure = f"shifts as parts of the robot's size, {n.size:.4g}, and angles in radians"
+    if n.changes:
+        where = ", ".join(f"{name} {_change(name, v)}" for name, v in n.changes.items())
+        yield from wrapped(f"{where} from here; distance {n.distance:.4g} ({measure})", "  ", "    ")
+        for cause in n.causes:
+            yield from wrapped(cause, "    ", "      ")
+        if n.actuators and not n.branch_proved:
+            yield from wrapped("that it is on the same branch of solutions is not proved", "    ", "      ")
+        yield from wrapped(
+            f"found from {n.directions} directions{stopped}; another one may be nearer", "    ", "      "
+        )
+    else:
+        words = f"none found up to the distance {n.reach:.4g} ({measure}) in {n.directions} directions{stopped}"
+        yield from wrapped(words, "  ", "    ")
+    if not any(n.free.values()):
+        yield from wrapped("no box around this configuration was proved free of them", "  ", "    ")
+        return
+    bounds = []
+    for angle in (False, True):
+        names = [name for name in n.free if (name in ANGLES) == angle]
+        if names:
+            each = " each" if len(names) > 1 else ""
+            change = "changes" if len(names) == 1 else "change"
+            bounds.append(f"{listed(names)}{each} {change} by less than {_at_most(n.free[names[0]], angle)}")
+    yield from wrapped(
+        f"proved: on this branch no configuration is singular while {' and '.join(bounds)}", "  ", "    "
+    )
+
+
+def _at_most(value: float, angle: bool) -> str:
+    """A bound with three digits, never more than it is."""
+    shown = math.degrees(value) if angle else value
+    digit = 10.0 ** (math.floor(math.log10(shown)) - 2)
+    return f"{math.floor(shown * (1 - 1e-12) / digit) * digit:.3g}{'°' if angle else ''}"
+
+
+def _change(name: str, value: float) -> str:
+    shown = _amount(value, name in ANGLES)
+    return shown if value <= 0 else f"+{shown}"
 
 
 def _motion(r: RobotPose) -> Iterator[str]:
@@ -132,5 +180,14 @@ def as_latex(r: RobotPose) -> str:
         ("condition number", latex_quantity(r.jacobian.condition_number)),
         ("characteristic length", latex_quantity(r.jacobian.length)),
         *((f"${latex_name(a.name)}$", latex_quantity(v, "rad" if a.angle else "")) for a, v in r.actuators),
+        *_latex_nearest(r.nearest),
     ]
     return latex_table(rows)
+
+
+def _latex_nearest(n: NearestConfiguration | None) -> Iterator[tuple[str, str]]:
+    if n and n.changes:
+        yield "nearest singular configuration found, distance", latex_quantity(n.distance)
+        for name, v in n.changes.items():
+            unit = "rad" if name in ANGLES else ""
+            yield f"\\quad change of ${latex_name(name)}$", latex_quantity(v, unit)
