@@ -334,9 +334,8 @@ def test_robots_without_configurations(text: str) -> None:
         gc.pose(parse_robot(text))
 
 
-@pytest.mark.parametrize("option", ["--nearest", "--accuracy=1"])
-def test_options_of_platforms_are_refused_for_robots(option: str) -> None:
-    result = CliRunner().invoke(cli, ["pose", "3-rps", option])
+def test_the_accuracy_of_a_platform_is_refused_for_robots() -> None:
+    result = CliRunner().invoke(cli, ["pose", "3-rps", "--accuracy=1"])
     assert (result.exit_code, "is for platforms on six legs" in result.stderr) == (2, True)
 
 
