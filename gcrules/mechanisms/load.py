@@ -129,19 +129,20 @@ def kind_of(word: str, plugins: Folders = ()) -> str:
         return "file"
     if re.search(r"[\s,/\\]", word.strip()) or not word.strip():  # no id: nothing of robots needs to be looked up
         return "legs"
-    seen: list[str] = []
-    for kind, ids in _IDS.items():
-        known = ids(plugins)
-        if word in known:
-            return kind
-        seen += known
+    if kind := kind_of_id(word, plugins):
+        return kind
     if _LEG.fullmatch(word):
         return "legs"
     raise InputError(
         f"{word[:60]!r} is no file, no id of a robot, a class or an example, and no legs",
-        hint=near(word, seen)
+        hint=near(word, [known for ids in _IDS.values() for known in ids(plugins)])
         or '`gcrules robot list` and `gcrules catalog list` name ids; legs are written "ab af cb cd ed ef"',
     )
+
+
+def kind_of_id(word: str, plugins: Folders = ()) -> str:
+    """Whose id a word is: robot | class | example, or nothing."""
+    return next((kind for kind, ids in _IDS.items() if word in ids(plugins)), "")
 
 
 def read_text(text: str, filename: str = "<input>") -> Platform | Robot:

@@ -145,3 +145,11 @@ def test_a_new_robot_passes_its_check(tmp_path: Path, monkeypatch: pytest.Monkey
     assert again.exit_code == 2
     assert "already" in again.output
     assert run("new", "../up").exit_code == 2
+
+
+@pytest.mark.parametrize("taken", ["octahedral", "6-6", "gough-stewart"])
+def test_a_new_robot_needs_an_id_of_its_own(taken: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    found = run("new", taken)
+    assert (found.exit_code, f"{taken} is the id of" in found.output) == (2, True)
+    assert not list(tmp_path.iterdir())

@@ -71,6 +71,7 @@ FAULTS: dict[str, tuple[str, str, str]] = {
     "bad name": ("A%: free", "A%: free\n  foot: free", "'foot' is no name"),
     "twice": ("  r%: free", "  r%: free\n  A1: free", "A1 is defined twice"),
     "copies missing": ("copies: 3\n", "", "there is no key copies"),
+    "copies missing for the platform": ("copies: 3\n", "platform: S%\n", "robot.yaml:2:11: % stands for the numbers"),
     "many copies": ("copies: 3", "copies: 99", "copies are 1 to 12"),
     "parallel axes": ("R(A%, r%)", "U(A%, r%, r%)", "the two axes of a joint U are parallel"),
     "tag": (
@@ -92,6 +93,42 @@ FAULTS: dict[str, tuple[str, str, str]] = {
     "lines and limbs": ("mobility: 3", "mobility: 3\nlines: A1S1", "by its limbs or by lines, not by both"),
     "planar": ("copies: 3", "copies: 3\nspace: plane", "S1 does not lie in the plane z = 0 of a planar robot"),
 }
+
+
+LINES = """title: six lines
+copies: 6
+points: {A%: free, B%: free}
+mobility: 6
+lines: """
+
+PAIRS = {
+    "one text": "A1B1 A2B2 A3B3 A4B4 A5B5 A6B6",
+    "a list": "[A1B1, A2 B2, [A3, B3], A4B4, A5 B5, [A6, B6]]",
+    "copies": "A%B%",
+    "copies in a list": "[A% B%]",
+    "copies of two names": "[[A%, B%]]",
+}
+
+FAULTY_PAIRS = {
+    "three names": ("[A1B1C1, A2B2]", "5:9", "the line 'A1B1C1' does not name two points"),
+    "unknown": ("[A1B1, A2C2]", "5:15", "C2 is not defined"),
+    "one point": ("A1A1", "5:8", "the line A1A1 goes from a point to itself"),
+    "too few": ("[A1B1]", "5:8", "1 line, expected 6"),
+    "none": ("[]", "5:8", "there are no lines"),
+    "a single name": ("[[A1]]", "5:9", "a list of 1, expected 2"),
+}
+
+
+@pytest.mark.parametrize("written", PAIRS.values(), ids=PAIRS)
+def test_lines_are_written_like_legs(written: str) -> None:
+    assert parse_robot(LINES + written).lines == tuple((f"A{n}", f"B{n}") for n in range(1, 7))
+
+
+@pytest.mark.parametrize(("written", "place", "said"), FAULTY_PAIRS.values(), ids=FAULTY_PAIRS)
+def test_faults_of_lines(written: str, place: str, said: str) -> None:
+    found = told(LINES + written)
+    assert said in found
+    assert f":{place}: " in found
 
 
 @pytest.mark.parametrize(("old", "new", "said"), FAULTS.values(), ids=FAULTS)

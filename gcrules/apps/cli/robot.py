@@ -23,14 +23,14 @@ from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
 from gcrules.core.budget import checkpoint
 from gcrules.core.deferred import deferred
-from gcrules.core.errors import FileError, GcrulesError, LimitReached
+from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReached
 from gcrules.core.files import write_file
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import notes
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.family import Definition
 from gcrules.mechanisms.description.skeleton import skeleton
-from gcrules.mechanisms.load import read_robot
+from gcrules.mechanisms.load import kind_of_id, read_robot
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.factorization import SECONDS
 from gcrules.rules.plugin import ROBOT_FILE
@@ -40,6 +40,8 @@ __all__ = ["robot"]
 _home_remark = deferred("gcrules.poses.limbs.remark:home_remark")  # numpy, for numbers only
 _pose = deferred("gcrules.poses.pose:pose")
 _singular = deferred("gcrules.poses.pose:singular")
+
+_OWNERS = {"robot": "a robot", "class": "a class of the catalog", "example": "an example"}
 
 _plugins = click.option("--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins.")
 _name = click.argument("name", metavar="ID|FILE")
@@ -235,6 +237,11 @@ def pose_command(
 def new_command(robot_id: str, path: str | None) -> None:
     """Write a commented robot file to begin with; it passes `gcrules robot check`."""
     text = skeleton(robot_id)
+    if kind := kind_of_id(robot_id):
+        raise InputError(
+            f"{robot_id} is the id of {_OWNERS[kind]} already",
+            hint=f"choose another one; `gcrules view {robot_id}` shows what has it",
+        )
     if path is None:
         folder = Path(robot_id)
         try:

@@ -1,4 +1,4 @@
-"""Parts of robot files that stand for themselves: lines, platform, facts, home, and names that stand for several."""
+"""Parts of robot files that stand for themselves: lines, platform, facts, home."""
 
 from __future__ import annotations
 
@@ -6,50 +6,38 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Node
 from gcrules.mechanisms.description.family import Definition, Family
+from gcrules.mechanisms.description.point_pairs import numbered, point_pairs
 from gcrules.mechanisms.description.relations import AXES, relation
 from gcrules.mechanisms.robot import Consequence
 
-__all__ = ["MAX_TEXT", "numbered", "read_facts", "read_home", "read_lines", "read_platform"]
+__all__ = ["MAX_TEXT", "read_facts", "read_home", "read_lines", "read_platform"]
 
 MAX_TEXT = 300
 _FACT = re.compile(r"([A-Za-z][\w']*)\s+(.+)")
 
 
-def numbered(copies: int, *texts: str) -> Iterator[tuple[str, ...]]:
-    """The texts, once for each copy if one of them bears the sign %."""
-    if not any("%" in text for text in texts):
-        yield texts
-        return
-    for number in range(1, copies + 1):
-        yield tuple(text.replace("%", str(number)) for text in texts)
-
-
-def read_lines(node: Node, family: Family) -> tuple[tuple[str, str], ...]:
-    words = (node.string() or "").split() if node.kind == "scalar" else [n.string() or "" for n in node.sequence()]
-    found = []
-    for word in words:
-        names = SHORT_NAME.findall(word)
-        if len(names) != 2 or "".join(names) != word or names[0] == names[1]:
-            node.fault(f"{word[:20]!r} does not name two points", "lines are written S1A1 S2A2 …")
-            continue
-        for name in names:
+def read_lines(node: Node, family: Family, copies: int) -> tuple[tuple[str, str], ...]:
+    before = len(node.document.faults)
+    pairs = point_pairs(node, "line", copies)
+    for item, (first, second) in pairs:
+        for name in dict.fromkeys((first, second)):
             if name not in family.sorts:
-                node.fault(f"{name} is not defined", near(name, family.sorts))
-        found.append((names[0], names[1]))
+                item.fault(f"{name[:20]} is not defined", near(name, family.sorts))
+        if first == second:
+            item.fault(f"the line {first[:20]}{second[:20]} goes from a point to itself")
     wanted = 3 if family.plane else 6
-    if len(found) != wanted:
-        node.fault(f"{len(found)} lines, expected {wanted}")
-    return tuple(found)
+    if len(node.document.faults) == before and len(pairs) != wanted:
+        node.fault(f"{len(pairs)} line{'s' * (len(pairs) != 1)}, expected {wanted}")
+    return tuple(pair for _, pair in pairs)
 
 
 def read_platform(node: Node, family: Family, copies: int) -> tuple[str, ...]:
     text = node.string() or ""
-    names = tuple(n for (copy,) in numbered(copies, text) for n in copy.replace(",", " ").split())
+    names = tuple(n for (copy,) in numbered(node, copies, text) for n in copy.replace(",", " ").split())
     for name in names:
         if family.sorts.get(name) != "point":
             node.fault(f"{name[:20]} is no point", near(name, family.sorts))
@@ -58,7 +46,7 @@ def read_platform(node: Node, family: Family, copies: int) -> tuple[str, ...]:
 
 def read_facts(node: Node, family: Family, copies: int) -> Iterator[tuple[Node, Consequence]]:
     for item in node.sequence():
-        for (text,) in numbered(copies, item.string() or ""):
+        for (text,) in numbered(item, copies, item.string() or ""):
             match = _FACT.fullmatch(text.strip()) if len(text) <= MAX_TEXT else None
             sort = family.sorts.get(match[1]) if match else None
             if not match or sort is None:

@@ -23,13 +23,13 @@ from os import PathLike
 from pathlib import PurePath
 
 from gcrules.algebra.language.legs_text import leg_text
-from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.core.arguments import ROW, TEXT, described, listed, mapping, read, row
 from gcrules.core.errors import InputError
 from gcrules.core.floats import exact
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document, Node
+from gcrules.mechanisms.description.point_pairs import point_pairs
 from gcrules.screws.pose import UNITS
 
 __all__ = ["Platform", "load_platform", "parse_platform"]
@@ -98,7 +98,7 @@ def _platform(document: Document) -> Platform:
     texts = {key: top[key].string() or "" for key in ("title", "note", "source") if key in top}
     units = top["units"].choice(UNITS) or "" if "units" in top else ""
     points = _points(top["points"]) if "points" in top else {}
-    legs = _legs(top["legs"]) if "legs" in top else []
+    legs = point_pairs(top["legs"], "leg") if "legs" in top else []
     for node, leg in legs:
         _check_leg(node, leg, points)
     document.check()
@@ -132,36 +132,6 @@ def _points(node: Node) -> _Points:
     if node.kind == "mapping" and not found:
         node.fault("there are no points")
     return found
-
-
-def _legs(node: Node) -> list[tuple[Node, tuple[str, str]]]:
-    """Each leg with its node; legs at fault are left out."""
-    if node.kind == "scalar" and not node.is_nothing:
-        parts = [(node, word) for word in re.split(r"[\s,;]+", node.text.strip())]
-    else:
-        parts = [(item, item.text if item.kind == "scalar" else None) for item in node.sequence()]
-        if node.kind == "sequence" and not parts:
-            node.fault("there are no legs")
-    legs = []
-    for item, word in parts:
-        ends = _ends(item, word)
-        if ends:
-            legs.append((item, ends))
-    return legs
-
-
-def _ends(item: Node, word: str | None) -> tuple[str, str] | None:
-    if word is None:
-        names = [name for part in item.sequence(length=2) if (name := part.string())]
-        return (names[0], names[1]) if len(names) == 2 else None
-    names = word.split() if len(word.split()) > 1 else SHORT_NAME.findall(word)
-    if len(names) != 2 or (len(word.split()) == 1 and "".join(names) != word):
-        item.fault(
-            f"the leg {word[:_MAX_NAME]!r} does not name two points" if word else "this leg names no points",
-            'write ab, S1A1, "S1 A1" or [left, right]',
-        )
-        return None
-    return names[0], names[1]
 
 
 def _check_leg(node: Node, leg: tuple[str, str], points: _Points) -> None:

@@ -35,13 +35,13 @@ from gcrules.mechanisms.conditions.checks import check_family, check_home, check
 from gcrules.mechanisms.description.family import Definition, Family, circles, in_order
 from gcrules.mechanisms.description.file_parts import (
     MAX_TEXT,
-    numbered,
     read_facts,
     read_home,
     read_lines,
     read_platform,
 )
 from gcrules.mechanisms.description.limb_file import LimbSpec, read_joints
+from gcrules.mechanisms.description.point_pairs import numbered
 from gcrules.mechanisms.description.relations import AXES, RELATIONS, relation
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS
@@ -98,7 +98,7 @@ class _Reader:
         if "limbs" not in top and "lines" not in top:
             self.document.root.fault("the key 'limbs' is missing", "limbs of joints, or lines whose wrenches are known")
         limbs = list(self._limbs(top["limbs"], family)) if "limbs" in top else []
-        lines = read_lines(top["lines"], family) if "lines" in top else ()
+        lines = read_lines(top["lines"], family, self.copies) if "lines" in top else ()
         texts = {k: top[k].string() or "" for k in ("title", "source", "note", "condition") if k in top}
         mobility = top["mobility"].integer() if "mobility" in top else None
         facts = tuple(read_facts(top["facts"], family, self.copies)) if "facts" in top else ()
@@ -135,15 +135,12 @@ class _Reader:
     def _definitions(self, node: Node, sort: str) -> Iterator[Definition]:
         for key, value in node.entries():
             text = value.string()
-            if "%" in key.text and not self.copies:
-                key.fault("% stands for the numbers of copies, and there is no key copies", "copies: 3")
-                continue
             if text is None:
                 continue
             if "%" in text and "%" not in key.text:
                 value.fault("% stands in the relation of a name without it")
                 continue
-            for name, written in numbered(self.copies, key.text, text):
+            for name, written in numbered(key, self.copies, key.text, text):
                 before = len(self.document.faults)
                 if not SHORT_NAME.fullmatch(name) or len(name) > 12:
                     key.fault(f"{name[:20]!r} is no name", "a letter, then digits or primes: A1, S', r12")
@@ -230,10 +227,7 @@ class _Reader:
             )  # fmt: skip
             name = top["name"].string() or "" if "name" in top else f"leg {'%' if '%' in text else place + 1}"
             through = top["through"].string() or "" if "through" in top else ""
-            if "%" in name + text and not self.copies:
-                joints.fault("% stands for the numbers of copies, and there is no key copies", "copies: 3")
-                continue
-            for own, written, points in numbered(self.copies, name, text, through):
+            for own, written, points in numbered(joints, self.copies, name, text, through):
                 limb = self._limb(own, written, points, joints, family)
                 if limb and own in seen:
                     item.fault(f"two limbs bear the name {own!r}")
