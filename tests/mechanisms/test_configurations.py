@@ -222,6 +222,49 @@ def test_bars_that_would_not_stay_parallel_are_refused() -> None:
         gc.pose(r, "0 0 0; euler xyz 0 0 5 deg")
 
 
+RAILS = """
+title: planar robot on rails
+copies: 3
+space: plane
+points: {A%: free, B%: A% + e%, C%: free}
+directions: {e%: free}
+limbs: [{name: leg %, joints: "P*(A% B%) R(B%, z) R(C%, z)"}]
+platform: C%
+mobility: 3
+home: {A1: [0, 0, 0], A2: [5, 0, 0], A3: [2, 5, 0], e1: [1, 0, 0], e2: [0, 1, 0], e3: [0, -1, 0], C1: [2, 1, 0],
+  C2: [3, 2, 0], C3: [2.5, 2, 0]}
+"""
+
+SHARED_RAIL = """
+title: a carriage with the name of a hinge of the base
+space: plane
+points: {A1: free, A3: free, C1: free, C2: free, C3: free}
+directions: {e: free}
+limbs:
+  - {name: one, joints: "P*(e) R(A1, z) R(C1, z)"}
+  - {name: two, joints: "R(A1, z) P*(A1 C2) R(C2, z)"}
+  - {name: three, joints: "R(A3, z) P*(A3 C3) R(C3, z)"}
+platform: C1 C2 C3
+mobility: 3
+home: {A1: [0, 0, 0], A3: [2, 5, 0], e: [1, 0, 0], C1: [2, 1, 0], C2: [3, 1, 0], C3: [2.5, 2, 0]}
+"""
+
+ONE_NAME = {
+    "a carriage that its relation holds": (RAILS, "B2 would leave its relation, A2 [+] e2: it rides on what P"),
+    "a carriage and the base": (
+        SHARED_RAIL,
+        r"A1 would be in two places: it rides on what P\*\(e\) of one moves and on",
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "said"), ONE_NAME.values(), ids=ONE_NAME)
+def test_what_moves_needs_a_name_of_its_own(text: str, said: str) -> None:
+    with pytest.raises(gc.InputError, match=said) as caught:
+        gc.pose(parse_robot(text), "x=0.1, y=0, yaw=0deg")
+    assert "a name of its own" in str(caught.value.hint)
+
+
 def test_a_robot_that_is_singular_at_home() -> None:
     """Its three legs meet in a point."""
     r = robot("3-rpr")

@@ -15,7 +15,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import FLOATS, JOINTS
 
-__all__ = ["Attachment", "attachments", "disagreement", "moved", "residual_of_relations"]
+__all__ = ["Attachment", "attachments", "carrier", "disagreement", "moved", "residual_of_relations"]
 
 Values = Mapping[str, Floats]
 
@@ -47,6 +47,18 @@ def attachments(robot: Robot) -> dict[str, tuple[Attachment, ...]]:
     for name in robot.platform:
         found.setdefault(name, {Attachment(0, last): None})
     return {name: _firm(tuple(own)) for name, own in found.items()}
+
+
+def carrier(robot: Robot, own: Attachment) -> str:
+    """The link in words: the base, the platform, or what lies behind a joint of a limb."""
+    limb, end = robot.limbs[own.limb], 0
+    if not own.link:
+        return "the base"
+    for joint in limb.joints:
+        end += len(shape_of(joint.kind).motions)
+        if own.link <= end:
+            break
+    return "the platform" if joint is limb.joints[-1] and own.link == end else f"what {joint.text} of {limb.name} moves"
 
 
 def _firm(own: tuple[Attachment, ...]) -> tuple[Attachment, ...]:
@@ -95,23 +107,25 @@ def _by(ride: Attachment, sort: str, value: Floats, links: Sequence[Floats]) -> 
 
 def disagreement(
     robot: Robot, own: Mapping[str, tuple[Attachment, ...]], values: Values, links: Sequence[Floats], size: float
-) -> tuple[float, str]:
-    """How far the links that carry one name carry it to different places, at most, and that name: distances divided by
-    `size` for points, sines of angles for directions.
+) -> tuple[float, str, tuple[Attachment, ...]]:
+    """How far the links that carry one name carry it to different places, at most, that name, and two such links:
+    distances divided by `size` for points, sines of angles for directions.
     """
     worst, named = 0.0, ""
+    apart: tuple[Attachment, ...] = ()
     for name, several in own.items():
         sort = robot.family.sorts[name]
         places = [_by(r, sort, values[name], links) for r in several]
         if sort == "point":
-            off = max(float(np.linalg.norm(p - places[0])) for p in places) / size
+            offs = [float(np.linalg.norm(p - places[0])) / size for p in places]
         else:
             first = np.array(AXES[name], dtype=float) if name in AXES else places[0]
             length = float(np.linalg.norm(first)) * float(np.linalg.norm(values[name]))
-            off = max(float(np.linalg.norm(np.cross(first, p))) for p in places) / length
-        if off > worst:
-            worst, named = off, name
-    return worst, named
+            offs = [float(np.linalg.norm(np.cross(first, p))) / length for p in places]
+        far = int(np.argmax(offs))
+        if offs[far] > worst:
+            worst, named, apart = offs[far], name, (several[0], several[far])
+    return worst, named, apart
 
 
 def residual_of_relations(robot: Robot, values: Values, size: float) -> tuple[float, str]:

@@ -2,20 +2,52 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from gcrules.core.english import agreeing
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.attachments import Attachment, carrier
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.margin import limb_margins, margin
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["stopped"]
+__all__ = ["NotClosed", "in_two_places", "off_its_relation", "stopped"]
 
 _LOST = 0.3  # of what it was at home
+_HINT = "ask for less, for other coordinates, or give a home on the other side"
 
 
-def stopped(m: Linkage, here: Configuration, wanted: Target, part: float, told: float, why: str) -> InputError:
+class NotClosed(Exception):
+    """No solution near by: why, and what helps."""
+
+    def __init__(self, why: str, hint: str = _HINT) -> None:
+        super().__init__(why)
+        self.hint = hint
+
+
+def in_two_places(m: Linkage, name: str, two: Sequence[Attachment]) -> NotClosed:
+    """For a name that two links carry apart."""
+    one, other = (carrier(m.robot, a) for a in two)
+    return NotClosed(
+        f"{name} would be in two places: it rides on {one} and on {other}",
+        f"give a name of its own to one of them, with the coordinates of {name} at home",
+    )
+
+
+def off_its_relation(m: Linkage, name: str) -> NotClosed:
+    """For a name that its link, or those it is made from, carry away from its relation."""
+    text = next(d.text for d in m.robot.family.definitions if d.name == name)
+    rides = f": it rides on {carrier(m.robot, m.attachments[name][0])}" if name in m.attachments else ""
+    return NotClosed(
+        f"{name} would leave its relation, {text}{rides}",
+        f"give a name of its own to what moves along with the joints, with the coordinates of {name} at home, or"
+        " relations that hold in every pose",
+    )
+
+
+def stopped(m: Linkage, here: Configuration, wanted: Target, part: float, told: float, fault: NotClosed) -> InputError:
     """The error for a course that ends at a part of the way; `here` is the last configuration that was reached, `told`
     how well the wanted coordinates determine the pose there, compared with home.
     """
@@ -24,7 +56,8 @@ def stopped(m: Linkage, here: Configuration, wanted: Target, part: float, told: 
             f"{m.robot.id} cannot take the whole pose {wanted.text}: its platform has mobility {m.robot.mobility}",
             hint=f"give {m.robot.mobility} coordinates, such as z=0.2, roll=5deg; the others follow",
         )
-    reason = _reason(m, here, wanted, told, why)
+    small = _lost(m, here, wanted, told)
+    reason = small or str(fault)
     names = ("x", "y", "yaw") if m.robot.family.plane else ("x", "y", "z", "rx", "ry", "rz")
     numbers = zip(names, coordinates(names, here.platform, m.centre), strict=True)
     place = ", ".join(_amount(n, v, m.size) for n, v in numbers)
@@ -35,7 +68,7 @@ def stopped(m: Linkage, here: Configuration, wanted: Target, part: float, told: 
             f"{m.robot.id} does not assemble at {wanted.text} on home's assembly mode: it comes {100 * part:.3g}% of"
             f" the way ({place}), where {reason}"
         )
-    return InputError(message, hint="ask for less, for other coordinates, or give a home on the other side")
+    return InputError(message, hint=_HINT if small else fault.hint)
 
 
 def _amount(name: str, value: float, size: float) -> str:
@@ -44,8 +77,8 @@ def _amount(name: str, value: float, size: float) -> str:
     return f"{name}={0.0 if abs(value) < 1e-9 else value:.3g} rad"
 
 
-def _reason(m: Linkage, here: Configuration, wanted: Target, told: float, why: str) -> str:
-    """What has become small, compared with home."""
+def _lost(m: Linkage, here: Configuration, wanted: Target, told: float) -> str:
+    """What has become small, compared with home; nothing if nothing has."""
     lost = {}
     pairs = zip(limb_margins(m, here), limb_margins(m, m.home), m.robot.limbs, strict=True)
     for now, then, limb in pairs:
@@ -57,4 +90,4 @@ def _reason(m: Linkage, here: Configuration, wanted: Target, told: float, why: s
         return f"{words}: margin {100 * part:.1g}% of that at home"
     if told <= _LOST:
         return f"{agreeing(wanted.names, 'hardly determines', 'hardly determine')} the pose any more"
-    return why
+    return ""

@@ -20,7 +20,7 @@ from gcrules.mechanisms.kinematics.attachments import disagreement, moved, resid
 from gcrules.mechanisms.kinematics.branch import Steps, can_be_followed, follow_branch
 from gcrules.mechanisms.kinematics.chains import chain_of
 from gcrules.mechanisms.kinematics.configurations import Configurations
-from gcrules.mechanisms.kinematics.failure_reasons import stopped
+from gcrules.mechanisms.kinematics.failure_reasons import NotClosed, in_two_places, off_its_relation, stopped
 from gcrules.mechanisms.kinematics.fixed import unfixed
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import Course, Joints, close_loops, loop_rows, units_of
@@ -37,6 +37,7 @@ _SLOWER = 1.2  # how fast steps grow again after one was too long to be proved
 _DEPENDENT = 1e-7
 _PREFERRED = 0.01  # of the largest rate: a coordinate that moves less is not proposed
 _STILL = 1e-7  # rad
+_LEFT = 1e-6  # parts of the robot's size, or sines of angles: by which a name is not where it should be
 _FAR = 1e12
 _MOST_STEPS = 1000
 
@@ -90,12 +91,12 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
                     continue
                 doubt = before
             there = _configuration(course.m, here, joints)
-        except _NotClosed as fault:
+        except NotClosed as fault:
             step /= 2
             if step < _SHORTEST * max(far, 1e-3):
                 named = course.target.whole is None and not course.target.driven
                 told = _told(course, here) / _told(course, course.m.home) if named else 1.0
-                raise stopped(course.m, here, course.target, before, told, str(fault)) from None
+                raise stopped(course.m, here, course.target, before, told, fault) from None
             continue
         done += step
         step *= growth
@@ -110,43 +111,41 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
     return found
 
 
-class _NotClosed(Exception):
-    """No solution near by."""
-
-
 def _closed(course: Course, here: Configuration, part: float) -> tuple[Configuration, int]:
-    """The configuration near this one at a part of the course, and the iterations. Raises _NotClosed."""
+    """The configuration near this one at a part of the course, and the iterations. Raises NotClosed."""
     joints = _solved(course, here, part)
     return _configuration(course.m, here, joints), joints.iterations
 
 
 def _solved(course: Course, here: Configuration, part: float) -> Joints:
-    """The joints near a configuration at a part of the course. Raises _NotClosed."""
+    """The joints near a configuration at a part of the course. Raises NotClosed."""
     joints = close_loops(course, Configurations.of([here]), course.goal(np.array([part])))
     if not joints.closed[0]:
-        raise _NotClosed("joints go far in a small step" if joints.far[0] else "the loops do not close")
+        raise NotClosed("joints go far in a small step" if joints.far[0] else "the loops do not close")
     return joints
 
 
 def _configuration(m: Linkage, here: Configuration, joints: Joints) -> Configuration:
-    """The configuration after these amounts. Raises _NotClosed where the robot has left its family there."""
+    """The configuration after these amounts. Raises NotClosed where the robot has left its family there."""
     links, amounts = tuple(k[0] for k in joints.links), tuple(a[0] for a in joints.amounts)
     values = moved(m.robot, m.attachments, here.values, links)
-    off, name = max(
-        disagreement(m.robot, m.attachments, here.values, links, m.size), residual_of_relations(m.robot, values, m.size)
-    )
-    if off > 1e-6:
-        raise _NotClosed(f"{name} would leave what its relations and its joints say of it")
+    apart, name, two = disagreement(m.robot, m.attachments, here.values, links, m.size)
+    if apart > _LEFT:
+        raise in_two_places(m, name, two)
+    off, name = residual_of_relations(m.robot, values, m.size)
+    if off > _LEFT:
+        raise off_its_relation(m, name)
+    off = max(off, apart)
     for place, coordinate, joint in m.locked:
         if abs(amounts[place][coordinate]) > _STILL:
-            raise _NotClosed(f"the bars of {joint} would not stay parallel")
+            raise NotClosed(f"the bars of {joint} would not stay parallel")
     try:
         chains = tuple(chain_of(limb, values) for limb in m.robot.limbs)
     except InputError as fault:
-        raise _NotClosed(fault.message) from None
+        raise NotClosed(fault.message) from None
     loose, name = unfixed(m, here.chains, links, chains)
     if loose > 1e-6:
-        raise _NotClosed(f"{name} would not stay fixed in its links: other limbs move what it is named by")
+        raise NotClosed(f"{name} would not stay fixed in its links: other limbs move what it is named by")
     return Configuration(
         values,
         tuple(k @ before for k, before in zip(links, here.links, strict=True)),
