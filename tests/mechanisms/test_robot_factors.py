@@ -20,13 +20,14 @@ from gcrules.apps.cli import cli
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.common_factor import Subset
-from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, Ranks, at_member, ranks
+from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member
 from gcrules.mechanisms.conditions.overlaps import of_several_kinds
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.family import circles
 from gcrules.mechanisms.description.relations import Values
 from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.lines.ranks import Ranks, ranks
 from gcrules.mechanisms.lines.singular import divided, gcd, interpolated, radical, roots
 from gcrules.mechanisms.load import read_robot
 from gcrules.screws import RATIONALS, RESIDUES, axis, jacobian, product

@@ -20,11 +20,11 @@ from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.analyze_robot import _meaning
 from gcrules.mechanisms.conditions.checks import notes
-from gcrules.mechanisms.conditions.factor_causes import ranks
 from gcrules.mechanisms.conditions.words import RobotWords
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.relations import AXES, Values
 from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.lines.ranks import ranks
 from gcrules.mechanisms.lines.singular import interpolated, roots
 from gcrules.rules.plugin import shipped_folder
 from gcrules.rules.statement import Flat
@@ -159,8 +159,8 @@ LIMBS = {
 @pytest.mark.parametrize(("name", "words"), LIMBS.items(), ids=LIMBS)
 def test_limbs_have_singularities_of_their_own(name: str, words: str) -> None:
     a = analysis(name)
-    assert words in [s for _, s in a.limbs[0].conditions]
-    assert words.replace("1", "3") in [s for _, s in a.limbs[2].conditions]
+    assert words in [c.statement for c in a.limbs[0].conditions]
+    assert words.replace("1", "3") in [c.statement for c in a.limbs[2].conditions]
     assert not any(s.unexplained for s in a.limbs)
     assert "singularities of its limbs" in a.statement
 
@@ -247,7 +247,7 @@ limbs: [{{joints: "R*(A%, {axis}) R(B%, {axis}) {last}"}}]
 mobility: 3
 """)
     )
-    assert words in [said for _, said in a.limbs[0].conditions]
+    assert words in [c.statement for c in a.limbs[0].conditions]
 
 
 def test_words_of_a_flat_bracket_with_a_direction() -> None:
@@ -269,7 +269,7 @@ mobility: 6
 
 
 def test_bars_of_a_parallelogram_are_across_its_axis() -> None:
-    assert [s for _, s in analysis("orthoglide").limbs[0].conditions] == ["d1 is perpendicular to A1B1"]
+    assert [c.statement for c in analysis("orthoglide").limbs[0].conditions] == ["d1 is perpendicular to A1B1"]
     assert notes(robot("orthoglide")) == ()
     loose = variant("orthoglide", "n%: perpendicular to e%, A% B%", "n%: perpendicular to e%")
     assert [said.partition(",")[0] for said in notes(loose)] == [
@@ -285,7 +285,7 @@ def test_limbs_lose_rank_where_said(name: str) -> None:
     assert len(a.limbs) == len(r.limbs)
     for limb, said in list(zip(r.limbs, a.limbs, strict=True))[::2]:
         usual = RESIDUES.rank(limb.at(r.family.member(9), RESIDUES).twists(RESIDUES))
-        for expression, _ in said.conditions:
+        for expression in (c.expression for c in said.conditions):
             if expression:
                 four = re.findall(r"[A-Za-z]\d?", expression)
 

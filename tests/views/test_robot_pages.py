@@ -19,10 +19,10 @@ from hypothesis import strategies as st
 from gcrules.apps.cli import cli
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import home_values
-from gcrules.mechanisms.conditions.factor_causes import ranks
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.lines.ranks import ranks
 from gcrules.mechanisms.load import read_robot
 from gcrules.poses.limbs.singular_members import SingularPose, home_parameters, live_parts, singular_pose
 from gcrules.poses.paths.rational_roots import polynomial, rational_roots

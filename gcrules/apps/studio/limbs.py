@@ -15,6 +15,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.equivalent import FRAME
 from gcrules.views.drawing.drawing import Drawing
 from gcrules.views.formulas.latex import latex
+from gcrules.views.results.robot import factor_kind
 from gcrules.views.robots.limb_views import Values, limb_views
 from gcrules.views.robots.robot_drawing import draw_robot
 
@@ -64,9 +65,9 @@ def limb_stages(robot: RobotAnalysis) -> Iterator[tuple[str, list[Item]]]:
     ]
     words: list[Item] = [fact(f"{one.limb.name}, {one.limb.chain}", one.kind) for one in s.limbs]
     serial: list[Item] = [
-        sentence(f"{one.limb} by itself is singular where {place}.")
+        sentence(f"{one.limb} by itself is singular where {c.statement}.")
         for one in robot.limbs
-        for _, place in one.conditions
+        for c in one.conditions
     ]
     yield "limbs", [*numbers, *words, *serial]
     yield "equivalent", list(_equivalent(robot))
@@ -99,4 +100,4 @@ def part_items(robot: RobotAnalysis) -> Iterator[Item]:
     yield sentence("Its factors, told apart by the ranks of the joint screws at exact singular members of the family:")
     for part in robot.parts:
         yield formula(None, part.expression)
-        yield fact(part.kind, _told(part))
+        yield fact(factor_kind(part), _told(part))

@@ -19,7 +19,7 @@ from gcrules.core.seeds import remark
 from gcrules.mechanisms.conditions.cofactors import with_cofactors
 from gcrules.mechanisms.conditions.common_factor import common_factor, sees_constraints
 from gcrules.mechanisms.conditions.design import is_of_design, rigid_bodies
-from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member, causes_left, ranks, tell_apart
+from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member, causes_left, tell_apart
 from gcrules.mechanisms.conditions.line_conditions import condition_of_lines, factors_at
 from gcrules.mechanisms.conditions.overlaps import of_several_kinds, without_repetition
 from gcrules.mechanisms.conditions.published import MEMBERS, published
@@ -28,6 +28,7 @@ from gcrules.mechanisms.conditions.words import RobotWords
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.lines.equivalent import FRAME, Equivalent, equivalent
 from gcrules.mechanisms.lines.home import home_wrenches
+from gcrules.mechanisms.lines.ranks import ranks
 from gcrules.mechanisms.lines.serial import LimbSingularity, limb_singularities
 from gcrules.mechanisms.lines.wrenches import WrenchLine
 from gcrules.mechanisms.robot import Robot

@@ -21,10 +21,10 @@ from gcrules.mechanisms.description.family import Family, Path
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import Term, Values, combined, name_of
 from gcrules.mechanisms.lines.equivalent import Equivalent
+from gcrules.mechanisms.lines.ranks import TYPES, Ranks, ranks, types_of
 from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
-from gcrules.mechanisms.lines.wrenches import PLANAR
 from gcrules.rules.statement import NOTHING, Statement
-from gcrules.screws import RATIONALS, RESIDUES, Field, reciprocal
+from gcrules.screws import RATIONALS, RESIDUES, Field
 from gcrules.screws.field import Row
 
 __all__ = [
@@ -32,13 +32,12 @@ __all__ = [
     "ENOUGH",
     "KINDS",
     "FactorCause",
-    "Ranks",
+    "Poll",
     "Votes",
     "at_member",
     "causes_left",
     "constant",
     "paths",
-    "ranks",
     "superbracket_at",
     "tell_apart",
     "upstream",
@@ -64,22 +63,13 @@ _NEVER_SEEDS = (21, 22, 23)
 
 
 @dataclass(frozen=True)
-class Ranks:
-    """At one member: rank of the constraints, of all wrenches, and of each limb's twists, passive ones apart."""
-
-    constraints: int
-    wrenches: int
-    limbs: tuple[tuple[int, int], ...]
-
-
-@dataclass(frozen=True)
 class FactorCause:
     """A factor of the condition: `kind` is a key of `KINDS`, `members` the number of exact singular members on which
     that was seen (not counted beyond `ENOUGH`), `reason` says why a factor never vanishes, `meaning` when it does.
     `same` is another factor of this robot that vanishes wherever this one does; `chosen` the number of those members at
     which a factor that counts vanishes although the wrenches keep their rank, since the chosen lines depend on each
     other. It is divided by the cofactor `over`, where it vanishes whether or not the robot is singular. One `of_design`
-    keeps its value in every pose.
+    keeps its value in every pose. `types` are the types of singularity (keys of `TYPES`) at all singular members.
     """
 
     expression: Expr
@@ -91,6 +81,7 @@ class FactorCause:
     chosen: int = 0
     over: Expr = ONE
     of_design: bool = False
+    types: tuple[str, ...] = ()
 
     @property
     def statement(self) -> str:
@@ -105,47 +96,44 @@ class FactorCause:
 
 @dataclass
 class Votes:
-    """Votes for each factor where it alone vanishes, where others vanish with it (`shared`), and where points that are
-    different in the family coincide (`merged`); and how many singular members were met.
+    """Votes for the kind of a factor, and the types of singularity of those that are singular."""
+
+    kinds: Counter[str] = field(default_factory=Counter)
+    types: list[tuple[str, ...]] = field(default_factory=list)
+
+    def cast(self, kind: str, types: tuple[str, ...]) -> None:
+        """One more member."""
+        self.kinds[kind] += 1
+        if kind not in ASIDE:
+            self.types.append(types)
+
+    @property
+    def common_types(self) -> tuple[str, ...]:
+        """The types that all singular members have."""
+        return tuple(name for name in TYPES if self.types and all(name in types for types in self.types))
+
+
+@dataclass
+class Poll:
+    """Votes for each factor where it `alone` vanishes, where others vanish with it (`shared`), and where points that
+    are different in the family coincide (`merged`); and how many singular members were met.
     """
 
-    votes: dict[Expr, Counter[str]] = field(default_factory=dict)
-    shared: dict[Expr, Counter[str]] = field(default_factory=dict)
-    merged: dict[Expr, Counter[str]] = field(default_factory=dict)
+    alone: dict[Expr, Votes] = field(default_factory=dict)
+    shared: dict[Expr, Votes] = field(default_factory=dict)
+    merged: dict[Expr, Votes] = field(default_factory=dict)
     met: int = 0
     unexplained: int = 0
 
     @classmethod
-    def of(cls, factors: Sequence[Expr]) -> Votes:
+    def of(cls, factors: Sequence[Expr]) -> Poll:
         """No votes yet."""
-        votes, shared, merged = ({e: Counter[str]() for e in factors} for _ in range(3))
-        return cls(votes, shared, merged)
+        alone, shared, merged = ({e: Votes() for e in factors} for _ in range(3))
+        return cls(alone, shared, merged)
 
-    def best(self, e: Expr) -> Counter[str]:
+    def best(self, e: Expr) -> Votes:
         """The votes that count for a factor. Those of merged points count only where there are no others."""
-        return self.votes[e] or self.shared[e] or self.merged[e]
-
-
-def ranks(family: Family, limbs: Sequence[LimbSpec], values: Values, field: Field = RESIDUES) -> Ranks:
-    """The ranks at a member in this field, from the joint screws alone. Raises InputError where a joint is none."""
-    trivial = list(PLANAR) if family.plane else []
-    held: list[Row] = list(trivial)
-    locked: list[Row] = list(trivial)
-    dimensions = []
-    for text in limbs:
-        limb = text.at(values, field)
-        rows, actuated = limb.twists(field), limb.actuated
-        passive = [row for i, row in enumerate(rows) if i not in actuated]
-        own = reciprocal(rows, field)
-        every = reciprocal(passive, field) if actuated else own
-        held += own
-        locked += every
-        dimensions.append((6 - len(own), 6 - len(every)))
-    return Ranks(
-        (field.rank(held) if held else 0) - len(trivial),
-        (field.rank(locked) if locked else 0) - len(trivial),
-        tuple(dimensions),
-    )
+        return next((v for v in (self.alone[e], self.shared[e]) if v.kinds), self.merged[e])
 
 
 def at_member(family: Family, structure: Equivalent, values: Values, field: Field = RESIDUES) -> Evaluator:
@@ -211,7 +199,7 @@ def tell_apart(
     superbracket: Expr,
     factors: Sequence[Expr],
     several: Collection[Expr] = (),
-) -> tuple[tuple[FactorCause, ...], Votes]:
+) -> tuple[tuple[FactorCause, ...], Poll]:
     """The kind of each factor, and how many singular members were met. `several` are factors that are known to vanish
     for more than one reason: because of them all paths are searched.
     """
@@ -223,23 +211,23 @@ def tell_apart(
     open_factors = [e for e in dict.fromkeys(factors) if e not in parts]
     names = [*points_of(superbracket), *(n for _, u, v in structure.derived for t in (u, v) for _, n in t)]
     generic = ranks(family, limbs, family.member("generic"))
-    told = Votes.of(open_factors)
+    poll = Poll.of(open_factors)
     value = superbracket_at(family, structure, superbracket)
     for path in paths(family, names):
         checkpoint()
         polynomial = interpolated(lambda t, path=path: value(path.member(t)))  # type: ignore[misc]
         for t in roots(polynomial or []):
-            _vote(family, limbs, structure, path.member(t), generic, told)
-        if told.votes and not several and all(map(_enough, told.votes.values())):
+            _vote(family, limbs, structure, path.member(t), generic, poll)
+        if poll.alone and not several and all(_enough(votes.kinds) for votes in poll.alone.values()):
             break
     for e in open_factors:
-        votes = told.best(e)
-        kind = _kind(votes)
-        chosen = 0 if kind in ASIDE else min(ENOUGH, votes["choice"])
-        others = sum(votes.values()) - (votes["choice"] if chosen else 0)
-        parts[e] = FactorCause(e, kind, min(ENOUGH, others) + chosen, chosen=chosen)
-    told.met = min(told.met, sum(p.members for p in parts.values()))
-    return tuple(parts[e] for e in dict.fromkeys(factors)), told
+        votes = poll.best(e)
+        kinds, kind = votes.kinds, _kind(votes.kinds)
+        chosen = 0 if kind in ASIDE else min(ENOUGH, kinds["choice"])
+        others = sum(kinds.values()) - (kinds["choice"] if chosen else 0)
+        parts[e] = FactorCause(e, kind, min(ENOUGH, others) + chosen, chosen=chosen, types=votes.common_types)
+    poll.met = min(poll.met, sum(p.members for p in parts.values()))
+    return tuple(parts[e] for e in dict.fromkeys(factors)), poll
 
 
 def _enough(votes: Counter[str]) -> bool:
@@ -253,20 +241,20 @@ def causes_left(
     superbracket: Expr,
     factors: Sequence[Expr],
     several: Collection[Expr] = (),
-) -> tuple[tuple[FactorCause, ...], Votes]:
+) -> tuple[tuple[FactorCause, ...], Poll]:
     """The factors of a robot that is given by lines: whose wrenches they are is not known."""
     reason = "the robot is given by its lines: actuation and constraint are not told apart"
-    return tuple(FactorCause(e, "mixed", reason=reason) for e in dict.fromkeys(factors)), Votes()
+    return tuple(FactorCause(e, "mixed", reason=reason) for e in dict.fromkeys(factors)), Poll()
 
 
 def _vote(
-    family: Family, limbs: Sequence[LimbSpec], structure: Equivalent, values: Values, generic: Ranks, told: Votes
+    family: Family, limbs: Sequence[LimbSpec], structure: Equivalent, values: Values, generic: Ranks, poll: Poll
 ) -> None:
     at = at_member(family, structure, values)
-    zero = [e for e in told.votes if not at.value(e)[0]]
-    told.met += 1
+    zero = [e for e in poll.alone if not at.value(e)[0]]
+    poll.met += 1
     if not zero:
-        told.unexplained += 1
+        poll.unexplained += 1
     try:
         here = ranks(family, limbs, values)
     except GcrulesError:  # a joint is none at this member
@@ -280,11 +268,11 @@ def _vote(
     else:
         kind = "constraint" if here.constraints < generic.constraints else "actuation"
     if family.merged(values):
-        counted = told.merged
+        counted = poll.merged
     else:
-        counted = told.votes if len(zero) == 1 else told.shared
+        counted = poll.alone if len(zero) == 1 else poll.shared
     for e in zero:
-        counted[e][kind] += 1
+        counted[e].cast(kind, types_of(here, generic))
 
 
 def _imaginary(limbs: Sequence[LimbSpec], structure: Equivalent, values: Values) -> bool:

@@ -73,6 +73,7 @@ class RobotAnalysis(Shown):
                 {
                     "expression": text(p.expression, names=names),
                     "kind": p.kind,
+                    "types": list(p.types),
                     "statement": p.statement,
                     "members": p.members,
                     "reason": p.reason,

@@ -11,10 +11,10 @@ import numpy as np
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
-from gcrules.mechanisms.conditions.factor_causes import ranks
 from gcrules.mechanisms.kinematics.attachments import Attachment, attachments
 from gcrules.mechanisms.kinematics.chains import Chain, chain_of, geometry_of, shape_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.lines.ranks import Ranks, ranks
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS
 from gcrules.screws.pose_text import read_centre
@@ -70,9 +70,9 @@ class Linkage:
     """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `ball_ended` tells of each whether the
     limb ends in a passive ball joint there (a hinge, in the plane), so that it passes on forces through that point
     alone. `centre` is what poses turn about, the centroid of the places of the ends if nothing else is chosen; `size`
-    is the root mean square of the ends' distances from their mean (of all points, where it is 0). `ranks` are those of
-    each limb's twists in the family, with `passive_ranks` of the undriven ones. `locked` are coordinates that have to
-    stay at 0: the places of limb and coordinate, and the joint as written.
+    is the root mean square of the ends' distances from their mean (of all points, where it is 0). `elsewhere` are
+    the ranks at a member of the family in general position. `locked` are coordinates that have to stay at 0: the places
+    of limb and coordinate, and the joint as written.
     """
 
     robot: Robot
@@ -83,9 +83,18 @@ class Linkage:
     ball_ended: tuple[bool, ...]
     centre: Floats
     size: float
-    ranks: tuple[int, ...]
-    passive_ranks: tuple[int, ...]
+    elsewhere: Ranks
     locked: tuple[tuple[int, int, str], ...]
+
+    @property
+    def ranks(self) -> tuple[int, ...]:
+        """Those of each limb's twists in the family."""
+        return tuple(every for every, _ in self.elsewhere.limbs)
+
+    @property
+    def passive_ranks(self) -> tuple[int, ...]:
+        """Those of the undriven ones."""
+        return tuple(passive for _, passive in self.elsewhere.limbs)
 
 
 def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
@@ -119,8 +128,6 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
         raise InputError(f"the centre is more than {_FAR:g} times the robot's size away", hint="check the unit")
     ball = "R" if robot.family.plane else "S"
     firm = tuple(limb.joints[-1].kind == ball and not limb.joints[-1].actuated for limb in robot.limbs)
-    family = ranks(robot.family, robot.limbs, robot.family.member("kinematics")).limbs
-    every, passive = (tuple(pair[k] for pair in family) for k in (0, 1))
     return Linkage(
         robot,
         attachments(robot),
@@ -130,8 +137,7 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
         firm,
         turning,
         size,
-        every,
-        passive,
+        ranks(robot.family, robot.limbs, robot.family.member("kinematics")),
         tuple(_still(robot)),
     )
 

@@ -20,6 +20,7 @@ from gcrules.mechanisms.conditions.factor_causes import ENOUGH, paths, upstream
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import Term, Values, Vector, combined, name_of
+from gcrules.mechanisms.lines.ranks import TYPES, ranks, types_of
 from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
 from gcrules.screws import RESIDUES
 from gcrules.screws.field import Row
@@ -30,21 +31,36 @@ _PATHS = 24
 
 
 @dataclass(frozen=True)
+class LimbCondition:
+    """Where a limb's twists drop rank: an `expression` that vanishes there, "" where it is no bracket of points, the
+    sentence, and the types of singularity (keys of `TYPES`) of the limb by itself: an actuator (RI) or passive joints
+    (RPM) move with the platform at rest.
+    """
+
+    expression: str
+    statement: str
+    types: tuple[str, ...]
+
+    def to_json(self) -> dict[str, object]:
+        return {"expression": self.expression or None, "statement": self.statement, "types": list(self.types)}
+
+
+@dataclass(frozen=True)
 class LimbSingularity:
-    """Conditions under which a limb's twists drop rank: (expression, sentence), the expression "" where it is no
-    bracket of points. `members` is the number of those on which they were seen, `unexplained` of those where none
-    of the conditions tried holds; both end at `ENOUGH`, as how many are met is chance.
+    """The conditions under which a limb's twists drop rank. `members` is the number of those on which they were seen,
+    `unexplained` of those where none of the conditions tried holds; both end at `ENOUGH`, as how many are met is
+    chance.
     """
 
     limb: str
-    conditions: tuple[tuple[str, str], ...]
+    conditions: tuple[LimbCondition, ...]
     members: int
     unexplained: int = 0
 
     def to_json(self) -> dict[str, object]:
         return {
             "limb": self.limb,
-            "conditions": [{"expression": e or None, "statement": s} for e, s in self.conditions],
+            "conditions": [c.to_json() for c in self.conditions],
             "members": self.members,
             "unexplained": self.unexplained,
         }
@@ -84,7 +100,9 @@ def _alike(family: Family, limb: LimbSpec) -> str:
 
 def _renamed(first: LimbSpec, found: LimbSingularity, limb: LimbSpec) -> LimbSingularity:
     new = dict(zip(_names(first), _names(limb), strict=True))
-    conditions = tuple((_told(e, new), _told(s, new)) for e, s in found.conditions)
+    conditions = tuple(
+        LimbCondition(_told(c.expression, new), _told(c.statement, new), c.types) for c in found.conditions
+    )
     return LimbSingularity(limb.name, conditions, found.members, found.unexplained)
 
 
@@ -95,13 +113,14 @@ def _told(sentence: str, new: dict[str, str]) -> str:
 
 
 def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
-    found: set[tuple[str, str]] = set()
+    found: dict[tuple[str, str], set[str]] = {}
     met = unexplained = 0
 
     def twists(values: Values) -> tuple[Row, ...]:
         return tuple(limb.at(values, RESIDUES).twists(RESIDUES))
 
-    usual = RESIDUES.rank(twists(family.member("limb")))
+    elsewhere = ranks(family, [limb], family.member("limb"))
+    usual = elsewhere.limbs[0][0]
     rng = drawn("combinations")
     left = [[rng.randrange(PRIME) for _ in range(limb.freedoms)] for _ in range(usual)]
     right = [[rng.randrange(PRIME) for _ in range(6)] for _ in range(usual)]
@@ -121,13 +140,18 @@ def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
             if _imaginary(limb, values) or RESIDUES.rank(twists(values)) == usual:
                 continue
             met += 1
-            here = (said for said, zero in _tried(family, limb, values) if zero and said not in generic)
-            first = next(here, None)
+            told = (said for said, zero in _tried(family, limb, values) if zero and said not in generic)
+            first = next(told, None)
             if first is None:
                 unexplained += 1
             else:
-                found.add(first)
-    conditions = tuple(said for said, _ in _tried(family, limb, family.member("limb")) if said in found)
+                here = {"RI", "RPM"}.intersection(types_of(ranks(family, [limb], values), elsewhere))
+                found[first] = found.get(first, here) & here
+    conditions = tuple(
+        LimbCondition(*said, tuple(name for name in TYPES if name in found[said]))
+        for said, _ in _tried(family, limb, family.member("limb"))
+        if said in found
+    )
     return LimbSingularity(limb.name, conditions, min(ENOUGH, met), min(ENOUGH, unexplained))
 
 

@@ -33,6 +33,7 @@ from gcrules.poses.limbs.factors import ConditionFactor, factors
 from gcrules.poses.limbs.nearest import nearest_singular
 from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
 from gcrules.poses.limbs.search import first_singular
+from gcrules.poses.limbs.singularity_types import singularity_types
 from gcrules.poses.numbers.motion import Twist, twist_of
 from gcrules.screws.guarantees import DIGITS
 from gcrules.screws.pose import Pose, exact
@@ -173,6 +174,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
     own = limb_margins(m, c)
     verdict, reason = _verdict(m, near, own, limit)
     motions = _twists(m, near)
+    gained = tuple(t for t, s in zip(motions, near.singular_values, strict=True) if s <= SOLVED)
     return RobotPose(
         robot=m.robot.id,
         title=m.robot.title,
@@ -198,7 +200,8 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
         statement=analysis.statement,
         limbs=limb_numbers(m, near, own),
         softest=motions[-1],
-        motions=tuple(t for t, s in zip(motions, near.singular_values, strict=True) if s <= SOLVED),
+        motions=gained,
+        types=singularity_types(m, c, gained) if verdict == "singular" else (),
         points={
             d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
             for d in m.robot.family.definitions

@@ -14,6 +14,7 @@ from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.poses.limbs.assembly_mode import AssemblyMode
 from gcrules.poses.limbs.balance import LimbNumbers
 from gcrules.poses.limbs.factors import ConditionFactor
+from gcrules.poses.limbs.singularity_types import SingularityType
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.threshold import Threshold
 
@@ -77,8 +78,9 @@ class RobotPose(HoldsArrays, Shown):
     from their relations, in parts of the robot's size; `steps` and `iterations` are those of the solution, `assembly`
     says what is proved of the way to it from home: its branch, and its mode. `margin` is σ in [0, 1] and `turn` = asin
     σ its guarantee (see docs/robot-numbers.md). `factors` are those of the condition; `motions` what the platform gains
-    where it is singular, `softest` the motion that the limbs notice least, `points` the places of all points and
-    directions. `nearest` is the nearest singular configuration, where it was asked for.
+    where it is singular, `types` the types of that singularity, `softest` the motion that the limbs notice least,
+    `points` the places of all points and directions. `nearest` is the nearest singular configuration, where it was
+    asked for.
     """
 
     robot: str
@@ -105,6 +107,7 @@ class RobotPose(HoldsArrays, Shown):
     softest: Twist
     motions: tuple[Twist, ...]
     points: Mapping[str, tuple[float, ...]]
+    types: tuple[SingularityType, ...] = ()
     notes: tuple[str, ...] = ()
     nearest: NearestConfiguration | None = None
 
@@ -161,6 +164,7 @@ class RobotPose(HoldsArrays, Shown):
             "limbs": [limb.to_json() for limb in self.limbs],
             "softest_motion": self.softest.to_json(),
             "gained_motions": [motion.to_json() for motion in self.motions],
+            "types": [t.to_json() for t in self.types],
             "points": {n: list(p) for n, p in self.points.items()},
             "nearest": self.nearest.to_json() if self.nearest else None,
             "notes": list(self.notes),

@@ -18,10 +18,11 @@ from gcrules.algebra.expr import points_of
 from gcrules.core.errors import GcrulesError
 from gcrules.core.linear_algebra import echelon
 from gcrules.mechanisms.conditions.checks import home_values
-from gcrules.mechanisms.conditions.factor_causes import FactorCause, Ranks, ranks, upstream
+from gcrules.mechanisms.conditions.factor_causes import FactorCause, upstream
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.relations import AXES
+from gcrules.mechanisms.lines.ranks import Ranks, ranks
 from gcrules.mechanisms.robot import Robot
 from gcrules.poses.limbs.exact_values import Values, Vector, gained, value_at
 from gcrules.poses.limbs.meeting import meeting

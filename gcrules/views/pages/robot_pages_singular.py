@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
+from gcrules.core.english import listed
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.lines.ranks import TYPES, types_of
 from gcrules.poses.limbs.exact_values import Vector
 from gcrules.poses.limbs.meeting import exact_meeting
 from gcrules.poses.limbs.singular_members import SingularPose
@@ -62,6 +64,7 @@ def _told(a: RobotAnalysis, pose: SingularPose) -> Iterator[str]:
             + (f", the constraints keep rank {here.constraints}." if here.constraints else ".")
         )
     yield f"So {KINDS[_kind(pose)]}: {_motion(pose)}."
+    yield f"Types of singularity: {listed([f'{TYPES[t]} ({t})' for t in types_of(here, before)])}."
 
 
 def _what(a: RobotAnalysis, pose: SingularPose) -> str:

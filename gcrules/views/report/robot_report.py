@@ -21,7 +21,7 @@ from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.scene_json import scene
 from gcrules.views.report.stages import Formula
-from gcrules.views.results.robot import CONDITION, FACTORS, sections
+from gcrules.views.results.robot import CONDITION, FACTORS, factor_kind, sections
 from gcrules.views.robots.entities import DrawnFlat, entities
 from gcrules.views.robots.joint_chain import unit_vector
 from gcrules.views.robots.limb_views import limb_views
@@ -167,4 +167,4 @@ def _stages(a: RobotAnalysis) -> Iterator[tuple[str, str]]:
 def _told(p: FactorCause) -> str:
     """The kind of a factor, and where it vanishes."""
     said = f"zero where {p.statement}" if p.statement else ""
-    return f"{p.kind}: {'; '.join(filter(None, [said, p.reason, p.remark])) or KINDS[p.kind]}."
+    return f"{factor_kind(p)}: {'; '.join(filter(None, [said, p.reason, p.remark])) or KINDS[p.kind]}."

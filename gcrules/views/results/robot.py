@@ -8,16 +8,17 @@ from collections.abc import Iterator
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
+from gcrules.core.english import listed
 from gcrules.mechanisms.conditions.common_factor import CommonFactor, Subset
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.lines.serial import LimbSingularity
+from gcrules.mechanisms.lines.serial import LimbCondition, LimbSingularity
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.views.formulas.latex import latex_lines
 from gcrules.views.formulas.latex_text import latex_document
 from gcrules.views.formulas.latex_text import latex_words as words
 
-__all__ = ["CONDITION", "FACTORS", "LIMBS", "LINES", "as_latex", "as_text", "formula", "sections"]
+__all__ = ["CONDITION", "FACTORS", "LIMBS", "LINES", "as_latex", "as_text", "factor_kind", "formula", "sections"]
 
 LIMBS = "Limbs: wrenches with the actuators locked"
 LINES = "Equivalent structure"
@@ -100,11 +101,16 @@ def _cofactor(one: Subset, names: tuple[str, ...], unicode: bool) -> str:
 
 
 def _serial(one: LimbSingularity) -> str:
-    words = "; ".join(f"{e} = 0: {s}" if e else s for e, s in one.conditions)
+    words = "; ".join(map(_place, one.conditions))
     if one.unexplained and not words:
         return f"{one.limb}: found at {one.unexplained} exact members, by none of the conditions that are tried"
     more = f" ({one.unexplained} members of another kind)" if one.unexplained else ""
     return f"{one.limb}: {words or 'none found'}{more}"
+
+
+def _place(c: LimbCondition) -> str:
+    said = f"{c.expression} = 0: {c.statement}" if c.expression else c.statement
+    return f"{said} ({listed(c.types)})" if c.types else said
 
 
 def _head(a: RobotAnalysis) -> Iterator[str]:
@@ -151,7 +157,12 @@ def _part(part: FactorCause, names: tuple[str, ...], unicode: bool) -> str:
     seen = f" (seen at {part.members - part.chosen} exact members)" if part.members else ""
     chosen = f"; at {part.chosen} others only the chosen lines depend on each other" if part.chosen else ""
     design = f"; {part.remark}" * part.of_design
-    return f"{shown}: {part.kind},{said or ' ' + KINDS[part.kind]}{seen}{chosen}{design}"
+    return f"{shown}: {factor_kind(part)},{said or ' ' + KINDS[part.kind]}{seen}{chosen}{design}"
+
+
+def factor_kind(part: FactorCause) -> str:
+    """The kind of a factor with its types of singularity: actuation (RO and II)."""
+    return f"{part.kind} ({listed(part.types)})" if part.types else part.kind
 
 
 def _wrapped(words: str, indent: int = 0) -> list[str]:
@@ -187,7 +198,7 @@ def _told(part: FactorCause) -> str:
     if part.same is not None:
         return f"{part.kind}; implies that {text(part.same, unicode=True)} is zero"
     said = f"zero where {part.statement}" if part.statement else KINDS[part.kind]
-    return "; ".join(filter(None, (part.kind, part.reason or said, part.remark)))
+    return "; ".join(filter(None, (factor_kind(part), part.reason or said, part.remark)))
 
 
 def _display(left: Expr | None, right: Expr) -> str:

@@ -11,6 +11,7 @@ from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.results.singularity_types import in_words
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
 __all__ = ["as_latex", "as_text"]
@@ -72,6 +73,11 @@ def _lines(r: RobotPose) -> Iterator[str]:
         yield from columns(rows, "  ")
     yield ""
     yield from _motion(r)
+    if r.types:
+        yield ""
+        yield "Types of singularity (Zlatanov, Fenton and Benhabib)"
+        for t in r.types:
+            yield from wrapped(f"{t.symbol:<3} {in_words(t)}", "  ", "      ")
     if r.nearest:
         yield ""
         yield from _nearest(r.nearest)
@@ -175,6 +181,7 @@ def as_latex(r: RobotPose) -> str:
     """A tabular of the numbers; needs no package."""
     rows = [
         ("verdict", r.verdict),
+        *((("types", listed([t.symbol for t in r.types])),) if r.types else ()),
         ("margin $\\sigma$", latex_quantity(r.margin)),
         ("smallest singular value", latex_quantity(r.jacobian.smallest_singular_value)),
         ("condition number", latex_quantity(r.jacobian.condition_number)),
