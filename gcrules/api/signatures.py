@@ -156,6 +156,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "threshold": _THRESHOLD,
         "accuracy": ANYTHING,
         "nearest": optional(FLAG),
+        "length": ANYTHING,
         "plugins": _FOLDERS,
     },
     "prove": {"claim": _EXPR, "right": optional(_EXPR), **_LIMITED, "given": TEXTS},

@@ -80,7 +80,8 @@ class SixLegs:
         forces = j.directions[0]
         rows = np.concatenate([forces, np.cross(ends - centre, forces)], axis=1)
         least, condition = float(j.singular_values[0, 5]), float(j.condition_number[0])
-        return WrenchJacobian(self.actuators, rows, centre, j.radius, least, condition)
+        names = self.actuators
+        return WrenchJacobian(names, rows, centre, j.radius, least, condition, names, (False,) * len(names))
 
     def six_legs(self) -> SixLegs:
         return self

@@ -10,6 +10,7 @@ r"""Numbers at a pose of any mechanism, and the first singular pose on a way; ea
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from gcrules.poses.limbs.pose_report import first_singular_pose, report_of_limbs
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.methods import Methods, method, on_six_legs
 from gcrules.poses.numbers.many import PoseNumbers
-from gcrules.poses.numbers.pose_arguments import is_many, known_accuracy, one_pose
+from gcrules.poses.numbers.pose_arguments import is_many, known_accuracy, known_length, one_pose
 from gcrules.poses.numbers.report import PoseReport
 from gcrules.poses.path_report import path_of_legs
 from gcrules.poses.pose_report import numbers_of_legs, report_of_legs
@@ -48,6 +49,7 @@ def pose(
     threshold: str | Threshold = DEFAULT.text,
     accuracy: str | float | None = None,
     nearest: bool = True,
+    length: str | float | None = None,
     plugins: Folders = (),
 ) -> PoseReport | PoseNumbers | RobotPose | tuple[RobotPose, ...]:
     """How close a mechanism is to a singularity at one pose, or at N poses.
@@ -63,7 +65,8 @@ def pose(
 
     `threshold` is an angle or, for platforms, a length ("2 deg", "5 mm"), `accuracy` a length up to which the joints'
     places are known; with it a robot whose limbs are six legs is taken as a platform. The search for the `nearest`
-    singular poses takes a second or two; it is left out with False, and at N poses.
+    singular poses takes a second or two; it is left out with False, and at N poses. `length` is the characteristic
+    length of the actuators' condition number ("200 mm"), the mechanism's own size if none is given.
 
     Raises InputError for what is no pose, for degenerate robots, and where the robot does not assemble.
     """
@@ -71,7 +74,18 @@ def pose(
     if accuracy is not None:
         found = on_six_legs(found, "the accuracy of the joints")
     turns = {"quaternion": quaternion, "rotation_vector": rotation_vector, "euler": euler}
-    return method(_POSE, found, "a pose")(at, actuators, turns, degrees, threshold, accuracy, nearest)
+    chosen = None if length is None else known_length(length, found.unit)
+    answer = method(_POSE, found, "a pose")(at, actuators, turns, degrees, threshold, accuracy, nearest)
+    return answer if chosen is None else _with_length(answer, chosen)
+
+
+def _with_length(answer: Answer, length: float) -> Answer:
+    """With a characteristic length that was chosen. Raises InputError for arrays of numbers, which have no Jacobian."""
+    if isinstance(answer, tuple):
+        return tuple(replace(one, jacobian=replace(one.jacobian, chosen_length=length)) for one in answer)
+    if isinstance(answer, PoseNumbers):
+        raise InputError("a characteristic length, and many poses of a platform", hint="ask for one pose")
+    return replace(answer, jacobian=replace(answer.jacobian, chosen_length=length))
 
 
 def singular(

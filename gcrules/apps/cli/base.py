@@ -34,6 +34,7 @@ __all__ = [
     "colour_choice",
     "decorated",
     "given_option",
+    "length_option",
     "limit_option",
     "nearest_option",
     "output_options",
@@ -372,6 +373,11 @@ nearest_option = click.option(
     default=True,
     show_default=True,
     help="Seek the nearest singular poses, for a second or two.",
+)
+length_option = click.option(
+    "--length",
+    metavar="LENGTH",
+    help="Characteristic length of the actuators' condition number; the robot's size by default.",
 )
 about_option = click.option(
     "--about",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, nearest_option, output_options
+from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, length_option, nearest_option, output_options
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.sources import read_source, warn
@@ -30,6 +30,7 @@ __all__ = ["pose"]
     help="Closer than this is close: turn of a leg (deg, rad), or translation.",
 )
 @click.option("--accuracy", metavar="LENGTH", help="How well the joints' places are known; by default exactly.")
+@length_option
 @nearest_option
 @time_limit()
 @output_options()
@@ -41,6 +42,7 @@ def pose(
     threshold: str,
     accuracy: str | None,
     nearest: bool,
+    length: str | None,
     out: Output,
 ) -> None:
     """Tell how close a robot is to a singularity in a pose, what is nearest, and why.
@@ -69,5 +71,6 @@ def pose(
             threshold=threshold,
             accuracy=accuracy,
             nearest=nearest,
+            length=length,
         )
     out.show(found)

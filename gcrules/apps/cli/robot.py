@@ -13,6 +13,7 @@ from gcrules.apps.cli.base import (
     SEEDED,
     ExpressionCommand,
     Output,
+    length_option,
     nearest_option,
     output_options,
     search_option,
@@ -185,6 +186,7 @@ def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Out
 @click.option(
     "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
 )
+@length_option
 @nearest_option
 @time_limit()
 @click.option("--search", is_flag=True, help="Seek the first singular configuration on the way there from home.")
@@ -196,6 +198,7 @@ def pose_command(
     actuators: str | None,
     threshold: str,
     nearest: bool,
+    length: str | None,
     search: bool,
     out: Output,
 ) -> None:
@@ -213,7 +216,7 @@ def pose_command(
     read = read_robot(name, folders)
     with working("computing"):
         if not search:
-            out.show(_pose(read, at, actuators=actuators, threshold=threshold, nearest=nearest))
+            out.show(_pose(read, at, actuators=actuators, threshold=threshold, nearest=nearest, length=length))
             return
         found = _singular(read, at, actuators=actuators, threshold=threshold)
     if found is None:

@@ -10,8 +10,9 @@ import numpy as np
 
 from gcrules.core.floats import without_noise
 from gcrules.core.frozen import HoldsArrays
+from gcrules.mechanisms.kinematics.amplification import Amplification, amplification
 from gcrules.mechanisms.kinematics.chains import geometry_of
-from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
+from gcrules.mechanisms.kinematics.linkage import Actuator, Configuration, Linkage
 from gcrules.mechanisms.kinematics.margin import LimbMargin
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.screws import JOINTS, Joint, Limb, jacobian
@@ -25,7 +26,8 @@ class WrenchJacobian(HoldsArrays):
     """`rows` (f; m), moments about `centre`, with their `labels`: first the actuations, each with product 1 with its
     own joint's twist, then the constraints of all limbs, orthonormal with moments divided by `length`. The product of
     an actuation with a twist (ω; v at the centre) of the platform is the rate of its actuator, that of a constraint 0.
-    Where a limb is singular an actuation may not exist: nan there.
+    Where a limb is singular an actuation may not exist: nan there. `actuators` are the names of the first rows'
+    actuators, `angles` tells of each whether it turns; a `chosen_length` counts in their `amplification` only.
 
     `smallest_singular_value` and `condition_number` are those of the same wrenches as `LimbMargin.rows` has them, with
     `length` as the characteristic length.
@@ -37,6 +39,15 @@ class WrenchJacobian(HoldsArrays):
     length: float
     smallest_singular_value: float
     condition_number: float
+    actuators: tuple[str, ...]
+    angles: tuple[bool, ...]
+    chosen_length: float | None = None
+
+    @property
+    def amplification(self) -> Amplification:
+        """What the actuators make of their rates, with the chosen length if there is one."""
+        n, length = len(self.actuators), self.chosen_length or self.length
+        return amplification(self.rows[:n], self.rows[n:], self.actuators, self.angles, length)
 
     def to_json(self) -> dict[str, Any]:
         number = _finite
@@ -47,6 +58,7 @@ class WrenchJacobian(HoldsArrays):
             "characteristic_length": self.length,
             "smallest_singular_value": number(self.smallest_singular_value),
             "condition_number": number(self.condition_number),
+            "amplification": self.amplification.to_json(),
         }
 
 
@@ -63,11 +75,25 @@ def wrench_jacobian(m: Linkage, here: Configuration, near: LimbMargin) -> Wrench
     field = FloatField(length=m.size)
     found = jacobian((_limb(m, place, shifted) for place in range(len(here.chains))), field)
     rows = np.asarray(found.matrix)
-    labels = []
+    labels: list[str] = []
+    actuators: list[Actuator] = []
     for label in found.labels:
         own = [a for a in m.actuators if m.robot.limbs[a.place].name == label.limb]
-        labels.append(f"{label.limb}: {own[label.place].name}" if label.kind == "actuation" else str(label))
-    return WrenchJacobian(tuple(labels), rows, centre, m.size, near.smallest_singular_value, near.condition_number)
+        if label.kind == "actuation":
+            actuators.append(own[label.place])
+            labels.append(f"{label.limb}: {own[label.place].name}")
+        else:
+            labels.append(str(label))
+    return WrenchJacobian(
+        tuple(labels),
+        rows,
+        centre,
+        m.size,
+        near.smallest_singular_value,
+        near.condition_number,
+        tuple(a.name for a in actuators),
+        tuple(a.angle for a in actuators),
+    )
 
 
 def _limb(m: Linkage, place: int, values: Mapping[str, Floats]) -> Limb:

@@ -2,6 +2,7 @@ r"""What a user asks for in Python: one pose or many, the accuracy; told apart a
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -15,7 +16,7 @@ from gcrules.screws.pose_text import parse_pose, pose_of
 from gcrules.screws.rotations import IDENTITY, from_euler, from_vector
 from gcrules.screws.threshold import parse_length
 
-__all__ = ["is_many", "known_accuracy", "one_pose", "read_one"]
+__all__ = ["is_many", "known_accuracy", "known_length", "one_pose", "read_one"]
 
 
 _COARSE = 1e6
@@ -33,6 +34,14 @@ def known_accuracy(given: str | float | None, moving: MovingPlatform) -> float:
             f"the accuracy {length:.3g} is more than {_COARSE:g} times the robot's size", hint="check the unit"
         )
     return max(length, ROUNDING * moving.size)
+
+
+def known_length(given: str | float, unit: str) -> float:
+    """A characteristic length. Raises InputError for one that is not positive and finite."""
+    length = parse_length(given, unit) if isinstance(given, str) else exact_float(given, "the characteristic length")
+    if not 0 < length < math.inf:
+        raise InputError(f"the characteristic length {length:.3g} is not positive")
+    return length
 
 
 def _three(numbers: Any, what: str) -> Sequence[Any]:

@@ -12,6 +12,7 @@ from gcrules.poses.numbers.report import PoseReport
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.results.amplification import amplification_lines, conditioning, conditioning_rows
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
 __all__ = ["as_latex", "as_text"]
@@ -41,6 +42,7 @@ def _lines(r: PoseReport) -> Iterator[str]:
                 f"smallest singular value {_small(r.jacobian.smallest_singular_value)}, condition number "
                 f"{_number(r.jacobian.condition_number)}; characteristic length {_length(r.jacobian.length, u)}",
             ),
+            ("actuators", conditioning(r.jacobian.amplification, u)),
             (
                 "accuracy",
                 f"joints known up to {_length(r.accuracy, u)} move σ by at most {r.noise:.2g}"
@@ -50,6 +52,7 @@ def _lines(r: PoseReport) -> Iterator[str]:
             *((("note", note)) for note in r.notes),
         ]
     )
+    yield from amplification_lines(r.jacobian.amplification, u)
     if r.readings:
         yield ""
         yield "Readings of the condition"
@@ -198,6 +201,7 @@ def as_latex(r: PoseReport) -> str:
         ("smallest singular value", latex_quantity(r.jacobian.smallest_singular_value)),
         ("condition number", latex_quantity(r.jacobian.condition_number)),
         ("characteristic length", latex_quantity(r.jacobian.length, u)),
+        *conditioning_rows(r.jacobian.amplification, u),
     ]
     for n in r.nearest:
         name = f"nearest singular pose, {n.kind}"

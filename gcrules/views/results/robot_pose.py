@@ -11,6 +11,7 @@ from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.results.amplification import amplification_lines, conditioning, conditioning_rows
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
@@ -41,6 +42,7 @@ def _lines(r: RobotPose) -> Iterator[str]:
                 f"{len(j.labels)} wrenches, smallest singular value {_small(j.smallest_singular_value)}, condition "
                 f"number {_number(j.condition_number)}; characteristic length {j.length:.4g}",
             ),
+            ("actuators", conditioning(j.amplification, "")),
             (
                 "assembled",
                 f"loops open by {_off(r.residual)} of the robot's size, relations off by {_off(r.disagreement)}; "
@@ -54,6 +56,7 @@ def _lines(r: RobotPose) -> Iterator[str]:
     yield ""
     yield "Actuators, from home"
     yield from columns([(a.name, _amount(value, a.angle), f"{a.limb}: {a.joint}") for a, value in r.actuators], "  ")
+    yield from amplification_lines(j.amplification, "")
     if r.factors:
         yield ""
         yield "Factors of the condition"
@@ -186,6 +189,7 @@ def as_latex(r: RobotPose) -> str:
         ("smallest singular value", latex_quantity(r.jacobian.smallest_singular_value)),
         ("condition number", latex_quantity(r.jacobian.condition_number)),
         ("characteristic length", latex_quantity(r.jacobian.length)),
+        *conditioning_rows(r.jacobian.amplification, ""),
         *((f"${latex_name(a.name)}$", latex_quantity(v, "rad" if a.angle else "")) for a, v in r.actuators),
         *_latex_nearest(r.nearest),
     ]
