@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gcrules.core.english import agreeing
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.margin import limb_margins, margin
@@ -47,7 +48,7 @@ def _amount(name: str, value: float, size: float) -> str:
 def _reason(m: Linkage, here: Configuration, wanted: Target, told: float, why: str) -> str:
     """What has become small, compared with home."""
     lost = {}
-    pairs = zip(limb_margins(m, here), limb_margins(m, m.home), m.robot.limbs, strict=True)
+    pairs = zip(*limb_margins(m, Configurations.of([here, m.home])).tolist(), m.robot.limbs, strict=True)
     for now, then, limb in pairs:
         lost[f"{limb.name} is near its reach, or another singularity of its own"] = now / then if then else 1.0
     then = margin(m, m.home).sigma
