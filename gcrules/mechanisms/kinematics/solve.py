@@ -26,11 +26,9 @@ from gcrules.mechanisms.kinematics.soundness import Strayed, sound
 from gcrules.mechanisms.kinematics.targets import Target, check_count, written
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["LONGEST_STEP", "Solution", "check_target", "free_coordinates", "goal", "solve"]
+__all__ = ["Solution", "check_target", "free_coordinates", "goal", "solve"]
 
-LONGEST_STEP = 0.25
-"""Of a coordinate, at first: rad, or parts of the robot's size."""
-
+_LONGEST = 0.25  # of a coordinate, at first: rad, or parts of the robot's size
 _SHORTEST = 1.0 / 4096
 _SHORTEST_PROOF = 1.0 / 16384
 _SLOWER = 1.2  # how fast steps grow again after one was too long to be proved
@@ -69,7 +67,7 @@ def solve(m: Linkage, wanted: Target) -> Solution:
 def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
     """From the solution at one part of the course to that at another. Raises InputError where it does not assemble."""
     far = abs(end - at)
-    step = far / max(1.0, np.ceil(far * course.length / LONGEST_STEP))
+    step = far / max(1.0, np.ceil(far * course.length / _LONGEST))
     done, part, found, growth = 0.0, 0.0, start, 2.0
     if not far:
         return start

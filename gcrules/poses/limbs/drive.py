@@ -9,7 +9,7 @@ they are proved, and from its end it is predicted anew.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,7 +52,7 @@ def drive(way: Itinerary, start: Configuration, parameters: Floats) -> Driven:
     """From a configuration at the first parameter through all others; no step leads over a pose of the way. Raises
     InputError where the robot does not assemble.
     """
-    found, regular = [Nodes.of(parameters[:1], [start])], [np.zeros(0, dtype=bool)]
+    found, regular = [Nodes.of(parameters[:1], [start])], [np.zeros(0, dtype=bool)]  # of stretches one after the other
     here, done, size = start, 0, _AT_ONCE
     doubt: float | None = None
     while done < len(parameters) - 1:
@@ -60,18 +60,15 @@ def drive(way: Itinerary, start: Configuration, parameters: Floats) -> Driven:
         report(f"{done:,} of {len(parameters) - 1:,} steps")
         ahead = parameters[done : done + size + 1]
         proved = _predicted(way, here, ahead) if doubt is None else None
-        if proved is not None:
-            found.append(proved.nodes)
-            regular.append(proved.regular)
-            here = proved.nodes.one(-1)
-            done += len(proved.nodes)
-            size = min(2 * size, _AT_ONCE)
-        if proved is None or len(proved.nodes) < len(ahead) - 1:
-            here, doubt = _gone(way, here, parameters[done : done + 2], doubt)
-            found.append(Nodes.of(parameters[done + 1 : done + 2], [here]))
-            regular.append(np.zeros(1, dtype=bool))
-            done += 1
-            size = max(_FEWEST, 0 if proved is None else len(proved.nodes))
+        if proved is None:
+            here, doubt = _gone(way, here, ahead[:2], doubt)
+            proved = Driven(Nodes.of(ahead[1:2], [here]), np.zeros(1, dtype=bool), doubt)
+        number = len(proved.nodes)
+        size = min(2 * size, _AT_ONCE) if number == len(ahead) - 1 else max(number // 2, _FEWEST)
+        found.append(proved.nodes)
+        regular.append(proved.regular)
+        here = proved.nodes.one(-1)
+        done += number
     return Driven(Nodes.together(found), np.concatenate(regular), doubt)
 
 
@@ -95,7 +92,7 @@ def _predicted(way: Itinerary, here: Configuration, parameters: Floats) -> Drive
         checkpoint()
         parts, links = _moved(here, amounts[: number + 1])
         try:
-            values, _, _ = sound(way.m, here.values, here.chains, links, parts)
+            values, chains, _ = sound(way.m, here.values, here.chains, links, parts)
             break
         except Strayed:
             number //= 2
@@ -106,9 +103,11 @@ def _predicted(way: Itinerary, here: Configuration, parameters: Floats) -> Drive
     number = len(follow) if follow.all() else int(np.argmin(follow))
     if not number:
         return None
+    screws = [np.broadcast_to(c.screws, e.screws.shape) for c, e in zip(chains, every.chains, strict=True)]
+    named = tuple(replace(c, screws=s) for c, s in zip(chains, screws, strict=True))
     nodes = Nodes(
         parameters[: len(every)],
-        every,
+        replace(every, chains=named),
         {n: np.broadcast_to(v, (len(every), 3)) for n, v in values.items()},
         tuple(k @ before for k, before in zip(links, here.links, strict=True)),
     )
@@ -153,8 +152,9 @@ def _proofs(way: Itinerary, every: Configurations, parameters: Floats) -> tuple[
         own, done = follow_and_are_regular(way.m, way.course.target, steps)
         followed |= own
         left = ~done
-        if halving == _HALVINGS or 2 * left.sum() > _AT_ONCE:
-            left[:] = False
+        most = 0 if halving == _HALVINGS else _AT_ONCE // 2
+        if left.sum() > most:  # those ahead of the others are given up
+            left &= owners < np.sort(owners[left])[most]
         closed = np.zeros(0, dtype=bool)
         if left.any():
             middles = ends[:, left].mean(axis=0)

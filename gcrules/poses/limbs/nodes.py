@@ -20,7 +20,8 @@ __all__ = ["Nodes"]
 @dataclass(frozen=True, eq=False)
 class Nodes:
     """N configurations at `parameters` (N,) of a way: `here`, the places of all names, (N, 3) each, and how all links
-    went from home, (N, K + 1, 4, 4) for each limb.
+    went from home, (N, K + 1, 4, 4) for each limb. Screws are those that the names make, as in `Configuration`, and not
+    carried along: amounts from one node to another are not the differences of the joint values.
     """
 
     parameters: Floats

@@ -33,7 +33,7 @@ from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.margin import limb_margins, margin, margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.mechanisms.kinematics.solve import LONGEST_STEP, check_target, solve
+from gcrules.mechanisms.kinematics.solve import check_target, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.drive import drive
@@ -52,7 +52,8 @@ __all__ = ["HOME", "path_of_limbs"]
 Truths = NDArray[np.bool_]
 
 MAX_SAMPLES = 20_000
-_MOST_STEPS = 1000  # between two poses: more are gone without being predicted
+_STEP = 0.125  # rad, or parts of the robot's size: what is proved at once, as a rule
+_MOST_STEPS = 2000  # between two poses: more are gone without being predicted
 HOME = "home"
 """The name of the first pose of all, in which the file has the robot."""
 
@@ -102,8 +103,7 @@ def _places(way: Itinerary, each: int) -> tuple[Floats, Truths]:
     """
     parameters, sampled = [], []
     for k, course in enumerate(way.courses):
-        steps = np.ceil(course.length / LONGEST_STEP)
-        more = int(np.ceil(steps / each)) if 0 < steps <= _MOST_STEPS else 1
+        more = -(-_steps(course) // each)
         parameters.append(k + np.linspace(0, 1, each * more + 1)[:-1])
         sampled.append(np.arange(each * more) % more == 0)
     return np.append(np.concatenate(parameters), len(way.courses)), np.append(np.concatenate(sampled), True)
@@ -147,8 +147,14 @@ def _alike(known: Target, number: int, one: Target | None) -> Target:
     return Target(known.names, one.values[order], whole=one.whole, text=one.text, notes=one.notes)
 
 
+def _steps(course: Course) -> int:
+    """How many steps are taken between two poses, if that is no more than the samples; 1 for what is too far."""
+    steps = np.ceil(course.length / _STEP)
+    return int(steps) if 1 < steps <= _MOST_STEPS else 1
+
+
 def _segment(course: Course, analysis: RobotAnalysis, k: int, start: Configuration) -> _Segment:
-    """What lies between two poses, gone step by step."""
+    """What lies between two poses that is not proved to be regular; gone step by step."""
     try:
         way, _ = Way.to(course.m, course.target, start)
     except InputError as fault:
