@@ -7,6 +7,7 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -39,7 +40,7 @@ def test_path_of_poses(ratio: Callable[..., Any]) -> None:
     def step_by_step() -> Any:
         here, margins = m.home, [margin(m, m.home).sigma]
         targets = [target_of(m, p, None) for p in poses]
-        for before, after in zip(targets, targets[1:], strict=False):
+        for before, after in pairwise(targets):
             assert before is not None
             assert after is not None
             way, doubt = Way.to(m, after.after(before, m.centre), here)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +29,7 @@ class Itinerary:
     @cached_property
     def courses(self) -> tuple[Course, ...]:
         """Those of all segments."""
-        ways = zip(self.poses, self.poses[1:], strict=False)
+        ways = pairwise(self.poses)
         return tuple(Course(self.m, target.after(before, self.m.centre)) for before, target in ways)
 
     @property

@@ -32,7 +32,7 @@ Truths = NDArray[np.bool_]
 
 _AT_ONCE = 256  # configurations: their arrays fit into a cache
 _STEP = 0.2  # rad, or parts of the robot's size: the longest step of a prediction
-_FARTHEST = 64  # steps
+_FARTHEST = 32  # steps, at each of which the loops may be open by a hundredth of what the proofs leave room for
 _HALVINGS = 5  # of a step, for its proofs
 _FEWEST = 4  # that are predicted after a step that was not proved
 
@@ -85,7 +85,9 @@ def _gone(way: Itinerary, here: Configuration, ends: Floats, doubt: float | None
 
 
 def _predicted(way: Itinerary, here: Configuration, parameters: Floats) -> Driven | None:
-    """As far as it is proved, from the first parameter, which is left out; None for nothing."""
+    """As far as it is proved, from the first parameter, which is left out; None for nothing. In the proofs the screws
+    are carried along with their links, so that amounts from one place to another are differences.
+    """
     amounts, reached = _led(way, here, way.goals(parameters))
     number = len(reached) if reached.all() else int(np.argmin(reached))
     while number:

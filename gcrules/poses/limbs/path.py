@@ -1,9 +1,10 @@
 r"""A robot of joints along a path: the loops are closed step by step, and what lies between the steps is proved.
 
 Each step follows one branch of solutions, proved by Krawczyk's operator; that nothing between two steps is singular is
-proved likewise (`gcrules.mechanisms.kinematics.branch`). So a singular configuration can lie only where the determinant
-of all wrenches changes its sign, which is located, or in short stretches that are told as undecided: as a rule where
-the path touches a singular configuration, or where a limb is singular by itself.
+proved likewise (`gcrules.mechanisms.kinematics.branch`), for many steps at once (`gcrules.poses.limbs.drive`). Segments
+in which that is not proved are gone over again, one by one (`gcrules.poses.limbs.way`). So a singular configuration can
+lie only where the determinant of all wrenches changes its sign, which is located, or in short stretches that are told
+as undecided: as a rule where the path touches a singular configuration, or where a limb is singular by itself.
 
 >>> from gcrules.mechanisms.mechanism import mechanism
 >>> from gcrules.screws.threshold import threshold_of
@@ -148,7 +149,7 @@ def _alike(known: Target, number: int, one: Target | None) -> Target:
 
 
 def _steps(course: Course) -> int:
-    """How many steps are taken between two poses, if that is no more than the samples; 1 for what is too far."""
+    """How many steps are taken between two poses; 1 where they are too far apart to be gone."""
     steps = np.ceil(course.length / _STEP)
     return int(steps) if 1 < steps <= _MOST_STEPS else 1
 
