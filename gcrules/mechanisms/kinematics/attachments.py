@@ -11,7 +11,7 @@ import numpy as np
 from gcrules.mechanisms.description.limb_file import JointSpec
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.kinematics.chains import shape_of
-from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import FLOATS, JOINTS
 
@@ -87,7 +87,7 @@ def _of_joint(joint: JointSpec) -> Iterator[tuple[str, int, bool]]:
 
 
 def moved(robot: Robot, own: Mapping[str, tuple[Attachment, ...]], values: Values, links: Sequence[Floats]) -> Values:
-    """The places of all names after the links of each limb went as `links` (K + 1, 4, 4) say."""
+    """The places of all names after the links of each limb went as `links` (..., K + 1, 4, 4) say."""
     found: dict[str, Any] = {name: np.array(axis, dtype=float) for name, axis in AXES.items()}
     for d in robot.family.definitions:
         if d.name in own:
@@ -95,55 +95,54 @@ def moved(robot: Robot, own: Mapping[str, tuple[Attachment, ...]], values: Value
         elif d.parameters:
             found[d.name] = values[d.name]
         else:
-            found[d.name] = np.array(d.relation.value(d.sort, FLOATS, found, ()), dtype=float)
+            others = {name: found[name].T for name in d.relation.names}
+            found[d.name] = _vector(d.relation.value(d.sort, FLOATS, others, ()))
     return found
 
 
+def _vector(components: Sequence[Any]) -> Floats:
+    return np.stack(np.broadcast_arrays(*components), axis=-1).astype(float)
+
+
 def _by(ride: Attachment, sort: str, value: Floats, links: Sequence[Floats]) -> Floats:
-    motion = links[ride.limb][ride.link]
-    turned = motion[:3, :3] @ value
-    return np.asarray(turned + motion[:3, 3] if sort == "point" else turned)
+    motion = links[ride.limb][..., ride.link, :, :]
+    turned = (motion[..., :3, :3] @ value[..., None])[..., 0]
+    return np.asarray(turned + motion[..., :3, 3] if sort == "point" else turned)
 
 
 def disagreement(
     robot: Robot, own: Mapping[str, tuple[Attachment, ...]], values: Values, links: Sequence[Floats], size: float
-) -> tuple[float, str, tuple[Attachment, ...]]:
-    """How far the links that carry one name carry it to different places, at most, that name, and two such links:
-    distances divided by `size` for points, sines of angles for directions.
+) -> Iterator[tuple[str, Floats]]:
+    """For each name how far (rides, ...) the links that carry it carry it from where the first one does: distances
+    divided by `size` for points, sines of angles for directions.
     """
-    worst, named = 0.0, ""
-    apart: tuple[Attachment, ...] = ()
     for name, several in own.items():
         sort = robot.family.sorts[name]
         places = [_by(r, sort, values[name], links) for r in several]
         if sort == "point":
-            offs = [float(np.linalg.norm(p - places[0])) / size for p in places]
+            yield name, np.array([_length(p - places[0]) for p in places]) / size
         else:
             first = np.array(AXES[name], dtype=float) if name in AXES else places[0]
-            length = float(np.linalg.norm(first)) * float(np.linalg.norm(values[name]))
-            offs = [float(np.linalg.norm(np.cross(first, p))) / length for p in places]
-        far = int(np.argmax(offs))
-        if offs[far] > worst:
-            worst, named, apart = offs[far], name, (several[0], several[far])
-    return worst, named, apart
+            length = _length(first) * _length(values[name])
+            yield name, np.array([_length(crossed(first, p)) for p in places]) / length
 
 
-def residual_of_relations(robot: Robot, values: Values, size: float) -> tuple[float, str]:
-    """How far a name is from satisfying its relation, at most, and that name: distances divided by `size` for points,
-    parts of its length for directions. Relations are linear in the name itself, so this is a quotient.
+def residual_of_relations(robot: Robot, values: Values, size: float) -> Iterator[tuple[str, Floats]]:
+    """For each name how far (...,) it is from satisfying its relation: distances divided by `size` for points, parts of
+    its length for directions. Relations are linear in the name itself, so this is a quotient.
     """
-    worst, named = 0.0, ""
-    plain: dict[str, tuple[float, float, float]] = {
-        n: (float(v[0]), float(v[1]), float(v[2])) for n, v in values.items()
-    }
+    rows = {n: (v[..., 0], v[..., 1], v[..., 2]) for n, v in values.items()}
     for d in robot.family.definitions:
-        at = np.array(plain[d.name])
-        residual = [np.array(d.relation.residual(d.sort, FLOATS, plain, tuple(v))) for v in (at, *(at + np.eye(3)))]
-        slope = np.array([r - residual[0] for r in residual[1:]])
-        if not residual[0].size or not (steep := float(np.linalg.norm(slope))):
+        at = values[d.name]
+        tried = [at, *(at + axis for axis in np.eye(3))]
+        residual = [d.relation.residual(d.sort, FLOATS, rows, (v[..., 0], v[..., 1], v[..., 2])) for v in tried]
+        if not residual[0]:
             continue
-        off = float(np.linalg.norm(residual[0])) / steep
-        off /= size if d.sort == "point" else float(np.linalg.norm(at))
-        if off > worst:
-            worst, named = off, d.name
-    return worst, named
+        zero, *others = map(_vector, residual)
+        steep = np.sqrt(sum(((r - zero) ** 2).sum(axis=-1) for r in others))
+        off = np.where(steep > 0, _length(zero) / np.where(steep > 0, steep, 1.0), 0.0)
+        yield d.name, off / (size if d.sort == "point" else _length(at))
+
+
+def _length(vectors: Floats) -> Floats:
+    return np.asarray(np.linalg.norm(vectors, axis=-1))

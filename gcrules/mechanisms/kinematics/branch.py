@@ -26,7 +26,7 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.kinematics.tubes import Arm, Choice, follows, holds, keeps_rank, spreads
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["Cells", "Steps", "are_regular", "can_be_followed", "follow_branch"]
+__all__ = ["Cells", "Steps", "are_regular", "can_be_followed", "follow_and_are_regular", "follow_branch"]
 
 Truths = NDArray[np.bool_]
 
@@ -78,10 +78,16 @@ def are_regular(m: Linkage, wanted: Target, steps: Steps) -> Truths:
     actuators locked neither the platform nor a link, but those that spin idly, can move anywhere on it. False proves
     nothing.
     """
+    return follow_and_are_regular(m, wanted, steps)[1]
+
+
+def follow_and_are_regular(m: Linkage, wanted: Target, steps: Steps) -> tuple[Truths, Truths]:
+    """What `follow_branch` and `are_regular` give, at once. Steps that are regular follow the branch."""
     tubes = _tubes(m, wanted, steps)
+    follow = np.asarray(np.isfinite(tubes[0]).all(axis=-1))
     arms = _arms(m, steps.here, steps.amounts)
     reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, tubes, strict=True)]
-    return keeps_rank(spreads(arms), _undriven(m), _undriven_idle(m), reach)
+    return follow, follow & keeps_rank(spreads(arms), _undriven(m), _undriven_idle(m), reach)
 
 
 def _tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:

@@ -23,13 +23,15 @@ from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, exponential
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, crossed, exponential
 from gcrules.screws import FLOATS, JOINTS, RATIONALS, JointKind
 from gcrules.screws.fields import Row
 
 __all__ = ["Chain", "ElementaryMotion", "Shape", "chain_of", "geometry_of", "products", "shape_of"]
 
 Values = Mapping[str, Floats]
+"""Places of names, (3,) each; of many configurations at once where there are axes before."""
+
 Geometry = Mapping[str, Any]
 
 
@@ -62,22 +64,22 @@ class Shape:
 
 
 def _turn(point: Floats, axis: Floats) -> Floats:
-    return np.concatenate([axis, np.cross(point, axis)])
+    moment = crossed(point, axis)
+    return np.concatenate([np.broadcast_to(axis, moment.shape), moment], axis=-1)
 
 
 def _slide(axis: Floats) -> Floats:
-    return np.concatenate([np.zeros(3), axis])
+    return np.concatenate([np.zeros_like(axis), axis], axis=-1)
 
 
 def _across(axis: Floats, place: int) -> Floats:
     """One of two directions that are perpendicular to an axis and to each other."""
-    first = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
-    first = first / np.linalg.norm(first)
-    return np.asarray(first if place == 0 else np.cross(axis, first))
+    first = _unit(crossed(axis, np.eye(3)[np.argmin(np.abs(axis), axis=-1)]))
+    return first if place == 0 else crossed(axis, first)
 
 
 def _unit(v: Floats) -> Floats:
-    return np.asarray(v / np.linalg.norm(v))
+    return np.asarray(v / np.linalg.norm(v, axis=-1, keepdims=True))
 
 
 def _about(point: str, axis: str) -> Callable[[Geometry], Floats]:
@@ -165,7 +167,11 @@ _SAMPLES: Mapping[str, tuple[Any, ...]] = FrozenMap(
 
 
 def _twist(kind: JointKind, place: int) -> Callable[[Geometry], Floats]:
-    return lambda g: np.array(kind.rows(FLOATS, g)[place], dtype=float)
+    def screw(g: Geometry) -> Floats:
+        parts = {part: v.T if isinstance(v, np.ndarray) else v for part, v in g.items()}
+        return np.stack(np.broadcast_arrays(*kind.rows(FLOATS, parts)[place]), axis=-1).astype(float)
+
+    return screw
 
 
 def _fixes(twist: Row, part: tuple[int, int, int], form: str) -> bool:
@@ -193,8 +199,8 @@ def geometry_of(joint: JointSpec, values: Values) -> dict[str, Any]:
             continue
         vector = sum((float(c) * values[n] for c, n in arg), np.zeros(3))
         if form == "direction":
-            size = float(np.linalg.norm(vector))
-            if size <= 1e-12 * max(1e-300, *(float(np.abs(values[n]).max()) for _, n in arg)):
+            size = np.linalg.norm(vector, axis=-1, keepdims=True)
+            if size.min() <= 1e-12 * max(1e-300, *(float(np.abs(values[n]).max()) for _, n in arg)):
                 raise InputError(f"the {part} of {joint} has no direction here: {listed(joint.names)} coincide")
             vector = vector if part == "bars" else vector / size
         found[part] = vector
@@ -263,4 +269,6 @@ def chain_of(limb: LimbSpec, values: Values) -> Chain:
             screws.append(m.screw(geometry))
             uses.append(start + m.freedom)
             signs.append(m.sign)
-    return Chain(np.array(screws), tuple(uses), np.array(signs, dtype=float), tuple(turns))
+    shape = np.broadcast_shapes(*(s.shape for s in screws))
+    every = np.stack([np.broadcast_to(s, shape) for s in screws], axis=-2)
+    return Chain(every, tuple(uses), np.array(signs, dtype=float), tuple(turns))

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from gcrules.core.english import agreeing
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.attachments import Attachment, carrier
+from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.margin import limb_margins, margin
@@ -80,7 +81,7 @@ def _amount(name: str, value: float, size: float) -> str:
 def _lost(m: Linkage, here: Configuration, wanted: Target, told: float) -> str:
     """What has become small, compared with home; nothing if nothing has."""
     lost = {}
-    pairs = zip(limb_margins(m, here), limb_margins(m, m.home), m.robot.limbs, strict=True)
+    pairs = zip(*limb_margins(m, Configurations.of([here, m.home])).tolist(), m.robot.limbs, strict=True)
     for now, then, limb in pairs:
         lost[f"{limb.name} is near its reach, or another singularity of its own"] = now / then if then else 1.0
     then = margin(m, m.home).sigma

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -14,15 +14,16 @@ from gcrules.screws import JOINTS
 __all__ = ["unfixed"]
 
 
-def unfixed(m: Linkage, before: Sequence[Chain], links: Sequence[Floats], after: Sequence[Chain]) -> tuple[float, str]:
-    """How far the freedoms of a joint are from those that its links carry, at most, and that joint.
+def unfixed(
+    m: Linkage, before: Sequence[Chain], links: Sequence[Floats], after: Sequence[Chain]
+) -> Iterator[tuple[str, Floats]]:
+    """For each joint how far (...,) its freedoms are from those that its links carry.
 
     `links` are the motions of all links from the chains `before` to those `after`, which are made from the names at
     their new places. What is compared are spans of twists: 0 where they agree, at most 1, with moments about the
     platform's centre at home and lengths divided by the robot's size. Freedoms that stay at 0 are left out.
     """
     still = {(place, coordinate) for place, coordinate, _ in m.locked}
-    worst, named = 0.0, ""
     for place, limb in enumerate(m.robot.limbs):
         old = _scaled(before[place].twists(links[place]), m)
         new = _scaled(after[place].twists(), m)
@@ -30,16 +31,14 @@ def unfixed(m: Linkage, before: Sequence[Chain], links: Sequence[Floats], after:
         for joint in limb.joints:
             end = start + len(JOINTS[joint.kind].freedoms)
             own = [k for k in range(start, end) if (place, k) not in still]
-            basis, _ = np.linalg.qr(old[:, own])
-            rest = new[:, own] - basis @ (basis.T @ new[:, own])
-            off = float((np.linalg.norm(rest, axis=0) / np.linalg.norm(new[:, own], axis=0)).max())
-            if off > worst:
-                worst, named = off, joint.text
+            basis, _ = np.linalg.qr(old[..., own])
+            rest = new[..., own] - basis @ (np.swapaxes(basis, -1, -2) @ new[..., own])
+            sizes = np.linalg.norm(rest, axis=-2) / np.linalg.norm(new[..., own], axis=-2)
+            yield joint.text, sizes.max(axis=-1)
             start = end
-    return worst, named
 
 
 def _scaled(twists: Floats, m: Linkage) -> Floats:
     """Columns (ω; v/size), v at the centre."""
-    moved = twists[3:] - cross_matrix(m.centre) @ twists[:3]
-    return np.concatenate([twists[:3], moved / m.size])
+    moved = twists[..., 3:, :] - cross_matrix(m.centre) @ twists[..., :3, :]
+    return np.concatenate([twists[..., :3, :], moved / m.size], axis=-2)

@@ -21,9 +21,9 @@ from gcrules.mechanisms.kinematics.coordinates import coordinates, slopes, wrapp
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import (
     Floats,
+    changed_about,
     cross_matrix,
     crossed,
-    exponential,
     inverse,
     logarithm,
     rotation_vector,
@@ -55,12 +55,7 @@ class Course:
         if w.whole is None or w.driven:
             return np.asarray(np.multiply.outer(parts, w.values) + (0.0 if w.start is None else w.start))
         start = np.eye(4) if w.start is None else w.start
-        turn = np.zeros((len(parts), 6))
-        turn[:, :3] = np.multiply.outer(parts, w.values[3:])
-        found = exponential(turn, np.ones(len(parts))) @ start
-        place = start[:3, :3] @ self.m.centre + start[:3, 3]
-        found[:, :3, 3] = np.multiply.outer(parts, w.values[:3]) + place - found[:, :3, :3] @ self.m.centre
-        return np.asarray(found)
+        return changed_about(self.m.centre, start, np.multiply.outer(parts, w.values))
 
     def error(self, goal: Floats, platform: Floats, joint_values: Sequence[Floats]) -> Floats:
         """What is reached less what is wanted, (N, wanted); lengths divided by the robot's size."""

@@ -167,17 +167,16 @@ def _at(chain: Chain, end: Floats, size: float) -> Floats:
     return np.asarray(rows * np.where(chain.turns, 1.0, size)[:, None])
 
 
-def limb_margins(m: Linkage, here: Configuration) -> tuple[float, ...]:
-    """For each limb the least singular value of its twists that is not 0 in all configurations: turns by 1 rad, slides
-    by ρ, measured in |ω|² + |v|²/ρ², v at the limb's end on the platform. It is 0 where the limb itself is singular, or
-    its passive joints are.
+def limb_margins(m: Linkage, here: Configurations) -> Floats:
+    """For each configuration and limb (N, limbs) the least singular value of the limb's twists that is not 0 in all
+    configurations: turns by 1 rad, slides by ρ, measured in |ω|² + |v|²/ρ², v at the limb's end on the platform. It is
+    0 where the limb itself is singular, or its passive joints are.
     """
-    only = Configurations.of([here])
-    found = []
-    for place, end in enumerate(_ends(m, only)[0]):
-        twists = _at(only.chains[place], end, m.size)[0]
-        free = _free(m, place)
-        every = float(np.linalg.svd(twists, compute_uv=False)[m.ranks[place] - 1])
-        passive = float(np.linalg.svd(twists[free], compute_uv=False)[m.passive_ranks[place] - 1]) if free else 1.0
-        found.append(min(every, passive))
-    return tuple(found)
+    found = np.ones((len(here), len(here.chains)))
+    ends = _ends(m, here)
+    for place, chain in enumerate(here.chains):
+        twists, free = _at(chain, ends[:, place], m.size), _free(m, place)
+        every = np.linalg.svd(twists, compute_uv=False)[:, m.ranks[place] - 1]
+        passive = np.linalg.svd(twists[:, free], compute_uv=False)[:, m.passive_ranks[place] - 1] if free else 1.0
+        found[:, place] = np.minimum(every, passive)
+    return found

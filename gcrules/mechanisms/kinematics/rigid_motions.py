@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 __all__ = [
     "Floats",
     "carried",
+    "change_about",
+    "changed_about",
     "cross_matrix",
     "crossed",
     "exponential",
@@ -132,3 +134,20 @@ def carried(motions: Floats, screws: Floats) -> Floats:
     w = (turn @ screws[..., :3, None])[..., 0]
     v = (turn @ screws[..., 3:, None])[..., 0] + crossed(motions[..., :3, 3], w)
     return np.concatenate([w, v], axis=-1)
+
+
+def change_about(centre: Floats, before: Floats, after: Floats) -> Floats:
+    """How motions (..., 4, 4) change: the shift of a point that was at `centre`, then the rotation vector, (..., 6)."""
+    turn = rotation_vector(after[..., :3, :3] @ np.swapaxes(before[..., :3, :3], -1, -2))
+    off = after - before
+    return np.concatenate([off[..., :3, :3] @ centre + off[..., :3, 3], turn], axis=-1)
+
+
+def changed_about(centre: Floats, before: Floats, change: Floats) -> Floats:
+    """The motions after such a change."""
+    found = np.zeros((*change.shape[:-1], 4, 4))
+    found[..., :3, :3] = rotations(change[..., 3:]) @ before[..., :3, :3]
+    place = before[..., :3, :3] @ centre + before[..., :3, 3] + change[..., :3]
+    found[..., :3, 3] = place - found[..., :3, :3] @ centre
+    found[..., 3, 3] = 1
+    return found

@@ -16,28 +16,24 @@ import numpy as np
 from gcrules.core.budget import checkpoint
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.attachments import disagreement, moved, residual_of_relations
 from gcrules.mechanisms.kinematics.branch import Steps, can_be_followed, follow_branch
-from gcrules.mechanisms.kinematics.chains import chain_of
 from gcrules.mechanisms.kinematics.configurations import Configurations
-from gcrules.mechanisms.kinematics.failure_reasons import NotClosed, in_two_places, off_its_relation, stopped
-from gcrules.mechanisms.kinematics.fixed import unfixed
+from gcrules.mechanisms.kinematics.failure_reasons import NotClosed, stopped
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import Course, Joints, close_loops, loop_rows, units_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.soundness import sound
 from gcrules.mechanisms.kinematics.targets import Target, check_count, written
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
 __all__ = ["Solution", "check_target", "free_coordinates", "goal", "solve"]
 
-_FARTHEST = 0.5  # of a joint in one step: rad, or parts of the robot's size
+_LONGEST = 0.25  # of a coordinate, at first: rad, or parts of the robot's size
 _SHORTEST = 1.0 / 4096
 _SHORTEST_PROOF = 1.0 / 16384
 _SLOWER = 1.2  # how fast steps grow again after one was too long to be proved
 _DEPENDENT = 1e-7
 _PREFERRED = 0.01  # of the largest rate: a coordinate that moves less is not proposed
-_STILL = 1e-7  # rad
-_LEFT = 1e-6  # parts of the robot's size, or sines of angles: by which a name is not where it should be
 _FAR = 1e12
 _MOST_STEPS = 1000
 
@@ -71,7 +67,7 @@ def solve(m: Linkage, wanted: Target) -> Solution:
 def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
     """From the solution at one part of the course to that at another. Raises InputError where it does not assemble."""
     far = abs(end - at)
-    step = far / max(1.0, np.ceil(far * course.length / (_FARTHEST / 2)))
+    step = far / max(1.0, np.ceil(far * course.length / _LONGEST))
     done, part, found, growth = 0.0, 0.0, start, 2.0
     if not far:
         return start
@@ -128,31 +124,14 @@ def _solved(course: Course, here: Configuration, part: float) -> Joints:
 def _configuration(m: Linkage, here: Configuration, joints: Joints) -> Configuration:
     """The configuration after these amounts. Raises NotClosed where the robot has left its family there."""
     links, amounts = tuple(k[0] for k in joints.links), tuple(a[0] for a in joints.amounts)
-    values = moved(m.robot, m.attachments, here.values, links)
-    apart, name, two = disagreement(m.robot, m.attachments, here.values, links, m.size)
-    if apart > _LEFT:
-        raise in_two_places(m, name, two)
-    off, name = residual_of_relations(m.robot, values, m.size)
-    if off > _LEFT:
-        raise off_its_relation(m, name)
-    off = max(off, apart)
-    for place, coordinate, joint in m.locked:
-        if abs(amounts[place][coordinate]) > _STILL:
-            raise NotClosed(f"the bars of {joint} would not stay parallel")
-    try:
-        chains = tuple(chain_of(limb, values) for limb in m.robot.limbs)
-    except InputError as fault:
-        raise NotClosed(fault.message) from None
-    loose, name = unfixed(m, here.chains, links, chains)
-    if loose > 1e-6:
-        raise NotClosed(f"{name} would not stay fixed in its links: other limbs move what it is named by")
+    values, chains, off = sound(m, here.values, here.chains, links, amounts)
     return Configuration(
         values,
         tuple(k @ before for k, before in zip(links, here.links, strict=True)),
         tuple(a + before for a, before in zip(amounts, here.joint_values, strict=True)),
         chains,
         float(joints.residual[0]),
-        max(off, loose),
+        off,
     )
 
 

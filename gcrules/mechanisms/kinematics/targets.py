@@ -11,7 +11,7 @@ import numpy as np
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.linkage import Actuator, Linkage
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, rotation_vector
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, change_about
 from gcrules.screws.pose import Pose, exact_float
 from gcrules.screws.pose_text import (
     ANGLES,
@@ -62,9 +62,7 @@ class Target:
         """The same one, with a way that begins at another one and not at home; both of the same names."""
         if self.whole is None or before.whole is None:
             return replace(self, values=self.values - before.values, start=before.values)
-        turn = rotation_vector(self.whole[:3, :3] @ before.whole[:3, :3].T)
-        shift = (self.whole - before.whole)[:3, :3] @ centre + (self.whole - before.whole)[:3, 3]
-        return replace(self, values=np.concatenate([shift, turn]), start=before.whole)
+        return replace(self, values=change_about(centre, before.whole, self.whole), start=before.whole)
 
 
 def read_pose(m: Linkage, text: str, option: str = "--at") -> Target:

@@ -14,10 +14,10 @@ from gcrules.algebra.language.text import text
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.relations import Term
-from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed
 from gcrules.poses.numbers.extensors import coordinates
 
-__all__ = ["ConditionFactor", "factors", "superbracket_value"]
+__all__ = ["ConditionFactor", "factor_values", "factors", "superbracket_value"]
 
 _SMALL = 1e-6  # of a cofactor: below it nothing is divided by it
 
@@ -56,37 +56,53 @@ class ConditionFactor:
 
 def factors(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> tuple[ConditionFactor, ...]:
     """The values of all factors; none where the robot's wrenches are no lines of its points."""
-    if not analysis.parts or analysis.lines is None:
+    if analysis.lines is None:
         return ()
-    used = dict.fromkeys(n for part in analysis.parts for n in points_of(part.expression))  # in one order: sums round
-    at = _unit_scale(analysis, values, used)
     names = analysis.lines.structure.names
     return tuple(
-        _factor(part, at, names) if part.over == ONE else _quotient(analysis, part, values) for part in analysis.parts
+        ConditionFactor(
+            text(part.expression, names=names),
+            part.kind,
+            float(value[0]),
+            part.statement,
+            "" if part.over == ONE else text(part.over, names=names),
+            float(below[0]),
+        )
+        for part, (value, below) in zip(analysis.parts, _numbers(analysis, values), strict=True)
     )
 
 
-def _quotient(analysis: RobotAnalysis, part: FactorCause, values: Mapping[str, Floats]) -> ConditionFactor:
+def factor_values(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> Floats:
+    """The values of all factors in many configurations, (N, factors), where names have places (N, 3)."""
+    number = max(v.size // 3 for v in values.values())
+    found = [] if analysis.lines is None else [value for value, _ in _numbers(analysis, values)]
+    return np.stack([np.broadcast_to(v, number) for v in found], axis=1) if found else np.zeros((number, 0))
+
+
+def _numbers(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> list[tuple[Floats, Floats]]:
+    """Of each factor the value and that of its cofactor, (N,) each."""
+    used = dict.fromkeys(n for part in analysis.parts for n in points_of(part.expression))  # in one order: sums round
+    at = _unit_scale(analysis, values, used)
+    return [
+        (_value(part.expression, at), np.ones(1)) if part.over == ONE else _quotient(analysis, part, values)
+        for part in analysis.parts
+    ]
+
+
+def _quotient(analysis: RobotAnalysis, part: FactorCause, values: Mapping[str, Floats]) -> tuple[Floats, Floats]:
     """A factor by its cofactor. Where it is the only one, the quotient is the superbracket up to a number, which is
     known also where both vanish.
     """
     assert analysis.lines is not None
     structure = analysis.lines.structure
     at = _unit_scale(analysis, values, dict.fromkeys((*structure.names, *points_of(part.over))))
-    below = prod(_value(e, at) for e in (part.over.factors if isinstance(part.over, Product) else (part.over,)))
+    every = part.over.factors if isinstance(part.over, Product) else (part.over,)
+    below = np.asarray(prod(_value(e, at) for e in every))
     if len(analysis.parts) == 1:
-        value = _value(structure.superbracket, at)
-    else:
-        raw = float(coordinates(part.over, at)[0, 0])
-        value = float(coordinates(part.expression, at)[0, 0]) / raw if abs(below) > _SMALL else nan
-    return ConditionFactor(
-        text(part.expression, names=structure.names),
-        part.kind,
-        value,
-        part.statement,
-        text(part.over, names=structure.names),
-        below,
-    )
+        return _value(structure.superbracket, at), below
+    above, raw = (coordinates(e, at)[:, 0] for e in (part.expression, part.over))
+    known = np.abs(below) > _SMALL
+    return np.where(known, above / np.where(known, raw, 1.0), nan), below
 
 
 def superbracket_value(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> float | None:
@@ -96,40 +112,40 @@ def superbracket_value(analysis: RobotAnalysis, values: Mapping[str, Floats]) ->
     if analysis.lines is None:
         return None
     structure = analysis.lines.structure
-    return _value(structure.superbracket, _unit_scale(analysis, values, dict.fromkeys(structure.names)))
+    return float(_value(structure.superbracket, _unit_scale(analysis, values, dict.fromkeys(structure.names)))[0])
 
 
-def _factor(part: FactorCause, at: Mapping[str, Floats], names: tuple[str, ...]) -> ConditionFactor:
-    return ConditionFactor(text(part.expression, names=names), part.kind, _value(part.expression, at), part.statement)
-
-
-def _value(e: Expr, at: Mapping[str, Floats]) -> float:
-    found = float(coordinates(e, at)[0, 0])
+def _value(e: Expr, at: Mapping[str, Floats]) -> Floats:
+    found = coordinates(e, at)[:, 0]
     for child in e.children if e.children and e.children[0].step else ():
-        size = float(np.linalg.norm(coordinates(child, at)))
-        found = found / size if size else 0.0
+        size = np.linalg.norm(coordinates(child, at), axis=1)
+        found = np.where(size > 0, found / np.where(size > 0, size, 1.0), 0.0)
     return found
 
 
 def _unit_scale(analysis: RobotAnalysis, values: Mapping[str, Floats], used: Collection[str]) -> dict[str, Floats]:
-    """Homogeneous coordinates (1, 4) of the names that are used, (1, 3) in the plane."""
+    """Homogeneous coordinates (N, 4) of the names that are used, (N, 3) in the plane."""
     sorts = analysis.robot.family.sorts
     derived: dict[str, Floats] = {}
     for n, u, v in analysis.structure.derived:  # each may be made from those before it
-        derived[n] = np.cross(_of(u, {**values, **derived}), _of(v, {**values, **derived}))
+        derived[n] = crossed(_of(u, {**values, **derived}), _of(v, {**values, **derived}))
     points = {n: values[n] for n in used if n not in derived and sorts[n] == "point"}
-    places = np.array(list(points.values())) if points else np.zeros((1, 3))
+    places = np.stack(np.broadcast_arrays(*points.values())) if points else np.zeros((1, 3))
     centre = places.mean(axis=0)
-    size = float(np.sqrt(((places - centre) ** 2).sum(axis=1).mean())) or 1.0
+    size = np.sqrt(((places - centre) ** 2).sum(axis=-1).mean(axis=0))[..., None]
+    size = np.where(size > 0, size, 1.0)
     found = {}
     for n in used:
-        if n in points:
-            row = np.array([*((points[n] - centre) / size), 1.0])
-        else:
-            direction = derived[n] if n in derived else values[n]
-            row = np.array([*(direction / (np.linalg.norm(direction) or 1.0)), 0.0])
-        found[n] = (row[[0, 1, 3]] if analysis.robot.family.plane else row)[None]
+        vector = (points[n] - centre) / size if n in points else _unit(derived[n] if n in derived else values[n])
+        last = np.full((*vector.shape[:-1], 1), float(n in points))
+        row = np.atleast_2d(np.concatenate([vector, last], axis=-1))
+        found[n] = row[:, [0, 1, 3]] if analysis.robot.family.plane else row
     return found
+
+
+def _unit(direction: Floats) -> Floats:
+    size = np.linalg.norm(direction, axis=-1, keepdims=True)
+    return np.asarray(direction / np.where(size > 0, size, 1.0))
 
 
 def _of(term: Term, values: Mapping[str, Floats]) -> Floats:

@@ -1,9 +1,10 @@
 r"""A robot of joints along a path: the loops are closed step by step, and what lies between the steps is proved.
 
 Each step follows one branch of solutions, proved by Krawczyk's operator; that nothing between two steps is singular is
-proved likewise (`gcrules.mechanisms.kinematics.branch`). So a singular configuration can lie only where the determinant
-of all wrenches changes its sign, which is located, or in short stretches that are told as undecided: as a rule where
-the path touches a singular configuration, or where a limb is singular by itself.
+proved likewise (`gcrules.mechanisms.kinematics.branch`), for many steps at once (`gcrules.poses.limbs.drive`). Segments
+in which that is not proved are gone over again, one by one (`gcrules.poses.limbs.way`). So a singular configuration can
+lie only where the determinant of all wrenches changes its sign, which is located, or in short stretches that are told
+as undecided: as a rule where the path touches a singular configuration, or where a limb is singular by itself.
 
 >>> from gcrules.mechanisms.mechanism import mechanism
 >>> from gcrules.screws.threshold import threshold_of
@@ -17,10 +18,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
@@ -28,12 +29,17 @@ from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.coordinates import coordinates
+from gcrules.mechanisms.kinematics.itinerary import Itinerary
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.margin import limb_margins, margin
+from gcrules.mechanisms.kinematics.loops import Course
+from gcrules.mechanisms.kinematics.margin import limb_margins, margin, margins
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.solve import check_target, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.limbs.factors import factors
+from gcrules.poses.limbs.drive import drive
+from gcrules.poses.limbs.factors import factor_values, factors
+from gcrules.poses.limbs.nodes import Nodes
 from gcrules.poses.limbs.path_report import Crossing, RobotPath
 from gcrules.poses.limbs.pose_report import cause_of, target_of
 from gcrules.poses.limbs.way import Stretch, Way
@@ -44,7 +50,11 @@ from gcrules.screws.verdict import SOLVED, decide
 
 __all__ = ["HOME", "path_of_limbs"]
 
+Truths = NDArray[np.bool_]
+
 MAX_SAMPLES = 20_000
+_STEP = 0.125  # rad, or parts of the robot's size: what is proved at once, as a rule
+_MOST_STEPS = 2000  # between two poses: more are gone without being predicted
 HOME = "home"
 """The name of the first pose of all, in which the file has the robot."""
 
@@ -61,27 +71,43 @@ def path_of_limbs(found: Limbs, poses: Sequence[Any], *, samples: Any = SAMPLES,
     each = per_segment(samples, number, MAX_SAMPLES)
     check_target(m, targets[0])
     first = solve(m, targets[0])
-    doubts = [] if first.doubt is None else [0.0]
-    parts: list[_Segment] = []
-    here = first.configuration
-    for k, (before, target) in enumerate(pairwise(targets)):
+    way = Itinerary(m, tuple(targets))
+    parameters, sampled = _places(way, each)
+    driven = drive(way, first.configuration, parameters)
+    doubt = driven.doubt if first.doubt is None else 0.0
+    left = np.unique(way.segments(parameters[:-1][~driven.regular])).tolist()
+    parts = []
+    for n, k in enumerate(left):
         checkpoint()
-        report_progress(f"segment {k + 1} of {number}")
-        segment, doubt = _segment(m, found.analysis, k, target.after(before, m.centre), here, each)
-        here = segment.way.nodes[-1][1]
-        doubts += [] if doubt is None else [k + doubt]
-        parts.append(segment)
-    return _report(found, threshold, targets, parts, min(doubts, default=None))
+        report_progress(f"segment {n + 1} of {len(left)} that are looked at more closely")
+        start = driven.nodes.one(int(np.searchsorted(parameters, k)))
+        parts.append(_segment(way.courses[k], found.analysis, k, start))
+    crossed = [c for part in parts for c in part.crossed]
+    nodes = driven.nodes[sampled]
+    if crossed:
+        nodes = Nodes.together([nodes, Nodes.of(*zip(*crossed, strict=True))])
+    return _report(found, threshold, targets, parts, nodes, doubt)
 
 
 @dataclass(frozen=True, eq=False)
 class _Segment:
-    """What was found between two poses, its places as parameters of the path, and the sampled configurations."""
+    """What was found between two poses, its places as parameters of the path, and configurations at the crossings."""
 
-    way: Way
     crossings: tuple[Crossing, ...]
     undecided: tuple[Stretch, ...]
-    sampled: tuple[tuple[float, Configuration], ...]
+    crossed: tuple[tuple[float, Configuration], ...]
+
+
+def _places(way: Itinerary, each: int) -> tuple[Floats, Truths]:
+    """The parameters at which configurations are sought: `each` samples of each segment, and places between them where
+    these are further apart than a step; and which of them are samples.
+    """
+    parameters, sampled = [], []
+    for k, course in enumerate(way.courses):
+        more = -(-_steps(course) // each)
+        parameters.append(k + np.linspace(0, 1, each * more + 1)[:-1])
+        sampled.append(np.arange(each * more) % more == 0)
+    return np.append(np.concatenate(parameters), len(way.courses)), np.append(np.concatenate(sampled), True)
 
 
 def _targets(m: Linkage, poses: Sequence[Any]) -> list[Target]:
@@ -122,11 +148,16 @@ def _alike(known: Target, number: int, one: Target | None) -> Target:
     return Target(known.names, one.values[order], whole=one.whole, text=one.text, notes=one.notes)
 
 
-def _segment(
-    m: Linkage, analysis: RobotAnalysis, k: int, target: Target, start: Configuration, each: int
-) -> tuple[_Segment, float | None]:
+def _steps(course: Course) -> int:
+    """How many steps are taken between two poses; 1 where they are too far apart to be gone."""
+    steps = np.ceil(course.length / _STEP)
+    return int(steps) if 1 < steps <= _MOST_STEPS else 1
+
+
+def _segment(course: Course, analysis: RobotAnalysis, k: int, start: Configuration) -> _Segment:
+    """What lies between two poses that is not proved to be regular; gone step by step."""
     try:
-        way, doubt = Way.to(m, target, start)
+        way, _ = Way.to(course.m, course.target, start)
     except InputError as fault:
         raise InputError(f"between pose {k} and pose {k + 1}: {fault.message}", hint=fault.hint) from None
     changes, unknown = way.signs()
@@ -139,10 +170,8 @@ def _segment(
         crossings.append(_crossing(way, analysis, k, (a, b), around))
     if unknown is not None and not left and not changes:
         left = [(unknown, unknown)]
-    sampled = [(k + s, way.at(s)) for s in np.linspace(0, 1, each + 1).tolist()]
-    sampled += [(c.parameter, way.at(c.parameter - k)) for c in crossings]
-    undecided = tuple((float(k + a), float(k + b)) for a, b in left)
-    return _Segment(way, tuple(crossings), undecided, tuple(sampled)), doubt
+    crossed = tuple((c.parameter, way.at(c.parameter - k)) for c in crossings)
+    return _Segment(tuple(crossings), tuple((float(k + a), float(k + b)) for a, b in left), crossed)
 
 
 def _crossing(way: Way, analysis: RobotAnalysis, k: int, at: Stretch, around: Stretch) -> Crossing:
@@ -165,15 +194,19 @@ def _secant(way: Way, at: Stretch) -> float:
 
 
 def _report(
-    found: Limbs, limit: Threshold, targets: Sequence[Target], parts: Sequence[_Segment], doubt: float | None
+    found: Limbs,
+    limit: Threshold,
+    targets: Sequence[Target],
+    parts: Sequence[_Segment],
+    nodes: Nodes,
+    doubt: float | None,
 ) -> RobotPath:
     m = found.linkage
-    sampled = {p: c for part in parts for p, c in part.sampled}
-    parameters = np.array(sorted(sampled))
-    way = [sampled[p] for p in parameters.tolist()]
-    sigma = np.array([margin(m, c).sigma for c in way])
-    values = [factors(found.analysis, c.values) for c in way]
-    own = np.array([min(limb_margins(m, c)) for c in way])
+    parameters, order = np.unique(nodes.parameters[::-1], return_index=True)  # of two at one place that of a crossing
+    nodes = nodes[len(nodes) - 1 - order]
+    sigma = np.concatenate([margins(m, some.here).sigma for some in nodes.blocks()])
+    own = np.concatenate([limb_margins(m, some.here).min(axis=1) for some in nodes.blocks()])
+    values = np.concatenate([factor_values(found.analysis, some.values) for some in nodes.blocks()])
     crossings = tuple(c for part in parts for c in part.crossings)
     undecided = tuple(s for part in parts for s in part.undecided)
     at_crossing = np.isin(parameters, [c.parameter for c in crossings])
@@ -199,12 +232,12 @@ def _report(
         branch_doubt=doubt,
         threshold=limit,
         parameters=parameters,
-        coordinates=np.array([coordinates(names, c.platform, m.centre) for c in way]),
-        actuator_values=np.array([[c.joint_values[a.place][a.coordinate] for a in m.actuators] for c in way]),
+        coordinates=coordinates(names, nodes.here.platform, m.centre),
+        actuator_values=np.stack([nodes.here.joint_values[a.place][:, a.coordinate] for a in m.actuators], axis=1),
         margins=sigma,
         limb_margins=own,
-        factors=tuple(f.expression for f in values[0]),
-        factor_values=np.array([[f.value for f in one] for one in values]).reshape(len(way), -1),
+        factors=tuple(f.expression for f in factors(found.analysis, m.home.values)),
+        factor_values=values,
         verdicts=verdicts,
         notes=tuple(dict.fromkeys(n for t in targets for n in t.notes)),
     )

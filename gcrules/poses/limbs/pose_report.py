@@ -13,6 +13,7 @@ from gcrules.core.english import agreeing
 from gcrules.core.errors import InputError
 from gcrules.core.floats import without_noise
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, begun_at
 from gcrules.mechanisms.kinematics.margin import LimbMargin, limb_margins, margin
@@ -171,7 +172,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
     c = solution.configuration
     near = margin(m, c)
     values = factors(analysis, c.values)
-    own = limb_margins(m, c)
+    own = tuple(limb_margins(m, Configurations.of([c]))[0].tolist())
     verdict, reason = _verdict(m, near, own, limit)
     motions = _twists(m, near)
     gained = tuple(t for t, s in zip(motions, near.singular_values, strict=True) if s <= SOLVED)
