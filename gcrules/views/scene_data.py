@@ -12,14 +12,19 @@ from gcrules.core.shapes import EntryCount, OneOf
 from gcrules.screws.verdict import VERDICTS
 
 __all__ = [
+    "ChainView",
     "Constructed",
     "Construction",
+    "DerivedView",
+    "DrawnJoint",
+    "DriveView",
     "EntityKind",
     "EntityView",
     "JointView",
     "LegEnds",
     "LimbView",
     "LineView",
+    "LinkageView",
     "MotionView",
     "NamedLineView",
     "NamedPointView",
@@ -28,6 +33,7 @@ __all__ = [
     "RecipePoint",
     "RecipeView",
     "SceneData",
+    "Terms",
     "Thresholds",
     "Vec3",
     "Verdict",
@@ -80,6 +86,8 @@ class PlaneView(TypedDict):
     through: NotRequired[list[Vec3]]
     """Places around which a part of it is drawn."""
     colour: NotRequired[int]
+    points: NotRequired[list[str]]
+    """Points and directions that it is drawn through."""
 
 
 class MotionView(TypedDict):
@@ -151,6 +159,80 @@ class RecipeView(TypedDict):
     thresholds: Thresholds
 
 
+Terms = dict[str, float]
+"""A sum of points or directions: name and factor."""
+
+
+class ChainView(TypedDict):
+    """A limb at home: elementary motions from the base to the platform."""
+
+    screws: list[list[float]]
+    """(ω; v) of each motion."""
+    uses: list[int]
+    """The coordinate that each motion takes."""
+    signs: list[float]
+    turns: list[bool]
+    """Of each coordinate whether it is an angle."""
+    end: Vec3
+    ball: bool
+    """Whether it ends in a ball joint that is not driven."""
+    rank: int
+    """Of its twists; `passive` that of those that are not driven."""
+    passive: int
+
+
+class DriveView(TypedDict):
+    """An actuator, with the places of its limb and of its coordinate there."""
+
+    name: str
+    text: str
+    limb: int
+    coordinate: int
+
+
+class DrawnJoint(TypedDict):
+    """The names of which the place and the axes of a joint are made; no place where there are none."""
+
+    point: Terms
+    axes: list[Terms]
+
+
+class DerivedView(TypedDict):
+    """The direction u × v."""
+
+    name: str
+    u: Terms
+    v: Terms
+
+
+class LinkageView(TypedDict):
+    """How a robot of joints moves by its actuators, for pages that have no server."""
+
+    chains: list[ChainView]
+    drives: list[DriveView]
+    rides: dict[str, list[list[int]]]
+    """The limbs and links that carry a name."""
+    points: dict[str, Vec3]
+    """All points at home, and below all directions."""
+    directions: dict[str, Vec3]
+    derived: list[DerivedView]
+    joints: list[list[DrawnJoint]]
+    """Those of each limb, as in `limbs` of the scene."""
+    lines: list[list[LegEnds]]
+    """The ends of the lines of each limb, as there."""
+    bars: list[list[list[Terms]]]
+    """The bars of each limb, from one end to the other, and rods between them."""
+    locked: list[list[int]]
+    """Limbs and coordinates that stay at 0."""
+    plane: bool
+    centre: Vec3
+    size: float
+    close: float
+    """Below this singularity margin a configuration is close to singular."""
+    floor: float
+    """Up to this margin it is singular."""
+
+
 class SceneData(TypedDict):
     """A robot in a pose, with its condition."""
 
@@ -170,3 +252,4 @@ class SceneData(TypedDict):
     planes: NotRequired[list[PlaneView]]
     """Planes that are no entities."""
     recipe: NotRequired[RecipeView]
+    linkage: NotRequired[LinkageView]

@@ -52,6 +52,8 @@ export interface Plane {
   /** Places around which a part of it is drawn. */
   through?: Vec3[];
   colour?: number;
+  /** Points and directions that it is drawn through. */
+  points?: string[];
 }
 
 /** What the platform can do although its actuators are locked. */
@@ -120,6 +122,74 @@ export interface Recipe {
   thresholds: Thresholds;
 }
 
+/** A sum of points or directions: name and factor. */
+export type Terms = Record<string, number>;
+
+/** A limb at home: elementary motions from the base to the platform. */
+export interface Chain {
+  /** (ω; v) of each motion. */
+  screws: number[][];
+  /** The coordinate that each motion takes. */
+  uses: number[];
+  signs: number[];
+  /** Of each coordinate whether it is an angle. */
+  turns: boolean[];
+  end: Vec3;
+  /** Whether it ends in a ball joint that is not driven. */
+  ball: boolean;
+  /** Of its twists; `passive` that of those that are not driven. */
+  rank: number;
+  passive: number;
+}
+
+/** An actuator, with the places of its limb and of its coordinate there. */
+export interface Drive {
+  name: string;
+  text: string;
+  limb: number;
+  coordinate: number;
+}
+
+/** The names of which the place and the axes of a joint are made; no place where there are none. */
+export interface DrawnJoint {
+  point: Terms;
+  axes: Terms[];
+}
+
+/** The direction u × v. */
+export interface Derived {
+  name: string;
+  u: Terms;
+  v: Terms;
+}
+
+/** How a robot of joints moves by its actuators, for pages that have no server. */
+export interface Linkage {
+  chains: Chain[];
+  drives: Drive[];
+  /** The limbs and links that carry a name. */
+  rides: Record<string, number[][]>;
+  /** All points at home, and below all directions. */
+  points: Record<string, Vec3>;
+  directions: Record<string, Vec3>;
+  derived: Derived[];
+  /** Those of each limb, as in `limbs` of the scene. */
+  joints: DrawnJoint[][];
+  /** The ends of the lines of each limb, as there. */
+  lines: LegEnds[][];
+  /** The bars of each limb, from one end to the other, and rods between them. */
+  bars: Terms[][][];
+  /** Limbs and coordinates that stay at 0. */
+  locked: number[][];
+  plane: boolean;
+  centre: Vec3;
+  size: number;
+  /** Below this singularity margin a configuration is close to singular. */
+  close: number;
+  /** Up to this margin it is singular. */
+  floor: number;
+}
+
 /** A robot in a pose, with its condition. */
 export interface SceneData {
   points: Record<string, Vec3>;
@@ -138,6 +208,7 @@ export interface SceneData {
   /** Planes that are no entities. */
   planes?: Plane[];
   recipe?: Recipe;
+  linkage?: Linkage;
 }
 
 export const FARTHEST = 1000000000000.0;

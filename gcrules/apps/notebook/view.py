@@ -20,11 +20,11 @@ __all__ = ["view"]
 def view(source: Source, *, pose: Any = None, plugins: Folders = ()) -> RobotWidget:
     """A widget that shows a robot in 3D and moves its platform, for Jupyter and other notebooks.
 
-    `source` is what `gcrules.load` takes; legs get a sample shape, and a robot described by its joints stays at home
-    unless it is a platform on six legs. `pose` is where the platform begins: text as for `gcrules pose`, a `Pose`, or a
-    mapping with `translation` and `quaternion`; turns are about the centroid of the platform's joints. The widget's
-    traits `pose`, `margin` and `verdict` follow the platform, and setting `pose` moves it; `numbers()` is the full
-    report there.
+    `source` is what `gcrules.load` takes; legs get a sample shape, and a robot described by its joints moves by its
+    actuators unless it is a platform on six legs. `pose` is where the platform begins: text as for `gcrules pose`, a
+    `Pose`, or a mapping with `translation` and `quaternion`; turns are about the centroid of the platform's joints.
+    The widget's traits `pose`, `margin` and `verdict` follow the platform, and setting `pose` moves it; `numbers()` is
+    the full report there.
 
     Raises InputError where the optional dependency is missing, and for lines that are no legs between finite joints.
     """

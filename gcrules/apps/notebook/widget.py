@@ -37,7 +37,7 @@ class RobotWidget(anywidget.AnyWidget):
     """A robot in 3D. `pose` (shift and unit quaternion, scalar first) goes both ways; it may be set as text too.
 
     `margin` (the singularity margin, 0 singular to 1) and `verdict` (regular | close | singular within rounding) are
-    those of the pose, for `observe`; None for a robot with other limbs than six legs, which is shown at home.
+    those of the pose, for `observe`; None for a robot with other limbs than six legs, which moves by its actuators.
     """
 
     _esm = _module()

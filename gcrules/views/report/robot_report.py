@@ -3,6 +3,7 @@ r"""The report of a robot that is described by its joints: limbs, equivalent lin
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from html import escape
 from math import dist
 from typing import Any
@@ -13,20 +14,23 @@ from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.exact_values import lines_at
+from gcrules.poses.limbs.pose_report import report_of_limbs
 from gcrules.poses.limbs.singular_members import live_parts
 from gcrules.views.drawing.bsp import XYZ
 from gcrules.views.drawing.figures import graph_figure
 from gcrules.views.drawing.solids import flat_normal
 from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
+from gcrules.views.report.robot_numbers import numbers_html
 from gcrules.views.report.scene_json import scene
 from gcrules.views.report.stages import Formula
 from gcrules.views.results.robot import CONDITION, FACTORS, factor_kind, sections
 from gcrules.views.robots.entities import DrawnFlat, entities
 from gcrules.views.robots.joint_chain import unit_vector
 from gcrules.views.robots.limb_views import limb_views
+from gcrules.views.robots.linkage_view import linkage_view
 from gcrules.views.robots.robot_drawing import draw_robot
-from gcrules.views.scene_data import PlaneView, SceneData
+from gcrules.views.scene_data import LinkageView, PlaneView, SceneData
 
 __all__ = ["robot_report", "robot_scene"]
 
@@ -39,6 +43,7 @@ def robot_report(a: RobotAnalysis, *, interactive: bool = True) -> str:
         _header(a),
         f'<section class="answer"><p>{escape(a.statement)}</p><p class="sure">{escape(a.certificate)}</p></section>',
         _figures(a, home=a.robot.home is not None and bool(a.robot.limbs), live=live),
+        numbers_html(report_of_limbs(Limbs.of(a))) if a.robot.home is not None and a.robot.limbs else "",
         "<h2>Step by step</h2>",
         '<ol class="stages">',
         *(f"<li><h3>{escape(title)}</h3>{body}</li>" for title, body in _stages(a)),
@@ -50,13 +55,16 @@ def robot_report(a: RobotAnalysis, *, interactive: bool = True) -> str:
 
 def robot_scene(a: RobotAnalysis) -> SceneData:
     """The robot at home as the 3D viewer takes it: limbs with joints and wrenches, and the equivalent lines between
-    finite points. Only a platform on six legs moves: with others that takes the joints' equations.
+    finite points. A platform on six legs moves by its pose, other robots by their actuators (`linkage`).
     """
     robot = Limbs.of(a)
     try:
         return scene(robot.six_legs().analysis)
     except InputError:  # it has other limbs
         bodies = robot.bodies
+    moving: LinkageView | None = None
+    with suppress(InputError):  # then it stays at home
+        moving = linkage_view(robot)
     values = {n: [float(c) for c in v] for n, v in a.robot.values_at().items()}
     sorts = a.robot.family.sorts
     legs = [list(leg) for leg in a.structure.legs if all(sorts.get(n) == "point" for n in leg)]
@@ -64,7 +72,7 @@ def robot_scene(a: RobotAnalysis) -> SceneData:
     middle = [sum(values[n][i] for n in shown) / len(shown) for i in range(3)]
     found = entities(a, live_parts(a)) if a.lines else ()
     size = max(dist(values[n], middle) for n in shown)
-    return {
+    shown_at_home: SceneData = {
         "points": {n: values[n] for n in values if sorts.get(n) == "point"},
         "base": list(bodies["base"]),
         "platform": list(bodies["platform"]),
@@ -86,6 +94,7 @@ def robot_scene(a: RobotAnalysis) -> SceneData:
         "limbs": limb_views(a, values),
         "planes": [p for i, e in enumerate(found) if (p := _far_plane(a, e, _colour(a, e, i), size))],
     }
+    return shown_at_home if moving is None else {**shown_at_home, "linkage": moving}
 
 
 def _colour(a: RobotAnalysis, e: DrawnFlat, number: int) -> int:
@@ -118,6 +127,7 @@ def _far_plane(a: RobotAnalysis, e: DrawnFlat, colour: int, size: float) -> Plan
         "offset": offset,
         "through": corners,
         "colour": colour,
+        "points": list(e.points),
     }
 
 
@@ -148,7 +158,8 @@ def _figures(a: RobotAnalysis, *, home: bool, live: bool) -> str:
         words = "The robot at home with the wrenches of its limbs, and the lines that stand for them"
         robot = robot_figure_html(draw_robot(a, a.robot.values_at()).svg(), words)
     if live:
-        robot = robot_figure_html("", "The same in 3D", live=True, hint="Drag to turn the view.") + robot
+        hint = "Drag to turn the view; the sliders move the robot."
+        robot = robot_figure_html("", "The same in 3D", live=True, hint=hint) + robot
     return f'<div class="figures">{robot}{graph}</div>' if robot or graph else ""
 
 

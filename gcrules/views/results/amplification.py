@@ -9,7 +9,10 @@ from gcrules.mechanisms.kinematics.amplification import Amplification
 from gcrules.views.formulas.latex_text import latex_quantity
 from gcrules.views.text_tables import columns
 
-__all__ = ["amplification_lines", "conditioning", "conditioning_rows"]
+__all__ = ["SPEED_AND_TURN", "amplification_lines", "amplification_rows", "conditioning", "conditioning_rows"]
+
+SPEED_AND_TURN = "one at unit rate and the others locked: speed of the centre, turn of the platform"
+"""What the numbers of each actuator are."""
 
 _NOTHING = 1e-12
 
@@ -27,14 +30,17 @@ def amplification_lines(a: Amplification, unit: str) -> Iterator[str]:
     if all(map(math.isinf, a.speeds)):
         return
     yield ""
-    yield "Actuators, one at unit rate and the others locked: speed of the centre, turn of the platform"
+    yield f"Actuators, {SPEED_AND_TURN}"
+    yield from columns(list(amplification_rows(a, unit)), "  ")
+
+
+def amplification_rows(a: Amplification, unit: str) -> Iterator[tuple[str, str, str]]:
+    """For each actuator its name, the speed and the turn."""
     length = unit or "length"
-    rows = []
     for name, angle, speed, turn in zip(a.actuators, a.angles, a.speeds, a.turns, strict=True):
         units = (f" {length}/rad", "") if angle else ("", f" rad/{length}")
         speeds, turns = (_number(x) + u * math.isfinite(x) for x, u in zip((speed, turn), units, strict=True))
-        rows.append((name, speeds, turns))
-    yield from columns(rows, "  ")
+        yield name, speeds, turns
 
 
 def conditioning_rows(a: Amplification, unit: str) -> Iterator[tuple[str, str]]:

@@ -15,7 +15,7 @@ from gcrules.views.results.amplification import amplification_lines, conditionin
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["as_latex", "as_text", "meaning", "motions", "signed", "small"]
 
 _EXACT = 1e-12
 
@@ -36,10 +36,10 @@ def _lines(r: RobotPose) -> Iterator[str]:
         [
             ("robot", f"{r.title} ({r.robot}), at {r.target}"),
             ("pose", _pose(r)),
-            ("margin", f"σ = {_small(r.margin)} (0 singular, at most 1; knows neither frame nor unit)"),
+            ("margin", f"σ = {small(r.margin)} (0 singular, at most 1; knows neither frame nor unit)"),
             (
                 "Jacobian",
-                f"{len(j.labels)} wrenches, smallest singular value {_small(j.smallest_singular_value)}, condition "
+                f"{len(j.labels)} wrenches, smallest singular value {small(j.smallest_singular_value)}, condition "
                 f"number {_number(j.condition_number)}; characteristic length {j.length:.4g}",
             ),
             ("actuators", conditioning(j.amplification, "")),
@@ -61,21 +61,22 @@ def _lines(r: RobotPose) -> Iterator[str]:
         yield ""
         yield "Factors of the condition"
         for f in r.factors:
-            yield from wrapped(f"{_sign(f.expression)}", "  ", "      ")
-            yield from wrapped(f"{_small(f.value)}, {_meaning(f.kind, f.statement)}", "    ", "      ")
+            yield from wrapped(f"{signed(f.expression)}", "  ", "      ")
+            yield from wrapped(f"{small(f.value)}, {meaning(f.kind, f.statement)}", "    ", "      ")
             if f.cofactor:
-                below = f"divided by the cofactor {_sign(f.cofactor)}, which is {_small(f.cofactor_value)} here"
+                below = f"divided by the cofactor {signed(f.cofactor)}, which is {small(f.cofactor_value)} here"
                 yield from wrapped(below, "    ", "      ")
     yield ""
     yield "Limbs by themselves: margin to their own singularities (0 singular)"
-    yield from columns([(limb.name, _small(limb.margin), "") for limb in r.limbs], "  ")
+    yield from columns([(limb.name, small(limb.margin), "") for limb in r.limbs], "  ")
     if r.verdict != "regular":
         yield ""
         yield f"{'Nearly d' if r.verdict == 'close' else 'D'}ependent wrenches, which balance in these ratios"
-        rows = [(limb.name, _small(limb.share), limb.wrench(j.centre, j.length)) for limb in r.limbs]
+        rows = [(limb.name, small(limb.share), limb.wrench(j.centre, j.length)) for limb in r.limbs]
         yield from columns(rows, "  ")
     yield ""
-    yield from _motion(r)
+    for sentence in motions(r):
+        yield from wrapped(sentence)
     if r.types:
         yield ""
         yield "Types of singularity (Zlatanov, Fenton and Benhabib)"
@@ -130,20 +131,19 @@ def _change(name: str, value: float) -> str:
     return shown if value <= 0 else f"+{shown}"
 
 
-def _motion(r: RobotPose) -> Iterator[str]:
+def motions(r: RobotPose) -> tuple[str, ...]:
+    """What the platform gains, or the motion that the limbs notice least, as sentences."""
     if r.motions:
-        for motion in r.motions:
-            yield from wrapped(f"Gained motion: the platform can {motion.text()}; to first order no limb resists.")
-        return
-    yield from wrapped(
+        return tuple(f"Gained motion: the platform can {m.text()}; to first order no limb resists." for m in r.motions)
+    return (
         f"Softest motion: the platform can {r.softest.text()}. The limbs' wrenches notice only {r.margin:.3g} times"
-        " as much of it as the platform's joints move (root mean squares)."
+        " as much of it as the platform's joints move (root mean squares).",
     )
 
 
 def _pose(r: RobotPose) -> str:
     c = r.coordinates
-    parts = [f"{n} {_small(c[n])}" for n in SHIFTS] + [f"{n} {_degrees(c[n])}" for n in TURNS]
+    parts = [f"{n} {small(c[n])}" for n in SHIFTS] + [f"{n} {_degrees(c[n])}" for n in TURNS]
     about = ", ".join(f"{x:.4g}" for x in r.centre)
     return f"{', '.join(parts)}; of the centre ({about}), from home"
 
@@ -156,23 +156,26 @@ def _counted(n: int, word: str) -> str:
     return f"{n} {word}{'s' * (n != 1)}"
 
 
-def _meaning(kind: str, statement: str) -> str:
+def meaning(kind: str, statement: str) -> str:
+    """The kind of a factor, and where it vanishes."""
     return f"{kind}: 0 where {statement}" if statement else kind
 
 
 def _amount(value: float, angle: bool) -> str:
-    return _degrees(value) if angle else _small(value)
+    return _degrees(value) if angle else small(value)
 
 
 def _degrees(angle: float) -> str:
     return degrees(angle if abs(angle) > 1e-12 else 0.0)
 
 
-def _sign(expression: str) -> str:
+def signed(expression: str) -> str:
+    """An expression with the signs of join and meet."""
     return expression.replace("/\\", "∧").replace("\\/", "∨")
 
 
-def _small(x: float) -> str:
+def small(x: float) -> str:
+    """A number with four digits; what is rounding only is 0."""
     return "0" if abs(x) < 1e-12 else _number(x)
 
 

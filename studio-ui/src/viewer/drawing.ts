@@ -91,7 +91,7 @@ export class Drawing implements Model {
   }
 
   constructor(readonly scene: Scene, readonly state: State) {
-    const places = jointsOf(scene);
+    const places = [...jointsOf(scene), ...(scene.plate ?? []), ...(scene.bars ?? []).flat()];
     const bound = (k: 0 | 1 | 2, of: (...numbers: number[]) => number) => of(...places.map((p) => p[k]));
     const half = (k: 0 | 1 | 2) => (bound(k, Math.min) + bound(k, Math.max)) / 2;
     this.middle = places.length ? [half(0), half(1), half(2)] : [0, 0, 0];

@@ -2,10 +2,12 @@
 // notebooks. Six sliders, standard views, and the numbers of the pose, computed here.
 import { colourOf, entityRole } from "./palette";
 import { eulerAngles, fromEuler, IDENTITY } from "./pose";
-import { runs } from "./names";
+import { button, figure, make, named } from "./elements";
+import { drivesOf, type Drives } from "./drives";
 import { numbersAt, type PoseNumbers } from "./numbers";
 import { STYLE } from "./style";
-import type { Mode, Pose, Scene, Theme, Vec3, View, Viewer } from "./types";
+import type { LimbNumbers } from "./limb-margin";
+import type { Mode, Pose, Scene, Theme, Vec3, Verdict, View, Viewer } from "./types";
 import { createViewer } from "./viewer";
 
 export interface Explorer {
@@ -27,6 +29,13 @@ const VERDICTS = {
   close: "Warning: close to singular.",
   singular: "Warning: singular within rounding: the legs do not control the platform here.",
 };
+const LIMB_VERDICTS = {
+  regular: "Regular: the limbs control the platform here.",
+  close: "Warning: close to singular.",
+  singular: "Warning: singular within rounding: the limbs do not control the platform here.",
+};
+type Row = [string, HTMLElement | string];
+const gain = (motion: PoseNumbers["motion"]): Row[] => (motion ? [["Gained motion", motion.text]] : []);
 const MODES: [Mode, string, string][] = [
   ["orbit", "View", "Drag turns the view"],
   ["translate", "Shift", "Handles that shift the platform"],
@@ -59,6 +68,7 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
   const gained = make("label", { class: "gcx-motion" }, swing, " show the motion that the platform gains");
   const home = button("Home", "The pose of the file", () => move(IDENTITY, true));
   side.append(verdict, table, gained, make("div", { class: "gcx-sliders" }, ...sliders.map((s) => s.row)), home, legend);
+  let drives: Drives | null = null;
   const bar = make("div", { class: "gcx-bar" });
   root.append(bar, canvas, side);
   if (!document.getElementById("gcx-style")) document.head.append(make("style", { id: "gcx-style" }, STYLE));
@@ -95,9 +105,16 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
 
   function start(next: Scene): void {
     scene = next;
-    root.classList.toggle("gcx-still", !next.recipe); // what is drawn is no platform on six legs
+    root.classList.toggle("gcx-still", !next.recipe && !next.linkage);
+    root.classList.toggle("gcx-driven", Boolean(next.linkage)); // a robot of joints, moved by its actuators
+    drives?.root.remove();
     pose = next.pose ?? IDENTITY;
     viewer.show(next);
+    drives = next.linkage ? drivesOf(viewer, { ...next, linkage: next.linkage }, tell) : null;
+    if (drives) {
+      table.after(gained, drives.root);
+      drives.start();
+    }
     sliders.forEach((s, i) => {
       s.reach(i < 3 ? 1.2 * next.size : 180);
       s.measure(i < 3 ? next.unit : "°");
@@ -119,16 +136,26 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
     const found = numbersAt({ ...scene, recipe: scene.recipe, points: viewer.points() });
     numbers = found;
     viewer.update({ constructed: found.constructed, motion: found.motion });
-    root.dataset.verdict = verdict.dataset.verdict = found.verdict;
-    verdict.textContent = VERDICTS[found.verdict];
-    gained.hidden = !found.motion;
+    judge(found.verdict, VERDICTS[found.verdict], found.motion);
     const places = [...pose.translation, ...eulerAngles(pose.quaternion)];
     sliders.forEach((s, i) => s.set(places[i]!));
-    const rows: [string, HTMLElement | string][] = [
-      ["Superbracket", figure(found.superbracket, scene.unit && `${scene.unit}⁹`)],
-      ["Margin", figure(found.margin)],
-      ...(found.motion ? [["Gained motion", found.motion.text] as [string, string]] : []),
-    ];
+    const value: Row = ["Superbracket", figure(found.superbracket, scene.unit && `${scene.unit}⁹`)];
+    tabulate([value, ["Margin", figure(found.margin)], ...gain(found.motion)]);
+  }
+
+  /** What a robot of joints is like where its actuators brought it. */
+  function tell(found: LimbNumbers): void {
+    judge(found.verdict, LIMB_VERDICTS[found.verdict], found.motion);
+    tabulate([["Margin σ", figure(found.margin)], ...gain(found.motion)]);
+  }
+
+  function judge(word: Verdict, sentence: string, motion: PoseNumbers["motion"]): void {
+    root.dataset.verdict = verdict.dataset.verdict = word;
+    verdict.textContent = sentence;
+    gained.hidden = !motion;
+  }
+
+  function tabulate(rows: Row[]): void {
     table.replaceChildren(...rows.flatMap(([key, value]) => [make("dt", {}, key), make("dd", {}, value)]));
   }
 
@@ -201,33 +228,4 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
       root.remove();
     },
   };
-}
-
-/** Four digits; large and small numbers with a power of ten. */
-function figure(value: number, unit = ""): HTMLElement {
-  const plain = value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e6);
-  const [digits, power] = plain ? [String(Number(value.toPrecision(4)))] : value.toExponential(3).split("e");
-  const signed = (text: string) => text.replace("-", "−").replace("+", "");
-  const found = make("span", {}, signed(digits!));
-  if (power) found.append(" × 10", make("sup", {}, signed(power)));
-  if (unit) found.append(` ${unit}`);
-  return found;
-}
-
-function named(label: string): HTMLElement {
-  const parts = runs(label).map((run) => make(run.style === "italic" ? "i" : run.style === "sub" ? "sub" : "span", {}, run.text));
-  return make("span", { class: "gcx-name" }, ...parts);
-}
-
-function button(name: string, words: string, act: () => void): HTMLButtonElement {
-  const found = make("button", { type: "button", title: words }, name);
-  found.addEventListener("click", act);
-  return found;
-}
-
-function make<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Record<string, string>, ...children: (Node | string)[]): HTMLElementTagNameMap[K] {
-  const found = document.createElement(tag);
-  for (const [key, value] of Object.entries(attributes)) found.setAttribute(key, value);
-  found.append(...children);
-  return found;
 }

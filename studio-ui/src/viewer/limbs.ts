@@ -7,6 +7,11 @@ import { add, along, distance, mix, scale, unit } from "./vectors";
 
 
 export function drawnLimbs(d: Drawing): void {
+  for (const [a, b] of d.scene.bars ?? [])
+    if (distance(a, b) > 1e-6 * d.scene.size) {
+      d.rods.push({ a, b, radius: 0.7 * SIZES.leg * d.scene.size, colour: d.colour("leg"), solid: true });
+      for (const end of [a, b]) d.ball(end, 0.7 * SIZES.joint * d.scene.size, d.colour("paper"), d.colour("ink"), 1.3);
+    }
   for (const limb of d.scene.limbs ?? []) {
     const colour = d.entityColour(limb.colour);
     links(d, limb);

@@ -27,7 +27,8 @@ export function modelOf(scene: Scene, state: State): Model {
 
 function bodies(d: Drawing, points: Record<string, Vec3>, pale: number, ghost = false): void {
   for (const role of ghost ? (["platform"] as const) : (["base", "platform"] as const)) {
-    const corners = d.scene[role].flatMap((n) => (points[n] ? [points[n]] : []));
+    const named = d.scene[role].flatMap((n) => (points[n] ? [points[n]] : []));
+    const corners = role === "platform" && named.length < 3 && !ghost && d.scene.plate ? d.scene.plate : named;
     const colour = d.pale(ghost ? d.colour("mark") : d.colour(role), pale);
     const rim = SIZES.edge * d.scene.size;
     for (const outline of body(corners)) d.faces.push({ ...outline, colour, fill: 0.26, rim });

@@ -89,7 +89,8 @@ function noise(scene: Scene, lengths: number[], spread: number, { rounding, digi
   return Math.min((2 * Math.sin(Math.asin(leg) / 2) + 2 * eta) / (1 - eta), 1);
 }
 
-function twist(velocity: Vec3, turn: Vec3, middle: Vec3, radius: number, unitName: string): PoseNumbers["motion"] {
+/** A twist as an axis with a pitch, or as a direction of shifts, in words. */
+export function twist(velocity: Vec3, turn: Vec3, middle: Vec3, radius: number, unitName: string): PoseNumbers["motion"] {
   const size = length(turn);
   if (size * radius <= 1e-9 * length(velocity))
     return { axis: unit(velocity), through: middle, pitch: null, text: "the platform can shift" };

@@ -24,6 +24,8 @@ export const STYLE = `
 .gcx-numbers dt { color: var(--gx-soft); } .gcx-numbers dd { margin: 0; font-variant-numeric: tabular-nums; }
 .gcx-motion[hidden] { display: none; } .gcx-numbers sup { line-height: 0; }
 .gcx-still :is(.gcx-verdict, .gcx-numbers, .gcx-motion, .gcx-sliders, .gcx-side > button, .gcx-modes) { display: none; }
+.gcx-driven :is(.gcx-sliders, .gcx-side > button, .gcx-modes) { display: none; } .gcx-driven .gcx-row { grid-template-columns: 1.6rem minmax(0, 1fr) 5.2rem 1.9rem; }
+.gcx-drives > p { margin: 0 0 .3rem; } .gcx-drives > button { margin-top: .3rem; } .gcx-drives > .gcx-unit { margin-left: 0; } .gcx-drives > .gcx-note { margin: .4rem 0; color: var(--gx-warn); } .gcx-note:empty { display: none; }
 .gcx-row { display: grid; grid-template-columns: 3.6rem minmax(0, 1fr) 5.2rem 1.9rem; gap: .5rem; align-items: center; margin: .15rem 0; }
 .gcx-row input { min-width: 0; font: inherit; accent-color: var(--gx-accent); }
 .gcx-row input[type=number] { color: inherit; background: none; border: 1px solid var(--gx-line); border-radius: .3rem; padding: .1rem .3rem; text-align: right; font-variant-numeric: tabular-nums; }
@@ -32,5 +34,5 @@ export const STYLE = `
 .gcx-legend li { border-left: .9rem solid var(--own); padding-left: .45rem; line-height: 1.2; cursor: default; }
 .gcx-name { font-family: "STIX Two Text", Cambria, "Liberation Serif", Georgia, serif; font-size: 1.08em; } .gcx-name sub { line-height: 0; }
 @media (max-width: 46rem) { .gcx { grid-template-columns: minmax(0, 1fr); } }
-@media print { .gcx-bar, .gcx-sliders, .gcx-side > button { display: none; } .gcx { grid-template-columns: 1fr; } }
+@media print { .gcx-bar, .gcx-sliders, .gcx-drives, .gcx-side > button { display: none; } .gcx { grid-template-columns: 1fr; } }
 `;

@@ -10,6 +10,9 @@ export type SceneEntity = Entity;
 export interface Scene extends SceneData {
   /** The pose at which `points` are given; the identity if missing (in `update`: the viewer's own pose). */
   pose?: Pose;
+  /** Of a robot moved by its actuators: bars without names, and the limbs' ends, corners of the platform. */
+  bars?: [Vec3, Vec3][];
+  plate?: Vec3[];
   /** Another pose of the platform, drawn pale. */
   ghost?: Record<string, Vec3>;
 }

@@ -1,0 +1,115 @@
+"""A robot's linkage as plain data, with which a page without a server moves it by its actuators."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gcrules.core.english import listed
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.description.limb_file import JointSpec
+from gcrules.mechanisms.description.relations import AXES, Term
+from gcrules.mechanisms.kinematics.linkage import Linkage
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.screws import JOINTS
+from gcrules.screws.verdict import CLOSE, SOLVED
+from gcrules.views.scene_data import ChainView, DrawnJoint, LinkageView, Terms, Vec3
+
+__all__ = ["linkage_view"]
+
+
+def linkage_view(robot: Limbs) -> LinkageView:
+    """The linkage at home. Raises InputError for a robot without joints or without home, and where a name
+    rides on no link.
+    """
+    m, structure = robot.linkage, robot.analysis.structure
+    made = [d.name for d in m.robot.family.definitions if d.name not in m.attachments and not d.parameters]
+    if made:
+        raise InputError(f"no link carries {listed(made)}: relations make them in each configuration")
+    lines = structure.lines or ()
+    limbs = {limb.limb.name for limb in structure.limbs}
+    rest = [list(one.ends) for one in lines if one.limb not in limbs]
+    drawn = [[list(one.ends) for one in lines if one.limb == limb.limb.name] for limb in structure.limbs]
+    return {
+        "chains": [_chain(m, place) for place in range(len(m.home.chains))],
+        "drives": [
+            {"name": a.name, "text": f"{a.limb}: {a.joint}", "limb": a.place, "coordinate": a.coordinate}
+            for a in m.actuators
+        ],
+        "rides": {
+            name: [[ride.limb, ride.link] for ride in rides]
+            for name, rides in m.attachments.items()
+            if name not in AXES
+        },
+        "points": _places(m, "point"),
+        "directions": _places(m, "direction"),
+        "derived": [{"name": n, "u": _terms(u), "v": _terms(v)} for n, u, v in structure.derived],
+        "joints": [[_joint(j) for j in limb.limb.joints] for limb in structure.limbs],
+        "lines": [*drawn, rest] if rest else drawn,
+        "bars": [[bar for j in limb.limb.joints for bar in _bars(j)] for limb in structure.limbs],
+        "locked": [[place, coordinate] for place, coordinate, _ in m.locked],
+        "plane": m.robot.family.plane,
+        "centre": _vec(m.centre),
+        "size": m.size,
+        "close": CLOSE,
+        "floor": SOLVED,
+    }
+
+
+def _places(m: Linkage, sort: str) -> dict[str, Vec3]:
+    return {n: _vec(m.home.values[n]) for n, own in m.robot.family.sorts.items() if own == sort}
+
+
+def _chain(m: Linkage, place: int) -> ChainView:
+    chain = m.home.chains[place]
+    return {
+        "screws": [[float(c) for c in row] for row in chain.screws],
+        "uses": list(chain.uses),
+        "signs": [float(s) for s in chain.signs],
+        "turns": list(chain.turns),
+        "end": _vec(m.ends[place]),
+        "ball": m.ball_ended[place],
+        "rank": m.ranks[place],
+        "passive": m.passive_ranks[place],
+    }
+
+
+def _joint(joint: JointSpec) -> DrawnJoint:
+    """Of what names the place and the axes of a joint are made that is drawn, as in `limb_views`."""
+    forms = JOINTS[joint.kind].parts.values()
+    given = [(form, arg) for form, arg in zip(forms, joint.args, strict=True) if isinstance(arg, tuple)]
+    points = [_terms(arg) for form, arg in given if form == "point"]
+    if not points and len(joint.names) == 2 and joint.kind == "P":
+        points = [{n: 1.0} for n in joint.names]
+    return {"point": _mean(points), "axes": [_terms(arg) for form, arg in given if form == "direction"]}
+
+
+def _bars(joint: JointSpec) -> list[list[Terms]]:
+    """Two parallel bars with ball ends and the rods that join these; the bar between two points of a parallelogram."""
+    if joint.kind == "4S":
+        first, second, bars = (arg for arg in joint.args if isinstance(arg, tuple))
+        ends = [(_terms(one), _terms((*one, *bars))) for one in (first, second)]
+        (a, c), (b, d) = ends
+        return [[a, c], [b, d], [a, b], [c, d]]
+    pair = joint.args[0] if joint.kind == "Pa" else ()
+    if isinstance(pair, tuple) and len(pair) == 2:
+        return [[{pair[1][1]: 1.0}, {pair[0][1]: 1.0}]]
+    return []
+
+
+def _mean(points: list[Terms]) -> Terms:
+    found: Terms = {}
+    for one in points:
+        for name, c in one.items():
+            found[name] = found.get(name, 0.0) + c / len(points)
+    return found
+
+
+def _terms(term: Term) -> Terms:
+    found: Terms = {}
+    for c, name in term:
+        found[name] = found.get(name, 0.0) + float(c)
+    return found
+
+
+def _vec(v: Any) -> Vec3:
+    return [float(c) for c in v]

@@ -1,0 +1,68 @@
+// The singularity margin of a robot of joints, as gcrules/mechanisms/kinematics/margin.py defines it.
+import type { Linkage } from "../protocol";
+import { singular } from "./linear";
+import { atPlace, twists, type Configuration } from "./linkage";
+import { twist, type PoseNumbers } from "./numbers";
+import { applied } from "./rigid";
+import type { Vec3, Verdict } from "./types";
+import { add, centre, cross, scale, sub } from "./vectors";
+
+export interface LimbNumbers {
+  margin: number;
+  verdict: Verdict;
+  motion: PoseNumbers["motion"];
+}
+
+const ROUNDING = 1e-12;
+
+export function limbNumbers(m: Linkage, at: Configuration, unit: string): LimbNumbers {
+  const platform = at.links[0]!.at(-1)!;
+  const ends = m.chains.map((c) => applied(platform, c.end));
+  const middle = centre(ends);
+  const keep = m.plane ? [0, 1, 5] : [0, 1, 2, 3, 4, 5];
+  const rows: number[][] = [];
+  let lost = false; // whether a limb is singular by itself
+  const metric = keep.map(() => keep.map(() => 0));
+  ends.forEach((end, i) => {
+    const arm = scale(sub(end, middle), 1 / m.size);
+    const { every, free } = limbTwists(m, at, i, end);
+    const { rank, passive } = m.chains[i]!;
+    lost ||= least(every, rank) <= m.floor || least(free, passive) <= m.floor;
+    for (const [f, moment] of wrenches(free, passive)) rows.push([...f, ...add(moment, cross(arm, f))]);
+    // rows of the velocity of the end by (v; ω), and of the turn itself unless the limb ends in a ball joint
+    for (const e of AXES) addSquare(metric, keep, [...e, ...cross(arm, e)]);
+    if (!m.chains[i]!.ball) for (const e of AXES) addSquare(metric, keep, [0, 0, 0, ...e]);
+  });
+  const { values, vectors } = singular(metric);
+  const balance = vectors.map((v, k) => scaled(v, 1 / Math.sqrt(values[k]! > ROUNDING * values[0]! ? values[k]! : 1)));
+  const own = singular(rows.map((row) => balance.map((b) => b.reduce((sum, c, j) => sum + c * row[keep[j]!]!, 0))));
+  const margin = rows.length < keep.length ? 0 : Math.min(own.values.at(-1)!, 1);
+  const verdict = lost || margin <= m.floor ? "singular" : margin < m.close ? "close" : "regular";
+  const soft = [0, 0, 0, 0, 0, 0];
+  own.vectors.at(-1)!.forEach((c, k) => balance[k]!.forEach((b, j) => (soft[keep[j]!]! += c * b)));
+  const turn = scale(soft.slice(3) as Vec3, 1 / m.size);
+  const motion = verdict === "regular" || margin >= m.close ? null : twist(soft.slice(0, 3) as Vec3, turn, middle, m.size, unit);
+  return { margin, verdict, motion };
+}
+
+const AXES: Vec3[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const scaled = (v: readonly number[], s: number): number[] => v.map((c) => c * s);
+
+function addSquare(metric: number[][], keep: readonly number[], row: readonly number[]): void {
+  keep.forEach((i, a) => keep.forEach((j, b) => (metric[a]![b]! += row[i]! * row[j]!)));
+}
+
+/** A limb's twists at its end for a turn by 1 rad or a slide by ρ in each coordinate, and those that are not driven. */
+function limbTwists(m: Linkage, at: Configuration, limb: number, end: Vec3): { every: number[][]; free: number[][] } {
+  const still = m.drives.flatMap((d) => (d.limb === limb ? [d.coordinate] : []));
+  const every = twists(m, at, limb).map((t, k) => scaled(atPlace(t, end, m.size), m.chains[limb]!.turns[k] ? 1 : m.size));
+  return { every, free: every.filter((_, k) => !still.includes(k)) };
+}
+
+const least = (rows: number[][], rank: number): number => (rows.length ? singular(rows).values[rank - 1]! : 1);
+
+/** An orthonormal basis of the wrenches (force, moment by ρ) that do no work on twists of this rank. */
+function wrenches(free: number[][], rank: number): [Vec3, Vec3][] {
+  const basis = singular(free.length ? free : [[0, 0, 0, 0, 0, 0]]).vectors.slice(free.length ? rank : 0);
+  return basis.map((v) => [v.slice(3) as Vec3, v.slice(0, 3) as Vec3]);
+}
