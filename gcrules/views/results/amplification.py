@@ -9,10 +9,7 @@ from gcrules.mechanisms.kinematics.amplification import Amplification
 from gcrules.views.formulas.latex_text import latex_quantity
 from gcrules.views.text_tables import columns
 
-__all__ = ["SPEED_AND_TURN", "amplification_lines", "amplification_rows", "conditioning", "conditioning_rows"]
-
-SPEED_AND_TURN = "one at unit rate and the others locked: speed of the centre, turn of the platform"
-"""What the numbers of each actuator are."""
+__all__ = ["amplification_lines", "amplification_rows", "conditioning", "conditioning_rows"]
 
 _NOTHING = 1e-12
 
@@ -30,7 +27,7 @@ def amplification_lines(a: Amplification, unit: str) -> Iterator[str]:
     if all(map(math.isinf, a.speeds)):
         return
     yield ""
-    yield f"Actuators, {SPEED_AND_TURN}"
+    yield "Actuators, one at unit rate and the others locked: speed of the centre, turn of the platform"
     yield from columns(list(amplification_rows(a, unit)), "  ")
 
 
