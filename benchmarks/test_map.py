@@ -103,10 +103,10 @@ def test_a_robot_of_joints(ratio: Callable[..., Any]) -> None:
 
 @pytest.mark.parametrize("robot", ["octahedral", "platform-6-6"])
 def test_proofs_of_cells(ratio: Callable[..., Any], robot: str) -> None:
-    """Bernstein coefficients beside the margin at the middles of cells: both prove, the latter less."""
+    """Bernstein coefficients beside bounds around the middles of cells: both prove, the latter less."""
     over = OVER if robot == "octahedral" else ["x -2:2:160", "z -2:2:250"]
     exact = task(robot, over, "value")
-    by_margin = replace(exact, factors=None, measure="margin")
+    by_bounds = replace(exact, factors=None, measure="margin")
 
     def cells(t: Any) -> Any:
         return np.concatenate([t._cells(t.span(n)[0], t._superbracket(*reached(t, n))) for n in range(t.number)])
@@ -116,6 +116,6 @@ def test_proofs_of_cells(ratio: Callable[..., Any], robot: str) -> None:
         return first, min(last + 1, t.grid.shape[0])
 
     def agree(one: Any, other: Any) -> bool:
-        return bool((one[other == 0] == 0).all())  # what margin proves free is free
+        return bool((one[other == 0] == 0).all())  # what bounds prove free is free
 
-    ratio(lambda: cells(exact), {"margin": lambda: cells(by_margin)}, agree=agree, rounds=3, others_rounds=1)
+    ratio(lambda: cells(exact), {"bounds": lambda: cells(by_bounds)}, agree=agree, rounds=3, others_rounds=1)

@@ -324,7 +324,8 @@ def test_a_curve_that_crosses_itself() -> None:
 
 
 @pytest.mark.parametrize(("name", "over", "at"), TURNING, ids=str)
-def test_cells_that_margin_guards(robots: dict[str, Analysis], name: str, over: list[str], at: Any) -> None:
+def test_regular_cells(robots: dict[str, Analysis], name: str, over: list[str], at: Any) -> None:
+    """The superbracket has one sign at random places of each cell that is proved to be free."""
     m = singular_map(robots[name], over, at)
     status = m.values("cell_status")
     free = np.argwhere(status == FREE)
@@ -334,7 +335,31 @@ def test_cells_that_margin_guards(robots: dict[str, Analysis], name: str, over: 
     for _ in range(40):
         places = free + rng.random(free.shape)
         assert (np.sign(m.task.value(places)) == sign[tuple(free.T)]).all()
-    assert "margin" in m.guarantee
+    assert "by bounds of the legs' coordinates" in m.guarantee
+
+
+@pytest.mark.parametrize(
+    ("name", "over", "least"),
+    [
+        ("platform-6-3", ["x -1:1:11", "z -1:1:11", "rz -60:60:11 deg"], 700),
+        ("platform-6-6", ["x -1:1:11", "z -1:1:11", "rz -60:60:11 deg"], 700),
+        ("octahedral", ["x -300:300:11", "z -300:300:11", "rz -180:180:11 deg"], 700),
+        ("platform-6-6", ["x -1:1:7", "rx -60:60:9 deg", "ry -60:60:9 deg"], 130),
+    ],
+    ids=str,
+)
+def test_most_cells_of_three_coordinates_are_proved(
+    robots: dict[str, Analysis], name: str, over: list[str], least: int
+) -> None:
+    """Free cells with a sign of their own: Jacobians at random places within, and at all corners, have it too."""
+    m = singular_map(robots[name], over)
+    free = np.argwhere(m.values("cell_status") == FREE)
+    assert len(free) >= least
+    corners = np.array(list(np.ndindex(2, 2, 2)), dtype=float)
+    rng = np.random.default_rng(4)
+    sign = np.sign(m.task.value(free + 0.5))
+    for shift in [*corners, *rng.random((20, 3))]:
+        assert (np.sign(m.task.value(free + shift)) == sign).all()
 
 
 # --- numbers --------------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@ r"""Zero curves from the signs at the nodes of a grid, for slices on which the s
 
 Each edge with a change of sign gets a zero, found by halving in the compiled superbracket itself; in a cell whose four
 edges all change sign the middle decides which zeros belong together. What lies between nodes of equal signs is not
-seen: `cells` and `guarded` say where something may be missed.
+seen: `cells` and `regular_cells` say where something may be missed.
 """
 
 from __future__ import annotations

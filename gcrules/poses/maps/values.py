@@ -20,8 +20,8 @@ from gcrules.core.version import __version__
 from gcrules.poses.compiling.compiled import CompiledCondition
 from gcrules.poses.maps.cells import CROSSED, FREE, UNDECIDED, certified
 from gcrules.poses.maps.grid import Grid
-from gcrules.poses.maps.guarded import guarded
 from gcrules.poses.maps.limits import LengthLimits
+from gcrules.poses.maps.regular_cells import regular_cells
 from gcrules.poses.maps.slices import MEMBERS, SliceFactor, middle
 from gcrules.poses.maps.summary import MapSummary
 from gcrules.poses.maps.task import Chunk
@@ -143,7 +143,7 @@ class LegsTask(HoldsArrays):
         if self.factors is not None:
             how = "the superbracket is an exact polynomial there, its Bernstein coefficients show its signs"
         else:
-            how = "by the margin at their middles"
+            how = "by bounds of the legs' coordinates around their middles"
         left = f"{crossed:,} crossed, {undecided:,} undecided"
         return (
             f"every singular pose of the slice lies in the {crossed + undecided:,} cells that are not free ({left}); "
@@ -234,6 +234,6 @@ class LegsTask(HoldsArrays):
         if self.measure == "value":  # quick, but nothing is proved
             return found
         unsure = np.argwhere(found == UNDECIDED)
-        free = guarded(self.grid, unsure + np.array([first, *[0] * (len(shape) - 1)]))
+        free = regular_cells(self.grid, unsure + np.array([first, *[0] * (len(shape) - 1)]))
         found[tuple(unsure[free].T)] = FREE
         return found
