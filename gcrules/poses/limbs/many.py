@@ -9,14 +9,19 @@ not numbers.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint, report
+from gcrules.mechanisms.conditions.factor_causes import ASIDE
+from gcrules.mechanisms.kinematics.attachments import Values, moved
 from gcrules.mechanisms.kinematics.branch import Steps, follow_branch
+from gcrules.mechanisms.kinematics.chains import chain_of
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.determinants import frames, relative_sign
@@ -27,45 +32,85 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.soundness import sound, stays_still
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.limbs.factors import factor_values, factors
-from gcrules.poses.limbs.straight import after, led, number_of_steps
+from gcrules.poses.limbs.factors import factor_values
+from gcrules.poses.limbs.straight import led, number_of_steps
 from gcrules.poses.limbs.sweep import blocks
 from gcrules.screws.pose_text import COORDINATES
 
-__all__ = ["NUMBERS", "Solved", "numbers_at", "solved"]
+__all__ = ["NUMBERS", "WAYS", "Solved", "numbers_at"]
 
 Truths = NDArray[np.bool_]
-Values = Mapping[str, Floats]
+Places = NDArray[np.intp]
 
 _HALVINGS = 10  # of a step that fails: down to a thousandth of it
 
 
+@dataclass(frozen=True, eq=False)
 class Solved:
-    """N configurations of a robot: `amounts` (N, all) of all joints from home, and the places of all names, (N, 3)."""
+    """N configurations of a robot: how the `links` of each limb went from home, (N, K + 1, 4, 4), and by what `amounts`
+    of its coordinates, (N, n).
+    """
 
-    def __init__(self, m: Limbs, amounts: Floats, values: Values) -> None:
-        self.m, self.amounts, self.values = m, amounts, values
+    m: Limbs
+    amounts: tuple[Floats, ...]
+    links: tuple[Floats, ...]
+
+    @classmethod
+    def of(cls, m: Limbs, amounts: Floats) -> Solved:
+        """Those of amounts (N, all) of all joints from home."""
+        chains = m.linkage.home.chains
+        parts = np.split(amounts, np.cumsum([len(c.turns) for c in chains])[:-1], axis=1)
+        return cls(m, tuple(parts), tuple(c.links(a) for c, a in zip(chains, parts, strict=True)))
+
+    def __len__(self) -> int:
+        return len(self.amounts[0])
+
+    def __getitem__(self, chosen: Any) -> Solved:
+        return Solved(self.m, tuple(a[chosen] for a in self.amounts), tuple(k[chosen] for k in self.links))
 
     @cached_property
     def here(self) -> Configurations:
-        """They themselves, with screws that are carried along."""
-        return after(Configurations.of([self.m.linkage.home]), self.amounts)
+        """They themselves, with the screws that the names make."""
+        chains = []
+        for limb in self.m.linkage.robot.limbs:
+            own = chain_of(limb, self.values)
+            chains.append(replace(own, screws=np.broadcast_to(own.screws, (len(self), *own.screws.shape[-2:]))))
+        return Configurations(tuple(chains), self.amounts, self.links[0][:, -1])
+
+    @cached_property
+    def values(self) -> Values:
+        """The places of all names, (N, 3) each."""
+        k = self.m.linkage
+        return moved(k.robot, k.attachments, k.home.values, self.links)
+
+    @property
+    def sound(self) -> Truths:
+        """Which of them are configurations of the family, (N,)."""
+        k = self.m.linkage
+        try:
+            sound(k, k.home.values, k.home.chains, self.links, self.amounts)
+        except NotClosed:
+            if len(self) <= 1:
+                return np.zeros(len(self), dtype=bool)
+            half = len(self) // 2
+            return np.concatenate([self[:half].sound, self[half:].sound])
+        return np.ones(len(self), dtype=bool)
 
     @property
     def factors(self) -> Floats:
         """The values of the factors whose zeros are singularities, (N, factors)."""
-        live = [f.live for f in factors(self.m.analysis, self.m.linkage.home.values)]
-        return factor_values(self.m.analysis, self.values)[:, live]
+        live = [part.kind not in ASIDE for part in self.m.analysis.parts]
+        found = factor_values(self.m.analysis, self.values)
+        return found[:, live] if found.shape[1] else found
 
     @property
     def actuators(self) -> Floats:
         """The amounts of the actuators from home, (N, actuators)."""
-        every = self.here.joint_values
-        return np.stack([every[a.place][:, a.coordinate] for a in self.m.linkage.actuators], axis=1)
+        return np.stack([self.amounts[a.place][:, a.coordinate] for a in self.m.linkage.actuators], axis=1)
 
     @property
     def coordinates(self) -> Floats:
-        """All coordinates of the pose, (N, 9)."""
+        """All coordinates of the pose, (N, coordinates)."""
         return coordinates(COORDINATES, self.here.platform, self.m.linkage.centre)
 
 
@@ -78,22 +123,81 @@ NUMBERS: Mapping[str, Callable[[Solved], Floats]] = MappingProxyType(
         "coordinates": lambda s: s.coordinates,
     }
 )
-"""What configurations have, each (N, …). Beside it "signs" and "proved" tell of the ways that lead to them."""
+"""What configurations have, each (N, …)."""
+
+WAYS = ("signs", "proved")
+"""What is known of the ways from home to them, each (N,)."""
 
 
-def numbers_at(m: Limbs, target: Target, wanted: Floats, asked: Collection[str]) -> dict[str, NDArray[np.generic]]:
-    """What is `asked` for, of `NUMBERS` and of the ways ("signs", "proved"), where the values of the target's names are
-    `wanted` (N, names), from home. Not a number where there is no configuration; a sign is 0 there, and a proof False.
+def numbers_at(m: Limbs, target: Target, wanted: Floats, asked: Collection[str]) -> dict[str, NDArray[Any]]:
+    """What is `asked` for, of `NUMBERS` and of `WAYS`, where the names of the target have the values `wanted`
+    (N, names), from home. Where there is no configuration numbers are not numbers, the sign is 0 and the proof False.
     """
-    found: dict[str, NDArray[np.generic]] = {}
+    if not len(wanted):
+        return {name: a[:0] for name, a in numbers_at(m, target, np.zeros((1, len(target.names))), asked).items()}
+    course = Course(m.linkage, target)
+    found: dict[str, NDArray[Any]] = {}
     for some in blocks(len(wanted)):
         checkpoint()
         report(f"{some.start:,} of {len(wanted):,} poses")
-        way = solved(m, target, wanted[some], signs="signs" in asked, prove="proved" in asked)
-        good = np.flatnonzero(way.reached)
-        own = Solved(m, way.amounts[good], way.values)
-        part = {"signs": way.signs, "proved": way.proved} | {n: _spread(NUMBERS[n](own), way.reached) for n in NUMBERS if n in asked}
+        ways = _Ways(m, course, wanted[some])
+        reached, there = ways.ends(prove="proved" in asked, sign="signs" in asked)
         for name in asked:
-            whole = found.setdefault(name, np.empty((len(wanted), *part[name].shape[1:]), part[name].dtype))
-            whole[some] = part[name]
+            own = (
+                NUMBERS[name](there)
+                if name in NUMBERS
+                else ways.signs[reached]
+                if name == "signs"
+                else ways.proved[reached]
+            )
+            if name not in found:
+                found[name] = np.full((len(wanted), *own.shape[1:]), np.nan if name in NUMBERS else 0, dtype=own.dtype)
+            found[name][some][reached] = own
     return found
+
+
+class _Ways:
+    """Ways from home straight to wanted values (N, names), and what is found on them."""
+
+    def __init__(self, m: Limbs, course: Course, wanted: Floats) -> None:
+        self.m, self.course, self.wanted = m, course, wanted
+        self.home = Configurations.of([m.linkage.home])
+        self.proved = np.zeros(len(wanted), dtype=bool)
+        self.signs = np.zeros(len(wanted), dtype=np.int8)
+
+    def ends(self, *, prove: bool, sign: bool) -> tuple[Places, Solved]:
+        """Which are reached, and the configurations at the ends of these."""
+        steps = number_of_steps(self.course, self.wanted)
+        amounts = np.zeros((len(self.wanted), sum(len(c.turns) for c in self.m.linkage.home.chains)))
+        if prove:
+            amounts, self.proved = self._led(amounts, steps, prove=True, sign=sign)
+            steps = np.where(self.proved, 0, steps)
+            amounts[~self.proved] = 0.0
+        more, good = self._led(amounts, steps, prove=False, sign=sign)
+        reached = np.flatnonzero(good | self.proved)
+        there = Solved.of(self.m, more[reached])
+        kept = there.sound
+        return (reached, there) if kept.all() else (reached[kept], there[kept])
+
+    def _led(self, amounts: Floats, steps: Floats, *, prove: bool, sign: bool) -> tuple[Floats, Truths]:
+        k, target = self.m.linkage, self.course.target
+        on = steps > 0
+        every = frames(k, self.home, k.centre)[np.zeros(len(steps), dtype=int)] if sign else None
+        self.signs[on] = every.signed[on] if every is not None else 0
+
+        def accept(now: Configurations, joints: Joints, on: Places, grown: Floats) -> Truths:
+            nonlocal every
+            good = joints.closed & stays_still(k, joints.amounts)
+            if prove and good.any():
+                good[good] = follow_branch(k, target, Steps.of(now, joints, grown)[good])
+            if every is not None and good.any():
+                ahead, links = on[good], [part[good] for part in joints.links]
+                there = frames(k, now[good].after([a[good] for a in joints.amounts], links), k.centre)
+                self.signs[ahead] *= relative_sign(every[ahead], there)
+                every = every.replaced(ahead, there)
+            return good
+
+        def goals(on: Places, part: Any) -> Floats:
+            return np.asarray(part * self.wanted[on])
+
+        return led(self.course, self.home, amounts, goals, self.wanted, steps, accept, _HALVINGS)
