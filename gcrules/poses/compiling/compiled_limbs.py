@@ -5,9 +5,9 @@ r"""Robots of joints at very many poses: a frozen value that is called with arra
 >>> value
 <CompiledLimbs delta over x, y, z: [d1d2d3A1] (actuation), r2d2A2 /\ r3d3A3 /\ r1d1 (constraint)>
 >>> value([[0, 0, 0], [0.5, 0, -1], [0, 0, -99]]).round(4).tolist()
-[[-0.5882, 0.2105], [-0.7264, 0.1746], [nan, nan]]
+[[-0.6798, -0.6127], [-0.6315, -0.6169], [nan, nan]]
 >>> value.margins([0.5, 0, -1]).round(4).tolist()
-[0.1]
+[0.2641]
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.arguments import described
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.factor_causes import ASIDE
@@ -100,10 +101,12 @@ class CompiledLimbs:
         that helps, that they can be proved.
         """
         known = (*NUMBERS, *WAYS)
-        names = [n.strip() for n in asked.split(",")] if isinstance(asked, str) else list(asked)
-        unknown = [str(n)[:40] for n in names if n not in known]
-        if unknown or not names:
-            raise InputError(f"there are no numbers {listed(unknown)!r}", hint=f"there are {listed(known)}")
+        names: Any = [n.strip() for n in asked.split(",")] if isinstance(asked, str) else asked
+        if not isinstance(names, Iterable) or not (names := list(names)):
+            raise InputError(f"no numbers are asked for by {described(asked)}", hint=f"there are {listed(known)}")
+        unknown = [n for n in names if not isinstance(n, str) or n not in known]
+        if unknown:
+            raise InputError(f"there are no numbers {described(unknown[0])}", hint=f"there are {listed(known)}")
         m = self.mechanism.linkage
         wanted = _wanted(m, self.coordinates, self.driven, poses)
         order = tuple(a.name for a in m.actuators) if self.driven else self.coordinates

@@ -87,6 +87,8 @@ class Solved:
     def sound(self) -> Truths:
         """Which of them are configurations of the family, (N,)."""
         k = self.m.linkage
+        if not len(self):
+            return np.zeros(0, dtype=bool)
         try:
             sound(k, k.home.values, k.home.chains, self.links, self.amounts)
         except NotClosed:
@@ -133,26 +135,19 @@ def numbers_at(m: Limbs, target: Target, wanted: Floats, asked: Collection[str])
     """What is `asked` for, of `NUMBERS` and of `WAYS`, where the names of the target have the values `wanted`
     (N, names), from home. Where there is no configuration numbers are not numbers, the sign is 0 and the proof False.
     """
-    if not len(wanted):
-        return {name: a[:0] for name, a in numbers_at(m, target, np.zeros((1, len(target.names))), asked).items()}
     course = Course(m.linkage, target)
-    found: dict[str, NDArray[Any]] = {}
+    home = Solved.of(m, np.zeros((1, sum(len(c.turns) for c in m.linkage.home.chains))))
+    kinds = {"signs": np.zeros(1, dtype=np.int8), "proved": np.zeros(1, dtype=bool)}
+    kinds |= {n: np.full_like(NUMBERS[n](home), np.nan) for n in asked if n in NUMBERS}
+    found = {n: np.repeat(kinds[n], len(wanted), axis=0) for n in asked}
     for some in blocks(len(wanted)):
         checkpoint()
         report(f"{some.start:,} of {len(wanted):,} poses")
         ways = _Ways(m, course, wanted[some])
         reached, there = ways.ends(prove="proved" in asked, sign="signs" in asked)
-        for name in asked:
-            own = (
-                NUMBERS[name](there)
-                if name in NUMBERS
-                else ways.signs[reached]
-                if name == "signs"
-                else ways.proved[reached]
-            )
-            if name not in found:
-                found[name] = np.full((len(wanted), *own.shape[1:]), np.nan if name in NUMBERS else 0, dtype=own.dtype)
-            found[name][some][reached] = own
+        own = {"signs": ways.signs[reached], "proved": ways.proved[reached]}
+        for n in asked if len(reached) else ():
+            found[n][some][reached] = NUMBERS[n](there) if n in NUMBERS else own[n]
     return found
 
 
