@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -88,6 +90,47 @@ def test_back_from_actuators(name: str) -> None:
     assert turned.actuator_values(there["actuators"][:, ::-1]) == pytest.approx(there["actuators"], abs=1e-8)
 
 
+CLOSED = {
+    "3-prs", "3-rpr", "3-rps", "3-rrr", "3-rrr-spherical", "6-pus", "6-rus", "delta", "gough-stewart",
+    "gough-stewart-63", "octahedral", "orthoglide",
+}  # fmt: skip
+"""The robots whose factors have closed forms of the kinds that are known."""
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_closed_forms_are_what_joints_give(name: str) -> None:
+    """Two roads: programs, and Newton's method; where the second one leads somewhere, far from home too."""
+    value = of(name)
+    assert bool(value.programs) == (name in CLOSED)
+    if not value.programs:
+        return
+    poses = np.concatenate([drawn(value, 20), drawn(value, 20, reach=0.03, seed=6)])
+    solved = value.numbers(poses, "factors, proved")
+    kept = solved["proved"]
+    assert kept.sum() > 10
+    for engine in ("numpy", "numba") if find_spec("numba") else ("numpy",):
+        assert replace(value, engine=engine)(poses)[kept] == pytest.approx(solved["factors"][kept], abs=1e-10)
+
+
+@pytest.mark.parametrize("name", ["delta", "3-rps", "6-rus"])
+def test_engines_give_equal_values(name: str) -> None:
+    pytest.importorskip("numba")
+    value = of(name)
+    poses = drawn(value, 3000, reach=1.0)
+    one, other = (replace(value, engine=engine)(poses) for engine in ("numpy", "numba"))
+    assert np.array_equal(one, other, equal_nan=True)
+    assert np.isfinite(one).any()
+
+
+def test_turns_beyond_half_a_turn() -> None:
+    """The same poses, whatever turns are added to their angles."""
+    value = of("3-rrr-spherical")
+    poses = drawn(value, 10, reach=0.05)
+    assert value(poses + np.array([2 * np.pi, 0, -4 * np.pi])) == pytest.approx(value(poses), abs=1e-12)
+    with pytest.raises(InputError, match="pitch"):
+        value(poses + np.array([0, 2 * np.pi, 0]))
+
+
 def test_signs_change_where_a_path_crosses() -> None:
     value = of("3-rpr")
     path: Any = gc.path("3-rpr", ["home", "x=0, y=0, yaw=60deg"], samples=4)
@@ -140,10 +183,11 @@ def test_six_legs_are_compiled_as_such(name: str) -> None:
 
 def test_what_it_shows() -> None:
     value = of("delta")
-    assert repr(value) == (
-        "<CompiledLimbs delta over x, y, z: [d1d2d3A1] (actuation), r2d2A2 /\\ r3d3A3 /\\ r1d1 (constraint)>"
-    )
-    assert value.mode.startswith("home's")
+    words = "[d1d2d3A1] (actuation), r2d2A2 /\\ r3d3A3 /\\ r1d1 (constraint); 440 operations a pose, by numpy"
+    assert repr(replace(value, engine="numpy")) == f"<CompiledLimbs delta over x, y, z: {words}>"
+    assert repr(of("exechon")).endswith("(actuation); by closing the loops>")
+    assert value.mode.startswith("home's: of two solutions")
+    assert of("exechon").mode.startswith("home's: at each pose the solution to which the straight way")
     assert [a.name for a in value.actuators] == ["q1", "q2", "q3"]
     assert gc.compiled("delta", coordinates=["x", "y", "z"]) == value
 

@@ -39,7 +39,7 @@ from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.batches import Batch, joint_batch, output, pose_batch
 from gcrules.poses.compiling.compiled_limbs import CompiledLimbs, compiled_limbs
-from gcrules.poses.compiling.engines import engine_named, runner
+from gcrules.poses.compiling.engines import STEP, engine_named, runner
 from gcrules.poses.compiling.tape import Program
 from gcrules.poses.compiling.tracing import Joints, Road, trace
 from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
@@ -48,9 +48,6 @@ from gcrules.poses.methods import Methods, method
 __all__ = ["CompiledCondition", "compiled"]
 
 Floats = NDArray[np.float64]
-
-STEP = 65_536
-"""Poses that one call of an engine works on, after which the program can be interrupted."""
 
 
 @dataclass(frozen=True)
@@ -192,7 +189,7 @@ def _of_limbs(
             "an expression is compiled for platforms on six legs only",
             hint="leave it out: of a robot of joints the factors of its condition are compiled",
         )
-    return compiled_limbs(m, coordinates)
+    return compiled_limbs(m, coordinates, engine)
 
 
 _COMPILED: Methods[CompiledCondition | CompiledLimbs] = {SixLegs: _of_legs, Limbs: _of_limbs}

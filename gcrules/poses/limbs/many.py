@@ -37,12 +37,13 @@ from gcrules.poses.limbs.straight import led, number_of_steps
 from gcrules.poses.limbs.sweep import blocks
 from gcrules.screws.pose_text import COORDINATES
 
-__all__ = ["NUMBERS", "WAYS", "Solved", "numbers_at"]
+__all__ = ["NUMBERS", "WAYS", "Solved", "numbers_at", "proved_at"]
 
 Truths = NDArray[np.bool_]
 Places = NDArray[np.intp]
 
 _HALVINGS = 10  # of a step that fails: down to a thousandth of it
+_FEW = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,6 +152,13 @@ def numbers_at(m: Limbs, target: Target, wanted: Floats, asked: Collection[str])
     return found
 
 
+def proved_at(m: Limbs, target: Target, wanted: Floats) -> tuple[Places, Solved]:
+    """Which of the wanted values (N, names) are proved with few steps to be reached on home's branch, and the
+    configurations there.
+    """
+    return _Ways(m, Course(m.linkage, target), wanted).proved_ends()
+
+
 class _Ways:
     """Ways from home straight to wanted values (N, names), and what is found on them."""
 
@@ -169,12 +177,23 @@ class _Ways:
             steps = np.where(self.proved, 0, steps)
             amounts[~self.proved] = 0.0
         more, good = self._led(amounts, steps, prove=False, sign=sign)
-        reached = np.flatnonzero(good | self.proved)
-        there = Solved.of(self.m, more[reached])
-        kept = there.sound
-        return (reached, there) if kept.all() else (reached[kept], there[kept])
+        return self._sound(more, good | self.proved)
 
-    def _led(self, amounts: Floats, steps: Floats, *, prove: bool, sign: bool) -> tuple[Floats, Truths]:
+    def proved_ends(self) -> tuple[Places, Solved]:
+        """Those that are proved with few steps."""
+        amounts = np.zeros((len(self.wanted), sum(len(c.turns) for c in self.m.linkage.home.chains)))
+        steps = number_of_steps(self.course, self.wanted)
+        return self._sound(*self._led(amounts, steps, prove=True, sign=False, halvings=_FEW))
+
+    def _sound(self, amounts: Floats, reached: Truths) -> tuple[Places, Solved]:
+        places = np.flatnonzero(reached)
+        there = Solved.of(self.m, amounts[places])
+        kept = there.sound
+        return (places, there) if kept.all() else (places[kept], there[kept])
+
+    def _led(
+        self, amounts: Floats, steps: Floats, *, prove: bool, sign: bool, halvings: int = _HALVINGS
+    ) -> tuple[Floats, Truths]:
         k, target = self.m.linkage, self.course.target
         on = steps > 0
         every = frames(k, self.home, k.centre)[np.zeros(len(steps), dtype=int)] if sign else None
@@ -195,4 +214,4 @@ class _Ways:
         def goals(on: Places, part: Any) -> Floats:
             return np.asarray(part * self.wanted[on])
 
-        return led(self.course, self.home, amounts, goals, self.wanted, steps, accept, _HALVINGS)
+        return led(self.course, self.home, amounts, goals, self.wanted, steps, accept, halvings)
