@@ -56,7 +56,8 @@ class CompiledLimbs:
     programs and for all other numbers the joints are solved, step by step on the straight way from home. `mode` says
     which of several solutions a call takes.
 
-    Where the robot does not assemble, or where no solution was reached, the numbers are nan. All raise InputError for
+    Where the robot does not assemble, or where no solution was reached, the numbers are nan; programs see that of the
+    platform and of limbs with parts that the factors name, and of no others. All raise InputError for
     arrays of another shape, for numbers that are not finite, and for poses that no robot of this size can reach.
     """
 
