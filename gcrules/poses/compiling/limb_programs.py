@@ -97,8 +97,11 @@ def _traced(m: Limbs, places: LimbPlaces) -> tuple[Program, ...]:
             vector = add(vector, _scaled(derived[n] if n in derived else places.at(n), Fraction(c)))
         return vector
 
-    for n, u, v in analysis.structure.derived:
-        derived[n] = cross(of(u), of(v))
+    for d in analysis.structure.derived:
+        if d.is_point:
+            raise NoForm
+        u, v = d.args
+        derived[d.name] = cross(of(u), of(v))
     vectors = {n: derived[n] if n in derived else places.at(n) for n in used}
     points = [n for n in used if n not in derived and places.sorts[n] == "point"]
     if len(points) > 1:

@@ -139,7 +139,8 @@ def _unit_scale(analysis: RobotAnalysis, values: Mapping[str, Floats], used: Col
         if row is None:
             row = np.concatenate([values[n], np.full((*values[n].shape[:-1], 1), float(n in points))], axis=-1)
         below = row[..., 3:]
-        row = np.concatenate([(row[..., :3] - below * centre) / np.where(below, size, 1.0), below], axis=-1)
+        vector = (row[..., :3] - below * centre) / np.where(below, size, 1.0)
+        row = np.concatenate([vector, np.broadcast_to(below, (*vector.shape[:-1], 1))], axis=-1)
         row = np.atleast_2d(row if n in points else _unit(row))
         found[n] = row[:, [0, 1, 3]] if analysis.robot.family.plane else row
     return found
