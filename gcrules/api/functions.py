@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from contextlib import AbstractContextManager
+from os import PathLike
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
@@ -48,6 +49,7 @@ from gcrules.rules.rewriting import Rewriting
 from gcrules.rules.rewriting import rewrite as _rewrite
 from gcrules.rules.rule import RewriteRule
 from gcrules.rules.strategy import Strategy
+from gcrules.screws.threshold import DEFAULT
 from gcrules.views.report.report import report as _report
 
 __all__ = [
@@ -92,6 +94,8 @@ __all__ = [
     "within",
 ]
 
+map_of = deferred("gcrules.poses.maps.maps:singular_map")
+path_of = deferred("gcrules.poses.path_report:path")
 decided = deferred("gcrules.algebra.factoring.factorize:factor")
 shortened = deferred("gcrules.algebra.shortening.shorten:shorten")
 
@@ -285,13 +289,32 @@ def load(
 
 
 @public
-def report(source: Source, *, interactive: bool = True, plugins: Folders = ()) -> str:
+def report(
+    source: Source,
+    *,
+    interactive: bool = True,
+    path: str | PathLike[str] | Sequence[Any] | None = None,
+    over: Sequence[Any] | None = None,
+    at: Any = None,
+    limits: str | None = None,
+    about: str | Sequence[Any] = "centroid",
+    threshold: Any = DEFAULT.text,
+    plugins: Folders = (),
+) -> str:
     """The HTML page of a source's analysis; of a platform with coordinates also the robot in its pose and the numbers
     there, of a robot with limbs these too.
 
     `source` is what `load` takes. `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
+    `path`, poses or the name of a table as `gcrules.path` takes them, adds the singular places on that path; `over`,
+    coordinates with their ranges as `gcrules.singular_map` takes them with `at` and `limits`, adds the map over them.
+    `about` and `threshold` are those of both. Raises InputError where there is no such path or map.
     """
-    return _report(_analyze(source, plugins=plugins), interactive=interactive)
+    if over is None and not (at is None and limits is None):
+        raise InputError("at and limits are those of a map", hint='name its coordinates: over=["x -1:1:41", …]')
+    found = _analyze(source, plugins=plugins)
+    along = None if path is None else path_of(found, path, about=about, threshold=threshold)
+    mapped = None if over is None else map_of(found, over, at, about=about, limits=limits, threshold=threshold)
+    return _report(found, interactive=interactive, path=along, singular_map=mapped)
 
 
 @public

@@ -83,12 +83,22 @@ FORMS: dict[str, Forms] = {
     "gcrules.poses.numbers.many.PoseNumbers": _result("pose_numbers", formula=""),
     "gcrules.poses.limbs.report.RobotPose": _result("robot_pose", formula=""),
     "gcrules.poses.paths.report.PathReport": _result(
-        "path", formula="", others={"svg": f"{_VIEWS}.plots.path_plot:svg", "plot": f"{_VIEWS}.plots.path_plot:plot"}
+        "path",
+        formula="",
+        others={
+            "svg": f"{_VIEWS}.plots.path_plot:svg",
+            "plot": f"{_VIEWS}.plots.path_plot:plot",
+            "account": f"{_RESULTS}.path:account",
+        },
     ),
     "gcrules.poses.limbs.path_report.RobotPath": _result(
         "robot_path",
         formula="",
-        others={"svg": f"{_VIEWS}.plots.path_plot:svg_of_robot", "plot": f"{_VIEWS}.plots.path_plot:plot_of_robot"},
+        others={
+            "svg": f"{_VIEWS}.plots.path_plot:svg_of_robot",
+            "plot": f"{_VIEWS}.plots.path_plot:plot_of_robot",
+            "account": f"{_RESULTS}.robot_path:account",
+        },
     ),
     "gcrules.poses.maps.report.SingularMap": _result(
         "map",

@@ -22,6 +22,7 @@ from gcrules.apps.cli.base import (
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual_options import ManualOptions, manual_options
+from gcrules.apps.cli.motion_options import MotionOptions, motion_options
 from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.sources import read_source
 from gcrules.conditions.analysis import Analysis
@@ -138,6 +139,7 @@ def analyze(
 @rules_options
 @space_options()
 @click.option("--3d/--no-3d", "interactive", default=True, help="Leave the 3D viewer out: a small file.")
+@motion_options
 def report(
     legs: tuple[str, ...],
     path: str,
@@ -149,6 +151,7 @@ def report(
     choice: Choice,
     space: SpaceOptions,
     interactive: bool,
+    motion: MotionOptions,
 ) -> None:
     """Write the analysis as a self-contained HTML page: formulas, figures, and for a geometry file the numbers.
 
@@ -156,16 +159,23 @@ def report(
     gcrules report "ab af cb cd ed ef" -o octahedron.html
     gcrules report platform.yaml -o platform.html
     gcrules report 3-rps -o 3-rps.html
+    gcrules report 3-rps --path home --path "z=0.2, roll=20deg, pitch=10deg" -o 3-rps.html
+    gcrules report delta --over "x -0.8:0.8:41" --over "y -0.8:0.8:41" --at "z=0.2" -o delta.html
 
     It takes the same lines as `gcrules analyze`: with --given, --ideal and --rank too; and robots that are described by
     their joints, as `gcrules robot analyze` does: an id, or a robot file. In the page the robot is seen in 3D, and its
-    platform can be moved; the page loads nothing, and works from a file. --no-3d leaves that out.
+    platform can be moved; the page loads nothing, and works from a file. --no-3d leaves that out. --path and
+    --over add the singular poses on a path and in a map, with what is proved of them, as `gcrules path` and
+    `gcrules map` find them.
     """
     _check_page(path)
+    motion.check()
     others = order or recheck or assumptions or catalogs or space != _SPACE
     loaded = _loaded(legs, assumptions, space, choice)
     analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others)
-    write_file(path, rendered(analysis, interactive=interactive))
+    with working("computing"):
+        along, mapped = motion.along(analysis), motion.mapped(analysis)
+    write_file(path, rendered(analysis, interactive=interactive, path=along, singular_map=mapped))
 
 
 def _loaded(words: tuple[str, ...], assumptions: tuple[str, ...], space: SpaceOptions, choice: Choice) -> Loaded:

@@ -3,11 +3,13 @@ r"""The report: one self-contained HTML page with every stage, formulas as MathM
 from __future__ import annotations
 
 from html import escape
+from typing import TYPE_CHECKING
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import Coordinates, PoseValue
+from gcrules.core.deferred import deferred
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.derivation import Step
 from gcrules.views.drawing.figures import graph_figure, robot_figure
@@ -18,17 +20,33 @@ from gcrules.views.report.scene_json import drawable, scene
 from gcrules.views.report.stages import Formula, Item, KeyValue, Stage, stages, verdict_of
 from gcrules.views.results.derivation import reasons
 
+if TYPE_CHECKING:
+    from gcrules.poses.limbs.path_report import RobotPath
+    from gcrules.poses.maps.report import SingularMap
+    from gcrules.poses.paths.report import PathReport
+
 __all__ = ["fragment", "report"]
 
+map_html = deferred("gcrules.views.report.motion_sections:map_html")  # numpy, for numbers only
+path_html = deferred("gcrules.views.report.motion_sections:path_html")
 
-def report(analysis: Analysis | RobotAnalysis, *, interactive: bool = True) -> str:
+
+def report(
+    analysis: Analysis | RobotAnalysis,
+    *,
+    interactive: bool = True,
+    path: PathReport | RobotPath | None = None,
+    singular_map: SingularMap | None = None,
+) -> str:
     """The HTML page of an analysis; of a platform with coordinates also the robot in its pose and the numbers there, of
-    a robot with limbs these too.
+    a robot with limbs these too; a section each for a path and a map of the same robot.
 
     `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
     """
+    more = [path_html(path)] if path is not None else []
+    more += [map_html(singular_map)] if singular_map is not None else []
     if isinstance(analysis, RobotAnalysis):
-        return robot_report(analysis, interactive=interactive)
+        return robot_report(analysis, interactive=interactive, more=more)
     live = interactive and drawable(analysis)
     platform = analysis.platform
     title = (platform.title if platform else "") or f"Legs {analysis.structure.text()}"
@@ -37,6 +55,7 @@ def report(analysis: Analysis | RobotAnalysis, *, interactive: bool = True) -> s
         f'<section class="answer"><p>{escape(analysis.condition.sentence)}</p>{_sure(analysis)}</section>',
         _figures(analysis, live=live),
         *([_numbers(analysis.pose)] if analysis.pose else []),
+        *more,
         "<h2>Step by step</h2>",
         '<ol class="stages">',
         *(_stage(s) for s in stages(analysis) if s.id != "pose"),

@@ -35,8 +35,10 @@ from gcrules.views.scene_data import LinkageView, PlaneView, SceneData
 __all__ = ["robot_report", "robot_scene"]
 
 
-def robot_report(a: RobotAnalysis, *, interactive: bool = True) -> str:
-    """The HTML page of a robot; drawn at home, if the file gives a home configuration."""
+def robot_report(a: RobotAnalysis, *, interactive: bool = True, more: Sequence[str] = ()) -> str:
+    """The HTML page of a robot; drawn at home, if the file gives a home configuration. `more` are sections of what else
+    was computed.
+    """
     home = a.robot.home is not None and bool(a.robot.limbs) and not a.robot.family.plane
     live = interactive and home
     parts = [
@@ -44,6 +46,7 @@ def robot_report(a: RobotAnalysis, *, interactive: bool = True) -> str:
         f'<section class="answer"><p>{escape(a.statement)}</p><p class="sure">{escape(a.certificate)}</p></section>',
         _figures(a, home=a.robot.home is not None and bool(a.robot.limbs), live=live),
         numbers_html(report_of_limbs(Limbs.of(a))) if a.robot.home is not None and a.robot.limbs else "",
+        *more,
         "<h2>Step by step</h2>",
         '<ol class="stages">',
         *(f"<li><h3>{escape(title)}</h3>{body}</li>" for title, body in _stages(a)),

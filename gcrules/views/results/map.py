@@ -9,7 +9,7 @@ from gcrules.poses.maps.report import SingularMap
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.text_tables import ASCII, table
 
-__all__ = ["as_latex", "as_text", "picture_of"]
+__all__ = ["account", "as_latex", "as_text", "picture_of"]
 
 _MOST = 12
 
@@ -23,6 +23,13 @@ def as_text(m: SingularMap, *, unicode: bool = False) -> str:
 
 
 def _lines(m: SingularMap) -> Iterator[str]:
+    rows = account(m)
+    before = ["", *(name for name, _ in rows)]
+    yield from table([("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)])
+
+
+def account(m: SingularMap) -> list[tuple[str, str]]:
+    """What there is to say of it, names with what they say; the same name may stand several times in a row."""
     g = m.grid
     rows = [("map", f"{' × '.join(f'{n:,}' for n in g.shape)} poses of {g.title or 'the robot'}")]
     for a in g.axes:
@@ -39,9 +46,7 @@ def _lines(m: SingularMap) -> Iterator[str]:
         rows.append(("least", f"margin σ = {m.summary.margin:.4g} at the node {at}"))
     rows += list(_found(m))
     rows.append(("proof", m.guarantee + "."))
-    rows += [("note", note) for note in m.notes]
-    before = ["", *(name for name, _ in rows)]
-    yield from table([("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)])
+    return [*rows, *(("note", note) for note in m.notes)]
 
 
 def _found(m: SingularMap) -> Iterator[tuple[str, str]]:

@@ -3,20 +3,24 @@ r"""A path's report as plain text and as LaTeX: the verdict, the singular places
 from __future__ import annotations
 
 import math
-import textwrap
 from collections.abc import Iterator, Sequence
 
 from gcrules.poses.numbers.motion import Dependence
 from gcrules.poses.paths.report import PathReport, Zero
+from gcrules.poses.paths.zeros import Stretch
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import degrees, turn_of
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.results.path_account import (
+    PathAccount,
+    PathPlace,
+    PathStretch,
+    account_lines,
+    in_ascii,
+    listed_verdicts,
+)
 
-__all__ = ["as_latex", "as_text", "in_ascii", "listed_verdicts", "wrapped"]
-
-WIDTH = 100
-_MOST = 40  # places that are explained; the JSON object and the table hold all
-_ASCII = str.maketrans({"σ": "sigma", "°": " deg", "∧": "/\\", "∨": "\\/", "…": "...", "⁻": "^-", "≤": "<="})
+__all__ = ["account", "as_latex", "as_text"]
 
 KINDS = {
     "crosses": "crosses: the superbracket changes its sign",
@@ -28,32 +32,13 @@ KINDS = {
 
 def as_text(r: PathReport, *, unicode: bool = False) -> str:
     """The whole report; without `unicode` in ASCII."""
-    found = "\n".join(_lines(r))
+    found = "\n".join(account_lines(account(r)))
     return found if unicode else in_ascii(found)
 
 
-def in_ascii(text: str) -> str:
-    """The text without signs of mathematics."""
-    return text.translate(_ASCII)
-
-
-def _lines(r: PathReport) -> Iterator[str]:
-    yield from wrapped(f"{r.verdict}: {r.reason}")
-    if r.zeros or r.stretches:
-        yield ""
-        yield "Singular places"
-    for s in r.stretches:
-        yield from wrapped(f"parameter {s.start} to {s.end}: every pose is singular; half way:", "  ")
-        for cause in s.causes:
-            yield from wrapped(cause, "     ", " " * 7)
-        if s.dependence:
-            yield from _gained(s.dependence, r.rig.unit)
-    for n, z in enumerate(r.zeros[:_MOST], 1):
-        yield from _zero(n, z, r.rig.unit)
-    if len(r.zeros) > _MOST:
-        yield f"  and {len(r.zeros) - _MOST} more, which --json and --csv show"
-    yield ""
-    rows = [
+def account(r: PathReport) -> PathAccount:
+    """What there is to say of it."""
+    facts = [
         ("path", f"{_count(len(r.poses), 'pose')}; the parameter is 0 at the first, 1 at the second, and so on"),
         ("between", "the centre moves on a straight line, the platform turns about one axis, the shorter way"),
         ("centre", _centre(r)),
@@ -62,26 +47,31 @@ def _lines(r: PathReport) -> Iterator[str]:
         ("proof", _proof(r)),
         *(("note", note) for note in r.notes),
     ]
-    width = max(len(name) for name, _ in rows)
-    for name, value in rows:
-        yield from wrapped(value, f"{name:<{width}}  ", " " * (width + 2))
+    return PathAccount(
+        r.verdict,
+        r.reason,
+        tuple(_place(z, r.rig.unit) for z in r.zeros),
+        tuple(_stretch(s, r.rig.unit) for s in r.stretches),
+        tuple(facts),
+    )
 
 
-def _zero(number: int, z: Zero, unit: str) -> Iterator[str]:
+def _stretch(s: Stretch, unit: str) -> PathStretch:
+    return PathStretch(s.start, s.end, True, "every pose is singular", s.causes, _gained(s.dependence, unit))
+
+
+def _place(z: Zero, unit: str) -> PathPlace:
     times = f", a zero of multiplicity {z.multiplicity}" if z.multiplicity > 1 else ""
     exactly = f" = {z.lower}" if z.exact and z.lower.denominator > 1 and len(str(z.lower)) < 12 else ""
-    yield from wrapped(f"{number}. at parameter {z.parameter:.6g}{exactly}: {KINDS[z.kind]}{times}", "  ", " " * 5)
-    yield from wrapped(f"pose {_pose(z.pose)}", "     ", " " * 7)
-    for cause in z.causes:
-        yield from wrapped(cause, "     ", " " * 7)
-    if z.dependence:
-        yield from _gained(z.dependence, unit)
+    kind = f"{KINDS[z.kind]}{times}"
+    return PathPlace(z.parameter, exactly, kind, _pose(z.pose), z.causes, _gained(z.dependence, unit))
 
 
-def _gained(d: Dependence, unit: str) -> Iterator[str]:
-    for m in d.motions:
-        yield from wrapped(f"Gained motion: the platform can {m.text(unit)}.", "     ", " " * 7)
-    yield from wrapped(f"Dependent legs: {', '.join(d.legs)}; they span {d.within.name}.", "     ", " " * 7)
+def _gained(d: Dependence | None, unit: str) -> tuple[str, ...]:
+    if d is None:
+        return ()
+    motions = [f"Gained motion: the platform can {m.text(unit)}." for m in d.motions]
+    return (*motions, f"Dependent legs: {', '.join(d.legs)}; they span {d.within.name}.")
 
 
 def _least(r: PathReport) -> Iterator[tuple[str, str]]:
@@ -104,11 +94,6 @@ def _proof(r: PathReport) -> str:
     )
 
 
-def listed_verdicts(verdicts: Sequence[str]) -> str:
-    """ "180 regular, 20 close"."""
-    return ", ".join(f"{verdicts.count(v)} {v}" for v in ("regular", "close", "singular") if v in verdicts)
-
-
 def _centre(r: PathReport) -> str:
     if not any(r.rig.centre):
         return "the origin"
@@ -123,20 +108,12 @@ def _pose(p: Pose) -> str:
     """Text for --at, to six digits."""
     shift = _numbers([float(c) for c in p.translation])
     turn = _numbers([math.degrees(c) for c in p.rotation_vector]) if p.angle > 1e-12 else ""
-    return f'"{shift}; rotvec {turn} deg"' if turn else f'"{shift}"'
+    return f"{shift}; rotvec {turn} deg" if turn else shift
 
 
 def _numbers(values: Sequence[float]) -> str:
     least = 1e-12 * max(map(abs, values))
     return " ".join("0" if abs(x) <= least else f"{x:.6g}" for x in values)
-
-
-def wrapped(text: str, first: str = "", rest: str | None = None) -> list[str]:
-    """The text in lines, the first of them behind `first`, the others behind `rest`."""
-    other = first + "  " if rest is None else rest
-    return textwrap.wrap(
-        text, WIDTH, initial_indent=first, subsequent_indent=other, break_long_words=False, break_on_hyphens=False
-    )
 
 
 def as_latex(r: PathReport) -> str:

@@ -9,30 +9,27 @@ from gcrules.core.english import agreeing
 from gcrules.poses.limbs.path_report import Crossing, RobotPath
 from gcrules.screws.pose_text import ANGLES
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
-from gcrules.views.results.path import in_ascii, listed_verdicts, wrapped
+from gcrules.views.results.path_account import (
+    PathAccount,
+    PathPlace,
+    PathStretch,
+    account_lines,
+    in_ascii,
+    listed_verdicts,
+)
 
-__all__ = ["as_latex", "as_text"]
-
-_MOST = 40  # places that are explained; the JSON object holds all
+__all__ = ["account", "as_latex", "as_text"]
 
 
 def as_text(r: RobotPath, *, unicode: bool = False) -> str:
     """The whole report; without `unicode` in ASCII."""
-    found = "\n".join(_lines(r))
+    found = "\n".join(account_lines(account(r)))
     return found if unicode else in_ascii(found)
 
 
-def _lines(r: RobotPath) -> Iterator[str]:
-    yield from wrapped(f"{r.verdict}: {r.reason}")
-    if r.crossings:
-        yield ""
-        yield "Singular places"
-    for n, c in enumerate(r.crossings[:_MOST], 1):
-        yield from _crossing(r, n, c)
-    if len(r.crossings) > _MOST:
-        yield f"  and {len(r.crossings) - _MOST} more, which --json shows"
-    yield ""
-    rows = [
+def account(r: RobotPath) -> PathAccount:
+    """What there is to say of it."""
+    facts = [
         ("path", f"{len(r.texts)} poses; the parameter is 0 at the first, 1 at the second, and so on"),
         ("between", f"{agreeing(r.names, 'grows', 'grow')} evenly"),
         *_closest(r),
@@ -41,9 +38,9 @@ def _lines(r: RobotPath) -> Iterator[str]:
         ("proof", _PROOF),
         *(("note", note) for note in r.notes),
     ]
-    width = max(len(name) for name, _ in rows)
-    for name, value in rows:
-        yield from wrapped(value, f"{name:<{width}}  ", " " * (width + 2))
+    places = tuple(_crossing(r, c) for c in r.crossings)
+    undecided = tuple(PathStretch(a, b, False, "it is not decided whether a pose is singular") for a, b in r.undecided)
+    return PathAccount(r.verdict, r.reason, places, undecided, tuple(facts))
 
 
 def _closest(r: RobotPath) -> Iterator[tuple[str, str]]:
@@ -64,15 +61,16 @@ def _branch(r: RobotPath) -> str:
     return f"not proved from parameter {r.branch_doubt:.4g} on: this may be another solution"
 
 
-def _crossing(r: RobotPath, number: int, c: Crossing) -> Iterator[str]:
-    words = f"{number}. at parameter {c.parameter:.6g}: crosses: the determinant of all wrenches changes its sign"
-    yield from wrapped(words, "  ", " " * 5)
-    yield from wrapped(f'pose "{_place(r, c)}"', "     ", " " * 7)
-    for cause in c.causes:
-        yield from wrapped(f"{cause[:1].upper()}{cause[1:]}.", "     ", " " * 7)
-    yield from wrapped(f"Gained motion: the platform can {c.motion.text()}.", "     ", " " * 7)
-    alone = f"proved: an odd number of singular places lies between parameter {c.first:.7g} and {c.last:.7g}"
-    yield from wrapped(alone, "     ", " " * 7)
+def _crossing(r: RobotPath, c: Crossing) -> PathPlace:
+    return PathPlace(
+        c.parameter,
+        "",
+        "crosses: the determinant of all wrenches changes its sign",
+        _place(r, c),
+        tuple(f"{cause[:1].upper()}{cause[1:]}." for cause in c.causes),
+        (f"Gained motion: the platform can {c.motion.text()}.",),
+        f"proved: an odd number of singular places lies between parameter {c.first:.7g} and {c.last:.7g}",
+    )
 
 
 def _place(r: RobotPath, c: Crossing) -> str:

@@ -1,0 +1,96 @@
+"""A path and a map of any mechanism as sections of its report: figure, singular places, and what is proved."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Iterable, Iterator
+from html import escape
+
+from gcrules.core.deferred import deferred
+from gcrules.poses.limbs.path_report import RobotPath
+from gcrules.poses.maps.report import SingularMap
+from gcrules.poses.paths.report import PathReport
+from gcrules.views.forms import shown
+from gcrules.views.results.map import account
+from gcrules.views.results.path_account import PathAccount, PathPlace, PathStretch
+
+__all__ = ["map_html", "path_html"]
+
+picture = deferred("gcrules.views.plots.map_plot:picture")  # matplotlib, an extra of the installation
+
+_MOST = 100  # places that are listed; the JSON object of `gcrules path` holds all
+
+
+def path_html(r: PathReport | RobotPath) -> str:
+    """Verdict and reason, the margin along the path, a table of the singular places and of what is not decided."""
+    a: PathAccount = shown(r, "account")
+    words = "The margin along the path" + ("; singular places bear the numbers of the table." if a.places else ".")
+    figure = f'<figure class="plot">{shown(r, "svg")}<figcaption>{words}</figcaption></figure>'
+    head = f'<h2>Along a path</h2><p class="verdict">{escape(a.verdict.capitalize())}</p>'
+    reason = f'<p class="why">{escape(a.reason)}</p>'
+    return f'<section class="motion {a.verdict}">{head}{reason}{figure}{_places(a)}{_facts(a.facts)}</section>'
+
+
+def _places(a: PathAccount) -> str:
+    rows = [*map(_stretch, a.stretches), *(_place(n, p) for n, p in enumerate(a.places[:_MOST], 1))]
+    if not rows:
+        return ""
+    more = len(a.places) - _MOST
+    left = f"<p>And {more:,} more, which <code>gcrules path … --json</code> shows.</p>" if more > 0 else ""
+    head = "<tr><th></th><th>parameter</th><th>why, and what the platform gains</th></tr>"
+    return f'<table class="places"><thead>{head}</thead><tbody>{"".join(rows)}</tbody></table>{left}'
+
+
+def _place(number: int, p: PathPlace) -> str:
+    pose = f'<p class="at"><code>{escape(p.pose)}</code></p>'
+    sure = f'<p class="sure">{escape(_sentence(p.sure))}</p>' if p.sure else ""
+    words = _paragraphs(_sentence(p.kind), *p.causes, *p.motions)
+    return f"<tr><th>{number}</th><td>{p.parameter:.6g}{escape(p.exactly)}</td><td>{pose}{words}{sure}</td></tr>"
+
+
+def _stretch(s: PathStretch) -> str:
+    words = _paragraphs(_sentence(s.words), *s.causes, *s.motions)
+    place = f"{s.start:.6g} to {s.end:.6g}" if s.end > s.start else f"{s.start:.6g}"
+    return f"<tr><th>–</th><td>{place}</td><td>{words}</td></tr>"
+
+
+def _sentence(words: str) -> str:
+    return f"{words[:1].upper()}{words[1:]}."
+
+
+def _paragraphs(*words: str) -> str:
+    return "".join(f"<p>{escape(one)}</p>" for one in words)
+
+
+def map_html(m: SingularMap) -> str:
+    """The picture, the sentence that says what is proved, and what was computed."""
+    over = " and ".join(a.name for a in m.grid.axes)
+    facts = [row for row in account(m) if row[0] != "proof"]
+    proof = f'<p class="proof">{escape(_sentence(m.guarantee))}</p>'
+    head = f"<h2>Map over {escape(over)}</h2>"
+    return f'<section class="motion">{head}{proof}{_picture(m)}{_facts(facts)}</section>'
+
+
+def _picture(m: SingularMap) -> str:
+    """Curves as SVG, surfaces from several sides as PNG; where matplotlib is missing the page says so."""
+    try:
+        if len(m.grid.axes) == 2:
+            drawn = picture(m, "svg").decode()
+            drawn = drawn[drawn.index("<svg") :]
+        else:
+            drawn = f'<img alt="" src="data:image/png;base64,{b64encode(picture(m, "png")).decode()}">'
+    except ImportError:
+        return '<p class="note">There is no picture: pictures of maps need matplotlib, gcrules[maps].</p>'
+    words = f"Singular poses of {m.grid.title or 'the robot'}; what is proved of them stands above."
+    return f'<figure class="plot map">{drawn}<figcaption>{escape(words)}</figcaption></figure>'
+
+
+def _facts(rows: Iterable[tuple[str, str]]) -> str:
+    return f'<table class="facts"><tbody>{"".join(_rows(rows))}</tbody></table>'
+
+
+def _rows(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
+    before = ""
+    for name, value in rows:
+        yield f"<tr><th>{'' if name == before else escape(name)}</th><td>{escape(value)}</td></tr>"
+        before = name
