@@ -91,8 +91,8 @@ def test_back_from_actuators(name: str) -> None:
 
 
 CLOSED = {
-    "3-prs", "3-rpr", "3-rps", "3-rrr", "3-rrr-spherical", "6-pus", "6-rus", "delta", "gough-stewart",
-    "gough-stewart-63", "octahedral", "orthoglide",
+    "3-prs", "3-puu", "3-rpr", "3-rps", "3-rrr", "3-rrr-spherical", "3-ups-s", "3-upu", "6-pus", "6-rus", "delta",
+    "gough-stewart", "gough-stewart-63", "octahedral", "orthoglide",
 }  # fmt: skip
 """The robots whose factors have closed forms of the kinds that are known."""
 

@@ -6,43 +6,56 @@ the one of a circle or a line that keeps its distance from a point of the platfo
 angle with one. A bar between two such points is their difference. Of two roots that of home is taken, throughout.
 
 What stays, rides and keeps a distance is seen in configurations that were solved by Newton's method; what is made of
-it is compared with others (`limb_programs`). Derived here.
+it is compared with others (`limb_programs`). All numbers are those of the home configuration as the file gives it,
+exact, and no root is taken but on the tape; so it can be run in exact arithmetic, too. Derived here.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations
-from typing import Any
 
 import numpy as np
 
+from gcrules.core.linear_algebra import kernel
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.poses.compiling.exact_places import at_home, combined_at, floats, left_inverse, near, scaled, vector
 from gcrules.poses.compiling.roots import NoForm, Roots, cosine_and_sine
 from gcrules.poses.compiling.scalars import Graph, Ring
-from gcrules.poses.compiling.vectors import Vector, add, dot, sub
+from gcrules.poses.compiling.vectors import Vector, add, cross, dot, sub
 from gcrules.poses.limbs.many import Solved
 from gcrules.screws.pose_text import SHIFTS, TURNS
 
 __all__ = ["LimbPlaces"]
 
 _STAYS = 1e-10  # in parts of the robot's size, or rad
+_ROUNDED = 1e-14  # in parts of the robot's size
 
 Turn = tuple[Vector, Vector, Vector]
 
 
 class LimbPlaces:
-    """The places of names from coordinates `names` of a pose, angles from −π to π; `solved` are configurations in
-    general position. Asking for what has no closed form raises NoForm.
+    """The places of names from coordinates `names` of a pose; `solved` are configurations in general position. Asking
+    for what has no closed form raises NoForm. Directions may have another length than at home.
+
+    Inputs of angles are what `turned` makes a cosine and a sine of: the angles themselves, from −π to π, or what else
+    is 0 at home.
     """
 
-    def __init__(self, names: Sequence[str], solved: Solved) -> None:
+    def __init__(
+        self,
+        names: Sequence[str],
+        solved: Solved,
+        turned: Callable[[Ring], tuple[Ring, Ring]] = cosine_and_sine,
+    ) -> None:
         self.names, self.solved, self.m = names, solved, solved.m.linkage
+        self.turned = turned
         self.size = self.m.size
         self.graph = Graph(len(names))
         self.roots = Roots(self.graph)
-        self.centre = _exact(self.m.centre)
+        self.home = at_home(self.m)
+        self.centre = near(self.m.centre, _ROUNDED * self.size)
         self.sorts = self.m.robot.family.sorts
         self.shift, self.turn = self._pose()
         self.known: dict[str, Vector] = {}
@@ -62,17 +75,27 @@ class LimbPlaces:
         found = self.solved.coordinates  # in the order of SHIFTS and TURNS
         given: dict[str, tuple[Ring, ...]] = {}
         for n, angle in zip(self.names, self.graph.inputs, strict=True):
-            given[n] = (angle,) if n in SHIFTS else cosine_and_sine(angle)
+            given[n] = (angle,) if n in SHIFTS else self.turned(angle)
         still = [n for k, n in enumerate((*SHIFTS, *TURNS)) if np.abs(found[:, k]).max() <= self._zero(n)]
         given |= {n: (0,) if n in SHIFTS else (1, 0) for n in still if n not in given}
         open_ = [n for n in (*SHIFTS, *TURNS) if n not in given]
         if open_:
-            given |= self._from_planes(open_, given)
+            given |= self._from_pivot(open_, given) or self._from_planes(open_, given)
         x, y, z = (given[n][0] for n in SHIFTS)
         return (x, y, z), _product(_about(2, *given["yaw"]), _level(given))
 
     def _zero(self, name: str) -> float:
         return _STAYS * (self.size if name in SHIFTS else 1.0)
+
+    def _from_pivot(self, open_: list[str], given: dict[str, tuple[Ring, ...]]) -> dict[str, tuple[Ring, ...]]:
+        """Unnamed shifts, from a point of the platform that stays where it is; nothing where there is none."""
+        still = (n for n, sort in self.sorts.items() if sort == "point" and self._stays(n) and self._rides(n))
+        pivot = next(still, None)
+        if pivot is None or not set(open_) <= set(SHIFTS):
+            return {}
+        arm = sub(self.home[pivot], self.centre)
+        shift = sub(arm, _turned(_product(_about(2, *given["yaw"]), _level(given)), arm))
+        return {n: (shift[SHIFTS.index(n)],) for n in open_}
 
     def _from_planes(self, open_: list[str], given: dict[str, tuple[Ring, ...]]) -> dict[str, tuple[Ring, ...]]:
         """Unnamed shifts, and yaw, from planes in which ends of limbs stay."""
@@ -85,41 +108,39 @@ class LimbPlaces:
             raise NoForm("too few planes")
         level = _level(given)
         rows = []  # a cos + b sin + c + Σ normal · unknown shifts = 0
-        for normal, arm in planes:
+        for n, arm in planes:
             u, v, w = (dot(row, arm) for row in level)
-            n = _exact(normal)
-            fixed = dot(n, sub(_vector(shift), arm)) + n[2] * w
+            fixed = dot(n, sub(vector(shift), arm)) + n[2] * w
             rows.append((n[0] * u + n[1] * v, n[1] * u - n[0] * v, fixed))
         for chosen in combinations(range(len(planes)), len(unknown) + 1):
-            matrix = np.array([[planes[k][0][c] for c in unknown] for k in chosen])
-            sizes = np.linalg.svd(matrix, compute_uv=False)
+            matrix = [[planes[k][0][c] for c in unknown] for k in chosen]
+            sizes = np.linalg.svd(np.array(matrix, dtype=float), compute_uv=False)
             if not unknown or sizes[-1] > 1e-3 * max(sizes[0], 1e-9):
                 break
         else:
             raise NoForm("planes that depend on each other")
-        weights = np.linalg.svd(matrix.T)[2][-1] if unknown else np.ones(1)  # Σ weight · normal = 0 in the unknowns
-        factors = _exact(weights)
+        factors = kernel(zip(*matrix, strict=True), len(chosen))[0]  # Σ factor · normal = 0 in the unknowns
         a, b, c = (_sum(f * rows[k][place] for f, k in zip(factors, chosen, strict=True)) for place in range(3))
         cosine, sine = self.roots.turned(a, b, c)
-        solve = np.linalg.pinv(matrix)
         sides = [-(rows[k][0] * cosine + rows[k][1] * sine + rows[k][2]) for k in chosen]
         found: dict[str, tuple[Ring, ...]] = {"yaw": (cosine, sine)}
-        for place, row in zip(unknown, solve, strict=True):
-            found[SHIFTS[place]] = (_sum(f * side for f, side in zip(_exact(row), sides, strict=True)),)
+        for place, row in zip(unknown, left_inverse(matrix), strict=True):
+            found[SHIFTS[place]] = (_sum(f * side for f, side in zip(row, sides, strict=True)),)
         return found
 
-    def _planes(self) -> Iterator[tuple[Floats, Vector]]:
-        """Constant directions of length 1, and the arms (from the centre, at home) of ends that stay normal to them."""
+    def _planes(self) -> Iterator[tuple[Vector, Vector]]:
+        """Constant directions, and the arms (from the centre, at home) of ends that stay normal to them."""
         platform = self.solved.links[0][:, -1]
         for k, end in enumerate(self.m.ends):
             if not self.m.ball_ended[k]:
                 continue
             moved = (platform[:, :3, :3] @ end) + platform[:, :3, 3] - end
+            at = next((n for n, v in self.m.home.values.items() if np.array_equal(v, end)), None)
             for name, sort in self.sorts.items():
-                if sort == "direction" and self._stays(name):
+                if at is not None and sort == "direction" and self._stays(name):
                     normal = self.m.home.values[name] / np.linalg.norm(self.m.home.values[name])
                     if np.abs(moved @ normal).max() <= _STAYS * self.size:
-                        yield normal, sub(_exact(end), self.centre)
+                        yield self.home[name], sub(self.home[at], self.centre)
                         break
 
     # --- names ---
@@ -139,86 +160,119 @@ class LimbPlaces:
         off = self.solved.values[name] - self._moved(self.m.home.values[name], point)
         return bool(np.abs(off).max() <= _STAYS * (self.size if point else 1.0))
 
-    def _carried(self, value: Floats, point: bool) -> Vector:
+    def _carried(self, v: Vector, point: bool) -> Vector:
         """A place at home where the platform carries it, on the tape."""
-        v = _exact(value)
         if not point:
             return _turned(self.turn, v)
         return add(_turned(self.turn, sub(v, self.centre)), add(self.centre, self.shift))
 
     def _place(self, name: str) -> Vector:
-        home, point = self.m.home.values[name], self.sorts[name] == "point"
+        home, point = self.home[name], self.sorts[name] == "point"
         if self._stays(name):
-            return _exact(home)
+            return home
         if self._rides(name):
             return self._carried(home, point)
         limb = next((a.limb for a in self.m.attachments.get(name, ()) if a.link == 1), None)
+        crossed = self._perpendicular(name)
+        if crossed is not None:
+            return crossed
         if limb is not None:
             return self._first(name, limb)
         if not point:
             return self._bar(name)
         raise NoForm(f"{name} is carried by several joints")
 
+    def _perpendicular(self, name: str) -> Vector | None:
+        """A direction that the file makes perpendicular to two others, with the sign of home; None where it is not made
+        so, or these have no closed form.
+        """
+        made = next((d.relation for d in self.m.robot.family.definitions if d.name == name), None)
+        if self.sorts[name] == "point" or made is None or made.kind != "perpendicular to both":
+            return None
+        try:
+            u, v = (combined_at(term, {n: self.at(n) for n in made.names}) for term in made.args)
+        except NoForm:
+            return None
+        before, after = (combined_at(term, self.home) for term in made.args)
+        sign = dot(cross(before, after), self.home[name])
+        return scaled(cross(u, v), 1 if sign > 0 else -1) if sign else None  # type: ignore[operator]
+
     def _bar(self, name: str) -> Vector:
         """A direction from a point that a first joint carries to one of the platform."""
         along = self.m.home.values[name]
-        for near, values in self.solved.values.items():
-            if self.sorts.get(near) == "point":
-                far = self.m.home.values[near] + along
+        for start, values in self.solved.values.items():
+            if self.sorts.get(start) == "point":
+                far = self.m.home.values[start] + along
                 off = values + self.solved.values[name] - self._moved(far, point=True)
                 if np.abs(off).max() <= _STAYS * self.size:
-                    return sub(self._carried(far, point=True), self.at(near))
+                    return sub(self._carried(add(self.home[start], self.home[name]), point=True), self.at(start))
         raise NoForm(f"{name} is carried by several joints")
 
     def _first(self, name: str, limb: int) -> Vector:
         """What a limb's first joint carries, held at its distance from, or angle with, what rides on the platform."""
-        point = self.sorts[name] == "point"
-        chain = self.m.home.chains[limb]
-        screw, home = chain.screws[0], self.m.home.values[name]
-        axis = screw[:3]
-        if point:
+        home = self.home[name]
+        turns, axis, foot = self._axis(limb)
+        square = dot(axis, axis)
+        if self.sorts[name] == "point":
             held = next(self._held(name), None)
             if held is None:
                 raise NoForm(f"{name} keeps no distance from the platform")
-            far, length = self._carried(held, point=True), np.linalg.norm(held - home)
-            if not axis.any():
-                along, off = _exact(screw[3:]), sub(_exact(home), far)
-                c = dot(off, off) - _fraction(length**2)
-                step = self.roots.slid(dot(along, off), c, float(length))
-                return add(_exact(home), _scaled(along, step))
-            foot = np.cross(axis, screw[3:])
-            middle = foot + axis * (axis @ (home - foot))
-            radius = home - middle
-            across = np.cross(axis, radius)
-            c_, u, v = _exact(middle), _exact(radius), _exact(across)
-            e = sub(far, c_)
-            rest = dot(e, e) + _fraction(radius @ radius - length**2)
-            cosine, sine = self.roots.turned(dot(e, u) * -2, dot(e, v) * -2, rest)
-            return add(c_, add(_scaled(u, cosine), _scaled(v, sine)))
-        if not axis.any():
+            far, rod = self._carried(held, point=True), sub(held, home)
+            length = dot(rod, rod)
+            if not turns:
+                off = sub(home, far)
+                size = float(np.linalg.norm(floats(rod)) * np.linalg.norm(floats(axis)))
+                return add(home, scaled(axis, self.roots.slid(dot(axis, off), dot(off, off) - length, size, square)))
+            arm = sub(home, foot)
+            middle = add(foot, scaled(axis, dot(axis, arm) / Fraction(square)))  # type: ignore[operator,arg-type]
+            radius = sub(home, middle)
+            across = cross(axis, radius)
+            e = sub(far, middle)
+            rest = dot(e, e) + dot(radius, radius) - length
+            cosine, sine = self.roots.turned(dot(e, radius) * -2, dot(e, across) * -2, rest, square)
+            return add(middle, add(scaled(radius, cosine), scaled(across, sine)))
+        if not turns:
             raise NoForm(f"{name} does not turn")
         other = next((n for n in self._angled(name)), None)
         if other is None:
             raise NoForm(f"{name} keeps no angle with the platform")
-        w, middle = self.at(other), axis * (axis @ home)
-        u, v = _exact(home - middle), _exact(np.cross(axis, home))
-        rest = dot(_exact(middle), w) - _fraction(home @ self.m.home.values[other])
-        cosine, sine = self.roots.turned(dot(u, w), dot(v, w), rest)
-        return add(_exact(middle), add(_scaled(u, cosine), _scaled(v, sine)))
+        middle = scaled(axis, dot(axis, home) / Fraction(square))  # type: ignore[operator,arg-type]
+        u, v = sub(home, middle), cross(axis, home)
+        w = self.at(other)
+        rest = dot(middle, w) - dot(home, self.home[other])
+        cosine, sine = self.roots.turned(dot(u, w), dot(v, w), rest, square)
+        return add(middle, add(scaled(u, cosine), scaled(v, sine)))
 
-    def _held(self, name: str) -> Iterator[Floats]:
+    def _axis(self, limb: int) -> tuple[bool, Vector, Vector]:
+        """Of a limb's first motion at home: whether it turns, along what, and a point of its axis (the origin for a
+        slide). Raises NoForm for a screw, and where the joint's first direction is not that of its first motion.
+        """
+        joint = self.m.robot.limbs[limb].joints[0]
+        screw = self.m.home.chains[limb].screws[0]
+        turns = bool(screw[:3].any())
+        if not joint.directions:
+            raise NoForm("a first joint without a direction")
+        axis = combined_at(joint.directions[0], self.home)
+        foot = self.home[joint.points[0]] if turns and joint.points else (0, 0, 0)
+        along = floats(axis) / np.linalg.norm(floats(axis))
+        expected = np.concatenate([along, np.cross(floats(foot), along)] if turns else [np.zeros(3), along])
+        scale = np.array([1.0] * 3 + [self.size if turns else 1.0] * 3)
+        if np.abs((screw - expected) / scale).max() > _STAYS:
+            raise NoForm("a first joint of another kind")
+        return turns, axis, foot
+
+    def _held(self, name: str) -> Iterator[Vector]:
         """Places at home, on the platform, from which a point keeps its distance; where that is not 0."""
         here, home = self.solved.values[name], self.m.home.values[name]
         for other, sort in self.sorts.items():
-            value = self.m.home.values[other]
             if sort == "direction":
-                place = home + value  # a bar may lead there
+                place = add(self.home[name], self.home[other])  # a bar may lead there
             elif self._rides(other) and not self._stays(other):
-                place = value
+                place = self.home[other]
             else:
                 continue
-            far = np.linalg.norm(self._moved(place, point=True) - here, axis=1)
-            length = np.linalg.norm(place - home)
+            far = np.linalg.norm(self._moved(floats(place), point=True) - here, axis=1)
+            length = np.linalg.norm(floats(place) - home)
             if length > _STAYS * self.size and np.abs(far - length).max() <= _STAYS * self.size:
                 yield place
 
@@ -230,23 +284,6 @@ class LimbPlaces:
                 angle = (here * self.solved.values[other]).sum(axis=1)
                 if np.abs(angle - home[name] @ home[other]).max() <= _STAYS:
                     yield other
-
-
-def _fraction(x: Any) -> Fraction:
-    return Fraction(float(x))
-
-
-def _exact(v: Floats) -> Vector:
-    return _vector([_fraction(c) for c in v])
-
-
-def _vector(v: Sequence[Ring]) -> Vector:
-    x, y, z = v
-    return x, y, z
-
-
-def _scaled(v: Vector, by: Ring) -> Vector:
-    return v[0] * by, v[1] * by, v[2] * by
 
 
 def _turned(turn: Turn, v: Vector) -> Vector:
@@ -266,13 +303,13 @@ def _about(axis: int, cosine: Ring, sine: Ring) -> Turn:
     rows: list[list[Ring]] = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
     rows[axis][axis] = 1
     rows[j][j], rows[j][k], rows[k][j], rows[k][k] = cosine, -sine, sine, cosine
-    return _vector(rows[0]), _vector(rows[1]), _vector(rows[2])
+    return vector(rows[0]), vector(rows[1]), vector(rows[2])
 
 
 def _product(a: Turn, b: Turn) -> Turn:
-    columns = [_turned(a, _vector([row[k] for row in b])) for k in range(3)]
+    columns = [_turned(a, vector([row[k] for row in b])) for k in range(3)]
     first, second, third = ([c[k] for c in columns] for k in range(3))
-    return _vector(first), _vector(second), _vector(third)
+    return vector(first), vector(second), vector(third)
 
 
 def _level(given: Mapping[str, tuple[Ring, ...]]) -> Turn:

@@ -18,11 +18,11 @@ from gcrules.algebra.expr import ONE, Expr, points_of
 from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import drawn
 from gcrules.mechanisms.conditions.factor_causes import ASIDE
-from gcrules.mechanisms.description.relations import Term
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.compiling.engines import STEP, runner
+from gcrules.poses.compiling.exact_places import combined_at, scaled
 from gcrules.poses.compiling.limb_places import LimbPlaces
 from gcrules.poses.compiling.roots import NoForm, inverse, root
 from gcrules.poses.compiling.scalars import Ring
@@ -31,7 +31,7 @@ from gcrules.poses.compiling.vectors import Vector, add, cross, dot, sub
 from gcrules.poses.limbs.many import Solved, proved_at
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["limb_programs", "run"]
+__all__ = ["limb_programs", "run", "solved_near_home", "vectors_of"]
 
 _POSES = 24  # from which closed forms are found, and as many with which they are compared
 _REACHES = (0.1, 0.02, 0.005)  # in parts of the robot's size, and rad
@@ -45,7 +45,7 @@ def limb_programs(m: Limbs, target: Target) -> tuple[Program, ...]:
     if m.analysis.lines is None or target.driven or any(part.over != ONE for part in m.analysis.parts):
         return ()
     rng = np.random.default_rng(0)
-    found = _solved(m, target, rng)
+    found = solved_near_home(m, target, rng)
     if found is None:
         return ()
     try:
@@ -53,7 +53,7 @@ def limb_programs(m: Limbs, target: Target) -> tuple[Program, ...]:
     except NoForm:
         return ()
     seed = drawn("closed form", m.robot.id, *target.names).getrandbits(64)
-    check = _solved(m, target, np.random.default_rng(seed))
+    check = solved_near_home(m, target, np.random.default_rng(seed))
     if check is None:
         return ()
     poses, there = check
@@ -75,7 +75,7 @@ def run(program: Program, engine: str, inputs: Floats, out: Floats | None = None
     return values
 
 
-def _solved(m: Limbs, target: Target, rng: np.random.Generator) -> tuple[Floats, Solved] | None:
+def solved_near_home(m: Limbs, target: Target, rng: np.random.Generator) -> tuple[Floats, Solved] | None:
     """Poses that are proved to be reached, and the configurations there."""
     units = np.array([m.linkage.size if n in SHIFTS else 1.0 for n in target.names])
     for reach in _REACHES:
@@ -86,34 +86,36 @@ def _solved(m: Limbs, target: Target, rng: np.random.Generator) -> tuple[Floats,
     return None
 
 
-def _traced(m: Limbs, places: LimbPlaces) -> tuple[Program, ...]:
+def vectors_of(m: Limbs, places: LimbPlaces) -> dict[str, Vector]:
+    """The places of all names of the factors, by coordinates; those of directions of another length than at home.
+    Raises NoForm where one has no closed form.
+    """
     analysis = m.analysis
-    used = dict.fromkeys(n for part in analysis.parts for n in points_of(part.expression))
+    used = dict.fromkeys(n for part in analysis.parts for n in (*points_of(part.expression), *points_of(part.over)))
     derived: dict[str, Vector] = {}
-
-    def of(term: Term) -> Vector:
-        vector: Vector = (0, 0, 0)
-        for c, n in term:
-            vector = add(vector, _scaled(derived[n] if n in derived else places.at(n), Fraction(c)))
-        return vector
-
     for d in analysis.structure.derived:
         if d.is_point:
             raise NoForm
-        u, v = d.args
-        derived[d.name] = cross(of(u), of(v))
-    vectors = {n: derived[n] if n in derived else places.at(n) for n in used}
-    points = [n for n in used if n not in derived and places.sorts[n] == "point"]
+        names = dict.fromkeys(n for term in d.args for _, n in term)
+        u, v = (combined_at(term, {n: derived[n] if n in derived else places.at(n) for n in names}) for term in d.args)
+        derived[d.name] = cross(u, v)
+    return {n: derived[n] if n in derived else places.at(n) for n in used}
+
+
+def _traced(m: Limbs, places: LimbPlaces) -> tuple[Program, ...]:
+    analysis = m.analysis
+    vectors = vectors_of(m, places)
+    points = [n for n in vectors if places.sorts.get(n) == "point"]
     if len(points) > 1:
         centre: Vector = (0, 0, 0)
         for n in points:
-            centre = add(centre, _scaled(vectors[n], Fraction(1, len(points))))
+            centre = add(centre, scaled(vectors[n], Fraction(1, len(points))))
         vectors |= {n: sub(vectors[n], centre) for n in points}
         square: Ring = 0
         for n in points:
             square = square + dot(vectors[n], vectors[n]) * Fraction(1, len(points))
         scale = inverse(root(square))
-        vectors |= {n: _scaled(vectors[n], scale) for n in points}
+        vectors |= {n: scaled(vectors[n], scale) for n in points}
     live = [part.expression for part in analysis.parts if part.kind not in ASIDE]
     return tuple(lower(places.graph, _value(e, vectors, points, analysis.robot.family.plane)) for e in live)
 
@@ -125,7 +127,7 @@ def _value(e: Expr, vectors: Mapping[str, Vector], points: Sequence[str], plane:
     extensors = bool(e.children) and e.children[0].step > 0
     at: dict[str, tuple[Ring, ...]] = {}
     for n, v in vectors.items():
-        x, y, z = v if extensors or n in points else _scaled(v, inverse(root(dot(v, v))))
+        x, y, z = v if extensors or n in points else scaled(v, inverse(root(dot(v, v))))
         at[n] = (x, y, int(n in points)) if plane else (x, y, z, int(n in points))
     evaluator = Evaluator(at, rank=3 if plane else 4)
     value: Any = evaluator.value(e)[0]
@@ -138,7 +140,3 @@ def _value(e: Expr, vectors: Mapping[str, Vector], points: Sequence[str], plane:
             square = square + c * c
         sizes = sizes * square
     return value * inverse(root(sizes))  # type: ignore[no-any-return]
-
-
-def _scaled(v: Vector, by: Ring) -> Vector:
-    return v[0] * by, v[1] * by, v[2] * by

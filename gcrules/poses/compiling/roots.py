@@ -17,12 +17,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from math import sqrt
+from math import isqrt, sqrt
 
 from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
 from gcrules.poses.compiling.tape import lower
 
-__all__ = ["NoForm", "Roots", "cosine_and_sine", "inverse", "root"]
+__all__ = ["NoForm", "Roots", "cosine_and_sine", "half_tangent", "inverse", "root"]
 
 _TERMS = 6  # of series: for a sixteenth of π what is left out is below 1e-18
 
@@ -36,6 +36,28 @@ class NoForm(Exception):
 def root(x: Ring) -> Ring:
     """√x."""
     return x.root() if isinstance(x, Scalar) else Fraction(sqrt(x))
+
+
+def _root(x: Ring) -> Ring:
+    """√x, exact. Raises NoForm for a number that is no square."""
+    if isinstance(x, Scalar):
+        return x.root()
+    x = Fraction(x)
+    above, below = isqrt(max(x.numerator, 0)), isqrt(x.denominator)
+    if above * above != x.numerator or below * below != x.denominator:
+        raise NoForm("the root of a number")
+    return Fraction(above, below)
+
+
+def half_tangent(t: Ring) -> tuple[Ring, Ring]:
+    """The cosine and the sine of an angle whose half has the tangent t.
+
+    >>> graph = Graph(1)
+    >>> [lower(graph, x).exact([Fraction(1, 2)]) for x in half_tangent(graph.inputs[0])]
+    [Fraction(3, 5), Fraction(4, 5)]
+    """
+    part = inverse(t * t + 1)
+    return (1 - t * t) * part, t * part * 2
 
 
 def inverse(x: Ring) -> Ring:
@@ -80,16 +102,18 @@ class Roots:
         """The value there."""
         return float(lower(self.graph, x).exact([0.0] * len(self.graph.inputs)))
 
-    def turned(self, a: Ring, b: Ring, c: Ring) -> tuple[Ring, Ring]:
-        """cos θ and sin θ with a cos θ + b sin θ + c = 0. Raises NoForm where both roots are one at home."""
-        square = a * a + b * b
-        rest = root(square - c * c) * -self._sign(b, self.at_home(a))
+    def turned(self, a: Ring, b: Ring, c: Ring, n: Ring = 1) -> tuple[Ring, Ring]:
+        """cos θ and sin θ/√n with a cos θ + b sin θ/√n + c = 0, n > 0: so a sine may stand for a vector √n as long as
+        the cosine's. Raises NoForm where both roots are one at home.
+        """
+        square = a * a * n + b * b
+        rest = _root(square - c * c * n) * -self._sign(b, self.at_home(a))
         part = inverse(square)
-        return -(a * c + b * rest) * part, (a * rest - b * c) * part
+        return -(a * c * n + b * rest) * part, (a * rest - b * c) * part
 
-    def slid(self, b: Ring, c: Ring, size: float) -> Ring:
-        """s with s² + 2 b s + c = 0, lengths like `size`. Raises NoForm where both roots are one at home."""
-        return root(b * b - c) * self._sign(b, size) - b
+    def slid(self, b: Ring, c: Ring, size: float, n: Ring = 1) -> Ring:
+        """s with n s² + 2 b s + c = 0, b like `size`. Raises NoForm where both roots are one at home."""
+        return (_root(b * b - c * n) * self._sign(b, size) - b) * inverse(n)
 
     def _sign(self, b: Ring, beside: float) -> int:
         value = self.at_home(b)
