@@ -14,7 +14,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 
-__all__ = ["Methods", "method", "on_six_legs"]
+__all__ = ["Methods", "has_six_legs", "method", "on_six_legs"]
 
 Answer = TypeVar("Answer")
 Methods = Mapping[type[Mechanism], Callable[..., Answer]]
@@ -32,3 +32,12 @@ def on_six_legs(found: Mechanism, what: str) -> SixLegs:
         return found.six_legs()
     except InputError as fault:
         raise InputError(f"{what} is for platforms on six legs; {fault.message}", hint=fault.hint) from None
+
+
+def has_six_legs(found: Mechanism) -> bool:
+    """Whether the mechanism is a platform on six legs, or a robot whose limbs are six legs."""
+    try:
+        found.six_legs()
+    except InputError:
+        return False
+    return True

@@ -110,6 +110,7 @@ FORMS: dict[str, Forms] = {
         },
     ),
     "gcrules.poses.loci.report.Locus": _result("locus"),
+    "gcrules.poses.loci.limb_report.RobotLocus": _result("robot_locus"),
 }
 
 

@@ -47,12 +47,15 @@ def locus(
 
     \b
     gcrules locus robot.yaml
+    gcrules locus 3-rpr --over x,y --at "yaw=90deg"
     gcrules locus robot.yaml --over translation --at "0 0 0; euler zyx 90 0 0 deg"
     gcrules locus robot.yaml --fix "e1=0, e2=0" --json
     gcrules locus robot.yaml --rotation rodrigues --export maple -o locus.mpl
 
     The variables are x, y, z (the translation in the file's unit) and those of the rotation. "-" reads the file from
-    standard input; the id of a robot with six legs, as of "gcrules robot list", does as well.
+    standard input; the id of a robot, as of "gcrules robot list", does as well. For robots of joints that are not six
+    legs there is a polynomial for each factor of the condition, multiplied over all working modes; their variables are
+    x, y, z and t_roll, t_pitch, t_yaw, tangents of half the angles, and --at names coordinates, "z=1/2, yaw=30deg".
     """
     if export is not None and (out.json or out.latex):
         raise click.UsageError("--export excludes --json and --latex.")

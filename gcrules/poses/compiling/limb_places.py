@@ -57,14 +57,24 @@ class LimbPlaces:
         self.home = at_home(self.m)
         self.centre = near(self.m.centre, _ROUNDED * self.size)
         self.sorts = self.m.robot.family.sorts
+        self.solved_for: dict[int, str] = {}
+        """What each root places, by its node."""
         self.shift, self.turn = self._pose()
+        self._note_roots("yaw")
         self.known: dict[str, Vector] = {}
 
     def at(self, name: str) -> Vector:
         """Where a point or direction of the robot is."""
         if name not in self.known:
             self.known[name] = self._place(name)
+            self._note_roots(name)
         return self.known[name]
+
+    def _note_roots(self, name: str) -> None:
+        """Roots that have been made since are of the equation that places this name."""
+        for n, (op, _, _) in enumerate(self.graph.nodes):
+            if op == "sqrt":
+                self.solved_for.setdefault(n, name)
 
     # --- the platform ---
 

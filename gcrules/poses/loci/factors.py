@@ -1,7 +1,8 @@
 r"""Factors of the polynomial over the rationals, each proved irreducible.
 
 A polynomial is irreducible if it is so on one rational line on which its degree does not fall; by Hilbert's theorem
-almost every line tells. So large polynomials need no search, and sympy's is left for small ones.
+almost every line tells, and on it mostly the degrees of factors modulo a few primes. So large polynomials need no
+search, and sympy's is left for small ones.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from gcrules.core.budget import checkpoint
@@ -22,6 +24,7 @@ MAX_TERMS = 300
 """Polynomials of more terms that are reducible on lines are not factored by search."""
 
 LINES = 4
+_PRIMES = (101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151, 157, 163, 167, 173, 179, 181, 191, 193, 197)
 _SPREAD = 50  # lines go through points with whole coordinates up to this
 
 
@@ -115,19 +118,61 @@ def _irreducible(p: Any, limit: int) -> Iterator[tuple[Any, int]]:
 
 def _degrees_on_a_line(p: Any, seed: int) -> tuple[int, ...]:
     """The degrees of the factors on a random line; () where the degree falls there."""
-    from sympy import Poly, Symbol
-    from sympy.polys.domains import QQ
-    from sympy.polys.polyfuncs import interpolate
-
     rng = random.Random(seed)
     start, along = ([rng.randint(-_SPREAD, _SPREAD) for _ in p.ring.gens] for _ in range(2))
     degree = max(map(sum, p.monoms()))
-    s = Symbol("s")
-    values = []
+    row = []
     for k in range(degree + 1):
         at = [a + k * v for a, v in zip(start, along, strict=True)]
-        values.append((k, int(p.evaluate(list(zip(p.ring.gens, at, strict=True))))))
-    line = Poly(interpolate(values, s), s, domain=QQ)
-    if line.degree() < degree:
+        row.append(int(p.evaluate(list(zip(p.ring.gens, at, strict=True)))))
+    line = _interpolated(row)
+    if not line[0]:
         return ()
-    return tuple(f.degree() for f, n in line.factor_list()[1] for _ in range(n))
+    if _irreducible_modulo(line):
+        return (degree,)
+    from sympy import Poly, Symbol
+    from sympy.polys.domains import ZZ
+
+    return tuple(f.degree() for f, n in Poly(line, Symbol("s"), domain=ZZ).factor_list()[1] for _ in range(n))
+
+
+def _interpolated(values: Sequence[int]) -> list[int]:
+    """Whole coefficients, highest first, of a multiple of the polynomial with these values at 0, 1, 2 …"""
+    differences, row = [], list(values)
+    while row:
+        checkpoint()
+        differences.append(row[0])
+        row = [b - a for a, b in pairwise(row)]
+    last = len(differences) - 1
+    found = [differences[last]]  # Newton's form, from inside: f = Δ_k + (s − k)/(k + 1) f, times (k + 1) … last
+    times = 1
+    for k in range(last - 1, -1, -1):
+        times *= k + 1
+        found = [a - k * b for a, b in zip([*found, 0], [0, *found], strict=True)]
+        found[-1] += differences[k] * times
+    return found
+
+
+def _irreducible_modulo(line: Sequence[int]) -> bool:
+    """Whether degrees of factors modulo some primes prove a polynomial irreducible: no sum of some of them is left
+    that is possible modulo each.
+    """
+    from sympy.polys.domains import ZZ
+    from sympy.polys.galoistools import gf_ddf_zassenhaus, gf_from_int_poly, gf_monic, gf_sqf_p
+
+    degree = len(line) - 1
+    every = 1 | 1 << degree
+    possible = (1 << degree + 1) - 1
+    for prime in _PRIMES:
+        checkpoint()
+        f = gf_from_int_poly([ZZ(c) for c in line], prime)
+        if len(f) != len(line) or not gf_sqf_p(f, prime, ZZ):
+            continue
+        sums = 1
+        for g, n in gf_ddf_zassenhaus(gf_monic(f, prime, ZZ)[1], prime, ZZ):
+            for _ in range((len(g) - 1) // n):
+                sums |= sums << n
+        possible &= sums
+        if possible == every:
+            return True
+    return False

@@ -13,7 +13,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
+from math import lcm
 from typing import TYPE_CHECKING, Any
 
 from gcrules.core.budget import checkpoint
@@ -43,10 +45,14 @@ class PolynomialForm:
     @classmethod
     def of(cls, p: Any) -> PolynomialForm:
         """That of an element of a ring of sympy, highest degree first."""
-        terms = sorted(p.terms(), key=lambda t: (-sum(t[0]), tuple(-n for n in t[0])))
-        return cls(tuple(map(str, p.ring.symbols)), tuple((tuple(map(int, e)), int(c)) for e, c in terms))
+        return cls.ordered(tuple(map(str, p.ring.symbols)), ((tuple(map(int, e)), int(c)) for e, c in p.terms()))
 
-    @property
+    @classmethod
+    def ordered(cls, names: tuple[str, ...], terms: Iterable[tuple[tuple[int, ...], int]]) -> PolynomialForm:
+        """That of terms in any order, highest degree first."""
+        return cls(names, tuple(sorted(terms, key=lambda t: (-sum(t[0]), tuple(-n for n in t[0])))))
+
+    @cached_property
     def degree(self) -> int:
         """The total degree; −1 for 0."""
         return self.degree_in(self.variables)
@@ -63,9 +69,24 @@ class PolynomialForm:
 
     def __call__(self, values: Sequence[Any]) -> Any:
         """The value; exact for integers and Fractions, one for each variable."""
+        if any(isinstance(v, Fraction) for v in values) and all(isinstance(v, int | Fraction) for v in values):
+            below = lcm(*(v.denominator for v in values))
+            return Fraction(self.scaled([int(v * below) for v in values], below), below ** max(self.degree, 0))
+        return self._value(values)
+
+    def scaled(self, values: Sequence[int], below: int) -> int:
+        """The value at values/below, times below to the power of the degree: a whole number."""
+        powers = [1]
+        for _ in range(self.degree):
+            powers.append(powers[-1] * below)
+        found = self._value(values, powers)
+        return int(found)
+
+    def _value(self, values: Sequence[Any], below: Sequence[int] | None = None) -> Any:
+        degree = self.degree
         powers = [[1] for _ in self.variables]
         for row, v in zip(powers, values, strict=True):
-            for _ in range(self.degree):
+            for _ in range(degree):
                 row.append(row[-1] * v)
         total: Any = 0
         for exponents, c in self.terms:
@@ -73,6 +94,8 @@ class PolynomialForm:
             for row, n in zip(powers, exponents, strict=True):
                 if n:
                     c = c * row[n]
+            if below is not None:
+                c = c * below[degree - sum(exponents)]
             total = total + c
         return total
 

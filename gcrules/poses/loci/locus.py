@@ -1,4 +1,4 @@
-r"""From a robot to the polynomial of its singular poses.
+r"""From a robot to the polynomial of its singular poses: of six legs here, of joints in `limb_locus`.
 
 >>> from gcrules.mechanisms.description.platform_file import parse_platform
 >>> robot = parse_platform('''
@@ -25,16 +25,20 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.errors import EngineFault
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import DRAWN, PRIME, drawn
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.moving_platform import MovingPlatform
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.loci.expansion import Terms, expansion
 from gcrules.poses.loci.factors import MAX_TERMS, primitive
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.known import rational_ring
+from gcrules.poses.loci.limb_locus import limb_locus
+from gcrules.poses.loci.limb_report import RobotLocus
 from gcrules.poses.loci.report import Locus
 from gcrules.poses.loci.variables import images, question
-from gcrules.poses.methods import on_six_legs
+from gcrules.poses.methods import Methods, has_six_legs, method
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
 from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import Quaternion, Vector
@@ -54,18 +58,38 @@ def locus(
     rotation: str = "quaternion",
     about: str | Sequence[Any] = "centroid",
     limit: int = MAX_TERMS,
-) -> Locus:
+) -> Locus | RobotLocus:
     """The polynomial whose zeros are the robot's singular poses, exact, with degrees and factors (a `Locus`).
 
-    `source` and `about` are those of `pose`, for platforms on six legs. The variables are x, y, z, the translation, and
+    `source` and `about` are those of `pose`. For platforms on six legs the variables are x, y, z, the translation, and
     those of the `rotation`: "quaternion" (e0, e1, e2, e3, of any length), "rodrigues" (c1, c2, c3 = e1/e0, e2/e0,
     e3/e0), or a sequence of Euler angles such as "zyx" (t1, t2, t3, tangents of the half angles). `over` names those
     that stay free ("x, y", or "translation", "rotation", "all"), `fix` gives values to others ("x=0, e1=1/2", or a
     mapping), and the rest is taken from the pose `at`, text or a `Pose`; without `over` all that is not fixed is free.
     Polynomials of up to `limit` terms are searched for factors where no proof decides. Raises InputError for unknown
     variables, where nothing is free, and for degenerate robots.
+
+    Of other robots of joints it is a `RobotLocus`: a polynomial for each factor of the condition, multiplied over all
+    working modes. Its variables are coordinates that determine the pose, x, y, z and t_roll, t_pitch, t_yaw, the
+    tangents of half the angles ("yaw" names t_yaw too); `at` gives others by their names ("z=1/2, yaw=30deg"), and
+    those that are not named are 0. Raises InputError where the loops cannot be eliminated, with what to use instead, and
+    LimitReached where that makes too large polynomials.
     """
-    m = on_six_legs(mechanism(source, about=about), "the locus")
+    m = mechanism(source, about=about)
+    if has_six_legs(m):
+        return _locus(m.six_legs(), over, fix, at, rotation, limit)
+    return method(_METHODS, m, "the locus")(over, fix, at, rotation, limit)
+
+
+def _locus(
+    m: SixLegs,
+    over: str | Sequence[str] | None,
+    fix: str | Mapping[str, Any] | None,
+    at: str | Pose | None,
+    rotation: str,
+    limit: int,
+) -> Locus:
+    """That of a platform on six legs."""
     moving = m.rig
     asked = question(over, fix, at, rotation, moving.unit)
     ring = rational_ring(asked.free)
@@ -93,6 +117,9 @@ def locus(
     )
     _check(found, shift, turn)
     return found
+
+
+_METHODS: Methods[Locus | RobotLocus] = {SixLegs: _locus, Limbs: limb_locus}
 
 
 def _fraction(c: Any) -> Fraction:

@@ -20,7 +20,7 @@ from gcrules.poses.numbers.pose_arguments import read_one
 from gcrules.screws.pose import Pose, exact, read_number
 from gcrules.screws.rotations import Quaternion, check_sequence, product
 
-__all__ = ["Question", "images", "question"]
+__all__ = ["Question", "images", "question", "read_fixed", "read_free"]
 
 TRANSLATION = ("x", "y", "z")
 ROTATIONS = {"quaternion": ("e0", "e1", "e2", "e3"), "rodrigues": ("c1", "c2", "c3")}
@@ -71,9 +71,9 @@ def question(
     """
     turning = _turning(rotation)
     names = (*TRANSLATION, *turning)
-    fixed = _fixed(fix, names)
+    fixed = read_fixed(fix, names)
     groups = {"translation": TRANSLATION, "rotation": turning, "all": names}
-    free = [n for n in names if n not in fixed] if over is None else _free(over, names, groups)
+    free = [n for n in names if n not in fixed] if over is None else read_free(over, names, groups)
     both = [n for n in free if n in fixed]
     if both:
         raise InputError(f"{', '.join(both)} cannot be free and fixed")
@@ -118,7 +118,8 @@ def _known(name: str, names: Sequence[str]) -> str:
     return name
 
 
-def _free(over: str | Sequence[str], names: Sequence[str], groups: Mapping[str, Sequence[str]]) -> list[str]:
+def read_free(over: str | Sequence[str], names: Sequence[str], groups: Mapping[str, Sequence[str]]) -> list[str]:
+    """The free variables, in the order of all names; `groups` are names of several. Raises InputError."""
     words = re.split(r"[\s,]+", over.strip()) if isinstance(over, str) else list(over)
     found = [n for word in words for n in groups.get(word, (word,)) if word]
     for n in found:
@@ -129,7 +130,8 @@ def _free(over: str | Sequence[str], names: Sequence[str], groups: Mapping[str, 
     return [n for n in names if n in found]
 
 
-def _fixed(fix: str | Mapping[str, Any] | None, names: Sequence[str]) -> dict[str, Fraction]:
+def read_fixed(fix: str | Mapping[str, Any] | None, names: Sequence[str]) -> dict[str, Fraction]:
+    """The values that variables are given. Raises InputError."""
     if isinstance(fix, str):
         parts = [part.split("=") for part in re.split(r"[,;]", fix) if part.strip()]
         wrong = next(("=".join(part) for part in parts if len(part) != 2), None)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from textwrap import fill
 
 from gcrules.core.errors import LimitReached
@@ -11,7 +12,7 @@ from gcrules.poses.loci.variables import TRANSLATION
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.text_tables import WIDTH, table
 
-__all__ = ["as_latex", "as_text", "form_latex"]
+__all__ = ["SHOWN", "as_latex", "as_text", "counted", "degrees_text", "form_latex", "size_text"]
 
 SHOWN = 40
 """Polynomials of more terms are not printed with the summary."""
@@ -32,8 +33,8 @@ def as_text(found: Locus, *, unicode: bool = False) -> str:
     norm = f" {times} ".join(f"({n})^3" for n in found.norms)
     rows += [
         ("identity", f"{norm + f' {times} ' if norm else ''}superbracket = {coefficient}"),
-        ("P", f"{_count(len(found.form.terms), 'term')}, coefficients of {_count(found.form.digits, 'digit')} at most"),
-        ("degrees", _degrees(found)),
+        ("P", size_text(found.form)),
+        ("degrees", degrees_text(found.degrees)),
         ("factors", _factors(found)),
         _checked(found),
     ]
@@ -45,7 +46,7 @@ def as_text(found: Locus, *, unicode: bool = False) -> str:
     return "\n".join([head, "", *table(rows), "", end])
 
 
-def _count(n: int, what: str) -> str:
+def counted(n: int, what: str) -> str:
     return f"{n} {what}{'s' * (n != 1)}"
 
 
@@ -71,8 +72,14 @@ def _centre(found: Locus) -> str:
     return f"the platform turns about {', '.join(map(str, c)) if any(c) else 'the origin'}"
 
 
-def _degrees(found: Locus) -> str:
-    degrees = dict(found.degrees)
+def size_text(form: PolynomialForm) -> str:
+    """How long a polynomial is."""
+    return f"{counted(len(form.terms), 'term')}, coefficients of {counted(form.digits, 'digit')} at most"
+
+
+def degrees_text(found: Mapping[str, int]) -> str:
+    """The degrees of a locus in one line."""
+    degrees = dict(found)
     total = degrees.pop("total")
     groups = [f"{degrees.pop(g)} in the {g}" for g in ("translation", "rotation") if g in degrees]
     each = ", ".join(f"{n} {d}" for n, d in degrees.items())

@@ -1,0 +1,93 @@
+r"""From a robot of joints to the polynomials of its singular configurations.
+
+>>> from gcrules.mechanisms.mechanism import mechanism
+>>> found = limb_locus(mechanism("3-rpr"), "x, y", None, "yaw=90deg", "quaternion", 300)
+>>> print(found.parts[0].form)
+450*x^2 - 126*x*y + 324*y^2 - 279*x + 525*y - 3959
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from gcrules.core.errors import LimitReached
+from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.loci.closed_form import ClosedFactor, closed_form
+from gcrules.poses.loci.elimination import Eliminated, Norm, eliminated
+from gcrules.poses.loci.factors import PossibleFactor, factored
+from gcrules.poses.loci.form import PolynomialForm
+from gcrules.poses.loci.known import whole_ring
+from gcrules.poses.loci.limb_question import LimbQuestion, limb_question
+from gcrules.poses.loci.limb_report import LocusPart, RobotLocus, RobotLocusFactor
+from gcrules.poses.loci.working_modes import CHECKS, Modes
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import SHIFTS
+
+__all__ = ["limb_locus"]
+
+
+def limb_locus(
+    m: Limbs,
+    over: str | Sequence[str] | None,
+    fix: str | Mapping[str, Any] | None,
+    at: str | Mapping[str, Any] | Pose | None,
+    rotation: str,
+    limit: int,
+) -> RobotLocus:
+    """The locus of a robot of joints; arguments as those of `locus`.
+
+    Raises InputError for what is no question about its coordinates, and where its loops are not eliminated;
+    LimitReached where that makes too large polynomials.
+    """
+    asked = limb_question(m.linkage, over, fix, at, rotation)
+    form = closed_form(m, asked.coordinates)
+    norms = eliminated(form, asked)
+    modes = Modes(form, asked, norms, m.linkage.size)
+    parts = []
+    for factor, norm in zip(form.factors, norms.norms, strict=True):
+        if norm.form.terms:
+            modes.check(factor, norm)
+        parts.append(_part(modes, factor, norm, norms, asked, limit))
+    return RobotLocus(
+        robot=m.robot,
+        question=asked,
+        centre=form.centre,
+        parts=tuple(parts),
+        roots=norms.roots,
+        checked=FrozenMap({"configurations": form.compared, "norms": CHECKS}),
+        limit=limit,
+    )
+
+
+def _part(
+    modes: Modes, factor: ClosedFactor, norm: Norm, every: Eliminated, asked: LimbQuestion, limit: int
+) -> LocusPart:
+    found: tuple[RobotLocusFactor, ...] | None = ()
+    undecided = ("", "")
+    if norm.form.terms:
+        ring = whole_ring(asked.free)
+        turns = [PossibleFactor("norm", "", 1 + x**2) for x in ring.gens if str(x) not in SHIFTS]
+        try:
+            irreducible = factored(ring.from_dict(dict(norm.form.terms)), turns, limit)
+            forms = [(kind, name, PolynomialForm.of(f), times) for kind, name, f, times in irreducible]
+            found = tuple(
+                RobotLocusFactor(kind, name, p, times, modes.sightings(factor, norm, p))
+                for kind, name, p, times in forms
+            )
+        except LimitReached as fault:
+            if not fault.hint or "--limit" not in fault.hint:
+                raise
+            found, undecided = None, (fault.message, fault.hint)
+    return LocusPart(
+        factor.expression,
+        factor.kind,
+        factor.statement,
+        norm.form,
+        norm.coefficient,
+        norm.below,
+        tuple(every.roots[k].name for k in norm.roots),
+        found,
+        undecided,
+    )

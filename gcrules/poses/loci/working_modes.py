@@ -1,0 +1,190 @@
+r"""Which working modes the factors of a locus belong to, seen at zeros of them; and the norms computed a second time.
+
+A working mode is a choice of sign for each root, + being home's. On random lines through home's surroundings the real
+zeros of a factor are bisected, and there the factor of the condition is computed from the joints' places in long
+decimals, for every choice of signs: it vanishes in the modes to which the zero belongs, unless a radicand is negative
+there. That is seen at the zeros that were met, and proves nothing of others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise, product
+from math import lcm
+from typing import Any
+
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import EngineFault
+from gcrules.core.seeds import drawn
+from gcrules.poses.loci.closed_form import ClosedFactor, ClosedForm
+from gcrules.poses.loci.elimination import Eliminated, Norm
+from gcrules.poses.loci.form import PolynomialForm
+from gcrules.poses.loci.limb_question import LimbQuestion
+from gcrules.screws.pose_text import SHIFTS
+
+__all__ = ["CHECKS", "Modes", "Sightings"]
+
+CHECKS = 3  # poses at which norms are computed again
+_DIGITS = 80
+_SAME = 40  # digits that have to agree
+_LINES = 10
+_STEPS = 24  # of a line to each side
+_ZEROS = 12  # that are looked at
+_RUNS = 600  # of the closed form, for one factor
+_NEAR = 10**-7  # of a zero, in parts of the line
+_VANISHES = 1e-12  # of the value that near
+
+
+@dataclass(frozen=True)
+class Sightings:
+    """At how many real zeros of a factor modes were looked for (`zeros`), at how many of them the robot is assembled
+    and singular in some mode, and the modes: a sign for each root.
+    """
+
+    zeros: int
+    assembled: int
+    modes: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Modes:
+    """The working modes of a robot over the free variables; lengths are like `size`."""
+
+    form: ClosedForm
+    question: LimbQuestion
+    eliminated: Eliminated
+    size: float
+
+    def signs(self, norm: Norm) -> Iterator[tuple[int, ...]]:
+        """All choices of signs of the norm's roots, home's first."""
+        return product((1, -1), repeat=len(norm.roots))
+
+    def value(self, factor: ClosedFactor, norm: Norm, signs: Sequence[int], at: Sequence[Any]) -> Any:
+        """The factor of the condition in a mode, complex where a radicand is negative."""
+        from mpmath import mp, mpf
+
+        by = dict(zip(norm.roots, signs, strict=True))
+        free = dict(zip(self.question.free, at, strict=True))
+        known = {n: mpf(c.numerator) / c.denominator for n, c in self.question.fixed.items()} | free
+        inputs = [known[n] for n in self.question.variables]
+
+        def root(node: int, x: Any) -> Any:
+            return mp.sqrt(x) * by.get(self.eliminated.numbers.get(node, -1), 1)
+
+        above, below = self.form.values(inputs, root, lambda x: 1 / x, [factor.value, factor.over])
+        return above / below
+
+    def check(self, factor: ClosedFactor, norm: Norm) -> None:
+        """Two roads: the product over all modes in long decimals. Raises EngineFault where it is another number."""
+        from mpmath import mp, mpf
+
+        rng = drawn("norm", factor.expression, str(norm.coefficient))
+        for _ in range(CHECKS):
+            checkpoint()
+            exact = [Fraction(rng.randint(-(1 << 30), 1 << 30), 1 << 30) * self._reach(n) for n in self.question.free]
+            with mp.workdps(_DIGITS):
+                at = [mpf(x.numerator) / x.denominator for x in exact]
+                found = mpf(1)
+                for signs in self.signs(norm):
+                    found *= self.value(factor, norm, signs, at)
+                expected = norm.coefficient * norm.form(exact)
+                for p, n in norm.below:
+                    expected /= p(exact) ** n
+                wanted = mpf(expected.numerator) / expected.denominator
+                if abs(found - wanted) > mpf(10) ** -_SAME * abs(wanted):
+                    raise EngineFault(f"the product of {factor.expression} over the working modes is another number")
+
+    def _reach(self, name: str) -> Fraction:
+        """How far lines go: a whole number of lengths, so that points have short coordinates; 1 for half-tangents."""
+        return max(Fraction(round(self.size * 16), 16), Fraction(1, 16)) * 2 if name in SHIFTS else Fraction(1)
+
+    def sightings(self, factor: ClosedFactor, norm: Norm, p: PolynomialForm) -> Sightings:
+        """The modes of an irreducible factor of the norm, where zeros of it are met."""
+        from mpmath import mp
+
+        zeros = assembled = 0
+        modes: dict[str, None] = {}
+        most = max(2, min(_ZEROS, _RUNS >> len(norm.roots)))
+        with mp.workdps(_DIGITS + 4 * p.degree):
+            for at, near in self._zeros(p):
+                there = [m for m in self.signs(norm) if self._vanishes(factor, norm, m, at, near)]
+                modes |= dict.fromkeys("".join("+" if s > 0 else "-" for s in m) for m in there)
+                zeros, assembled = zeros + 1, assembled + bool(there)
+                if zeros >= most:
+                    break
+        return Sightings(zeros, assembled, tuple(sorted(modes)))
+
+    def _vanishes(self, factor: ClosedFactor, norm: Norm, signs: Sequence[int], at: Any, near: Any) -> bool:
+        from mpmath import mpc
+
+        try:
+            here, beside = (self.value(factor, norm, signs, x) for x in (at, near))
+        except ZeroDivisionError:
+            return False
+        real = not isinstance(here, mpc) and not isinstance(beside, mpc)
+        return bool(real and abs(here) <= _VANISHES * abs(beside))
+
+    def _zeros(self, p: PolynomialForm) -> Iterator[tuple[list[Any], list[Any]]]:
+        """Points where the polynomial changes its sign on random lines, and points a little beside."""
+        from mpmath import mpf
+
+        rng = drawn("lines", str(p.terms[:3]))
+        alone = len(p.variables) == 1
+        reach = [self._reach(n) for n in p.variables]
+        for _ in range(1 if alone else _LINES):
+            parts = [(rng.randint(-32, 32), rng.choice((-1, 1)) * rng.randint(32, 128)) for _ in reach]
+            rows = zip(*([(0, 128)] if alone else parts), strict=True)
+            start, along = ([Fraction(c, 128) * r for c, r in zip(row, reach, strict=True)] for row in rows)
+            differences = _differences(p, start, along)
+
+            def value(t: Any, differences: Sequence[Any] = differences) -> Any:
+                found = mpf(0)
+                for k in range(len(differences) - 1, -1, -1):
+                    found = found * (t - k) / (k + 1) + differences[k]
+                return found
+
+            def point(t: Any, start: Any = start, along: Any = along) -> list[Any]:
+                return [
+                    mpf(a.numerator) / a.denominator + t * v.numerator / v.denominator
+                    for a, v in zip(start, along, strict=True)
+                ]
+
+            steps = [mpf(k) / _STEPS for k in range(-_STEPS, _STEPS + 1)]
+            values = [value(t) for t in steps]
+            for left, right, low, high in zip(steps, steps[1:], values, values[1:], strict=False):
+                checkpoint()
+                if low * high < 0:
+                    t = _bisected(value, left, right, low)
+                    yield point(t), point(t + mpf(_NEAR))
+
+
+def _differences(p: PolynomialForm, start: Sequence[Fraction], along: Sequence[Fraction]) -> list[Any]:
+    """Δᵏf(0), long decimals of whole numbers, of a positive multiple f(t) of p(start + t along): Newton's form
+    f(t) = Σ Δᵏ (t over k).
+    """
+    from mpmath import mpf
+
+    below = lcm(*(c.denominator for c in (*start, *along)))
+    first, step = ([int(c * below) for c in row] for row in (start, along))
+    row = [p.scaled([a + k * v for a, v in zip(first, step, strict=True)], below) for k in range(p.degree + 1)]
+    found = []
+    while row:
+        checkpoint()
+        found.append(mpf(row[0]))
+        row = [b - a for a, b in pairwise(row)]
+    return found
+
+
+def _bisected(value: Any, left: Any, right: Any, low: Any) -> Any:
+    for _ in range(110):
+        middle = (left + right) / 2
+        here = value(middle)
+        if here == 0:
+            return middle
+        if (here < 0) == (low < 0):
+            left = middle
+        else:
+            right = middle
+    return (left + right) / 2

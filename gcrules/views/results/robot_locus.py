@@ -1,0 +1,123 @@
+"""The locus of a robot of joints as text and as LaTeX."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from textwrap import fill
+
+from gcrules.poses.loci.form import PolynomialForm
+from gcrules.poses.loci.limb_report import LocusPart, RobotLocus, RobotLocusFactor
+from gcrules.poses.loci.polynomial import degrees_of
+from gcrules.poses.loci.variables import TRANSLATION
+from gcrules.views.results.locus import SHOWN, counted, degrees_text, form_latex, size_text
+from gcrules.views.text_tables import WIDTH, table
+
+__all__ = ["as_latex", "as_text"]
+
+_HEAD = (
+    "Each polynomial is the product of a factor of the condition over all working modes. Every singular pose is a zero"
+    " of one of them; a zero is singular in one of the working modes, unless its root is not real there."
+)
+_ALONE = (
+    "Each polynomial is a factor of the condition. A pose is singular exactly where one of them is 0, as far as no limb"
+    " is singular by itself."
+)
+
+
+def as_text(found: RobotLocus, *, unicode: bool = False) -> str:
+    """The summary, and polynomials that are short."""
+    lines = [fill(_HEAD if found.roots else _ALONE, WIDTH), "", *table(list(_rows(found)))]
+    for number, part in enumerate(found.parts, 1):
+        name = _name(found, number)
+        lines += ["", *table(list(_part(part, name, len(found.roots), unicode)))]
+        lines += [""] if part.form.terms else []
+        if len(part.form.terms) > SHOWN:
+            lines.append(f"{name} is long: --export sympy (or maple, singular), --json or --latex prints it.")
+        elif part.form.terms:
+            lines.append(fill(f"{name} = {part.form}", WIDTH, subsequent_indent="    ", break_long_words=False))
+    return "\n".join(lines)
+
+
+def _name(found: RobotLocus, number: int) -> str:
+    return "P" if len(found.parts) == 1 else f"P{number}"
+
+
+def _rows(found: RobotLocus) -> Iterator[tuple[str, str]]:
+    q = found.question
+    shift = [n for n in q.free if n in TRANSLATION]
+    turn = [n for n in q.free if n not in TRANSLATION]
+    parts = [f"{', '.join(shift)}: shift of the centre"] if shift else []
+    if turn:
+        angles = ", ".join(n.removeprefix("t_") for n in turn)
+        parts.append(f"{', '.join(turn)}: tangent{'s' * (len(turn) > 1)} of half of {angles} (infinite for 180 deg)")
+    yield "variables", "; ".join(parts)
+    if q.fixed:
+        yield "fixed", ", ".join(f"{n} = {c}" for n, c in q.fixed.items())
+    yield "centre", f"the platform turns about {', '.join(map(str, found.centre))}"
+    for root in found.roots:
+        yield "root", f"{root.name} tells apart two places of {root.places}; {root.name}^2 = {_short(root.radicand)}"
+    c = found.checked
+    norms = f"; products over the working modes at {c['norms']} poses, to 40 digits" if found.roots else ""
+    yield "checked", f"places against the joints in {c['configurations']} configurations{norms}"
+
+
+def _short(form: PolynomialForm) -> str:
+    if len(form.terms) <= SHOWN // 4:
+        return str(form)
+    return f"one of degree {form.degree} with {len(form.terms)} terms"
+
+
+def _part(part: LocusPart, name: str, roots: int, unicode: bool) -> Iterator[tuple[str, str]]:
+    times = "·" if unicode else "*"
+    yield "factor", f"{part.expression} ({part.kind}): {part.statement}"
+    if part.vanishes:
+        yield name, "0: it vanishes at each of these poses, in some working mode"
+        return
+    product = f"product over {2 ** len(part.roots)} working modes of the factor" if part.roots else "factor"
+    coefficient = f"({part.coefficient}) {times} {name}" if part.coefficient != 1 else name
+    below = f" {times} ".join(f"({_short(p)})^{n}" for p, n in part.below)
+    yield "identity", f"{product} = {coefficient}{f' / ({below})' if below else ''}"
+    if roots:
+        yield "roots", ", ".join(part.roots) or "none"
+    yield name, size_text(part.form)
+    yield "degrees", degrees_text(degrees_of(part.form))
+    if part.found is None:
+        yield "factors", f"not decided: {part.undecided[0]}; {part.undecided[1]}"
+    elif not part.found:
+        yield "factors", "none: it vanishes nowhere"
+    else:
+        single = len(part.found) == 1 and part.found[0].multiplicity == 1
+        for f in part.found:
+            yield "factors" if f is part.found[0] else "", _factor(f, single, bool(part.roots))
+
+
+def _factor(f: RobotLocusFactor, single: bool, roots: bool) -> str:
+    power = f", to the power {f.multiplicity}" if f.multiplicity > 1 else ""
+    if f.kind == "norm":
+        return f"{f.form} (never 0){power}"
+    what = "none: it is irreducible over the rationals" if single else f"{_short(f.form)}{power}"
+    return f"{what}; {_modes(f)}" if roots else what
+
+
+def _modes(f: RobotLocusFactor) -> str:
+    """In which modes zeros of it were met."""
+    seen = f.seen
+    if not seen.zeros:
+        return "no real zeros were met"
+    if not seen.assembled:
+        return f"of {counted(seen.zeros, 'zero')} that {'was' if seen.zeros == 1 else 'were'} met none is assembled"
+    modes = f"{', '.join(seen.modes)} (signs of the roots, home's are +)"
+    where = "at all" if seen.assembled == seen.zeros else f"at {seen.assembled}"
+    return f"{where} of {counted(seen.zeros, 'zero')} met the robot is singular, in the working modes {modes}"
+
+
+def as_latex(found: RobotLocus) -> str:
+    """The polynomial without dollar signs, several as a product of their forms; long ones are `aligned`."""
+    if len(found.parts) == 1:
+        return form_latex(found.parts[0].form)
+    rows = (f"P_{{{n}}} &= {_inner(part.form)}" for n, part in enumerate(found.parts, 1))
+    return "\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}"
+
+
+def _inner(form: PolynomialForm) -> str:
+    return form_latex(form)
