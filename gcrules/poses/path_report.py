@@ -26,7 +26,7 @@ from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
-from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.path import HOME, path_of_limbs
@@ -47,7 +47,7 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import decide
 
-__all__ = ["MAX_SAMPLES", "path", "path_of_legs"]
+__all__ = ["MAX_SAMPLES", "path", "path_of", "path_of_legs"]
 
 MAX_SAMPLES = 200_000
 
@@ -72,7 +72,17 @@ def path(
     of them; stretches in which nothing is proved are listed. Raises InputError for what is no path and for degenerate
     robots.
     """
-    return method(_PATH, mechanism(source, about=about), "a path")(poses, samples, threshold)
+    return path_of(mechanism(source, about=about), poses, samples, threshold)
+
+
+def path_of(
+    found: Mechanism,
+    poses: str | PathLike[str] | Sequence[Any],
+    samples: int = SAMPLES,
+    threshold: str | Threshold = DEFAULT.text,
+) -> PathReport | RobotPath:
+    """The path of a mechanism; arguments and errors as for `path`."""
+    return method(_PATH, found, "a path")(poses, samples, threshold)
 
 
 def _of_limbs(

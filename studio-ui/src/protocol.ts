@@ -292,6 +292,31 @@ export interface AlongArgs {
   threshold?: string;
 }
 
+/** From `start` (home without it) to `goal`, or to the pose that the text `to` names. */
+export interface PathArgs {
+  source: Source;
+  start?: Pose;
+  goal: Pose;
+  to?: string;
+  threshold?: string;
+}
+
+/** Over two coordinates with their ranges ("x -1:1:21"), the others as they are at the pose. */
+export interface MapArgs {
+  source: Source;
+  over: [string, string];
+  pose: Pose;
+  threshold?: string;
+}
+
+/** The pose at a place of that map, in the units of its axes. */
+export interface PlaceArgs {
+  source: Source;
+  over: [string, string];
+  pose: Pose;
+  place: [number, number];
+}
+
 export interface ManualArgs {
   source: Source;
   commands: string[];
@@ -508,6 +533,8 @@ export interface Study {
   size: number;
   /** Independent coordinates: six for a platform; those of the robot's mobility otherwise. */
   axes: Axis[];
+  /** Coordinates of its pose, then its actuators, over which it can be mapped, with ranges to begin with. */
+  ranges: Axis[];
   /** The class of the catalog. */
   entry: Entry | null;
   /** SVG of the legs as a graph. Elements carry data-point="a" and data-leg="ab". */
@@ -642,6 +669,73 @@ export interface Cancelled {
   cancelled: boolean;
 }
 
+/** Where the axes are in a picture, as parts of its width and of its height from above. */
+export interface Frame {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+}
+
+export interface PathSample {
+  parameter: number;
+  margin: number;
+  /** null where it is not known that the sliders lead to this configuration from home. */
+  pose: Pose | null;
+}
+
+/** A singular place on a path, with what happens there, why, and what is gained, in sentences. */
+export interface PathPlace {
+  parameter: number;
+  /** The pose, as `gcrules pose --at` takes it. */
+  at: string;
+  words: string[];
+  sure: string;
+  pose: Pose | null;
+}
+
+export interface PathStretch {
+  start: number;
+  end: number;
+  /** Every pose is singular; else it is not decided whether one is. */
+  singular: boolean;
+  words: string[];
+}
+
+export interface PathAnswer {
+  verdict: Verdict;
+  reason: string;
+  svg: string;
+  frame: Frame;
+  /** The parameter of the last pose; that of the first is 0. */
+  end: number;
+  samples: PathSample[];
+  places: PathPlace[];
+  stretches: PathStretch[];
+  facts: FactItem[];
+}
+
+export type CellStatus = "free" | "crossed" | "undecided" | "outside";
+
+/** A map over two coordinates. Arrays run over the first axis, then over the second. */
+export interface MapAnswer {
+  axes: Axis[];
+  /** SVG in base64, "" where matplotlib is missing. */
+  picture: string;
+  frame: Frame;
+  /** σ at the nodes; null where the robot does not get. */
+  margin: ((number | null)[])[];
+  /** Of the cells between them. */
+  status: CellStatus[][];
+  guarantee: string;
+  statement: string;
+  facts: FactItem[];
+}
+
+export interface PlacedPose {
+  pose: Pose;
+}
+
 export interface Methods {
   hello: { args: NoArgs; result: Hello };
   gallery: { args: NoArgs; result: Gallery };
@@ -649,6 +743,9 @@ export interface Methods {
   pose: { args: PoseArgs; result: Numbers };
   along: { args: AlongArgs; result: Along };
   nearest: { args: PoseArgs; result: Nearest };
+  path: { args: PathArgs; result: PathAnswer };
+  map: { args: MapArgs; result: MapAnswer };
+  place: { args: PlaceArgs; result: PlacedPose };
   manual: { args: ManualArgs; result: Manual };
   bench: { args: BenchArgs; result: Bench };
   compose: { args: ComposeArgs; result: Composed };

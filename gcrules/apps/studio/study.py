@@ -10,12 +10,15 @@ from gcrules.algebra.language.text import text
 from gcrules.apps.studio.drawings import schematic
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.limbs import robot_view
-from gcrules.apps.studio.moving import actuator_axes
+from gcrules.apps.studio.moving import actuator_axes, coordinate_axes
 from gcrules.apps.studio.protocol.study_views import Axis, ConditionView, EntryView, Study
 from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.subject import Subject
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import report
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.methods import Methods, method
 from gcrules.rules.condition import Condition
 from gcrules.views.drawing.figures import distinct_entities
 from gcrules.views.report.scene_json import entity_data
@@ -41,6 +44,7 @@ def study(subject: Subject) -> Study:
         "about": subject.about,
         "size": subject.size,
         "axes": _axes(subject),
+        "ranges": method(_RANGES, subject.mechanism, "a map")(subject),
         "entry": _entry(a) if a else None,
         "schematic": schematic(a.structure) if a and a.structure.joined and a.structure.rank == 4 else "",
         "stages": stage_views(subject),
@@ -62,6 +66,17 @@ def _axes(subject: Subject) -> list[Axis]:
     shifts: list[Axis] = [{"name": n, "unit": unit, "low": -reach, "high": reach, "step": step} for n in "xyz"]
     turns: list[Axis] = [{"name": f"r{n}", "unit": "deg", "low": -90.0, "high": 90.0, "step": 0.1} for n in "xyz"]
     return shifts + turns
+
+
+def _ranges_of_legs(m: SixLegs, subject: Subject) -> list[Axis]:
+    """Three shifts and three turns; none where the platform has no numbers."""
+    return _axes(subject) if subject.moving else []
+
+
+_RANGES: Methods[list[Axis]] = {
+    SixLegs: _ranges_of_legs,
+    Limbs: lambda m, subject: coordinate_axes(m, subject.size),
+}
 
 
 def _entry(a: Analysis) -> EntryView | None:

@@ -30,6 +30,7 @@ from gcrules.core.seeds import drawn
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
+from gcrules.mechanisms.platform_analysis import with_platform
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.compiled import compiled
 from gcrules.poses.limbs.map_task import limbs_task
@@ -106,7 +107,8 @@ def _of_legs(m: SixLegs, over: Any, at: Any, limits: str | None, limit: Threshol
     axes = read_axes(over, m.unit)
     reached = parse_limits(limits, m.actuators, m.unit) if limits is not None else None
     g = grid(m.rig, axes, at)
-    condition = compiled(m.analysis, about=m.about)
+    known = m.analysis if m.analysis.platform is not None else with_platform(m.analysis, m.platform)
+    condition = compiled(known, about=m.about)
     moved = g.rotation_axis is not None
     everywhere = vanishes(g) if moved else not slice_polynomial(g)
     task = LegsTask(g, condition, measure, reached, None if moved else factors(g), everywhere)

@@ -25,7 +25,7 @@ from gcrules.poses.maps.report import SingularMap
 from gcrules.views.drawing.palette import LIGHT
 from gcrules.views.plots.map_surface import views
 
-__all__ = ["figure", "picture"]
+__all__ = ["figure", "framed", "picture"]
 
 Floats = NDArray[np.float64]
 
@@ -52,6 +52,19 @@ _MOST = 500  # nodes of each axis that are drawn
 
 def picture(m: SingularMap, kind: str) -> bytes:
     """The bytes of a picture: svg, pdf or png."""
+    return _saved(m, kind)[0]
+
+
+def framed(m: SingularMap) -> tuple[bytes, tuple[float, float, float, float]]:
+    """The picture of a map over two coordinates as SVG, and where the axes are in it: left and right as parts of its
+    width, top and bottom of its height.
+    """
+    found, made = _saved(m, "svg")
+    box = made.axes[0].get_position()
+    return found, (float(box.x0), float(box.x1), float(1 - box.y1), float(1 - box.y0))
+
+
+def _saved(m: SingularMap, kind: str) -> tuple[bytes, Figure]:
     out = BytesIO()
     with _SETTING, matplotlib.rc_context(_SETTINGS):
         made = figure(m)
@@ -62,7 +75,7 @@ def picture(m: SingularMap, kind: str) -> bytes:
             "png": {"Title": title},
         }
         made.savefig(out, format=kind, dpi=200, metadata=metadata[kind])
-    return out.getvalue()
+    return out.getvalue(), made
 
 
 def figure(m: SingularMap) -> Figure:

@@ -74,10 +74,12 @@ def _crossing(r: RobotPath, c: Crossing) -> PathPlace:
 
 
 def _place(r: RobotPath, c: Crossing) -> str:
-    """Text for --at, to six digits."""
+    """Text for --at, to six digits; what is 0 but for rounding is 0."""
+    least = 1e-12 * max(1.0, *(abs(v) for v in c.coordinates))
+    values = [v if abs(v) > least else 0.0 for v in c.coordinates]
     return ", ".join(
         f"{n}={math.degrees(v):.6g}deg" if n in ANGLES else f"{n}={v:.6g}"
-        for n, v in zip(r.names, c.coordinates, strict=True)
+        for n, v in zip(r.names, values, strict=True)
     )
 
 

@@ -28,8 +28,11 @@ __all__ = [
     "Format",
     "LegsSource",
     "ManualArgs",
+    "MapArgs",
     "NoArgs",
     "OpenArgs",
+    "PathArgs",
+    "PlaceArgs",
     "PoseArgs",
     "PoseJson",
     "Quaternion",
@@ -53,6 +56,7 @@ _Point = Annotated[str, text(40)]
 _Coordinate = Annotated[float, number(-FARTHEST, FARTHEST)]
 _Vector = Annotated[list[_Coordinate], EntryCount(3, 3)]
 _Threshold = Annotated[str, text(40)]
+_Ranges = Annotated[list[Annotated[str, text(100)]], EntryCount(2, 2)]
 
 
 # --- what is studied -----------------------------------------------------------------------------------------------
@@ -147,6 +151,34 @@ class AlongArgs(TypedDict):
     source: SourceJson
     poses: Annotated[list[PoseJson], EntryCount(1, 2_000)]
     threshold: NotRequired[_Threshold]
+
+
+class PathArgs(TypedDict):
+    """From `start` (home without it) to `goal`, or to the pose that the text `to` names."""
+
+    source: SourceJson
+    start: NotRequired[PoseJson]
+    goal: PoseJson
+    to: NotRequired[Annotated[str, text(400)]]
+    threshold: NotRequired[_Threshold]
+
+
+class MapArgs(TypedDict):
+    """Over two coordinates with their ranges ("x -1:1:21"), the others as they are at the pose."""
+
+    source: SourceJson
+    over: _Ranges
+    pose: PoseJson
+    threshold: NotRequired[_Threshold]
+
+
+class PlaceArgs(TypedDict):
+    """The pose at a place of that map, in the units of its axes."""
+
+    source: SourceJson
+    over: _Ranges
+    pose: PoseJson
+    place: Annotated[list[_Coordinate], EntryCount(2, 2)]
 
 
 class ManualArgs(TypedDict):

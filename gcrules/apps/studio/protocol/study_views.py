@@ -241,6 +241,8 @@ class Study(TypedDict):
     """A length to scale sliders and the camera by."""
     axes: list[Axis]
     """Independent coordinates: six for a platform; those of the robot's mobility otherwise."""
+    ranges: list[Axis]
+    """Coordinates of its pose, then its actuators, over which it can be mapped, with ranges to begin with."""
     entry: EntryView | None
     """The class of the catalog."""
     schematic: str

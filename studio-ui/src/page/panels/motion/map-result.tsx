@@ -1,0 +1,83 @@
+// The map as a picture: what stands under the pointer is said, and a click takes the robot there.
+import { useSignal } from "@preact/signals";
+import type { Axis, MapAnswer, MapArgs } from "../../../protocol";
+import { short } from "../../lib/format";
+import { useStore } from "../../parts/context";
+import { FaultBox } from "../../parts/fault-box";
+import { Facts } from "./facts";
+import { Plot, type Spot } from "./plot";
+
+const CELLS: Record<string, string> = {
+  free: "proved free of singular poses",
+  crossed: "crossed by singular poses",
+  undecided: "not decided",
+  outside: "not reached at a corner",
+};
+
+export function MapResult({ asked, result }: { asked: MapArgs; result: MapAnswer }) {
+  const { touring, moving } = useStore();
+  const hovered = useSignal<Spot | null>(null);
+  const chosen = useSignal<Spot | null>(null);
+  const { axes, frame, picture, guarantee } = result;
+  const going = touring.place.now.value;
+  const spot = hovered.value ?? chosen.value;
+
+  async function go(at: Spot): Promise<void> {
+    chosen.value = at;
+    const { source, over, pose } = asked;
+    const place = axes.map((axis, i) => valueOf(axis, at[i as 0 | 1])) as [number, number];
+    const found = await touring.place.start({ source, over, pose, place });
+    if (found) moving.to(found.pose);
+  }
+
+  const image = `data:image/svg+xml;base64,${picture}`;
+  return (
+    <div class="answer">
+      <p class="guarantee" data-testid="map-guarantee">
+        {guarantee}
+      </p>
+      {picture ? (
+        <Plot
+          frame={frame}
+          picture={<img src={image} alt={`Map over ${axes.map(({ name }) => name).join(" and ")}`} data-testid="map-picture" />}
+          testid="map-plot"
+          onHover={(at) => (hovered.value = at)}
+          onPress={(at) => (chosen.value = at)}
+          onRelease={() => chosen.value && void go(chosen.value)}
+        >
+          {chosen.value && <span class="here" style={{ left: `${100 * chosen.value[0]}%`, bottom: `${100 * chosen.value[1]}%` }} />}
+        </Plot>
+      ) : (
+        <p class="none">The picture needs matplotlib: pip install "gcrules[maps]".</p>
+      )}
+      <p class="readout" data-testid="map-readout">
+        {spot ? <Spoken result={result} spot={spot} /> : "Point at the map to read it; a click takes the robot there."}
+      </p>
+      {going.state === "failed" && <FaultBox fault={going.fault} />}
+      <Facts facts={result.facts} title="What was computed" />
+    </div>
+  );
+}
+
+function Spoken({ result, spot }: { result: MapAnswer; spot: Spot }) {
+  const { axes, margin, status } = result;
+  const [rows, columns] = [margin.length, margin[0]?.length ?? 0];
+  const node = [Math.round(spot[0] * (rows - 1)), Math.round(spot[1] * (columns - 1))] as const;
+  const cell = [within(spot[0], rows - 1), within(spot[1], columns - 1)] as const;
+  const sigma = margin[node[0]]?.[node[1]] ?? null;
+  const kind = status[cell[0]]?.[cell[1]] ?? "undecided";
+  return (
+    <>
+      {axes.map((axis, i) => (
+        <span key={axis.name}>
+          {axis.name} <b>{short(valueOf(axis, spot[i as 0 | 1]), 4)}</b>
+          {axis.unit === "deg" ? "°" : axis.unit && ` ${axis.unit}`} ·{" "}
+        </span>
+      ))}
+      σ <b>{sigma === null ? "none" : short(sigma, 3)}</b> at the nearest node · the cell is <b class={kind}>{CELLS[kind]}</b>
+    </>
+  );
+}
+
+const within = (part: number, cells: number): number => Math.min(Math.floor(part * cells), cells - 1);
+const valueOf = ({ low, high }: Axis, part: number): number => low + part * (high - low);

@@ -1,0 +1,116 @@
+// A map over two coordinates; the others stay as they are at the pose on show.
+import type { Axis, Study } from "../../../protocol";
+import { useStore } from "../../parts/context";
+import { FaultBox } from "../../parts/fault-box";
+import { Icon } from "../../parts/icon";
+import { NumberField } from "../../parts/number-field";
+import { Seeks } from "../../pose/nearest-view";
+import { inWords, rangeOf, type Range } from "../../state/touring";
+import { MapResult } from "./map-result";
+
+const NODES = [11, 17, 25, 41, 61, 81];
+
+export function MapSection({ study }: { study: Study }) {
+  const { touring, doc } = useStore();
+  const { map, over, nodes } = touring;
+  const ranges = over.value;
+  const now = map.now.value;
+  if (!ranges) return null;
+  const axisOf = (name: string): Axis | undefined => study.ranges.find((one) => one.name === name);
+  const change = (index: 0 | 1, range: Range) => (over.value = index === 0 ? [range, ranges[1]] : [ranges[0], range]);
+  const same = ranges[0].name === ranges[1].name;
+
+  function go(): void {
+    const { source, pose, threshold } = doc.peek();
+    if (!source || !ranges) return;
+    const words = ranges.map((one) => inWords(one, axisOf(one.name)?.unit ?? "", nodes.value));
+    void map.start({ source, pose, threshold, over: words as [string, string] });
+  }
+
+  return (
+    <section class="map" aria-label="Map">
+      <h3>Over two coordinates</h3>
+      <form
+        class="ask"
+        onSubmit={(event) => {
+          event.preventDefault();
+          go();
+        }}
+      >
+        {([0, 1] as const).map((i) => (
+          <RangeRow key={i} index={i} range={ranges[i]} axes={study.ranges} onChange={(range) => change(i, range)} />
+        ))}
+        <div class="row">
+          <label>
+            <span class="label">poses</span>
+            <select value={nodes.value} data-testid="map-nodes" onChange={(event) => (nodes.value = Number(event.currentTarget.value))}>
+              {NODES.map((n) => (
+                <option key={n} value={n}>
+                  {n} × {n}
+                </option>
+              ))}
+            </select>
+          </label>
+          <button type="submit" class="primary" disabled={now.state === "busy" || same} data-testid="map-go">
+            <Icon name="map" size={14} /> Map
+          </button>
+        </div>
+      </form>
+      {now.state === "busy" && <Seeks words={now.words} stop={map.stop} testid="map-stop" />}
+      {now.state === "failed" && <FaultBox fault={now.fault} />}
+      {now.state === "found" && <MapResult asked={now.asked} result={now.result} />}
+    </section>
+  );
+}
+
+interface RowProps {
+  index: number;
+  range: Range;
+  axes: readonly Axis[];
+  onChange(range: Range): void;
+}
+
+function RangeRow({ index, range, axes, onChange }: RowProps) {
+  const axis = axes.find((one) => one.name === range.name);
+  const step = (axis?.step ?? 0.01) * 10;
+  const digits = axis?.unit === "deg" ? 0 : 2;
+  const word = index === 0 ? "across" : "upwards";
+  return (
+    <div class="row">
+      <span class="label">{word}</span>
+      <select
+        value={range.name}
+        aria-label={`Coordinate ${word}`}
+        data-testid={`map-axis-${index}`}
+        onChange={(event) => {
+          const chosen = axes.find((one) => one.name === event.currentTarget.value);
+          if (chosen) onChange(rangeOf(chosen));
+        }}
+      >
+        {axes.map(({ name }) => (
+          <option key={name} value={name}>
+            {name}
+          </option>
+        ))}
+      </select>
+      <NumberField
+        value={range.low}
+        step={step}
+        digits={digits}
+        label={`${range.name} from`}
+        testid={`map-low-${index}`}
+        onChange={(low) => onChange({ ...range, low })}
+      />
+      <span>to</span>
+      <NumberField
+        value={range.high}
+        step={step}
+        digits={digits}
+        label={`${range.name} to`}
+        testid={`map-high-${index}`}
+        onChange={(high) => onChange({ ...range, high })}
+      />
+      <span class="unit">{axis?.unit === "deg" ? "°" : axis?.unit}</span>
+    </div>
+  );
+}
