@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -32,11 +32,11 @@ class Limbs:
     """
 
     robot: Robot
-    about: str | Sequence[Any] = "centroid"
+    about: str | tuple[Any, ...] = "centroid"
     analysed: RobotAnalysis | None = None
 
     @classmethod
-    def of(cls, loaded: Robot | RobotAnalysis, about: str | Sequence[Any] = "centroid") -> Limbs:
+    def of(cls, loaded: Robot | RobotAnalysis, about: str | tuple[Any, ...] = "centroid") -> Limbs:
         if isinstance(loaded, RobotAnalysis):
             return cls(loaded.robot, about, loaded)
         return cls(loaded, about)

@@ -64,8 +64,9 @@ def mechanism(source: Source, *, about: str | Sequence[Any] = "centroid", plugin
     Raises InputError for legs without coordinates.
     """
     loaded = load(source, plugins=plugins)
+    centre = about if isinstance(about, str) else tuple(about)  # so that the mechanism is a value
     if isinstance(loaded, (Robot, RobotAnalysis)):
-        return Limbs.of(loaded, about)
+        return Limbs.of(loaded, centre)
     platform = loaded.platform if isinstance(loaded, Analysis) else loaded
     if not isinstance(platform, Platform):
         raise InputError(
@@ -73,4 +74,4 @@ def mechanism(source: Source, *, about: str | Sequence[Any] = "centroid", plugin
             hint='give a geometry file, legs and coordinates as in examples/octahedral.yaml; `gcrules studio "LEGS"`'
             ' writes one under "Take away". Without coordinates `gcrules analyze "LEGS"` gives the condition',
         )
-    return SixLegs(platform, about, loaded if isinstance(loaded, Analysis) else None)
+    return SixLegs(platform, centre, loaded if isinstance(loaded, Analysis) else None)

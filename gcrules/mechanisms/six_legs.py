@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -30,7 +30,7 @@ class SixLegs:
     """
 
     platform: Platform
-    about: str | Sequence[Any] = "centroid"
+    about: str | tuple[Any, ...] = "centroid"
     analysed: Analysis | None = None
 
     @cached_property

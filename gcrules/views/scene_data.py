@@ -198,11 +198,12 @@ class DrawnJoint(TypedDict):
 
 
 class DerivedView(TypedDict):
-    """The direction u × v."""
+    """The direction u × v of two `args`; of four, (P, u, Q, n), the point of the line through P along u in the plane
+    through Q perpendicular to n.
+    """
 
     name: str
-    u: Terms
-    v: Terms
+    args: list[Terms]
 
 
 class LinkageView(TypedDict):

@@ -156,11 +156,10 @@ export interface DrawnJoint {
   axes: Terms[];
 }
 
-/** The direction u × v. */
+/** The direction u × v of two `args`; of four, (P, u, Q, n), the point of the line through P along u in the plane through Q perpendicular to n. */
 export interface Derived {
   name: string;
-  u: Terms;
-  v: Terms;
+  args: Terms[];
 }
 
 /** How a robot of joints moves by its actuators, for pages that have no server. */

@@ -139,6 +139,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "within": {"seconds": 60},
 }
 COMPILED = gc.compiled(PLATFORM, engine="numpy")
+COMPILED_ROBOT = gc.compiled(ANALYZED)
 MAP = gc.singular_map(PLATFORM, ["x -1:1:2", "y -1:1:2"], measure="value")
 LIBRARY = gc.load_rules()
 METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
@@ -155,6 +156,15 @@ METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
     "platform by coordinates": (lambda **at: gc.pose(ANALYSIS, at, nearest=False), ("x", "z", "roll", "rx")),
     "CompiledCondition": (COMPILED, ("translations", "rotations", "quaternions", "out")),
     "CompiledCondition.at_joints": (COMPILED.at_joints, ("points",)),
+    "compiled of a robot": (
+        lambda **given: gc.compiled(ANALYZED, **given),
+        ("expression", "coordinates", "about", "engine"),
+    ),
+    "CompiledLimbs": (COMPILED_ROBOT, ("poses",)),
+    "CompiledLimbs.numbers": (
+        lambda **given: COMPILED_ROBOT.numbers(**{"poses": [0, 0, 0], **given}),
+        ("poses", "asked"),
+    ),
     "SingularMap.values": (MAP.values, ("name",)),
     "SingularMap.save": (lambda path: MAP.save(path), ("path",)),
     "Library[]": (LIBRARY.__getitem__, ("rule_id",)),

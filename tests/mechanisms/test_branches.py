@@ -217,9 +217,16 @@ def test_most_ways_are_told() -> None:
 
 
 def test_a_crossing_is_told_without_a_condition() -> None:
+    here = gc.pose(analysis("3-5r"), "x=-0.06, y=0.055, roll=-2.1deg", nearest=False)
+    assert not here.factors
+    assert here.mode.startswith("the way from home crosses a singular configuration")
+    assert here.assembly.same is False
+
+
+def test_where_a_crossing_lies() -> None:
     m = machine("5-rpur")
     here = gc.pose(analysis("5-rpur"), "x=0, y=0, z=-1, roll=0deg, yaw=60deg")
-    assert not here.factors
+    assert len(here.factors) == 1
     assert here.mode.startswith("the way from home crosses a singular configuration")
     (part,) = here.assembly.crossings
     wanted = coordinates_target(m, {"x": 0, "y": 0, "z": -1, "roll": 0, "yaw": np.radians(60)})

@@ -65,7 +65,7 @@ FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     "view": gc.view,
 }
 NEED_COORDINATES = ("pose", "singular", "path", "locus", "singular_map")
-NEED_SIX_LEGS = ("locus", "compiled")
+NEED_SIX_LEGS = ("locus",)
 
 
 @cache

@@ -246,12 +246,12 @@ def test_chosen_lines_that_depend_on_each_other_are_left_out() -> None:
 
 
 def test_screws_at_home() -> None:
-    """A 3-UPU robot whose axes are not parallel: constraints of finite pitch, as the joint screws have them."""
-    r = load("3-upu-askew")
+    """Limbs of five hinges askew: constraints of finite pitch, as the joint screws have them."""
+    r = read_robot(DATA / "moved" / "3-5r.yaml")
     a = analyze_robot(r)
     assert a.structure.lines is None
-    assert "two forces, its constraint a screw of finite pitch" in a.statement
-    assert "Its Jacobian can be computed in any configuration" in a.statement
+    assert "2-system of screws, its constraint a screw of finite pitch" in a.statement
+    assert "Margin, pose, path and map need none" in a.statement
     limbs = r.limbs_at()
     held = [one for one in a.wrenches if one.role == "constraint"]
     assert [one.limb for one in held] == ["leg 1", "leg 2", "leg 3"]
@@ -269,7 +269,7 @@ def test_screws_at_home() -> None:
     assert len(shown) == 6
     assert {key for one in shown for key in one} == {"limb", "role", "kind", "pitch", "point", "direction"}
     words = " ".join(a.text().split())
-    assert "leg 1, constraint: screw of pitch -0.909091 through (-2.4016, -3.37662, -5.17682)" in words
+    assert "leg 1, constraint: screw of pitch 2.25743 through (1.84158, 1.22772, 1.84158)" in words
     assert "screw of pitch" in a.latex()
 
 
@@ -299,23 +299,25 @@ mobility: 3
 """
 
 
-def test_lines_that_go_through_no_points_of_the_robot() -> None:
-    """The forces of an HPS leg are a pencil at S, whose plane is turned by the pitch; no pair of points is in it."""
+def test_a_pencil_whose_plane_is_turned_by_a_pitch() -> None:
+    """The forces of an HPS leg go through S; no pair of the file's points is in their plane."""
     a = analyze_robot(parse_robot(HELICAL))
-    assert "leg 1, leg 2 and leg 3 (planar pencil)" in a.statement
+    assert {limb.kind for limb in a.structure.limbs} == {"planar pencil"}
+    assert dict(a.structure.named)["n1"] == "the direction (r1 × S1A1 − 1/2 r1) × x"
+    assert "meet in a point" in a.statement
+    assert a.wrenches == ()
+
+
+def test_wrenches_without_a_home() -> None:
+    source = (DATA / "moved" / "3-5r.yaml").read_text("utf-8")
+    a = analyze_robot(parse_robot(source[: source.index("home:")]))
+    assert a.structure.lines is None
     assert a.wrenches == ()
     assert "not known: the file has no home configuration" in a.text()
-    at_home = HELICAL + (
-        "home: {r1: [0,1,0], r2: [2,1,0], r3: [2,-1,0], A1: [1,0,0], A2: [-1,2,0], A3: [-1,-2,0],"
-        " S1: [1/2,0,2], S2: [-1/2,1,2], S3: [-1/2,-1,2]}\n"
-    )
-    a = analyze_robot(parse_robot(at_home))
-    assert {one.kind for one in a.wrenches} == {"force"}
-    assert len(a.wrenches) == 6
 
 
 def test_limbs_without_lines_are_checked_and_shown() -> None:
-    path = str(FILES / "3-upu-askew.yaml")
+    path = str(DATA / "moved" / "3-5r.yaml")
     for command in ("check", "show", "analyze"):
         done = CliRunner().invoke(cli, ["robot", command, path])
         assert done.exit_code == 0, done.output

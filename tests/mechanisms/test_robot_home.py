@@ -10,6 +10,7 @@ import pytest
 from click.testing import CliRunner
 from commands import assert_refused
 
+import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.core.english import agreeing, listed, of_kind
 from gcrules.mechanisms.analyze import analyze_robot
@@ -92,6 +93,40 @@ def test_a_singular_home_is_said_to_be_one(
 @pytest.mark.parametrize("name", ROBOTS)
 def test_shipped_homes_are_regular(name: str) -> None:
     assert home_remark(analyze_robot(read_robot(name))) == ""
+
+
+# --- homes far from the origin --------------------------------------------------------------------------------------
+
+
+def moved(name: str, shift: int) -> str:
+    """The text of a robot's file with the points of its home, but not its directions, shifted along x."""
+    robot = parse_robot(shipped(name))
+    points = {d.name for d in robot.family.definitions if d.sort == "point"}
+    assert robot.home is not None
+    places = {n: [Fraction(c) for c in v] for n, v in robot.home.items()}
+    return changed(
+        name,
+        {
+            n: "[" + ", ".join(str(c + shift * (k == 0)) for k, c in enumerate(v)) + "]"
+            for n, v in places.items()
+            if n in points
+        },
+    )
+
+
+@pytest.mark.parametrize("name", ["orthoglide", "delta"])
+def test_the_margin_at_a_home_far_from_the_origin(name: str) -> None:
+    expected = gc.pose(name, nearest=False).margin
+    for shift in (1_000, -100_000):
+        found = gc.pose(parse_robot(moved(name, shift)), nearest=False).margin
+        assert found == pytest.approx(expected, rel=0, abs=1e-10)
+
+
+def test_a_home_too_far_from_the_origin_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "robot.yaml"
+    path.write_text(moved("orthoglide", 10**9), encoding="utf-8")
+    done = CliRunner().invoke(cli, ["pose", str(path)])
+    assert_refused(done, 2, "home lies more than 1,000,000 times the robot's size from the origin")
 
 
 # --- published conditions -------------------------------------------------------------------------------------------

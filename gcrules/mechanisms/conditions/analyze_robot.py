@@ -186,8 +186,8 @@ _CONSTRAINTS_TOO = (
 
 
 def _with_derived(meaning: Statement, structure: Equivalent) -> Statement:
-    """With what the derived directions are that it names."""
-    named = [say("{} is the direction {}", Point(n), what) for n, what in structure.named if n in meaning.points]
+    """With what the derived directions and points are that it names."""
+    named = [say("{} is {}", Point(n), what) for n, what in structure.named if n in meaning.points]
     return say("{} Here {}.", meaning, listing(named)) if named else meaning
 
 
@@ -209,7 +209,7 @@ def _without_lines(robot: Robot, structure: Equivalent) -> RobotAnalysis:
             kinds.setdefault(limb.kind, []).append(limb.limb.name)
     if kinds:
         which = "; ".join(f"{listed(names)} ({kind})" for kind, names in kinds.items())
-        why = f"no lines through the robot's points span the wrenches of {which}"
+        why = f"no lines through its points, or through meets of its axes and planes, span the wrenches of {which}"
     else:
         why = f"its wrenches have rank {structure.rank} in every configuration"
     return RobotAnalysis(
@@ -220,8 +220,9 @@ def _without_lines(robot: Robot, structure: Equivalent) -> RobotAnalysis:
         (),
         limb_singularities(robot.family, robot.limbs),
         say(
-            "No condition in points is given for this robot: {}. Its Jacobian can be computed in any configuration.",
+            "No condition in points is given for this robot: {}. {}Margin, pose, path and map need none.",
             why,
+            "If such lines have a point that the file can name, give it as `through`. " * bool(kinds),
         ),
         f"the ranks hold at exact random members{remark()}",
         wrenches=home_wrenches(robot, structure),

@@ -20,6 +20,7 @@ from gcrules.core.errors import GcrulesError
 from gcrules.mechanisms.description.family import Family, Path
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import Term, Values, combined, name_of
+from gcrules.mechanisms.lines.derived import with_derived
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.ranks import TYPES, Ranks, ranks, types_of
 from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
@@ -209,7 +210,7 @@ def tell_apart(
         if reason:
             parts[e] = FactorCause(e, "never", reason=reason)
     open_factors = [e for e in dict.fromkeys(factors) if e not in parts]
-    names = [*points_of(superbracket), *(n for _, u, v in structure.derived for t in (u, v) for _, n in t)]
+    names = [*points_of(superbracket), *structure.names]
     generic = ranks(family, limbs, family.member("generic"))
     poll = Poll.of(open_factors)
     value = superbracket_at(family, structure, superbracket)
@@ -278,7 +279,8 @@ def _vote(
 def _imaginary(limbs: Sequence[LimbSpec], structure: Equivalent, values: Values) -> bool:
     """Whether a direction has length zero, as residues may have and real directions have not."""
     vectors = [combined(t, values, RESIDUES) for limb in limbs for j in limb.joints for t in j.directions]
-    vectors += structure.derived_at(values).values()
+    rows = with_derived(structure.derived, values, RESIDUES)
+    vectors += [(x, y, z) for x, y, z, w in rows.values() if not w]
     return any(RESIDUES.dot(v, v) == 0 for v in vectors)
 
 

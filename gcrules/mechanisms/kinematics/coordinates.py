@@ -9,9 +9,10 @@ import numpy as np
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix, rotation_vector, rotation_vector_rates
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS, VECTOR
 
-__all__ = ["coordinates", "slopes", "wrapped"]
+__all__ = ["coordinates", "slopes", "without_rounding", "wrapped"]
 
 _STEEPEST = 1e-12  # of cos pitch, by which is divided
+_NOTHING = 1e-9  # in parts of the robot's size, or rad: loops are closed no better
 
 
 def coordinates(names: Sequence[str], motions: Floats, centre: Floats) -> Floats:
@@ -52,6 +53,12 @@ def _rates_of_angles(r: Floats) -> Floats:
     steep = np.maximum(np.hypot(r[..., 0, 0], r[..., 1, 0]), _STEEPEST)  # cos pitch
     roll = np.stack([np.cos(yaw), np.sin(yaw), zero], axis=-1) / steep[..., None]
     return np.stack([roll, level, np.array([0.0, 0.0, 1.0]) - r[..., 2, 0, None] * roll], axis=-2)
+
+
+def without_rounding(names: Sequence[str], values: Floats, size: float) -> Floats:
+    """Coordinates of a robot of this size, those that are 0 within what the loops are closed to as 0."""
+    units = np.array([size if n in SHIFTS else 1.0 for n in names])
+    return np.where(np.abs(values) <= _NOTHING * units, 0.0, values)
 
 
 def wrapped(names: Sequence[str], differences: Floats) -> Floats:

@@ -8,7 +8,7 @@ from gcrules.core.english import agreeing
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.attachments import Attachment, carrier
 from gcrules.mechanisms.kinematics.configurations import Configurations
-from gcrules.mechanisms.kinematics.coordinates import coordinates
+from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.margin import limb_margins, margin
 from gcrules.mechanisms.kinematics.targets import Target
@@ -60,8 +60,8 @@ def stopped(m: Linkage, here: Configuration, wanted: Target, part: float, told: 
     small = _lost(m, here, wanted, told)
     reason = small or str(fault)
     names = ("x", "y", "yaw") if m.robot.family.plane else ("x", "y", "z", "rx", "ry", "rz")
-    numbers = zip(names, coordinates(names, here.platform, m.centre), strict=True)
-    place = ", ".join(_amount(n, v, m.size) for n, v in numbers)
+    numbers = without_rounding(names, coordinates(names, here.platform, m.centre), m.size)
+    place = ", ".join(_amount(n, v) for n, v in zip(names, numbers, strict=True))
     if part <= 0:
         message = f"{m.robot.id} cannot move from home towards {wanted.text}: {reason}"
     else:
@@ -72,10 +72,8 @@ def stopped(m: Linkage, here: Configuration, wanted: Target, part: float, told: 
     return InputError(message, hint=_HINT if small else fault.hint)
 
 
-def _amount(name: str, value: float, size: float) -> str:
-    if name in SHIFTS:
-        return f"{name}={0.0 if abs(value) < 1e-9 * size else value:.3g}"
-    return f"{name}={0.0 if abs(value) < 1e-9 else value:.3g} rad"
+def _amount(name: str, value: float) -> str:
+    return f"{name}={value:.3g}{'' if name in SHIFTS else ' rad'}"
 
 
 def _lost(m: Linkage, here: Configuration, wanted: Target, told: float) -> str:

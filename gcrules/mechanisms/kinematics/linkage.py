@@ -23,6 +23,7 @@ __all__ = ["Actuator", "Configuration", "Linkage", "begun_at", "linkage"]
 
 
 _FAR = 1e12
+_FARTHEST = 1e6  # of the robot from the origin: σ is then off by less than 1e-10
 
 
 @dataclass(frozen=True)
@@ -124,6 +125,12 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
     if size <= 1e-9 * float(np.abs(ends).max(initial=0.0)) or not size:
         points = np.array([values[d.name] for d in robot.family.definitions if d.sort == "point"])
         size = float(np.sqrt(((points - points.mean(axis=0)) ** 2).sum(axis=1).mean())) or 1.0
+    if np.abs(centre).max() > _FARTHEST * size:
+        raise InputError(
+            f"{robot.id}'s home lies more than {_FARTHEST:,.0f} times the robot's size from the origin, where floats"
+            " keep too few digits of it",
+            hint="give home in a frame near the robot",
+        )
     if np.abs(turning - centre).max() > _FAR * size:
         raise InputError(f"the centre is more than {_FAR:g} times the robot's size away", hint="check the unit")
     ball = "R" if robot.family.plane else "S"

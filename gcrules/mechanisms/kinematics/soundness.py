@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.attachments import Values, disagreement, moved, residual_of_relations
@@ -18,7 +19,7 @@ from gcrules.mechanisms.kinematics.fixed import unfixed
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
-__all__ = ["sound"]
+__all__ = ["sound", "stays_still"]
 
 _SOUND = 1e-6  # in parts of the robot's size, or of a direction's length
 _STILL = 1e-7  # rad
@@ -40,7 +41,7 @@ def sound(
     if not off <= _SOUND:
         raise off_its_relation(m, name)
     for place, coordinate, joint in m.locked:
-        if np.abs(amounts[place][..., coordinate]).max() > _STILL:
+        if not _still(amounts, place, coordinate).all():
             raise NotClosed(f"the bars of {joint} would not stay parallel")
     try:
         chains = tuple(chain_of(limb, there) for limb in m.robot.limbs)
@@ -50,6 +51,18 @@ def sound(
     if not loose <= _SOUND:
         raise NotClosed(f"{name} would not stay fixed in its links: other limbs move what it is named by")
     return there, chains, max(apart, off, loose)
+
+
+def stays_still(m: Linkage, amounts: Sequence[Floats]) -> NDArray[np.bool_]:
+    """Where (...,) the coordinates that have to stay at 0 do, when those of each limb (..., n) grow by amounts."""
+    kept = np.ones(amounts[0].shape[:-1], dtype=bool)
+    for place, coordinate, _ in m.locked:
+        kept &= _still(amounts, place, coordinate)
+    return kept
+
+
+def _still(amounts: Sequence[Floats], place: int, coordinate: int) -> NDArray[np.bool_]:
+    return np.asarray(np.abs(amounts[place][..., coordinate]) <= _STILL)
 
 
 def _worst(pairs: Iterable[tuple[str, Floats]]) -> tuple[float, str, Floats]:

@@ -31,6 +31,7 @@ __all__ = [
     "Target",
     "actuators_target",
     "check_count",
+    "check_turn",
     "coordinates_target",
     "pose_target",
     "read_actuators",
@@ -104,11 +105,11 @@ def coordinates_target(m: Linkage, given: Mapping[str, Any], text: str = "") -> 
     if flat:
         raise InputError(f"{flat[0]} is fixed: the robot moves in the plane z = 0", hint="take x, y and yaw")
     values = _numbers(given)
-    _check_turn(dict(zip(given, values, strict=True)))
+    check_turn(dict(zip(given, values, strict=True)))
     return Target(tuple(given), values, False, None, text or _shown(given))
 
 
-def _check_turn(values: Mapping[str, float]) -> None:
+def check_turn(values: Mapping[str, float]) -> None:
     """Raises InputError for angles that no pose has, since another name of the same turn is the one that is used."""
     hint = 'name the same turn in another way, or as a whole pose: "x y z; euler zyx a b c deg"'
     if abs(values.get("pitch", 0.0)) >= math.pi / 2:

@@ -10,7 +10,8 @@ from itertools import combinations, product
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
-from gcrules.mechanisms.description.relations import AXES, Term, Values, Vector, combined, name_of
+from gcrules.mechanisms.description.relations import AXES, Values
+from gcrules.mechanisms.lines.derived import Derived, in_words, needed, with_derived
 from gcrules.mechanisms.lines.names import Sample, directions, key, samples
 from gcrules.mechanisms.lines.wrenches import PLANAR, LimbWrenches, WrenchLine, limb_wrenches, reciprocal_to
 from gcrules.screws import RESIDUES, Field
@@ -27,9 +28,10 @@ class Equivalent:
     """Lines as pairs of points, six in space or three in the plane (fewer where `rank` says that the robot is always
     singular); None in place of `lines` where a limb's wrenches are no lines.
 
-    `ideal` are the points at infinity, `given` brackets of points that vanish in the whole family, `derived` names
-    directions u × v. `mobility` = 6 − rank of the constraints (3 − in the plane), `over` the number of constraints
-    that are there twice, `idle` the motions inside limbs that leave the platform at rest, `rank` that of all wrenches.
+    `ideal` are the points at infinity, `given` brackets of points that vanish in the whole family, `derived` directions
+    and points made from those of the file. `mobility` = 6 − rank of the constraints (3 − in the plane), `over` the
+    number of constraints that are there twice, `idle` the motions inside limbs that leave the platform at rest, `rank`
+    that of all wrenches.
     """
 
     limbs: tuple[LimbWrenches, ...]
@@ -40,7 +42,7 @@ class Equivalent:
     rank: int
     ideal: tuple[str, ...] = ()
     given: tuple[tuple[str, ...], ...] = ()
-    derived: tuple[tuple[str, Term, Term], ...] = ()
+    derived: tuple[Derived, ...] = ()
 
     @property
     def legs(self) -> tuple[tuple[str, str], ...]:
@@ -54,20 +56,19 @@ class Equivalent:
 
     @property
     def named(self) -> tuple[tuple[str, str], ...]:
-        """Derived directions with what they are in words: u × v."""
-        return tuple((n, f"{name_of(u)} × {name_of(v)}") for n, u, v in self.derived)
+        """Derived names through which lines go, with what they are in words: the direction u × v."""
+        ends = {n for leg in self.legs for n in leg}
+        return tuple((d.name, in_words(self.derived, d.name)) for d in self.derived if d.name in ends)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All names that the lines and what is derived for them use."""
+        every = [n for leg in self.legs for n in leg] + [n for d in self.derived for n in d.names]
+        return tuple(dict.fromkeys(every))
 
     def points(self, family: Family, values: Values, field: Field = RESIDUES) -> dict[str, Row]:
         """Homogeneous coordinates of all points at a member in this field, derived ones among them."""
-        made = self.derived_at(values, field)
-        return family.homogeneous(values) | {n: (*v, 0) for n, v in made.items()}
-
-    def derived_at(self, values: Values, field: Field = RESIDUES) -> dict[str, Vector]:
-        """The derived directions at a member in this field."""
-        known = dict(values)
-        for name, u, v in self.derived:
-            known[name] = field.cross(*(combined(t, known, field) for t in (u, v)))
-        return {n: known[n] for n, _, _ in self.derived}
+        return family.homogeneous(values) | with_derived(self.derived, values, field)
 
     def to_json(self) -> dict[str, object]:
         return {
@@ -87,7 +88,7 @@ def equivalent(family: Family, limbs: Sequence[LimbSpec], *, frame: bool = True)
     one = directions(family, at)
     name = {n: one[key(s.values[n] for s in at)] if sort == "direction" else n for n, sort in family.sorts.items()}
     shared = Counter(n for limb in limbs for n in {name[n] for j in limb.joints for n in j.names} | set(limb.through))
-    found = tuple(limb_wrenches(family, limb, place, at, one, shared) for place, limb in enumerate(limbs))
+    found = _alike([limb_wrenches(family, limb, place, at, one, shared) for place, limb in enumerate(limbs)])
     trivial = PLANAR if family.plane else ()
     full = 6 - len(trivial)
     held = [row for limb in at[0].limbs for row in limb.constraints(RESIDUES)]
@@ -126,7 +127,20 @@ def equivalent(family: Family, limbs: Sequence[LimbSpec], *, frame: bool = True)
         result.rank,
         tuple(n for n in used if at[0].points[n][3] == 0),
         tuple(_incidences(family, tuple(used), at)),
-        tuple(d for limb in found if used.keys() & {n for n, _, _ in limb.derived} for d in limb.derived),
+        tuple(d for limb in found for d in needed(limb.derived, used)),
+    )
+
+
+def _alike(limbs: Sequence[LimbWrenches]) -> tuple[LimbWrenches, ...]:
+    """Limbs of the same joints under one description, the most general one, where no lines span their wrenches."""
+    kinds: dict[tuple[str, int, int], str] = {}
+    for one in limbs:
+        alike = one.limb.chain, one.dimension, one.constraints
+        if one.lines is None and (alike not in kinds or "-system" in one.kind):
+            kinds[alike] = one.kind
+    return tuple(
+        one if one.lines is not None else replace(one, kind=kinds[one.limb.chain, one.dimension, one.constraints])
+        for one in limbs
     )
 
 

@@ -8,7 +8,7 @@ leg 1, constraint: screw of pitch 0.5 through (0, 0, 2) along (1, 0, 0)
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from gcrules.mechanisms.lines.equivalent import Equivalent
@@ -24,7 +24,8 @@ Numbers = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class HomeWrench:
-    """A wrench that a limb applies with its actuators locked: `role` is constraint or actuation.
+    """A wrench that a limb applies with its actuators locked: `role` is constraint or actuation, the latter as the pure
+    force that it is modulo a constraint where there is one.
 
     Its axis goes through `point`, the one nearest to the origin, along the unit vector `direction`; `pitch` is the
     moment along the force over the force, in the unit of length of the home configuration, positive for a right-handed
@@ -71,8 +72,22 @@ def home_wrenches(robot: Robot, structure: Equivalent) -> tuple[HomeWrench, ...]
 def _of_limbs(robot: Robot, structure: Equivalent) -> Iterator[HomeWrench]:
     for found, limb in zip(structure.limbs, robot.limbs_at(), strict=True):
         if found.lines is None:
-            yield from (_wrench(limb.name, "constraint", row) for row in limb.constraints(RATIONALS))
-            yield from (_wrench(limb.name, "actuation", row) for row in limb.actuations(RATIONALS))
+            held = limb.constraints(RATIONALS)
+            yield from (_wrench(limb.name, "constraint", row) for row in held)
+            yield from (_wrench(limb.name, "actuation", _pure(row, held)) for row in limb.actuations(RATIONALS))
+
+
+def _pure(row: Row, held: Sequence[Row]) -> Row:
+    """The force that a wrench is modulo one of the constraints, where a force or a couple among these makes it one:
+    (f + t g)·(m + t k) is linear in t where g·k is 0.
+    """
+    f, m = row[:3], row[3:]
+    for g, k in ((c[:3], c[3:]) for c in held if not RATIONALS.dot(c[:3], c[3:])):
+        below = RATIONALS.dot(f, k) + RATIONALS.dot(g, m)
+        if below:
+            t = -RATIONALS.dot(f, m) / below
+            return RATIONALS.combination((1, t), (row, (*g, *k)))
+    return row
 
 
 def _wrench(limb: str, role: str, row: Row) -> HomeWrench:

@@ -9,7 +9,8 @@ from itertools import combinations
 
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
-from gcrules.mechanisms.description.relations import AXES, Term, Values, Vector, combined
+from gcrules.mechanisms.description.relations import AXES, Term, Values
+from gcrules.mechanisms.lines.derived import Derived
 from gcrules.screws import RESIDUES, Limb
 from gcrules.screws.field import Row
 
@@ -31,19 +32,26 @@ _SEEDS = (1, 2, 3)
 _COST = {"own": 0, "direction": 1, "axis": 2, "derived": 3, "other": 5, "other direction": 6}
 _Z: Term = ((Fraction(1), "z"),)
 
-Named = tuple[str, float, tuple[Term, Term] | None]
-"""A name, its cost, and of a derived direction u × v its two factors."""
+Named = tuple[str, float, Derived | None]
+"""A name, its cost, and what it is derived from, if it is."""
 
 Key = tuple[Row, ...]
 
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """A member modulo the prime, with the limbs there and the values of derived directions added to the points."""
+    """A member modulo the prime, with the limbs there and derived names, which begin with a colon, added to the
+    points.
+    """
 
     values: Values
     limbs: tuple[Limb, ...]
     points: dict[str, Row]
+
+    def row(self, derived: Derived) -> Row:
+        """Homogeneous coordinates of a derived name, made from others of which the derived ones were added before."""
+        before = {n: (p[0], p[1], p[2]) for n, p in self.points.items() if n.startswith(":")}
+        return derived.row({**self.values, **before}, RESIDUES)
 
 
 def sample(family: Family, limbs: Sequence[LimbSpec], values: Values) -> Sample:
@@ -71,7 +79,7 @@ def directions(family: Family, at: Sequence[Sample]) -> Mapping[Key, str]:
 
 
 def names_of_limb(family: Family, limb: LimbSpec, at: Sequence[Sample], one: Mapping[Key, str]) -> list[Named]:
-    """Points and directions of the limb, each with a cost; derived directions with their two factors."""
+    """Points and directions of the limb, each with a cost; with directions derived from two of its joints."""
     own = dict.fromkeys((*(p for j in limb.joints for p in j.points), *limb.through))
     terms = _terms(limb)
     own.update(dict.fromkeys(n for term in terms if len(term) > 1 for _, n in reversed(term)))
@@ -105,37 +113,30 @@ def _derived(
     """Directions u × v that are none of the robot's own, with names that no point bears, numbered from `start`."""
     found: list[Named] = []
     for u, v in pairs:
-        rows = [_crossed(u, v, s) for s in at]
-        if all(map(any, rows)) and key(rows) not in one:
-            found.append((f":{start + len(found)}", _COST["derived"], (u, v)))
+        made = Derived(f":{start + len(found)}", (u, v))
+        rows = [s.row(made) for s in at]
+        if all(map(any, rows)) and key(row[:3] for row in rows) not in one:
+            found.append((made.name, _COST["derived"], made))
     return found
 
 
-def _crossed(u: Term, v: Term, one: Sample) -> Vector:
-    """u × v, where directions that are derived themselves are among the points."""
-    values = {**one.values, **{n: p[:3] for n, p in one.points.items() if n.startswith(":")}}
-    return RESIDUES.cross(*(combined(t, values, RESIDUES) for t in (u, v)))
-
-
-def add_derived(derived: Mapping[str, tuple[Term, Term]], at: Sequence[Sample]) -> None:
-    """Add derived directions to the points of the samples."""
-    for name, pair in derived.items():
+def add_derived(derived: Iterable[Derived], at: Sequence[Sample]) -> None:
+    """Add derived names, in their order, to the points of the samples."""
+    for one in derived:
         for s in at:
-            s.points[name] = (*_crossed(*pair, s), 0)
+            s.points[one.name] = s.row(one)
 
 
-def free_names(family: Family, place: int) -> Iterator[str]:
-    """n1, n1', n1'' … for the first limb, as far as they are free."""
-    name = f"n{place + 1}"
+def free_names(family: Family, stem: str) -> Iterator[str]:
+    """n1, n1', n1'' … for the stem n1, as far as they are free."""
+    name = stem
     while True:
         if name not in family.sorts:
             yield name
         name += "'"
 
 
-def crosswise(
-    limb: LimbSpec, derived: Mapping[str, tuple[Term, Term]], at: Sequence[Sample], one: Mapping[Key, str]
-) -> list[Named]:
+def crosswise(limb: LimbSpec, derived: Sequence[Derived], at: Sequence[Sample], one: Mapping[Key, str]) -> list[Named]:
     """Directions u × (u' × v) of the limb's own and its derived ones."""
-    pairs = ((t, ((Fraction(1), n),)) for t in _terms(limb) for n in derived)
+    pairs = ((t, ((Fraction(1), d.name),)) for t in _terms(limb) for d in derived)
     return _derived(pairs, at, one, len(derived))

@@ -6,14 +6,16 @@ then it is one of the limb's wrenches on all members (error below 1e-15 for each
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
-from gcrules.mechanisms.description.relations import AXES, Term
+from gcrules.mechanisms.description.relations import AXES
+from gcrules.mechanisms.lines.derived import Derived, needed
+from gcrules.mechanisms.lines.meets import meets
 from gcrules.mechanisms.lines.names import (
     Key,
     Named,
@@ -62,7 +64,7 @@ class WrenchLine:
 class LimbWrenches:
     """What a limb applies with locked actuators: the dimensions of its wrench system and of its part that holds without
     actuators, the lines that span it (None where no lines of the robot's points do), and the system in words at one
-    member. `derived` are directions u × v that the lines use: (name, u, v); u and v may be derived ones before it.
+    member. `derived` are directions and points that the lines use and the file does not name.
     """
 
     limb: LimbSpec
@@ -72,7 +74,7 @@ class LimbWrenches:
     rank: int
     lines: tuple[WrenchLine, ...] | None
     kind: str
-    derived: tuple[tuple[str, Term, Term], ...] = ()
+    derived: tuple[Derived, ...] = ()
 
     def to_json(self) -> dict[str, object]:
         return {
@@ -110,31 +112,16 @@ def limb_wrenches(
     trivial = PLANAR if family.plane else ()
     wanted = system.dimension - len(trivial)
     held = constraint.dimension - len(trivial)
-    own = names_of_limb(family, limb, at, one)
-    derived = {n: pair for n, _, pair in own if pair}
-    add_derived(derived, at)
-    across = crosswise(limb, derived, at, one)
-    derived |= {n: pair for n, _, pair in across if pair}
-    add_derived({n: derived[n] for n, _, _ in across}, at)
-    lines: tuple[WrenchLine, ...] | None = None
-    # directions u × (u × v), and then points of other limbs, only where the limb's own points and directions do not do
-    for names in (own, [*own, *across], [*own, *names_of_others(family, own, one)]):
+    found: tuple[WrenchLine, ...] | None = None
+    made: list[Derived] = []
+    for names in _names(family, limb, at, one, made):
         candidates = _candidates(limb, names, at, all_twists, passive, shared)
-        lines = _basis(candidates, at[0].points, wanted, held, trivial)
-        if lines is not None:
+        found = _basis(candidates, at[0].points, wanted, held, trivial)
+        if found is not None:
             break
-    if lines is not None:
-        short = sum(line.role == "constraint" for line in lines) < held
-        lines = tuple(replace(line, role="both") if short and line.role == "actuation" else line for line in lines)
-    ends_used = {n for line in lines or () for n in line.ends}
-    ends_used |= {n for name in ends_used & derived.keys() for t in derived[name] for _, n in t}
-    used = [n for n in derived if n in ends_used]
-    new = dict(zip(used, free_names(family, place), strict=False))
-    for s in at:
-        s.points.update({new[n]: s.points[n] for n in used})
-    if lines is not None:
-        ends = [(new.get(a, a), new.get(b, b)) for a, b in (line.ends for line in lines)]
-        lines = tuple(replace(line, ends=pair) for line, pair in zip(lines, ends, strict=True))
+    lines, derived = (None, ()) if found is None else _named(family, place, at, found, made)
+    if lines is not None and sum(line.role == "constraint" for line in lines) < held:
+        lines = tuple(replace(line, role="both") if line.role == "actuation" else line for line in lines)
     return LimbWrenches(
         limb,
         wanted,
@@ -143,8 +130,44 @@ def limb_wrenches(
         6 - constraint.dimension,
         lines,
         _kind(system, family) if lines is not None else _real_kind(family, limb),
-        tuple((new[n], _renamed(derived[n][0], new), _renamed(derived[n][1], new)) for n in used),
+        derived,
     )
+
+
+def _names(
+    family: Family, limb: LimbSpec, at: Sequence[Sample], one: Mapping[Key, str], made: list[Derived]
+) -> Iterator[list[Named]]:
+    """Names through which lines may go: those of the limb; then with directions u × (u × v), with names of other limbs,
+    or with where planes of its axes meet. What is derived is added to `made`.
+    """
+    own = names_of_limb(family, limb, at, one)
+    further: tuple[Callable[[], list[Named]], ...] = (
+        lambda: own,
+        lambda: crosswise(limb, tuple(made), at, one),
+        lambda: names_of_others(family, own, one),
+        lambda: meets(family, limb, at, one),
+    )
+    for more in further:
+        names = more()
+        new = [d for _, _, d in names if d]
+        add_derived(new, at)
+        made += new
+        yield names if names is own else [*own, *names]
+
+
+def _named(
+    family: Family, place: int, at: Sequence[Sample], lines: Sequence[WrenchLine], made: Sequence[Derived]
+) -> tuple[tuple[WrenchLine, ...], tuple[Derived, ...]]:
+    """The lines, and what they use of what was made, under names of their own: n1 for directions, p1 for points."""
+    ends = {n for line in lines for n in line.ends}
+    used = needed(made, ends)
+    stems = {False: free_names(family, f"n{place + 1}"), True: free_names(family, f"p{place + 1}")}
+    new = {d.name: next(stems[d.is_point]) for d in sorted(used, key=lambda d: d.name not in ends)}
+    for s in at:
+        s.points.update({name: s.points[d] for d, name in new.items()})
+    pairs = [(new.get(a, a), new.get(b, b)) for a, b in (line.ends for line in lines)]
+    renamed = tuple(replace(line, ends=pair) for line, pair in zip(lines, pairs, strict=True))
+    return renamed, tuple(d.renamed(new) for d in used)
 
 
 PLANE: tuple[Row, ...] = ((1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0), (0, 0, 0, 0, 0, 1))
@@ -201,10 +224,6 @@ def _bundles_along_axes(found: list[_Costly], points: Mapping[str, Row]) -> list
     full = {p for p, _ in ends if points[p][3] and all((p, axis) in ends for axis in AXES)}
     far = {n for pair in ends for n in pair if not points[n][3]} - set(AXES)
     return [(c, line) for c, line in found if not (full & set(line.ends) and far & set(line.ends))]
-
-
-def _renamed(term: Term, new: Mapping[str, str]) -> Term:
-    return tuple((c, new.get(n, n)) for c, n in term)
 
 
 def _basis(

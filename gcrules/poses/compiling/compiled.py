@@ -15,9 +15,10 @@ r"""Conditions compiled for many poses: a frozen value that is called with array
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,22 +31,23 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.analyze import analyze_legs
+from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source, load
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.moving_platform import MovingPlatform
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.batches import Batch, joint_batch, output, pose_batch
-from gcrules.poses.compiling.engines import engine_named, runner
+from gcrules.poses.compiling.compiled_limbs import CompiledLimbs, compiled_limbs
+from gcrules.poses.compiling.engines import STEP, engine_named, runner
 from gcrules.poses.compiling.tape import Program
 from gcrules.poses.compiling.tracing import Joints, Road, trace
 from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
-from gcrules.poses.methods import on_six_legs
+from gcrules.poses.methods import Methods, method
 
 __all__ = ["CompiledCondition", "compiled"]
 
 Floats = NDArray[np.float64]
-
-STEP = 65_536
-"""Poses that one call of an engine works on, after which the program can be interrupted."""
 
 
 @dataclass(frozen=True)
@@ -109,29 +111,94 @@ class CompiledCondition:
         return f"<CompiledCondition {self.expression}: {count} operations a pose, by {self.engine}>"
 
 
+@overload
+def compiled(
+    source: Structure | Platform | Analysis,
+    expression: str | Expr | None = None,
+    *,
+    coordinates: str | Sequence[str] | None = None,
+    about: str | Sequence[Any] = "centroid",
+    engine: str | None = None,
+) -> CompiledCondition: ...
+
+
+@overload
 def compiled(
     source: Source,
     expression: str | Expr | None = None,
     *,
+    coordinates: str | Sequence[str] | None = None,
     about: str | Sequence[Any] = "centroid",
     engine: str | None = None,
-) -> CompiledCondition:
-    """A condition compiled for many poses (a `CompiledCondition`): call it with arrays, it gives an array of values.
+) -> CompiledCondition | CompiledLimbs: ...
 
-    `source` is what `load` takes, for platforms on six legs; for legs without coordinates the joints themselves are the
-    arguments. The value is the superbracket of the legs as typed, or `expression`, any scalar of the robot's joints (a
-    condition, a cofactor). Poses turn `about` the same centre as in `pose`. `engine` is "numba" or "numpy", with equal
-    values; numba where it is installed if it is not given. Raises InputError for other expressions, for joints at
-    infinity and for degenerate robots.
+
+def compiled(
+    source: Source,
+    expression: str | Expr | None = None,
+    *,
+    coordinates: str | Sequence[str] | None = None,
+    about: str | Sequence[Any] = "centroid",
+    engine: str | None = None,
+) -> CompiledCondition | CompiledLimbs:
+    """A condition compiled for many poses: call it with arrays, it gives an array of values.
+
+    `source` is what `load` takes. For platforms and robots on six legs it is a `CompiledCondition`; for legs without
+    coordinates the joints themselves are the arguments. The value is the superbracket of the legs as typed, or
+    `expression`, any scalar of the robot's joints (a condition, a cofactor). `engine` is "numba" or "numpy", with equal
+    values; numba where it is installed if it is not given.
+
+    For other robots of joints, and for all whose `coordinates` are named, it is a `CompiledLimbs`: the values of the
+    condition's factors over these coordinates of the platform ("x, y, z"), or over all actuators ("q1, q2, q3"); by
+    default over those that are free near home.
+
+    Poses turn `about` the same centre as in `pose`. Raises InputError for other expressions, for coordinates that do
+    not determine the pose, for joints at infinity and for degenerate robots.
     """
     chosen = engine_named(engine)
     loaded = load(source)
-    moving = None
     if isinstance(loaded, Structure) or (isinstance(loaded, Analysis) and loaded.platform is None):
-        analysis = loaded if isinstance(loaded, Analysis) else analyze_legs(loaded)
-    else:
-        m = on_six_legs(mechanism(loaded, about=about), "a compiled condition")
-        analysis, moving = m.analysis, m.rig
+        if coordinates is not None:
+            raise InputError(
+                "legs alone have no coordinates of a pose", hint="leave coordinates out, and use at_joints"
+            )
+        return _condition(loaded if isinstance(loaded, Analysis) else analyze_legs(loaded), None, expression, chosen)
+    return method(_COMPILED, mechanism(loaded, about=about), "a compiled condition")(expression, coordinates, chosen)
+
+
+def _of_legs(
+    m: SixLegs, expression: str | Expr | None, coordinates: str | Sequence[str] | None, engine: str
+) -> CompiledCondition:
+    if coordinates is not None:
+        raise InputError(
+            "coordinates are named for robots of joints only",
+            hint="poses of a platform on six legs are translations (N, 3) and rotations (N, 3, 3)",
+        )
+    return _condition(m.analysis, m.rig, expression, engine)
+
+
+def _of_limbs(
+    m: Limbs, expression: str | Expr | None, coordinates: str | Sequence[str] | None, engine: str
+) -> CompiledCondition | CompiledLimbs:
+    """By the superbracket of the legs where the limbs are six legs and no coordinates are named."""
+    if coordinates is None:
+        with suppress(InputError):
+            return _of_legs(m.six_legs(), expression, None, engine)
+    if expression is not None:
+        raise InputError(
+            "an expression is compiled for platforms on six legs only",
+            hint="leave it out: of a robot of joints the factors of its condition are compiled",
+        )
+    return compiled_limbs(m, coordinates, engine)
+
+
+_COMPILED: Methods[CompiledCondition | CompiledLimbs] = {SixLegs: _of_legs, Limbs: _of_limbs}
+"""The method for each kind of mechanism."""
+
+
+def _condition(
+    analysis: Analysis, moving: MovingPlatform | None, expression: str | Expr | None, engine: str
+) -> CompiledCondition:
     structure = analysis.structure
     if structure.special or structure.stand_ins or structure.rank != 4:
         raise InputError("only legs between finite joints in space are compiled", hint="analyze a platform")
@@ -143,7 +210,7 @@ def compiled(
         expression=as_text(asked, names=structure.names),
         joints=joints.moving,
         unit=moving.unit if moving else "",
-        engine=chosen,
+        engine=engine,
         programs={kind: program for kind, (_, program) in found.items()},
         roads={kind: name for kind, (name, _) in found.items()},
     )

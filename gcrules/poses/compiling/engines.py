@@ -16,13 +16,16 @@ from gcrules.core.errors import InputError
 from gcrules.poses.compiling.native import native
 from gcrules.poses.compiling.tape import BINARY, Program, allocated
 
-__all__ = ["ENGINES", "Run", "engine_named", "runner"]
+__all__ = ["ENGINES", "STEP", "Run", "engine_named", "runner"]
 
 Floats = NDArray[np.float64]
 Run = Callable[[Floats, Floats, Floats], None]
 """run(first, second, out): the values for n poses whose inputs are the columns of two arrays, (n, k) and (n, m)."""
 
 ENGINES = ("numpy", "numba")
+
+STEP = 65_536
+"""Poses that one call of an engine works on, after which the program can be interrupted."""
 
 CACHE = 1 << 20
 """Bytes that the registers of a chunk may take: a half of the second-level cache of an ordinary core."""
@@ -62,6 +65,8 @@ def _numpy(program: Program) -> Run:
             a = registers[held[line.args[0]]]
             if line.op == "inv":
                 found.append((np.divide, one, a, out))
+            elif line.op == "sqrt":
+                found.append((np.sqrt, a, None, out))
             else:
                 other = registers[held[line.args[1]]] if line.op in BINARY else constants[n]
                 found.append((ufuncs[line.op], a, other, out))
@@ -78,6 +83,8 @@ def _numpy(program: Program) -> Run:
                 for ufunc, a, b, to in part:
                     if ufunc is None:
                         to[:] = columns[a][start:stop]
+                    elif b is None:
+                        ufunc(a, to)
                     else:
                         ufunc(a, b, to)
                 out[start:stop] = part[-1][3]

@@ -116,6 +116,10 @@ def _emit(builder: Any, program: Program, split: int, rows: bool, addresses: Any
             values.append(loaded(line.args[0]))
         elif line.op == "inv":
             values.append(builder.fdiv(constant(1), values[line.args[0]]))
+        elif line.op == "sqrt":
+            name, kind = f"llvm.sqrt.v{WIDTH}f64", ir.FunctionType(vector, [vector])
+            root = builder.module.declare_intrinsic(name, (), kind)
+            values.append(builder.call(root, [values[line.args[0]]]))
         else:
             x = values[line.args[0]]
             y = values[line.args[1]] if line.op in BINARY else constant(line.constant)

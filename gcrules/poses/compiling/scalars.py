@@ -27,7 +27,7 @@ Node = tuple[str, int, int | Fraction]
 class Graph:
     """The nodes that a trace has made, operands before their use; the first ones are the inputs.
 
-    add, sub, mul have two operands, shift adds a constant, scale multiplies by a positive one, inv is 1/x.
+    add, sub, mul have two operands, shift adds a constant, scale multiplies by a positive one, inv is 1/x, sqrt √x.
     """
 
     def __init__(self, inputs: int) -> None:
@@ -89,6 +89,11 @@ class Scalar:
     def inverse(self) -> Scalar:
         """1 / self."""
         return Scalar(self.graph, self.sign, self.graph.node("inv", self.node))
+
+    def root(self) -> Scalar:
+        """√self, not a number where self is negative."""
+        node = self.node if self.sign > 0 else self.graph.node("scale", self.node, -1)
+        return Scalar(self.graph, 1, self.graph.node("sqrt", node))
 
     def _shifted(self, by: Fraction) -> Scalar:
         node, by = self.node, by * self.sign

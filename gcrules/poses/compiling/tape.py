@@ -18,6 +18,7 @@ Fraction(2, 1)
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -52,6 +53,7 @@ OPERATIONS: Mapping[str, Callable[[Any, Any], Any]] = MappingProxyType(
         "shift": operator.add,
         "scale": operator.mul,
         "inv": lambda x, _: 1 / x,
+        "sqrt": lambda x, _: math.sqrt(x),
     }
 )
 """What a line computes from its operand and another one, or the constant."""
@@ -66,6 +68,7 @@ _TEXTS = {
     "shift": "v{0} + {c}",
     "scale": "{c} * v{0}",
     "inv": "1 / v{0}",
+    "sqrt": "√v{0}",
 }
 
 
@@ -89,7 +92,7 @@ class Program:
         return tuple(k for k in range(self.inputs) if k not in read)
 
     def exact(self, inputs: Sequence[Any]) -> Any:
-        """The value for one set of inputs of any ring: exact for integers and Fractions."""
+        """The value for one set of inputs of any ring: exact for integers and Fractions, but for square roots."""
         values: list[Any] = [self.constant]
         for line in self.lines:
             if line.op == "input":

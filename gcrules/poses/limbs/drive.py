@@ -26,13 +26,13 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.solve import Solution, goal
 from gcrules.mechanisms.kinematics.soundness import sound
 from gcrules.poses.limbs.nodes import Nodes
+from gcrules.poses.limbs.straight import led, number_of_steps
 
 __all__ = ["Driven", "drive"]
 
 Truths = NDArray[np.bool_]
 
 _AT_ONCE = 256  # configurations: their arrays fit into a cache
-_STEP = 0.2  # rad, or parts of the robot's size: the longest step of a prediction
 _FARTHEST = 32  # steps, at each of which the loops may be open by a hundredth of what the proofs leave room for
 _HALVINGS = 5  # of a step, for its proofs
 _FEWEST = 4  # that are predicted after a step that was not proved
@@ -128,18 +128,16 @@ def _led(way: Itinerary, here: Configuration, goals: Floats) -> tuple[Floats, Tr
     goals, and where a solution was found (N,); each is led there straight.
     """
     change = way.changes(goals[:1], goals[1:])
-    steps = np.maximum(np.ceil(np.abs(change / way.course.weights).max(axis=1, initial=0.0) / _STEP), 1)
-    start = Configurations.of([here])
+    steps = number_of_steps(way.course, change)
     amounts = np.zeros((len(goals), sum(len(c.turns) for c in here.chains)))
-    reached = steps <= _FARTHEST
-    for k in range(1, int(steps[reached].max(initial=0)) + 1):
-        on = np.flatnonzero(reached & (steps >= k))
-        if not len(on):
-            break
-        now = start[np.zeros(len(on), dtype=int)].after(*_moved(here, amounts[on + 1]))
-        joints = close_loops(way.course, now, way.further(goals[:1], (k / steps[on])[:, None] * change[on]))
-        amounts[on + 1] += np.concatenate(joints.amounts, axis=1)
-        reached[on] = joints.closed
+    amounts[1:], reached = led(
+        way.course,
+        Configurations.of([here]),
+        amounts[1:],
+        lambda on, part: way.further(goals[:1], part * change[on]),
+        change,
+        np.where(steps <= _FARTHEST, steps, 0),
+    )
     return amounts, reached
 
 

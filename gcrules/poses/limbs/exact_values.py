@@ -10,7 +10,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.core.floats import int_if_whole
 from gcrules.core.linear_algebra import kernel
 from gcrules.mechanisms.description.family import Family
-from gcrules.mechanisms.description.relations import combined
+from gcrules.mechanisms.lines.derived import with_derived
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.lines.wrenches import PLANAR
 from gcrules.mechanisms.robot import Robot
@@ -25,12 +25,8 @@ Values = Mapping[str, Vector]
 
 def lines_at(family: Family, structure: Equivalent, values: Values) -> dict[str, tuple[Fraction, ...]]:
     """Homogeneous coordinates (x, y, z, w) of all points and directions, derived ones among them, exact."""
-    found = family.homogeneous(values)
-    known = dict(values)
-    for name, u, v in (*structure.derived, *(d for limb in structure.limbs for d in limb.derived)):
-        known[name] = RATIONALS.cross(*(combined(t, known, RATIONALS) for t in (u, v)))
-        found[name] = (*known[name], Fraction(0))
-    return found
+    every = (*structure.derived, *(d for limb in structure.limbs for d in limb.derived))
+    return family.homogeneous(values) | with_derived(every, values, RATIONALS)
 
 
 def value_at(family: Family, structure: Equivalent, values: Values, e: Expr) -> Fraction:

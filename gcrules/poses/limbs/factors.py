@@ -13,9 +13,10 @@ from gcrules.algebra.expr import ONE, Expr, Product, points_of
 from gcrules.algebra.language.text import text
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.description.relations import Term
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.lines.derived import with_derived
 from gcrules.poses.numbers.extensors import coordinates
+from gcrules.screws import FLOATS
 
 __all__ = ["ConditionFactor", "factor_values", "factors", "superbracket_value"]
 
@@ -126,9 +127,7 @@ def _value(e: Expr, at: Mapping[str, Floats]) -> Floats:
 def _unit_scale(analysis: RobotAnalysis, values: Mapping[str, Floats], used: Collection[str]) -> dict[str, Floats]:
     """Homogeneous coordinates (N, 4) of the names that are used, (N, 3) in the plane."""
     sorts = analysis.robot.family.sorts
-    derived: dict[str, Floats] = {}
-    for n, u, v in analysis.structure.derived:  # each may be made from those before it
-        derived[n] = crossed(_of(u, {**values, **derived}), _of(v, {**values, **derived}))
+    derived = _derived(analysis, values)
     points = {n: values[n] for n in used if n not in derived and sorts[n] == "point"}
     places = np.stack(np.broadcast_arrays(*points.values())) if points else np.zeros((1, 3))
     centre = places.mean(axis=0)
@@ -136,17 +135,25 @@ def _unit_scale(analysis: RobotAnalysis, values: Mapping[str, Floats], used: Col
     size = np.where(size > 0, size, 1.0)
     found = {}
     for n in used:
-        vector = (points[n] - centre) / size if n in points else _unit(derived[n] if n in derived else values[n])
-        last = np.full((*vector.shape[:-1], 1), float(n in points))
-        row = np.atleast_2d(np.concatenate([vector, last], axis=-1))
+        row = derived.get(n)
+        if row is None:
+            row = np.concatenate([values[n], np.full((*values[n].shape[:-1], 1), float(n in points))], axis=-1)
+        below = row[..., 3:]
+        vector = (row[..., :3] - below * centre) / np.where(below, size, 1.0)
+        row = np.concatenate([vector, np.broadcast_to(below, (*vector.shape[:-1], 1))], axis=-1)
+        row = np.atleast_2d(row if n in points else _unit(row))
         found[n] = row[:, [0, 1, 3]] if analysis.robot.family.plane else row
     return found
+
+
+def _derived(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Homogeneous coordinates (N, 4) of derived names."""
+    derived = analysis.structure.derived
+    own = {n: FLOATS.vector(values[n]) for d in derived for n in d.names if n in values}
+    rows = with_derived(derived, own, FLOATS)
+    return {n: np.stack(np.broadcast_arrays(*row), axis=-1) for n, row in rows.items()}
 
 
 def _unit(direction: Floats) -> Floats:
     size = np.linalg.norm(direction, axis=-1, keepdims=True)
     return np.asarray(direction / np.where(size > 0, size, 1.0))
-
-
-def _of(term: Term, values: Mapping[str, Floats]) -> Floats:
-    return np.asarray(sum((float(c) * values[n] for c, n in term), np.zeros(3)))

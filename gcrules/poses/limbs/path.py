@@ -28,7 +28,7 @@ from gcrules.core.budget import report as report_progress
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.kinematics.coordinates import coordinates
+from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
 from gcrules.mechanisms.kinematics.itinerary import Itinerary
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import Course
@@ -181,7 +181,8 @@ def _crossing(way: Way, analysis: RobotAnalysis, k: int, at: Stretch, around: St
     changed = [cause_of(a) for a, b in zip(before, after, strict=True) if a.live and a.value * b.value < 0]
     near = margin(m, middle)
     motion = twist_of(near.motions[-1][:3], near.motions[-1][3:], near.centre, m.size)
-    place = coordinates(way.target.names, middle.platform, m.centre)
+    names = way.target.names
+    place = without_rounding(names, coordinates(names, middle.platform, m.centre), m.size)
     a, b = (float(k + p) for p in at)
     first, last = (float(k + p) for p in around)
     return Crossing(k + part, a, b, first, last, tuple(map(float, place)), tuple(changed), motion)

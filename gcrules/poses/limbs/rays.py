@@ -18,6 +18,7 @@ from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.loops import Course, close_loops
 from gcrules.mechanisms.kinematics.margin import margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.soundness import stays_still
 from gcrules.mechanisms.kinematics.targets import Target
 
 __all__ = ["Bundle", "Ends"]
@@ -27,7 +28,6 @@ Truths = NDArray[np.bool_]
 _STEP = 0.2  # in parts of the robot's size, or rad
 _SHORTEST = 1e-4
 _LOCATED = 1e-10
-_STILL = 1e-7  # rad: of a joint that has to stay at 0
 _ROUNDS = 40
 _MOST = 400  # steps
 _GOLDEN = (5**0.5 - 1) / 2
@@ -51,7 +51,6 @@ class Bundle:
         self.m, self.names = m, names
         self.course = Course(m, Target(names, np.zeros(len(names))))
         self.weights = self.course.weights
-        self._locked = [(place, k) for place, k, _ in m.locked]
 
     def frames(self, here: Configurations) -> Frames:
         return frames(self.m, here, self.m.centre)
@@ -59,10 +58,7 @@ class Bundle:
     def moved(self, here: Configurations, goal: Floats) -> tuple[Configurations, Truths]:
         """Configurations near these ones at other places (N, names), and where there are such."""
         joints = close_loops(self.course, here, goal * self.weights)
-        good = joints.closed.copy()
-        for place, k in self._locked:
-            good &= np.abs(joints.amounts[place][:, k]) <= _STILL
-        return here.after(joints.amounts, joints.links), good
+        return here.after(joints.amounts, joints.links), joints.closed & stays_still(self.m, joints.amounts)
 
     def ends(self, directions: Floats, reach: float, *, nearest: bool = False) -> Ends:
         """Of ways in these directions (N, names), up to `reach`; those of no interest when only the `nearest` counts

@@ -173,7 +173,7 @@ def _candidates(
     others = [p.expression for p in live_parts(a) if p is not part]
     moving = {*a.robot.platform, *(n for limb in a.robot.limbs for n in limb.joints[-1].names)}
     moving -= {n for limb in a.robot.limbs for n in limb.joints[0].names}
-    wanted = [*points_of(part.expression), *(n for _, *terms in structure.derived for t in terms for _, n in t)]
+    wanted = [*points_of(part.expression), *(n for d in structure.derived for n in d.names)]
     needed = upstream(family, wanted)
     for names, step in _moves(a.robot):
         if needed.isdisjoint(names):

@@ -18,9 +18,11 @@ from gcrules.mechanisms.kinematics.branch import Steps, follow_branch
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.determinants import frames, relative_sign
 from gcrules.mechanisms.kinematics.linkage import Configuration
-from gcrules.mechanisms.kinematics.loops import Course, close_loops, units_of
+from gcrules.mechanisms.kinematics.loops import Course, Joints, units_of
 from gcrules.mechanisms.kinematics.margin import margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.soundness import stays_still
+from gcrules.poses.limbs.straight import after, led, number_of_steps
 
 __all__ = ["Sweep", "blocks"]
 
@@ -28,8 +30,6 @@ Truths = NDArray[np.bool_]
 Places = NDArray[np.intp]
 
 _AT_ONCE = 256  # configurations: their arrays fit into a cache
-_STEP = 0.2  # rad, or parts of the robot's size: the longest step
-_STILL = 1e-7  # rad: of a joint that has to stay at 0
 
 
 class Sweep:
@@ -46,8 +46,6 @@ class Sweep:
         self.course, self.shape, self.origin, self.steps, self.first = course, shape, origin, steps, first
         self.units = units_of(course.m)
         self._start = Configurations.of([start])
-        self._cuts = np.cumsum([len(c.turns) for c in start.chains])[:-1].tolist()
-        self._weights = course.weights
         number = int(np.prod(shape))
         self.amounts = np.full((number, len(self.units)), np.nan)
         self.reached = np.zeros(number, dtype=bool)
@@ -66,8 +64,7 @@ class Sweep:
 
     def at(self, amounts: Floats) -> Configurations:
         """The configurations of amounts (K, all)."""
-        parts = np.split(amounts, self._cuts, axis=1)
-        return self._start.after(parts, [c.links(a) for c, a in zip(self._start.chains, parts, strict=True)])
+        return after(self._start, amounts)
 
     def solved(self, amounts: Floats, before: Floats, places: Floats, *, halvings: int | None = None) -> Floats:
         """Amounts (K, all) at places (K, axes), from those at places `before`; not a number where there are none near
@@ -77,7 +74,7 @@ class Sweep:
         for some in blocks(len(places)):
             grown = (places[some] - before[some]) @ self.steps
             begin = self.origin + before[some] @ self.steps
-            parts = max(1, int(np.ceil(np.abs(grown / self._weights).max(initial=0.0) / _STEP)))
+            parts = int(number_of_steps(self.course, grown).max(initial=1))
             found[some] = self._led(amounts[some], begin, grown, parts, prove=halvings is not None)
             for _ in range(halvings or 0):
                 rest = np.flatnonzero(np.isnan(found[some, 0]) & ~np.isnan(amounts[some, 0]))
@@ -88,27 +85,18 @@ class Sweep:
         return found
 
     def _led(self, amounts: Floats, begin: Floats, grown: Floats, parts: int, *, prove: bool) -> Floats:
-        there, here = amounts.copy(), np.flatnonzero(~np.isnan(amounts[:, 0]))
-        m, target = self.course.m, self.course.target
-        for k in range(1, parts + 1):
-            if not len(here):
-                break
-            checkpoint()
-            now = self.at(there[here])
-            joints = close_loops(self.course, now, begin[here] + k / parts * grown[here])
-            more = np.concatenate(joints.amounts, axis=1)
-            good = joints.closed & self._still(more)
+        def accept(now: Configurations, joints: Joints, _on: Places, step: Floats) -> Truths:
+            good = joints.closed & stays_still(self.course.m, joints.amounts)
             if prove and good.any():
-                good[good] = follow_branch(m, target, Steps.of(now, joints, grown[here] / parts)[good])
-            there[here] += np.where(good[:, None], more, np.nan)
-            here = here[good]
-        return there
+                steps = Steps.of(now, joints, step)[good]
+                good[good] = follow_branch(self.course.m, self.course.target, steps)
+            return good
 
-    def _still(self, amounts: Floats) -> Truths:
-        """Whether the joints that have to stay at 0 do."""
-        starts = [0, *self._cuts]
-        locked = [starts[place] + k for place, k, _ in self.course.m.locked]
-        return np.asarray((np.abs(amounts[:, locked]) <= _STILL).all(axis=1))
+        steps = np.where(np.isnan(amounts[:, 0]), 0, parts)
+        found, good = led(
+            self.course, self._start, amounts, lambda on, part: begin[on] + part * grown[on], grown, steps, accept
+        )
+        return np.where(good[:, None], found, np.nan)
 
     def _spread(self) -> None:
         front = np.array([self.first])

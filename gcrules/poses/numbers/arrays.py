@@ -13,7 +13,7 @@ from gcrules.core.floats import as_float
 from gcrules.screws.pose import SILENT, UNIT_TOLERANCE, Pose
 from gcrules.screws.rotations import MANY, check_sequence, too_many_turns
 
-__all__ = ["from_poses", "from_vectors", "matrices", "normalised_note", "read_arrays", "real_numbers"]
+__all__ = ["finite_rows", "from_poses", "from_vectors", "matrices", "normalised_note", "read_arrays", "real_numbers"]
 
 Floats = NDArray[np.float64]
 
@@ -39,9 +39,9 @@ def read_arrays(
     """
     if sum(x is not None for x in (quaternions, rotation_vectors, euler)) > 1:
         raise InputError("several kinds of turns", hint="give quaternions, rotation vectors or Euler angles")
-    shift = np.zeros((1, 3)) if translations is None else _rows(translations, 3, "translations")
+    shift = np.zeros((1, 3)) if translations is None else finite_rows(translations, 3, "translations")
     if quaternions is not None:
-        turns = _rows(quaternions, 4, "quaternions")
+        turns = finite_rows(quaternions, 4, "quaternions")
         sizes = _lengths(turns)
         off = np.abs(sizes - 1) > UNIT_TOLERANCE
         if off.any():
@@ -65,7 +65,7 @@ def read_arrays(
 
 def normalised_note(quaternions: Any) -> tuple[str, ...]:
     """Says how many quaternions of an array that `read_arrays` takes were normalised, if any."""
-    off = np.abs(_lengths(_rows(quaternions, 4, "quaternions")) - 1)
+    off = np.abs(_lengths(finite_rows(quaternions, 4, "quaternions")) - 1)
     count = int((off > SILENT).sum())
     return (f"quaternions normalised: {count}, off from length 1 by up to {off.max():.2g}",) if count else ()
 
@@ -98,7 +98,8 @@ def real_numbers(given: Any, what: str, hint: str) -> NDArray[Any]:
     return found
 
 
-def _rows(given: Any, width: int, what: str) -> Floats:
+def finite_rows(given: Any, width: int, what: str) -> Floats:
+    """An array (N, width) of finite numbers; a single row stands for one. Raises InputError for others."""
     found = real_numbers(given, what, f"give an array of shape (N, {width})").astype(np.float64, copy=False)
     if found.ndim == 1 and found.shape[0] == width:
         found = found[None, :]
@@ -117,7 +118,7 @@ def _lengths(rows: Floats) -> Floats:
 
 
 def _angles(given: Any, what: str) -> Floats:
-    found = _rows(given, 3, what)
+    found = finite_rows(given, 3, what)
     if np.abs(found).max(initial=0.0) > MANY:
         raise too_many_turns()
     return found

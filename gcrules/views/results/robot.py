@@ -128,7 +128,7 @@ def _head(a: RobotAnalysis) -> Iterator[str]:
 def _limb(limb: LimbWrenches) -> str:
     what = f"{limb.limb.name} ({limb.limb.chain}): {limb.kind}"
     if limb.lines is None:
-        return f"{what}; no lines through the robot's points span it"
+        return f"{what}; no lines that can be named span it"
     return f"{what}: {', '.join(map(_line, limb.lines))}"
 
 
@@ -141,7 +141,7 @@ def _structure(a: RobotAnalysis) -> str:
     words = [f"the lines {' '.join(''.join(leg) for leg in a.structure.legs)}"]
     if a.structure.ideal:
         words.append(f"at infinity {', '.join(a.structure.ideal)}")
-    words += [f"{n} is the direction {what}" for n, what in a.structure.named]
+    words += [f"{n} is {what}" for n, what in a.structure.named]
     return "; ".join(words)
 
 

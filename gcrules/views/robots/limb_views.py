@@ -12,9 +12,10 @@ from gcrules.algebra.language.legs_text import leg_text
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.limb_file import JointSpec
 from gcrules.mechanisms.description.relations import Term
+from gcrules.mechanisms.lines.derived import with_derived
 from gcrules.mechanisms.lines.equivalent import FRAME
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
-from gcrules.screws import JOINTS
+from gcrules.screws import FLOATS, JOINTS
 from gcrules.views.scene_data import JointView, LimbView, LineView, Vec3
 
 __all__ = ["Values", "all_places", "directions", "limb_views", "wrench_words"]
@@ -49,15 +50,14 @@ def limb_views(robot: RobotAnalysis, values: Values) -> list[LimbView]:
 def all_places(robot: RobotAnalysis, values: Values) -> dict[str, Floats]:
     """Coordinates of all points and directions, those that the equivalent lines derive among them."""
     places = {n: np.asarray(v, dtype=np.float64) for n, v in values.items()}
-    for name, u, v in robot.structure.derived:
-        places[name] = np.cross(_sum(u, places), _sum(v, places))
-    return places
+    rows = with_derived(robot.structure.derived, {n: FLOATS.vector(v) for n, v in places.items()}, FLOATS)
+    return places | {n: np.array(row[:3]) / (row[3] or 1.0) for n, row in rows.items()}
 
 
 def directions(robot: RobotAnalysis) -> set[str]:
     """The names that are directions."""
     own = {n for n, sort in robot.robot.family.sorts.items() if sort == "direction"}
-    return own | {n for n, _, _ in robot.structure.derived}
+    return own | {d.name for d in robot.structure.derived if not d.is_point}
 
 
 def _sum(term: Term, places: Mapping[str, Floats]) -> Floats:
@@ -111,7 +111,7 @@ def _vec(v: Floats) -> Vec3:
 def wrench_words(one: LimbWrenches) -> list[str]:
     """What the limb applies with its actuators locked."""
     if one.lines is None:
-        return [f"{one.kind}; no lines through the robot's points span it"]
+        return [f"{one.kind}; no lines that can be named span it"]
     return [_wrench(line) for line in one.lines]
 
 

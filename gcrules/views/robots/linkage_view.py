@@ -42,7 +42,7 @@ def linkage_view(robot: Limbs) -> LinkageView:
         },
         "points": _places(m, "point"),
         "directions": _places(m, "direction"),
-        "derived": [{"name": n, "u": _terms(u), "v": _terms(v)} for n, u, v in structure.derived],
+        "derived": [{"name": d.name, "args": [_terms(term) for term in d.args]} for d in structure.derived],
         "joints": [[_joint(j) for j in limb.limb.joints] for limb in structure.limbs],
         "lines": [*drawn, rest] if rest else drawn,
         "bars": [[bar for j in limb.limb.joints for bar in _bars(j)] for limb in structure.limbs],

@@ -76,9 +76,10 @@ export function drivesOf(viewer: Viewer, scene: Scene & { linkage: Linkage }, te
 /** What of a scene follows the links. */
 export function moved(scene: Scene, m: Linkage, at: Configuration): Partial<Scene> {
   const all = named(m, at);
-  for (const d of m.derived) all[d.name] = cross(sum(d.u, all), sum(d.v, all));
+  for (const d of m.derived) all[d.name] = derived(d.args, all);
   const points = Object.fromEntries(Object.keys(scene.points).map((n) => [n, all[n] ?? scene.points[n]!]));
-  const free = (n: string) => !(n in m.points); // a direction
+  const finite = new Set(m.derived.filter((d) => d.args.length > 2).map((d) => d.name));
+  const free = (n: string) => !(n in m.points || finite.has(n)); // a direction
   const limbs = (scene.limbs ?? []).map((limb, i) => movedLimb(limb, m, i, all, free));
   const platform = at.links[0]!.at(-1)!;
   const plate = m.chains.map((c) => applied(platform, c.end));
@@ -94,6 +95,12 @@ export function moved(scene: Scene, m: Linkage, at: Configuration): Partial<Scen
 
 const sum = (terms: Terms, all: Places): Vec3 =>
   Object.entries(terms).reduce<Vec3>((found, [n, c]) => along(found, all[n]!, c), [0, 0, 0]);
+
+/** u × v, or where the line through p along u meets the plane through q with the normal n. */
+function derived(args: Terms[], all: Places): Vec3 {
+  const [p, u, q, n] = args.map((terms) => sum(terms, all));
+  return q && n ? along(p!, u!, dot(n, sub(q, p!)) / dot(n, u!)) : cross(p!, u!);
+}
 
 function movedLimb(limb: Limb, m: Linkage, i: number, all: Places, free: (n: string) => boolean): Limb {
   const joints = limb.joints.map((joint, k) => {

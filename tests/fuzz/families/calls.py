@@ -191,7 +191,7 @@ def _functions() -> Mapping[str, Callable[..., Any]]:
         "transversals",
         "view",
     )
-    methods = {f"{n} of a robot": partial(getattr(gc, n), _robot()) for n in ("pose", "singular")}
+    methods = {f"{n} of a robot": partial(getattr(gc, n), _robot()) for n in ("pose", "singular", "compiled")}
     types = {n: getattr(gc, n) for n in ("Platform", "Plugin", "Strategy", "Structure")}
     return (
         {n: getattr(gc, n) for n in (*names, *more)}

@@ -1,0 +1,98 @@
+r"""Closed forms on the tape: turns and slides that satisfy an equation, with the root that is home's.
+
+>>> graph = Graph(1)
+>>> roots = Roots(graph)
+>>> (x,) = graph.inputs  # 0 at home
+>>> cosine, sine = roots.turned(-1, 2, 1 - x)  # 2 sin θ = cos θ − 1 + x, θ = 0 at home
+>>> c, s = (lower(graph, value).exact([0.3]) for value in (cosine, sine))
+>>> abs(c * c + s * s - 1) < 1e-15, abs(2 * s - c + 1 - 0.3) < 1e-15, 0 < s < 0.2
+(True, True, True)
+>>> roots.turned(-1, x, 1)
+Traceback (most recent call last):
+    ...
+gcrules.poses.compiling.roots.NoForm: two roots meet at home
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import sqrt
+
+from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
+from gcrules.poses.compiling.tape import lower
+
+__all__ = ["NoForm", "Roots", "cosine_and_sine", "inverse", "root"]
+
+_TERMS = 6  # of series: for a sixteenth of π what is left out is below 1e-18
+
+_DOUBLE = 1e-6  # in parts of the coefficients: nearer roots are not told apart
+
+
+class NoForm(Exception):
+    """There is no closed form of the kinds that are known here."""
+
+
+def root(x: Ring) -> Ring:
+    """√x."""
+    return x.root() if isinstance(x, Scalar) else Fraction(sqrt(x))
+
+
+def inverse(x: Ring) -> Ring:
+    """1/x."""
+    return x.inverse() if isinstance(x, Scalar) else 1 / Fraction(x)
+
+
+def cosine_and_sine(angle: Ring) -> tuple[Ring, Ring]:
+    """Those of an angle from −π to π, within a few roundings: by series for its sixteenth, doubled four times. Of the
+    cosine what it lacks of 1 is doubled, so that nothing is lost.
+
+    >>> graph = Graph(1)
+    >>> c, s = (lower(graph, x) for x in cosine_and_sine(graph.inputs[0]))
+    >>> from math import cos, sin
+    >>> max(abs(c.exact([x]) - cos(x)) + abs(s.exact([x]) - sin(x)) for x in (-3.1, 1e-9, 0.3, 2.0)) < 2e-15
+    True
+    """
+    small = angle * Fraction(1, 16)
+    square = small * small
+    s = small * _series(square, 3)
+    lack = square * Fraction(1, 2) * _series(square, 4)
+    for _ in range(4):
+        s, lack = s * (1 - lack) * 2, s * s * 2
+    return 1 - lack, s
+
+
+def _series(square: Ring, first: int) -> Ring:
+    """1 − x²/((k − 1) k) (1 − x²/((k + 1)(k + 2)) (…)), from k = first on."""
+    found: Ring = 1
+    for k in range(first + 2 * _TERMS - 2, first - 1, -2):
+        found = 1 - square * Fraction(1, k * (k - 1)) * found
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class Roots:
+    """Equations whose solution at home, where all inputs are 0, is 0."""
+
+    graph: Graph
+
+    def at_home(self, x: Ring) -> float:
+        """The value there."""
+        return float(lower(self.graph, x).exact([0.0] * len(self.graph.inputs)))
+
+    def turned(self, a: Ring, b: Ring, c: Ring) -> tuple[Ring, Ring]:
+        """cos θ and sin θ with a cos θ + b sin θ + c = 0. Raises NoForm where both roots are one at home."""
+        square = a * a + b * b
+        rest = root(square - c * c) * -self._sign(b, self.at_home(a))
+        part = inverse(square)
+        return -(a * c + b * rest) * part, (a * rest - b * c) * part
+
+    def slid(self, b: Ring, c: Ring, size: float) -> Ring:
+        """s with s² + 2 b s + c = 0, lengths like `size`. Raises NoForm where both roots are one at home."""
+        return root(b * b - c) * self._sign(b, size) - b
+
+    def _sign(self, b: Ring, beside: float) -> int:
+        value = self.at_home(b)
+        if abs(value) <= _DOUBLE * (abs(beside) + abs(value)):
+            raise NoForm("two roots meet at home")
+        return 1 if value > 0 else -1
