@@ -686,6 +686,8 @@ export interface PathSample {
 /** A singular place on a path, with what happens there, why, and what is gained, in sentences. */
 export interface PathPlace {
   parameter: number;
+  /** The parameter as a fraction; "" where it is none. */
+  exactly: string;
   /** The pose, as `gcrules pose --at` takes it. */
   at: string;
   words: string[];
@@ -710,6 +712,8 @@ export interface PathAnswer {
   end: number;
   samples: PathSample[];
   places: PathPlace[];
+  /** Places that are left out. */
+  more: number;
   stretches: PathStretch[];
   facts: FactItem[];
 }

@@ -20,6 +20,7 @@ from gcrules.apps.studio.thresholds import threshold_of
 from gcrules.apps.studio.whereabouts import at_coordinates, coordinates_at, pose_json
 from gcrules.core.budget import report
 from gcrules.core.deferred import deferred
+from gcrules.core.english import as_sentence
 from gcrules.core.errors import LimitReached
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
@@ -61,7 +62,7 @@ def map_view(subject: Subject, over: Sequence[str], pose: PoseJson, threshold: s
         "frame": {"left": left, "right": right, "top": top, "bottom": bottom},
         "margin": [[_short(v) for v in row] for row in found.values("margin").tolist()],
         "status": [[MEANINGS[s] for s in row] for row in found.values("cell_status").tolist()],
-        "guarantee": f"{found.guarantee[:1].upper()}{found.guarantee[1:]}.",
+        "guarantee": as_sentence(found.guarantee),
         "statement": found.sentence,
         "facts": [fact(name, value) for name, value in account(found) if name != "proof"],
     }

@@ -15,6 +15,7 @@ from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
 from gcrules.apps.studio.whereabouts import poses_of_limbs, reached
 from gcrules.core.budget import checkpoint, report
+from gcrules.core.english import as_sentence
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.path_report import RobotPath
@@ -97,6 +98,7 @@ def _view(found: Found, posed: PosedAt) -> PathAnswer:
         "end": float(found.parameters[-1]),
         "samples": samples,
         "places": [_place(p, poses.get(p.parameter)) for p in a.places[:_MOST]],
+        "more": max(len(a.places) - _MOST, 0),
         "stretches": [_stretch(s) for s in a.stretches],
         "facts": [fact(name, value) for name, value in a.facts],
     }
@@ -110,11 +112,12 @@ def _chosen(parameters: Any, places: Sequence[float]) -> list[int]:
 
 
 def _place(p: PathPlace, pose: PoseJson | None) -> PathPlaceView:
-    words = [capital(f"{p.kind}."), *p.causes, *p.motions]
-    sure = capital(f"{p.sure}.") if p.sure else ""
-    return {"parameter": p.parameter, "at": p.pose, "words": words, "sure": sure, "pose": pose}
+    words = [as_sentence(p.kind), *p.causes, *p.motions]
+    sure = as_sentence(p.sure)
+    exactly = p.exactly.strip()
+    return {"parameter": p.parameter, "exactly": exactly, "at": p.pose, "words": words, "sure": sure, "pose": pose}
 
 
 def _stretch(s: PathStretch) -> PathStretchView:
-    words = [capital(f"{s.words}."), *s.causes, *s.motions]
+    words = [as_sentence(s.words), *s.causes, *s.motions]
     return {"start": s.start, "end": s.end, "singular": s.singular, "words": words}

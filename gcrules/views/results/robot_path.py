@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from gcrules.core.english import agreeing
+from gcrules.core.english import agreeing, as_sentence
 from gcrules.poses.limbs.path_report import Crossing, RobotPath
 from gcrules.screws.pose_text import ANGLES
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
@@ -67,19 +67,17 @@ def _crossing(r: RobotPath, c: Crossing) -> PathPlace:
         "",
         "crosses: the determinant of all wrenches changes its sign",
         _place(r, c),
-        tuple(f"{cause[:1].upper()}{cause[1:]}." for cause in c.causes),
+        tuple(map(as_sentence, c.causes)),
         (f"Gained motion: the platform can {c.motion.text()}.",),
         f"proved: an odd number of singular places lies between parameter {c.first:.7g} and {c.last:.7g}",
     )
 
 
 def _place(r: RobotPath, c: Crossing) -> str:
-    """Text for --at, to six digits; what is 0 but for rounding is 0."""
-    least = 1e-12 * max(1.0, *(abs(v) for v in c.coordinates))
-    values = [v if abs(v) > least else 0.0 for v in c.coordinates]
+    """Text for --at, to six digits."""
     return ", ".join(
         f"{n}={math.degrees(v):.6g}deg" if n in ANGLES else f"{n}={v:.6g}"
-        for n, v in zip(r.names, values, strict=True)
+        for n, v in zip(r.names, c.coordinates, strict=True)
     )
 
 

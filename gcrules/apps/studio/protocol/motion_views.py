@@ -41,6 +41,8 @@ class PathPlaceView(TypedDict):
     """A singular place on a path, with what happens there, why, and what is gained, in sentences."""
 
     parameter: float
+    exactly: str
+    """The parameter as a fraction; "" where it is none."""
     at: str
     """The pose, as `gcrules pose --at` takes it."""
     words: list[str]
@@ -65,6 +67,8 @@ class PathAnswer(TypedDict):
     """The parameter of the last pose; that of the first is 0."""
     samples: list[PathSampleView]
     places: list[PathPlaceView]
+    more: int
+    """Places that are left out."""
     stretches: list[PathStretchView]
     facts: list[FactItem]
 
