@@ -265,12 +265,15 @@ class LimbsTask(HoldsArrays):
     def guarantee(self, summary: MapSummary) -> str:
         """What is proved, in one sentence."""
         free, crossed, undecided = summary.cells
-        left = f"{crossed:,} crossed, {undecided:,} undecided, {summary.outside:,} with a corner that is not reached"
-        return (
-            f"{free:,} cells are proved free, by Krawczyk's operator: for all their coordinates the robot has one "
-            "configuration near those of the nodes, and none of these is singular; singular poses that hang together "
-            f"with home lie in the {crossed + undecided + summary.outside:,} other cells ({left})"
+        others = crossed + undecided + summary.outside
+        proved = (
+            f"{'' if others else 'all '}{free:,} cells are proved free, by Krawczyk's operator: for all their coordinates "
+            "the robot has one configuration near those of the nodes, and none of these is singular"
         )
+        if not others:
+            return proved
+        left = f"{crossed:,} crossed, {undecided:,} undecided, {summary.outside:,} with a corner that is not reached"
+        return f"{proved}; singular poses that hang together with home lie in the {others:,} other cells ({left})"
 
     @property
     def manifest(self) -> dict[str, Any]:

@@ -145,6 +145,8 @@ class LegsTask(HoldsArrays):
         else:
             how = "by bounds of the legs' coordinates around their middles"
         left = f"{crossed:,} crossed, {undecided:,} undecided"
+        if not crossed + undecided:
+            return f"no pose of the slice is singular: all {free:,} cells are proved free: {how}"
         return (
             f"every singular pose of the slice lies in the {crossed + undecided:,} cells that are not free ({left}); "
             + (f"{free:,} cells are proved free: {how}")

@@ -43,7 +43,7 @@ export function createStore(client: Client, start: Doc): Store {
     posing,
     moving: createMoving(editing, posing),
     seeker: createSeeker(client, editing),
-    touring: createTouring(client, editing, studying),
+    touring: createTouring(client, editing),
     lit: createLit(),
     space: createSpace(),
     taste: createTaste(),

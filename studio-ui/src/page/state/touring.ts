@@ -1,52 +1,33 @@
 // A path and a map of what is open, and what they are asked with.
-import { effect, signal, type Signal } from "@preact/signals";
-import type { Axis, Pose, Study } from "../../protocol";
+import type { Axis, Study } from "../../protocol";
 import type { Client } from "../net/client";
+import type { Range, Tour } from "./doc";
 import type { Editing } from "./editing";
 import { createRunner, type Runner } from "./running";
-import type { Studying } from "./studying";
-
-/** A coordinate of a map with its range. */
-export interface Range {
-  name: string;
-  low: number;
-  high: number;
-}
 
 export interface Touring {
   path: Runner<"path">;
   map: Runner<"map">;
   place: Runner<"place">;
-  /** Where the path begins; null for home. */
-  start: Signal<Pose | null>;
-  /** Where it ends, in words; "" for the pose on show. */
-  to: Signal<string>;
-  over: Signal<[Range, Range] | null>;
-  nodes: Signal<number>;
+  /** Changes what is asked; changes of the same field in a row are undone as one. */
+  change(part: Partial<Tour>): void;
 }
 
-export function createTouring(client: Client, editing: Editing, { study }: Studying): Touring {
-  const start = signal<Pose | null>(null);
-  const to = signal("");
-  const over = signal<[Range, Range] | null>(null);
-  effect(() => {
-    const shown = study.value;
-    start.value = null;
-    to.value = "";
-    over.value = shown && first(shown);
-  });
+export function createTouring(client: Client, editing: Editing): Touring {
+  const { doc, edit } = editing;
   return {
     path: createRunner(client, editing, "path", "Going along the path"),
     map: createRunner(client, editing, "map", "Mapping"),
     place: createRunner(client, editing, "place", "Going there"),
-    start,
-    to,
-    over,
-    nodes: signal(25),
+    change: (part) => edit({ tour: { ...doc.peek().tour, ...part } }, `tour ${Object.keys(part).join(" ")}`),
   };
 }
 
-function first({ ranges: [a, b] }: Study): [Range, Range] | null {
+/** The ranges that were chosen, else the first two; null where there are none, or none of these names any more. */
+export function rangesOf({ ranges }: Study, { over }: Tour): [Range, Range] | null {
+  const known = (range: Range) => ranges.some(({ name }) => name === range.name);
+  if (over?.every(known)) return over;
+  const [a, b] = ranges;
   return a && b ? [rangeOf(a), rangeOf(b)] : null;
 }
 
@@ -57,3 +38,9 @@ export const rangeOf = ({ name, low, high }: Axis): Range => ({ name, low: round
 /** As `gcrules map --over` takes it. */
 export const inWords = ({ name, low, high }: Range, unit: string, nodes: number): string =>
   `${name} ${low}:${high}:${nodes}${unit === "deg" ? " deg" : ""}`;
+
+/** The ranges with one of them changed; where it takes the coordinate of the other, they change places. */
+export function changed([a, b]: [Range, Range], index: 0 | 1, range: Range): [Range, Range] {
+  if (index === 0) return range.name === b.name ? [b, a] : [range, b];
+  return range.name === a.name ? [b, a] : [a, range];
+}

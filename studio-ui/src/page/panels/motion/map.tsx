@@ -5,26 +5,22 @@ import { FaultBox } from "../../parts/fault-box";
 import { Icon } from "../../parts/icon";
 import { NumberField } from "../../parts/number-field";
 import { Seeks } from "../../pose/nearest-view";
-import { inWords, rangeOf, type Range } from "../../state/touring";
+import { NODES, type Range } from "../../state/doc";
+import { changed, inWords, rangeOf, rangesOf } from "../../state/touring";
 import { MapResult } from "./map-result";
 
-const NODES = [11, 17, 25, 41, 61, 81];
-
 export function MapSection({ study }: { study: Study }) {
-  const { touring, doc } = useStore();
-  const { map, over, nodes } = touring;
-  const ranges = over.value;
+  const { touring, doc, tour$ } = useStore();
+  const { map, change } = touring;
+  const { nodes } = tour$.value;
+  const ranges = rangesOf(study, tour$.value);
   const now = map.now.value;
   if (!ranges) return null;
-  const axisOf = (name: string): Axis | undefined => study.ranges.find((one) => one.name === name);
-  const change = (index: 0 | 1, range: Range) => (over.value = index === 0 ? [range, ranges[1]] : [ranges[0], range]);
-  const same = ranges[0].name === ranges[1].name;
+  const words = (range: Range) => inWords(range, study.ranges.find(({ name }) => name === range.name)?.unit ?? "", nodes);
 
-  function go(): void {
+  function go([across, upwards]: [Range, Range]): void {
     const { source, pose, threshold } = doc.peek();
-    if (!source || !ranges) return;
-    const words = ranges.map((one) => inWords(one, axisOf(one.name)?.unit ?? "", nodes.value));
-    void map.start({ source, pose, threshold, over: words as [string, string] });
+    if (source) void map.start({ source, pose, threshold, over: [words(across), words(upwards)] });
   }
 
   return (
@@ -34,16 +30,16 @@ export function MapSection({ study }: { study: Study }) {
         class="ask"
         onSubmit={(event) => {
           event.preventDefault();
-          go();
+          go(ranges);
         }}
       >
         {([0, 1] as const).map((i) => (
-          <RangeRow key={i} index={i} range={ranges[i]} axes={study.ranges} onChange={(range) => change(i, range)} />
+          <RangeRow key={i} index={i} range={ranges[i]} axes={study.ranges} onChange={(range) => change({ over: changed(ranges, i, range) })} />
         ))}
         <div class="row">
           <label>
             <span class="label">poses</span>
-            <select value={nodes.value} data-testid="map-nodes" onChange={(event) => (nodes.value = Number(event.currentTarget.value))}>
+            <select value={nodes} data-testid="map-nodes" onChange={(event) => change({ nodes: Number(event.currentTarget.value) })}>
               {NODES.map((n) => (
                 <option key={n} value={n}>
                   {n} × {n}
@@ -51,7 +47,7 @@ export function MapSection({ study }: { study: Study }) {
               ))}
             </select>
           </label>
-          <button type="submit" class="primary" disabled={now.state === "busy" || same} data-testid="map-go">
+          <button type="submit" class="primary" disabled={now.state === "busy"} data-testid="map-go">
             <Icon name="map" size={14} /> Map
           </button>
         </div>

@@ -1,6 +1,6 @@
 // σ along the path, along which the robot can be led by hand; its singular places; what is not decided.
 import { useSignal } from "@preact/signals";
-import type { PathAnswer, PathSample, Pose } from "../../../protocol";
+import type { PathAnswer, PathArgs, PathSample, Pose } from "../../../protocol";
 import { short } from "../../lib/format";
 import { useStore } from "../../parts/context";
 import { Drawing } from "../../parts/drawing";
@@ -10,10 +10,10 @@ import { Plot } from "./plot";
 
 const ICONS = { regular: "ok", close: "warn", singular: "stop" } as const;
 
-export function PathResult({ result }: { result: PathAnswer }) {
+export function PathResult({ asked, result }: { asked: PathArgs; result: PathAnswer }) {
   const { edit, settle, moving } = useStore();
-  const at = useSignal(0);
-  const { samples, places, stretches, end, frame, verdict } = result;
+  const { samples, places, stretches, end, frame, verdict, more } = result;
+  const at = useSignal(asked.to === undefined ? samples.length - 1 : 0); // where the robot was when it was asked
   const shown = samples[at.value];
 
   function lead(index: number): void {
@@ -27,6 +27,13 @@ export function PathResult({ result }: { result: PathAnswer }) {
   function go(parameter: number, pose: Pose): void {
     at.value = nearest(samples, parameter);
     moving.to(pose);
+  }
+
+  function key(event: KeyboardEvent): void {
+    const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    lead(Math.min(Math.max(at.value + by, 0), samples.length - 1));
   }
 
   const move = ([x]: readonly [number, number]) => lead(nearest(samples, x * end));
@@ -46,17 +53,20 @@ export function PathResult({ result }: { result: PathAnswer }) {
         {shown && <span class="cursor" style={{ left: `${(100 * shown.parameter) / end}%` }} />}
       </Plot>
       {shown && (
-        <div class="lead">
+        <div class="lead" style={{ "--left": frame.left, "--width": frame.right - frame.left }}>
           <input
             type="range"
+            class="slider"
             min={0}
-            max={samples.length - 1}
-            step={1}
-            value={at.value}
+            max={end}
+            step="any"
+            value={shown.parameter}
             aria-label="Place on the path"
             aria-valuetext={`parameter ${short(shown.parameter, 3)}`}
             data-testid="path-lead"
-            onInput={(event) => lead(Number(event.currentTarget.value))}
+            style={{ "--from": "0%", "--to": `${(100 * shown.parameter) / end}%` }}
+            onInput={(event) => lead(nearest(samples, Number(event.currentTarget.value)))}
+            onKeyDown={key}
             onPointerUp={settle}
             onBlur={settle}
           />
@@ -71,9 +81,7 @@ export function PathResult({ result }: { result: PathAnswer }) {
           {stretches.map((s, i) => (
             <li key={`s${i}`} class={s.singular ? "singular" : "undecided"} data-testid="path-stretch">
               <div class="head">
-                <b>
-                  {short(s.start, 5)} to {short(s.end, 5)}
-                </b>
+                <b>{s.end > s.start ? `${short(s.start, 5)} to ${short(s.end, 5)}` : short(s.start, 6)}</b>
                 <span class="tag">{s.singular ? "singular throughout" : "not decided"}</span>
               </div>
               <Sentences words={s.words} />
@@ -83,7 +91,9 @@ export function PathResult({ result }: { result: PathAnswer }) {
             <li key={i} class="singular" data-testid="path-place">
               <div class="head">
                 <span class="number">{i + 1}</span>
-                <b>{short(p.parameter, 6)}</b>
+                <b>
+                  {short(p.parameter, 6)} {p.exactly}
+                </b>
                 <code>{p.at}</code>
                 {p.pose && (
                   <button type="button" onClick={() => p.pose && go(p.parameter, p.pose)} data-testid="path-place-go">
@@ -96,6 +106,11 @@ export function PathResult({ result }: { result: PathAnswer }) {
             </li>
           ))}
         </ol>
+      )}
+      {more > 0 && (
+        <p class="tip">
+          And {more} more, which <code>gcrules path … --json</code> shows.
+        </p>
       )}
       <Facts facts={result.facts} title="What was computed, and the proof" />
     </div>
