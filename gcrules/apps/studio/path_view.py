@@ -29,7 +29,7 @@ from gcrules.views.results.path_account import PathAccount, PathPlace, PathStret
 
 __all__ = ["path_view"]
 
-_SHOWN = 80  # samples to which the robot can be moved, about
+_SHOWN = {PathReport: 160, RobotPath: 40}  # samples to which it can be moved; the loops of a robot are closed for each
 _MOST = 100  # places that are listed
 _LOST = 3  # in a row to which the sliders do not lead: as a rule they do not to the rest either, and trying takes long
 
@@ -82,7 +82,7 @@ def _view(found: Found, posed: PosedAt) -> PathAnswer:
     poses: dict[float, PoseJson | None] = {}
     samples: list[PathSampleView] = []
     lost = 0
-    for k in _chosen(found.parameters, places):
+    for k in _chosen(found.parameters, places, _SHOWN[type(found)]):
         checkpoint()
         report(f"setting the robot at parameter {found.parameters[k]:.2f}")
         at = float(found.parameters[k])
@@ -104,9 +104,9 @@ def _view(found: Found, posed: PosedAt) -> PathAnswer:
     }
 
 
-def _chosen(parameters: Any, places: Sequence[float]) -> list[int]:
-    """Samples, evenly, and those at singular places."""
-    even = np.linspace(0, len(parameters) - 1, min(len(parameters), _SHOWN + 1)).round().astype(int)
+def _chosen(parameters: Any, places: Sequence[float], number: int) -> list[int]:
+    """About so many samples, evenly, and those at singular places."""
+    even = np.linspace(0, len(parameters) - 1, min(len(parameters), number + 1)).round().astype(int)
     special = np.flatnonzero(np.isin(parameters, places))
     return [int(k) for k in np.union1d(even, special)]
 

@@ -13,7 +13,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates, wrapped
 from gcrules.mechanisms.kinematics.linkage import Configuration
 from gcrules.mechanisms.kinematics.solve import free_coordinates, solve
-from gcrules.mechanisms.kinematics.targets import Target, actuators_target
+from gcrules.mechanisms.kinematics.targets import Target, actuators_target, written
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.around import actuator_values
 from gcrules.poses.limbs.path import HOME
@@ -35,7 +35,7 @@ def poses_of_limbs(limbs: Limbs, start: PoseJson | None, goal: PoseJson, to: str
     """Poses for a path, which name the same coordinates: those of the text, else independent ones. Raises InputError
     where the robot does not assemble.
     """
-    target = target_of(limbs.linkage, to, None) if to is not None else None
+    target = None if to in (None, HOME) else target_of(limbs.linkage, to, None)
     names = free_coordinates(limbs.linkage) if target is None else target.names
     last: Any = to if to is not None else coordinates_at(limbs, goal, names)
     if start is None:
@@ -78,7 +78,9 @@ def at_coordinates(limbs: Limbs, names: Sequence[str], values: Any, driven: bool
     if driven:
         solve(m, actuators_target(m, list(values)))
         return posed(limbs, values)
-    there = solve(m, Target(tuple(names), np.asarray(values, dtype=np.float64))).configuration
+    wanted = np.asarray(values, dtype=np.float64)
+    text = written(dict(zip(names, wanted.tolist(), strict=True)))
+    there = solve(m, Target(tuple(names), wanted, text=text)).configuration
     found = reached(limbs, actuator_values(m, there), names, values)
     if found is None:
         raise InputError(

@@ -267,8 +267,8 @@ class LimbsTask(HoldsArrays):
         free, crossed, undecided = summary.cells
         others = crossed + undecided + summary.outside
         proved = (
-            f"{'' if others else 'all '}{free:,} cells are proved free, by Krawczyk's operator: for all their coordinates "
-            "the robot has one configuration near those of the nodes, and none of these is singular"
+            f"{'' if others else 'all '}{free:,} cells are proved free, by Krawczyk's operator: for all their "
+            "coordinates the robot has one configuration near those of the nodes, and none of these is singular"
         )
         if not others:
             return proved

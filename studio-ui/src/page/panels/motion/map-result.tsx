@@ -1,9 +1,10 @@
 // The map as a picture: what stands under the pointer is said, and a click takes the robot there.
 import { useSignal } from "@preact/signals";
-import type { Axis, MapAnswer, MapArgs } from "../../../protocol";
+import type { Axis, MapAnswer, MapArgs, Pose } from "../../../protocol";
 import { short } from "../../lib/format";
 import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
+import { samePose } from "../../state/doc";
 import { Facts } from "./facts";
 import { Plot, type Spot } from "./plot";
 
@@ -15,19 +16,36 @@ const CELLS: Record<string, string> = {
 };
 
 export function MapResult({ asked, result }: { asked: MapArgs; result: MapAnswer }) {
-  const { touring, moving } = useStore();
+  const { touring, moving, pose$ } = useStore();
   const hovered = useSignal<Spot | null>(null);
   const chosen = useSignal<Spot | null>(null);
+  const led = useSignal<Pose | null>(null); // where the robot was taken from the map
   const { axes, frame, picture, guarantee } = result;
   const going = touring.place.now.value;
-  const spot = hovered.value ?? chosen.value;
+  const left = led.value !== null && !moving.active.value && !samePose(led.value, pose$.value);
+  const mark = left ? null : chosen.value;
+  const spot = hovered.value ?? mark;
+
+  function choose(at: Spot): void {
+    chosen.value = at;
+    led.value = null;
+  }
+
+  function key(event: KeyboardEvent): void {
+    const by = STEPS[event.key];
+    if (by) choose(stepped(mark ?? [0.5, 0.5], by, result.margin));
+    else if (event.key === "Enter" && mark) void go(mark);
+    else return;
+    event.preventDefault();
+  }
 
   async function go(at: Spot): Promise<void> {
-    chosen.value = at;
     const { source, over, pose } = asked;
     const place = axes.map((axis, i) => valueOf(axis, at[i as 0 | 1])) as [number, number];
     const found = await touring.place.start({ source, over, pose, place });
-    if (found) moving.to(found.pose);
+    if (!found) return;
+    led.value = found.pose;
+    moving.to(found.pose);
   }
 
   const image = `data:image/svg+xml;base64,${picture}`;
@@ -41,16 +59,18 @@ export function MapResult({ asked, result }: { asked: MapArgs; result: MapAnswer
           frame={frame}
           picture={<img src={image} alt={`Map over ${axes.map(({ name }) => name).join(" and ")}`} data-testid="map-picture" />}
           testid="map-plot"
+          label="A place of the map: the arrow keys choose it, Enter takes the robot there"
+          onKey={key}
           onHover={(at) => (hovered.value = at)}
-          onPress={(at) => (chosen.value = at)}
+          onPress={choose}
           onRelease={() => chosen.value && void go(chosen.value)}
         >
-          {chosen.value && <span class="here" style={{ left: `${100 * chosen.value[0]}%`, bottom: `${100 * chosen.value[1]}%` }} />}
+          {mark && <span class="here" style={{ left: `${100 * mark[0]}%`, bottom: `${100 * mark[1]}%` }} />}
         </Plot>
       ) : (
         <p class="none">The picture needs matplotlib: pip install "gcrules[maps]".</p>
       )}
-      <p class="readout" data-testid="map-readout">
+      <p class="readout" data-testid="map-readout" aria-live="polite">
         {spot ? <Spoken result={result} spot={spot} /> : "Point at the map to read it; a click takes the robot there."}
       </p>
       {going.state === "failed" && <FaultBox fault={going.fault} />}
@@ -77,6 +97,14 @@ function Spoken({ result, spot }: { result: MapAnswer; spot: Spot }) {
       σ <b>{sigma === null ? "none" : short(sigma, 3)}</b> at the nearest node · the cell is <b class={kind}>{CELLS[kind]}</b>
     </>
   );
+}
+
+const STEPS: Readonly<Record<string, Spot>> = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** The next node that way. */
+export function stepped(from: Spot, by: Spot, { length: rows, [0]: row }: MapAnswer["margin"]): Spot {
+  const next = (i: 0 | 1, nodes: number) => Math.min(Math.max(Math.round(from[i] * (nodes - 1)) + by[i], 0), nodes - 1) / (nodes - 1);
+  return [next(0, rows), next(1, row?.length ?? rows)];
 }
 
 const within = (part: number, cells: number): number => Math.min(Math.floor(part * cells), cells - 1);

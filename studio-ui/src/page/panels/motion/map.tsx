@@ -4,6 +4,7 @@ import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
 import { Icon } from "../../parts/icon";
 import { NumberField } from "../../parts/number-field";
+import { digitsOf } from "../../pose/axis-slider";
 import { Seeks } from "../../pose/nearest-view";
 import { NODES, type Range } from "../../state/doc";
 import { changed, inWords, rangeOf, rangesOf } from "../../state/touring";
@@ -69,7 +70,7 @@ interface RowProps {
 function RangeRow({ index, range, axes, onChange }: RowProps) {
   const axis = axes.find((one) => one.name === range.name);
   const step = (axis?.step ?? 0.01) * 10;
-  const digits = axis?.unit === "deg" ? 0 : 2;
+  const digits = digitsOf(step);
   const word = index === 0 ? "across" : "upwards";
   return (
     <div class="row">

@@ -9,12 +9,15 @@ interface Props {
   picture: ComponentChildren;
   children?: ComponentChildren;
   testid: string;
+  /** What the frame is for; it takes the keyboard then. */
+  label?: string;
   onHover?(spot: Spot | null): void;
   onPress?(spot: Spot): void;
   onRelease?(): void;
+  onKey?(event: KeyboardEvent): void;
 }
 
-export function Plot({ frame, picture, children, testid, onHover, onPress, onRelease }: Props) {
+export function Plot({ frame, picture, children, testid, label, onHover, onPress, onRelease, onKey }: Props) {
   const { left, right, top, bottom } = frame;
   const part = (size: number) => `${100 * size}%`;
   const style = { left: part(left), top: part(top), width: part(right - left), height: part(bottom - top) };
@@ -32,6 +35,8 @@ export function Plot({ frame, picture, children, testid, onHover, onPress, onRel
         class="frame"
         style={style}
         data-testid={testid}
+        {...(label !== undefined && { tabIndex: 0, role: "application", "aria-label": label })}
+        onKeyDown={onKey}
         onPointerDown={(event) => {
           if (event.button !== 0) return;
           event.currentTarget.setPointerCapture(event.pointerId);
