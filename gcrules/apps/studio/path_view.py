@@ -29,7 +29,7 @@ from gcrules.views.results.path_account import PathAccount, PathPlace, PathStret
 
 __all__ = ["path_view"]
 
-_SHOWN = {PathReport: 160, RobotPath: 40}  # samples to which it can be moved; the loops of a robot are closed for each
+_SHOWN = {PathReport: 100, RobotPath: 40}  # samples to which it can be moved; the loops of a robot are closed for each
 _MOST = 100  # places that are listed
 _LOST = 3  # in a row to which the sliders do not lead: as a rule they do not to the rest either, and trying takes long
 
