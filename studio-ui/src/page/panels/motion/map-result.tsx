@@ -1,12 +1,13 @@
 // The map as a picture: what stands under the pointer is said, and a click takes the robot there.
 import { useSignal } from "@preact/signals";
-import type { Axis, MapAnswer, MapArgs, Pose } from "../../../protocol";
+import type { MapAnswer, MapArgs, Pose } from "../../../protocol";
 import { short } from "../../lib/format";
 import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
 import { samePose } from "../../state/doc";
 import { Facts } from "./facts";
 import { Plot, type Spot } from "./plot";
+import { stepped, valueOf, within } from "./spots";
 
 const CELLS: Record<string, string> = {
   free: "proved free of singular poses",
@@ -100,12 +101,3 @@ function Spoken({ result, spot }: { result: MapAnswer; spot: Spot }) {
 }
 
 const STEPS: Readonly<Record<string, Spot>> = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
-/** The next node that way. */
-export function stepped(from: Spot, by: Spot, { length: rows, [0]: row }: MapAnswer["margin"]): Spot {
-  const next = (i: 0 | 1, nodes: number) => Math.min(Math.max(Math.round(from[i] * (nodes - 1)) + by[i], 0), nodes - 1) / (nodes - 1);
-  return [next(0, rows), next(1, row?.length ?? rows)];
-}
-
-const within = (part: number, cells: number): number => Math.min(Math.floor(part * cells), cells - 1);
-const valueOf = ({ low, high }: Axis, part: number): number => low + part * (high - low);

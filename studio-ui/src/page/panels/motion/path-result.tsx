@@ -1,12 +1,13 @@
 // σ along the path, along which the robot can be led by hand; its singular places; what is not decided.
 import { useSignal } from "@preact/signals";
-import type { PathAnswer, PathArgs, PathSample, Pose } from "../../../protocol";
+import type { PathAnswer, PathArgs, Pose } from "../../../protocol";
 import { short } from "../../lib/format";
 import { useStore } from "../../parts/context";
 import { Drawing } from "../../parts/drawing";
 import { Icon } from "../../parts/icon";
 import { Facts } from "./facts";
 import { Plot } from "./plot";
+import { nearest } from "./samples";
 
 const ICONS = { regular: "ok", close: "warn", singular: "stop" } as const;
 
@@ -125,9 +126,4 @@ function Sentences({ words }: { words: readonly string[] }) {
       ))}
     </>
   );
-}
-
-function nearest(samples: readonly PathSample[], parameter: number): number {
-  const away = (i: number) => Math.abs((samples[i]?.parameter ?? Infinity) - parameter);
-  return samples.reduce((best, _, i) => (away(i) < away(best) ? i : best), 0);
 }
