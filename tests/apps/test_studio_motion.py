@@ -21,6 +21,10 @@ pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 
 from apps.studio_client import HOME, Page
 
+from gcrules.apps.studio.map_view import map_view
+from gcrules.apps.studio.protocol.requests import HOME as AT_HOME
+from gcrules.apps.studio.subject import read_subject
+
 DELTA = {"kind": "robot", "id": "delta"}
 RPS = {"kind": "robot", "id": "3-rps"}
 OCTAHEDRAL = {"kind": "example", "name": "octahedral"}
@@ -188,6 +192,19 @@ def test_axes_are_where_the_frame_of_a_map_says(asked: Asked, page: Page) -> Non
         (left, top), (right, bottom) = corners.min(axis=0), corners.max(axis=0)
         frame = [found["frame"][side] for side in ("left", "right", "top", "bottom")]
         assert frame == pytest.approx([left / width, right / width, top / height, bottom / height], abs=1e-4)
+
+
+def test_without_matplotlib_a_map_says_what_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing(_: Any) -> Any:
+        raise ImportError("No module named 'matplotlib'")
+
+    monkeypatch.setattr("gcrules.apps.studio.map_view.framed", missing)
+    found = map_view(read_subject({"kind": "robot", "id": "delta"}), ["x -0.1:0.1:3", "y -0.1:0.1:3"], AT_HOME, None)
+    assert found["picture"] == ""
+    assert found["guarantee"].startswith("All 4 cells are proved free")
+    legs = map_view(read_subject({"kind": "example", "name": "octahedral"}), ["x 0:1:3", "y 0:1:3"], AT_HOME, None)
+    assert legs["guarantee"].startswith("No pose of the slice is singular: all 4 cells are proved free")
+    assert {s for row in legs["status"] for s in row} == {"free"}
 
 
 def test_axes_are_where_the_frame_of_a_path_says(page: Page) -> None:
