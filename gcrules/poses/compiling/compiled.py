@@ -94,15 +94,12 @@ class CompiledCondition:
     def _run(self, kind: str, batch: Batch, out: Floats | None) -> Floats:
         program = self.programs[kind]
         values = output(batch, out)
-        run = runner(program, self.engine) if program.lines else None
+        run = runner(program, self.engine)
         for start in range(0, batch.number, STEP):
             stop = min(start + STEP, batch.number)
             first, second = batch.columns(start, stop)
             part = values[start:stop]
-            if run is None:
-                part[:] = float(program.constant)
-            else:
-                run(first, second, part)
+            run(first, second, part[None])
             batch.check(start, first, second, part, program.unused)
         return values
 

@@ -1,13 +1,14 @@
-r"""The factors of a robot's condition as programs, where all that they name has a closed form.
+r"""A robot's factors, margin and actuators as programs, where what they need has a closed form.
 
-Each program is compared with `factor_values` at configurations that were solved by Newton's method and proved to lie
-on home's branch: at poses drawn anew in each process, which had no part in finding it. Both are analytic functions of
+Each program is compared with the joints at configurations that were solved by Newton's method and proved to lie on
+home's branch: at poses drawn anew in each process, which had no part in finding it. Both are analytic functions of
 the pose where the robot is not singular, so that programs which differ anywhere would differ at almost all of these.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -19,59 +20,118 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import drawn
 from gcrules.mechanisms.conditions.factor_causes import ASIDE
 from gcrules.mechanisms.description.relations import Term
+from gcrules.mechanisms.kinematics.margin import kept_axes, margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.compiling.engines import STEP, runner
+from gcrules.poses.compiling.limb_amounts import amounts, amounts_of
 from gcrules.poses.compiling.limb_places import LimbPlaces
+from gcrules.poses.compiling.limb_wrenches import balanced_wrenches
 from gcrules.poses.compiling.roots import NoForm, inverse, root
 from gcrules.poses.compiling.scalars import Ring
 from gcrules.poses.compiling.tape import Program, lower
-from gcrules.poses.compiling.vectors import Vector, add, cross, dot, sub
+from gcrules.poses.compiling.vectors import Vector, add, cross, dot, scaled, sub
 from gcrules.poses.limbs.many import Solved, proved_at
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["limb_programs", "run"]
+__all__ = ["LimbPrograms", "limb_programs", "run"]
 
 _POSES = 24  # from which closed forms are found, and as many with which they are compared
 _REACHES = (0.1, 0.02, 0.005)  # in parts of the robot's size, and rad
 _EQUAL = 1e-9  # of values from −1 to 1
 
 
-def limb_programs(m: Limbs, target: Target) -> tuple[Program, ...]:
-    """A program for each factor whose zeros are singularities, of the target's coordinates, angles from −π to π; none
-    where a factor has no closed form that is found here, and agrees with the joints elsewhere.
+@dataclass(frozen=True)
+class LimbPrograms:
+    """Programs of the coordinates of a pose, angles from −π to π; None where there is no closed form that is found
+    here, and agrees with the joints elsewhere.
+
+    `factors` has a value for each factor whose zeros are singularities, `wrenches` the entries of a matrix row by row,
+    whose least singular value is the margin, `actuators` what `amounts_of` reads.
     """
-    if m.analysis.lines is None or target.driven or any(part.over != ONE for part in m.analysis.parts):
-        return ()
-    rng = np.random.default_rng(0)
-    found = _solved(m, target, rng)
+
+    factors: Program | None = None
+    wrenches: Program | None = None
+    actuators: Program | None = None
+
+    def margins(self, m: Limbs, engine: str, poses: Floats) -> Floats:
+        """The margin σ by `wrenches`, (N,); not a number where the robot does not assemble."""
+        assert self.wrenches is not None
+        columns = len(kept_axes(m.linkage))
+        found = np.full(len(poses), np.nan)
+        for start in range(0, len(poses), STEP):
+            values = run(self.wrenches, engine, poses[start : start + STEP]).T
+            rows = values.reshape(len(values), values.shape[1] // columns, columns)
+            fine = np.isfinite(values).all(axis=1)
+            sizes = np.linalg.svd(rows[fine], compute_uv=False)
+            least = sizes[:, columns - 1] if sizes.shape[1] == columns else np.zeros(len(sizes))
+            found[start : start + STEP][fine] = np.minimum(least, 1.0)
+        return found
+
+    def amounts(self, m: Limbs, engine: str, poses: Floats) -> Floats:
+        """The amounts of the actuators by `actuators`, (N, actuators)."""
+        assert self.actuators is not None
+        return amounts_of(m.linkage.actuators, run(self.actuators, engine, poses))
+
+
+def limb_programs(m: Limbs, target: Target) -> LimbPrograms:
+    """The programs that are found and checked for coordinates of the platform; none for actuators."""
+    if target.driven:
+        return LimbPrograms()
+    found = _solved(m, target, np.random.default_rng(0))
     if found is None:
-        return ()
+        return LimbPrograms()
     try:
-        programs = _traced(m, LimbPlaces(target.names, found[1]))
+        places = LimbPlaces(target.names, found[1])
     except NoForm:
-        return ()
+        return LimbPrograms()
+    made = LimbPrograms(
+        *(
+            _lowered(places, of)
+            for of in (lambda: _factors(m, places), lambda: _wrenches(m, places), lambda: amounts(places))
+        )
+    )
     seed = drawn("closed form", m.robot.id, *target.names).getrandbits(64)
     check = _solved(m, target, np.random.default_rng(seed))
-    if check is None:
-        return ()
-    poses, there = check
-    values = np.stack([run(p, "numpy", poses) for p in programs], axis=1)
-    return programs if np.abs(values - there.factors).max(initial=0.0) <= _EQUAL else ()
+    return LimbPrograms() if check is None else _checked(m, made, *check)
 
 
-def run(program: Program, engine: str, inputs: Floats, out: Floats | None = None) -> Floats:
-    """The values for inputs (N, k), written to `out` if it is given."""
-    values = np.empty(len(inputs)) if out is None else out
-    if not program.lines:
-        values[:] = float(program.constant)
-        return values
+def _lowered(places: LimbPlaces, of: Callable[[], tuple[Ring, ...]]) -> Program | None:
+    try:
+        return lower(places.graph, *of())
+    except NoForm:
+        return None
+
+
+def _checked(m: Limbs, made: LimbPrograms, poses: Floats, there: Solved) -> LimbPrograms:
+    """Those that agree with the joints at these configurations."""
+    factors, wrenches, actuators = made.factors, made.wrenches, made.actuators
+    if factors and _off(run(factors, "numpy", poses).T, there.factors) > _EQUAL:
+        factors = None
+    if wrenches and _off(made.margins(m, "numpy", poses), margins(m.linkage, there.here).sigma) > _EQUAL:
+        wrenches = None
+    if actuators:
+        off = made.amounts(m, "numpy", poses) - there.actuators
+        turns = np.array([a.angle for a in m.linkage.actuators])
+        off = np.where(turns, (off + np.pi) % (2 * np.pi) - np.pi, off / m.linkage.size)
+        actuators = actuators if _off(off, 0.0) <= _EQUAL else None
+    return LimbPrograms(factors, wrenches, actuators)
+
+
+def _off(a: Floats, b: Floats | float) -> float:
+    """The largest difference, infinite where something is not a number."""
+    return float(np.nan_to_num(np.abs(a - b), nan=np.inf).max(initial=0.0))
+
+
+def run(program: Program, engine: str, inputs: Floats) -> Floats:
+    """The values (results, N) for inputs (N, k)."""
+    values = np.empty((len(program.results), len(inputs)))
     call = runner(program, engine)
     for start in range(0, len(inputs), STEP):
         checkpoint()
         part = inputs[start : start + STEP]
-        call(part, np.empty((len(part), 0)), values[start : start + STEP])
+        call(part, np.empty((len(part), 0)), values[:, start : start + STEP])
     return values
 
 
@@ -86,15 +146,28 @@ def _solved(m: Limbs, target: Target, rng: np.random.Generator) -> tuple[Floats,
     return None
 
 
-def _traced(m: Limbs, places: LimbPlaces) -> tuple[Program, ...]:
+def _wrenches(m: Limbs, places: LimbPlaces) -> tuple[Ring, ...]:
+    return tuple(c for row in balanced_wrenches(m, places) for c in row)
+
+
+def _factors(m: Limbs, places: LimbPlaces) -> tuple[Ring, ...]:
     analysis = m.analysis
-    used = dict.fromkeys(n for part in analysis.parts for n in points_of(part.expression))
+    if analysis.lines is None:
+        raise NoForm("wrenches that are no lines of the file's points")
+    structure, parts = analysis.lines.structure, analysis.parts
+    live = [part.expression for part in parts if part.kind not in ASIDE]
+    used = dict.fromkeys(n for part in parts for n in points_of(part.expression))
+    if any(part.over != ONE for part in parts):  # the quotient is the superbracket up to a number, as in `factors`
+        if len(parts) > 1:
+            raise NoForm("several factors, and a cofactor")
+        live = [structure.superbracket] if live else []
+        used = dict.fromkeys((*structure.names, *points_of(parts[0].over)))
     derived: dict[str, Vector] = {}
 
     def of(term: Term) -> Vector:
         vector: Vector = (0, 0, 0)
         for c, n in term:
-            vector = add(vector, _scaled(derived[n] if n in derived else places.at(n), Fraction(c)))
+            vector = add(vector, scaled(derived[n] if n in derived else places.at(n), Fraction(c)))
         return vector
 
     for d in analysis.structure.derived:
@@ -107,15 +180,14 @@ def _traced(m: Limbs, places: LimbPlaces) -> tuple[Program, ...]:
     if len(points) > 1:
         centre: Vector = (0, 0, 0)
         for n in points:
-            centre = add(centre, _scaled(vectors[n], Fraction(1, len(points))))
+            centre = add(centre, scaled(vectors[n], Fraction(1, len(points))))
         vectors |= {n: sub(vectors[n], centre) for n in points}
         square: Ring = 0
         for n in points:
             square = square + dot(vectors[n], vectors[n]) * Fraction(1, len(points))
         scale = inverse(root(square))
-        vectors |= {n: _scaled(vectors[n], scale) for n in points}
-    live = [part.expression for part in analysis.parts if part.kind not in ASIDE]
-    return tuple(lower(places.graph, _value(e, vectors, points, analysis.robot.family.plane)) for e in live)
+        vectors |= {n: scaled(vectors[n], scale) for n in points}
+    return tuple(_value(e, vectors, points, analysis.robot.family.plane) for e in live)
 
 
 def _value(e: Expr, vectors: Mapping[str, Vector], points: Sequence[str], plane: bool) -> Ring:
@@ -125,7 +197,7 @@ def _value(e: Expr, vectors: Mapping[str, Vector], points: Sequence[str], plane:
     extensors = bool(e.children) and e.children[0].step > 0
     at: dict[str, tuple[Ring, ...]] = {}
     for n, v in vectors.items():
-        x, y, z = v if extensors or n in points else _scaled(v, inverse(root(dot(v, v))))
+        x, y, z = v if extensors or n in points else scaled(v, inverse(root(dot(v, v))))
         at[n] = (x, y, int(n in points)) if plane else (x, y, z, int(n in points))
     evaluator = Evaluator(at, rank=3 if plane else 4)
     value: Any = evaluator.value(e)[0]
@@ -138,7 +210,3 @@ def _value(e: Expr, vectors: Mapping[str, Vector], points: Sequence[str], plane:
             square = square + c * c
         sizes = sizes * square
     return value * inverse(root(sizes))  # type: ignore[no-any-return]
-
-
-def _scaled(v: Vector, by: Ring) -> Vector:
-    return v[0] * by, v[1] * by, v[2] * by
