@@ -13,6 +13,7 @@ import pytest
 import gcrules as gc
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.kinematics.coordinates import principal
 from gcrules.poses.compiling.compiled import CompiledCondition
 from gcrules.poses.compiling.compiled_limbs import CompiledLimbs
 
@@ -112,7 +113,7 @@ def test_closed_forms_are_what_joints_give(name: str) -> None:
         assert fast(poses)[kept] == pytest.approx(solved["factors"][kept], abs=1e-10)
         assert fast.margins(poses)[kept] == pytest.approx(solved["margins"][kept], abs=1e-10)
         off = fast.actuator_values(poses)[kept] - solved["actuators"][kept]
-        off = np.where(turns, (off + np.pi) % (2 * np.pi) - np.pi, off / value.mechanism.linkage.size)
+        off = np.where(turns, principal(off), off / value.mechanism.linkage.size)
         assert np.abs(off).max() < 1e-10
 
 

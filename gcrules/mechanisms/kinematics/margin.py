@@ -18,6 +18,7 @@ platform. A limb may be singular by itself sooner: then the platform is held, bu
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -122,7 +123,7 @@ def margins(m: Linkage, here: Configurations) -> LimbMargins:
         owners += [place] * wrenches.shape[1]
     every = np.concatenate(rows, axis=1)
     keep = kept_axes(m)
-    scale = balance(m, arms)
+    scale = balance(arms, m.ball_ended, keep)
     left, sizes, right = np.linalg.svd(every[..., keep] @ scale)
     motions = np.zeros((len(here), len(keep), 6))
     motions[..., keep] = np.swapaxes(scale @ np.swapaxes(right, 1, 2), 1, 2)
@@ -139,20 +140,19 @@ def kept_axes(m: Linkage) -> list[int]:
     return list(_PLANE) if m.robot.family.plane else list(range(6))
 
 
-def balance(m: Linkage, arms: Floats) -> Floats:
-    """Columns (N, k, k) of twists with Σ (|v_i|² + ε_i ρ²|ω|²) = 1, orthogonal in that sense, in the `kept_axes`. The
-    `arms` (N, limbs, 3) lead from the centre of the ends to each of them, in parts of the robot's size.
+def balance(arms: Floats, ball_ended: Sequence[bool], keep: Sequence[int] = range(6)) -> Floats:
+    """Columns (N, k, k) of twists with Σ (|v_i|² + ε_i ρ²|ω|²) = 1, orthogonal in that sense, of the axes to `keep`.
+    The `arms` (N, limbs, 3) lead from the centre of the ends to each of them, in parts of the robot's size.
     """
     metric = np.zeros((len(arms), 6, 6))
-    for place, loose in enumerate(m.ball_ended):
+    for place, loose in enumerate(ball_ended):
         velocity = np.concatenate(
             [np.broadcast_to(np.eye(3), (len(arms), 3, 3)), -cross_matrix(arms[:, place])], axis=2
         )
         metric += np.swapaxes(velocity, 1, 2) @ velocity
         if not loose:
             metric[:, 3:, 3:] += np.eye(3)
-    keep = kept_axes(m)
-    values, vectors = np.linalg.eigh(metric[:, keep][:, :, keep])
+    values, vectors = np.linalg.eigh(metric[:, list(keep)][:, :, list(keep)])
     # a turn about a line through all ends, ball joints each, moves none of them; no limb's wrench notices it either
     found: Floats = vectors / np.sqrt(np.where(values > _ROUNDING * values[:, -1:], values, 1.0))[:, None]
     return found

@@ -29,7 +29,8 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.solve import check_target, free_coordinates
 from gcrules.mechanisms.kinematics.targets import Target, actuators_target, check_turn, coordinates_target
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.compiling.limb_programs import LimbPrograms, limb_programs, run
+from gcrules.poses.compiling.closed_forms import ClosedForms, run
+from gcrules.poses.compiling.limb_programs import limb_programs
 from gcrules.poses.limbs.factors import factors
 from gcrules.poses.limbs.many import NUMBERS, WAYS, numbers_at
 from gcrules.poses.numbers.arrays import finite_rows
@@ -65,7 +66,7 @@ class CompiledLimbs:
     driven: bool
     factors: tuple[str, ...]
     kinds: tuple[str, ...]
-    programs: LimbPrograms = field(default_factory=LimbPrograms)
+    programs: ClosedForms = field(default_factory=ClosedForms)
     engine: str = "numpy"
 
     @property
@@ -89,7 +90,7 @@ class CompiledLimbs:
         """The margin σ, (N,): 0 where the wrenches of all limbs do not hold the platform."""
         if self.programs.wrenches is None:
             return self._one("margins", poses)
-        return self.programs.margins(self.mechanism, self.engine, self._turned(poses))
+        return self.programs.margins(self.engine, self._turned(poses))
 
     def limb_margins(self, poses: Any) -> Floats:
         """For each limb how far it is from being singular by itself, (N, limbs)."""
@@ -101,7 +102,7 @@ class CompiledLimbs:
         """
         if self.programs.actuators is None:
             return self._one("actuators", poses)
-        return self.programs.amounts(self.mechanism, self.engine, self._turned(poses))
+        return self.programs.amounts(self.engine, self._turned(poses))
 
     def signs(self, poses: Any) -> NDArray[np.int8]:
         """The sign of the determinant of all wrenches, (N,), 1 at home: it changes where the way crosses a singular

@@ -13,32 +13,22 @@ from itertools import permutations
 import numpy as np
 
 from gcrules.mechanisms.kinematics.linkage import Actuator
-from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.compiling.limb_places import LimbPlaces
 from gcrules.poses.compiling.roots import NoForm, root
 from gcrules.poses.compiling.scalars import Ring
 from gcrules.poses.compiling.vectors import Vector, dot, exact, sub
 
-__all__ = ["amounts", "amounts_of"]
+__all__ = ["amounts"]
 
 _EQUAL = 1e-9  # of slides in parts of the robot's size
 _SHORT = 1e-3  # what turns has at least this part of a name's own length
 
 
 def amounts(places: LimbPlaces) -> tuple[Ring, ...]:
-    """For each actuator the cosine and the sine of its turn from home, or the length of its slide, one after the other
-    (see `amounts_of`). Raises NoForm where one of them has no closed form that is known here.
+    """For each actuator the cosine and the sine of its turn from home, or the length of its slide, one after the other,
+    as in `ClosedForms`. Raises NoForm where one of them has no closed form that is known here.
     """
     return tuple(value for a in places.m.actuators for value in (_turn(places, a) if a.angle else (_slide(places, a),)))
-
-
-def amounts_of(actuators: tuple[Actuator, ...], values: Floats) -> Floats:
-    """The amounts (N, actuators) from what the program of `amounts` gives, (results, N); turns from −π to π."""
-    found, k = [], 0
-    for a in actuators:
-        found.append(np.arctan2(values[k + 1], values[k]) if a.angle else values[k])
-        k += 1 + a.angle
-    return np.stack(found, axis=1)
 
 
 def _turn(places: LimbPlaces, a: Actuator) -> tuple[Ring, Ring]:

@@ -23,7 +23,8 @@ import numpy as np
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.compiling.roots import NoForm, Roots, cosine_and_sine, inverse, root
 from gcrules.poses.compiling.scalars import Graph, Ring
-from gcrules.poses.compiling.vectors import Turn, Vector, add, cross, dot, exact, scaled, sub, total, turned
+from gcrules.poses.compiling.turns import about, back, level, product
+from gcrules.poses.compiling.vectors import Turn, Vector, add, cross, dot, exact, scaled, sub, total, turned, vector
 from gcrules.poses.limbs.many import Solved
 from gcrules.screws.pose_text import SHIFTS, TURNS
 
@@ -59,11 +60,9 @@ class LimbPlaces:
         """The same, as the platform sees it: where it would be with the platform at home."""
         if self._rides(name) and not self._stays(name):
             return exact(self.m.home.values[name])
-        (a, b, c), (d, e, f), (g, h, i) = self.turn
-        back = (a, d, g), (b, e, h), (c, f, i)
         if self.sorts[name] != "point":
-            return turned(back, self.at(name))
-        return add(turned(back, sub(self.at(name), add(self.centre, self.shift))), self.centre)
+            return turned(back(self.turn), self.at(name))
+        return add(turned(back(self.turn), sub(self.at(name), add(self.centre, self.shift))), self.centre)
 
     # --- the platform ---
 
@@ -82,13 +81,13 @@ class LimbPlaces:
             (n for n, sort in self.sorts.items() if sort == "point" and self._rides(n) and self._stays(n)), None
         )
         if pivot is not None and set(open_) <= set(SHIFTS):
-            turn = _product(_about(2, *given["yaw"]), _level(given))
+            turn = product(about(2, *given["yaw"]), level(given["roll"], given["pitch"]))
             arm = sub(exact(self.m.home.values[pivot]), self.centre)
             return sub(arm, turned(turn, arm)), turn
         if open_:
             given |= self._from_planes(open_, given)
         x, y, z = (given[n][0] for n in SHIFTS)
-        return (x, y, z), _product(_about(2, *given["yaw"]), _level(given))
+        return (x, y, z), product(about(2, *given["yaw"]), level(given["roll"], given["pitch"]))
 
     def _zero(self, name: str) -> float:
         return _STAYS * (self.size if name in SHIFTS else 1.0)
@@ -102,12 +101,12 @@ class LimbPlaces:
         shift = tuple(given[n][0] if n in given else 0 for n in SHIFTS)
         if "yaw" not in open_ or len(unknown) + 1 > len(planes):
             raise NoForm("too few planes")
-        level = _level(given)
+        flat = level(given["roll"], given["pitch"])
         rows = []  # a cos + b sin + c + Σ normal · unknown shifts = 0
         for normal, arm in planes:
-            u, v, w = (dot(row, arm) for row in level)
+            u, v, w = (dot(row, arm) for row in flat)
             n = exact(normal)
-            fixed = dot(n, sub(_vector(shift), arm)) + n[2] * w
+            fixed = dot(n, sub(vector(shift), arm)) + n[2] * w
             rows.append((n[0] * u + n[1] * v, n[1] * u - n[0] * v, fixed))
         for chosen in combinations(range(len(planes)), len(unknown) + 1):
             matrix = np.array([[planes[k][0][c] for c in unknown] for k in chosen])
@@ -307,28 +306,3 @@ class LimbPlaces:
 
 def _fraction(x: Any) -> Fraction:
     return Fraction(float(x))
-
-
-def _vector(v: Sequence[Ring]) -> Vector:
-    x, y, z = v
-    return x, y, z
-
-
-def _about(axis: int, cosine: Ring, sine: Ring) -> Turn:
-    """A turn about a coordinate axis."""
-    j, k = (axis + 1) % 3, (axis + 2) % 3
-    rows: list[list[Ring]] = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
-    rows[axis][axis] = 1
-    rows[j][j], rows[j][k], rows[k][j], rows[k][k] = cosine, -sine, sine, cosine
-    return _vector(rows[0]), _vector(rows[1]), _vector(rows[2])
-
-
-def _product(a: Turn, b: Turn) -> Turn:
-    columns = [turned(a, _vector([row[k] for row in b])) for k in range(3)]
-    first, second, third = ([c[k] for c in columns] for k in range(3))
-    return _vector(first), _vector(second), _vector(third)
-
-
-def _level(given: Mapping[str, tuple[Ring, ...]]) -> Turn:
-    """The turn by roll, then by pitch."""
-    return _product(_about(1, *given["pitch"]), _about(0, *given["roll"]))

@@ -8,7 +8,7 @@ the pose where the robot is not singular, so that programs which differ anywhere
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -16,16 +16,16 @@ import numpy as np
 
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import ONE, Expr, points_of
-from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import drawn
 from gcrules.mechanisms.conditions.factor_causes import ASIDE
 from gcrules.mechanisms.description.relations import Term
+from gcrules.mechanisms.kinematics.coordinates import principal
 from gcrules.mechanisms.kinematics.margin import kept_axes, margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.compiling.engines import STEP, runner
-from gcrules.poses.compiling.limb_amounts import amounts, amounts_of
+from gcrules.poses.compiling.closed_forms import ClosedForms, run
+from gcrules.poses.compiling.limb_amounts import amounts
 from gcrules.poses.compiling.limb_places import LimbPlaces
 from gcrules.poses.compiling.limb_wrenches import balanced_wrenches
 from gcrules.poses.compiling.roots import NoForm, inverse, root
@@ -35,66 +35,34 @@ from gcrules.poses.compiling.vectors import Vector, add, cross, dot, scaled, sub
 from gcrules.poses.limbs.many import Solved, proved_at
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["LimbPrograms", "limb_programs", "run"]
+__all__ = ["limb_programs"]
 
 _POSES = 24  # from which closed forms are found, and as many with which they are compared
 _REACHES = (0.1, 0.02, 0.005)  # in parts of the robot's size, and rad
 _EQUAL = 1e-9  # of values from −1 to 1
 
 
-@dataclass(frozen=True)
-class LimbPrograms:
-    """Programs of the coordinates of a pose, angles from −π to π; None where there is no closed form that is found
-    here, and agrees with the joints elsewhere.
-
-    `factors` has a value for each factor whose zeros are singularities, `wrenches` the entries of a matrix row by row,
-    whose least singular value is the margin, `actuators` what `amounts_of` reads.
-    """
-
-    factors: Program | None = None
-    wrenches: Program | None = None
-    actuators: Program | None = None
-
-    def margins(self, m: Limbs, engine: str, poses: Floats) -> Floats:
-        """The margin σ by `wrenches`, (N,); not a number where the robot does not assemble."""
-        assert self.wrenches is not None
-        columns = len(kept_axes(m.linkage))
-        found = np.full(len(poses), np.nan)
-        for start in range(0, len(poses), STEP):
-            values = run(self.wrenches, engine, poses[start : start + STEP]).T
-            rows = values.reshape(len(values), values.shape[1] // columns, columns)
-            fine = np.isfinite(values).all(axis=1)
-            sizes = np.linalg.svd(rows[fine], compute_uv=False)
-            least = sizes[:, columns - 1] if sizes.shape[1] == columns else np.zeros(len(sizes))
-            found[start : start + STEP][fine] = np.minimum(least, 1.0)
-        return found
-
-    def amounts(self, m: Limbs, engine: str, poses: Floats) -> Floats:
-        """The amounts of the actuators by `actuators`, (N, actuators)."""
-        assert self.actuators is not None
-        return amounts_of(m.linkage.actuators, run(self.actuators, engine, poses))
-
-
-def limb_programs(m: Limbs, target: Target) -> LimbPrograms:
+def limb_programs(m: Limbs, target: Target) -> ClosedForms:
     """The programs that are found and checked for coordinates of the platform; none for actuators."""
+    none = ClosedForms(columns=len(kept_axes(m.linkage)), turns=tuple(a.angle for a in m.linkage.actuators))
     if target.driven:
-        return LimbPrograms()
+        return none
     found = _solved(m, target, np.random.default_rng(0))
     if found is None:
-        return LimbPrograms()
+        return none
     try:
         places = LimbPlaces(target.names, found[1])
     except NoForm:
-        return LimbPrograms()
-    made = LimbPrograms(
-        *(
-            _lowered(places, of)
-            for of in (lambda: _factors(m, places), lambda: _wrenches(m, places), lambda: amounts(places))
-        )
+        return none
+    made = replace(
+        none,
+        factors=_lowered(places, lambda: _factors(m, places)),
+        wrenches=_lowered(places, lambda: tuple(c for row in balanced_wrenches(m, places) for c in row)),
+        actuators=_lowered(places, lambda: amounts(places)),
     )
     seed = drawn("closed form", m.robot.id, *target.names).getrandbits(64)
     check = _solved(m, target, np.random.default_rng(seed))
-    return LimbPrograms() if check is None else _checked(m, made, *check)
+    return none if check is None else _checked(made, *check)
 
 
 def _lowered(places: LimbPlaces, of: Callable[[], tuple[Ring, ...]]) -> Program | None:
@@ -104,35 +72,21 @@ def _lowered(places: LimbPlaces, of: Callable[[], tuple[Ring, ...]]) -> Program 
         return None
 
 
-def _checked(m: Limbs, made: LimbPrograms, poses: Floats, there: Solved) -> LimbPrograms:
+def _checked(made: ClosedForms, poses: Floats, there: Solved) -> ClosedForms:
     """Those that agree with the joints at these configurations."""
-    factors, wrenches, actuators = made.factors, made.wrenches, made.actuators
-    if factors and _off(run(factors, "numpy", poses).T, there.factors) > _EQUAL:
+    m, factors, wrenches, actuators = there.m.linkage, made.factors, made.wrenches, made.actuators
+    if factors and not _agree(run(factors, "numpy", poses).T - there.factors):
         factors = None
-    if wrenches and _off(made.margins(m, "numpy", poses), margins(m.linkage, there.here).sigma) > _EQUAL:
+    if wrenches and not _agree(made.margins("numpy", poses) - margins(m, there.here).sigma):
         wrenches = None
     if actuators:
-        off = made.amounts(m, "numpy", poses) - there.actuators
-        turns = np.array([a.angle for a in m.linkage.actuators])
-        off = np.where(turns, (off + np.pi) % (2 * np.pi) - np.pi, off / m.linkage.size)
-        actuators = actuators if _off(off, 0.0) <= _EQUAL else None
-    return LimbPrograms(factors, wrenches, actuators)
+        off = made.amounts("numpy", poses) - there.actuators
+        actuators = actuators if _agree(np.where(made.turns, principal(off), off / m.size)) else None
+    return replace(made, factors=factors, wrenches=wrenches, actuators=actuators)
 
 
-def _off(a: Floats, b: Floats | float) -> float:
-    """The largest difference, infinite where something is not a number."""
-    return float(np.nan_to_num(np.abs(a - b), nan=np.inf).max(initial=0.0))
-
-
-def run(program: Program, engine: str, inputs: Floats) -> Floats:
-    """The values (results, N) for inputs (N, k)."""
-    values = np.empty((len(program.results), len(inputs)))
-    call = runner(program, engine)
-    for start in range(0, len(inputs), STEP):
-        checkpoint()
-        part = inputs[start : start + STEP]
-        call(part, np.empty((len(part), 0)), values[:, start : start + STEP])
-    return values
+def _agree(differences: Floats) -> bool:
+    return bool(np.nan_to_num(np.abs(differences), nan=np.inf).max(initial=0.0) <= _EQUAL)
 
 
 def _solved(m: Limbs, target: Target, rng: np.random.Generator) -> tuple[Floats, Solved] | None:
@@ -144,10 +98,6 @@ def _solved(m: Limbs, target: Target, rng: np.random.Generator) -> tuple[Floats,
         if len(places) > _POSES // 2:
             return poses[places], there
     return None
-
-
-def _wrenches(m: Limbs, places: LimbPlaces) -> tuple[Ring, ...]:
-    return tuple(c for row in balanced_wrenches(m, places) for c in row)
 
 
 def _factors(m: Limbs, places: LimbPlaces) -> tuple[Ring, ...]:

@@ -34,9 +34,9 @@ def balanced_wrenches(m: Limbs, places: LimbPlaces) -> tuple[Row, ...]:
     k = m.linkage
     middle = k.ends.mean(axis=0)
     arms = (k.ends - middle) / k.size
-    scale = np.where(np.abs(found := balance(k, arms[None])[0]) > _ROUNDING, found, 0.0)
-    columns = [[Fraction(float(c)) for c in column] for column in scale.T]
     keep = kept_axes(k)
+    scale = np.where(np.abs(found := balance(arms[None], k.ball_ended, keep)[0]) > _ROUNDING, found, 0.0)
+    columns = [[Fraction(float(c)) for c in column] for column in scale.T]
     rows: list[Row] = []
     for limb, end, arm in zip(m.analysis.structure.limbs, k.ends, arms, strict=True):
         if limb.lines is None or limb.derived:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from types import MappingProxyType
 
 from gcrules.algebra.claims import digest
 from gcrules.algebra.evaluate import evaluate
@@ -18,16 +19,20 @@ from gcrules.core.errors import EngineFault
 from gcrules.core.seeds import drawn
 from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
 from gcrules.poses.compiling.tape import Program, lower
+from gcrules.poses.compiling.turns import by_angles
 from gcrules.poses.compiling.vectors import Places, Turn, Vector, add, sub, turned
 from gcrules.screws.rotations import rotation
 
-__all__ = ["KINDS", "Joints", "Road", "trace"]
+__all__ = ["COORDINATES", "KINDS", "Joints", "Road", "trace"]
 
 Road = tuple[str, Callable[[Places], Ring]]
 """What a value is computed from, in words, and how."""
 
 KINDS = ("matrices", "quaternions", "joints")
 """What a pose may be given by: translation and matrix, translation and quaternion, or the joints that move."""
+
+COORDINATES = "coordinates"
+"""What it may be given by too: translation, and roll, pitch and yaw, whose cosines and sines are rounded."""
 
 ZERO: Vector = (0, 0, 0)
 
@@ -57,7 +62,7 @@ class Joints:
             for k, n in enumerate(self.moving):
                 at[n] = sub((x[3 * k], x[3 * k + 1], x[3 * k + 2]), origin)
             return Places(at, {})
-        turn = _matrix(x[3:]) if kind == "matrices" else _quaternion(x[3:])
+        turn = _TURNS[kind](x[3:])
         shift = add((x[0], x[1], x[2]), sub(self.centre, origin))
         start = ZERO if anchor is None else self.arms[anchor]
         arms = {n: turned(turn, sub(self.arms[n], start)) for n in self.moving}
@@ -66,7 +71,7 @@ class Joints:
 
     def inputs(self, kind: str) -> int:
         """How many numbers a pose has: translation and matrix (rows), or quaternion (w, x, y, z), or all joints."""
-        return {"matrices": 12, "quaternions": 7, "joints": 3 * len(self.moving)}[kind]
+        return {"matrices": 12, "quaternions": 7, "joints": 3 * len(self.moving), COORDINATES: 6}[kind]
 
 
 def _matrix(x: Sequence[Scalar]) -> Turn:
@@ -83,6 +88,8 @@ def _quaternion(q: Sequence[Scalar]) -> Turn:
     xx, yy, zz, xy, xz, yz, wx, wy, wz = x * a, y * b, z * c, x * b, x * c, y * c, w * a, w * b, w * c
     return (1 - (yy + zz), xy - wz, xz + wy), (xy + wz, 1 - (xx + zz), yz - wx), (xz - wy, yz + wx, 1 - (xx + yy))
 
+
+_TURNS = MappingProxyType({"matrices": _matrix, "quaternions": _quaternion, COORDINATES: by_angles})
 
 _LARGE = 1 << 30  # numbers of the exact check are smaller
 

@@ -35,6 +35,7 @@ __all__ = [
     "sub",
     "total",
     "turned",
+    "vector",
 ]
 
 Vector = tuple[Ring, Ring, Ring]
@@ -71,7 +72,11 @@ def total(terms: Iterable[Ring]) -> Ring:
 
 def exact(v: Iterable[Any]) -> Vector:
     """Three floats as the numbers that they are."""
-    x, y, z = (Fraction(float(c)) for c in v)
+    return vector([Fraction(float(c)) for c in v])
+
+
+def vector(v: Sequence[Ring]) -> Vector:
+    x, y, z = v
     return x, y, z
 
 

@@ -45,18 +45,17 @@ from gcrules.poses.limbs.pose_report import cause_of, target_of
 from gcrules.poses.limbs.way import Stretch, Way
 from gcrules.poses.numbers.motion import twist_of
 from gcrules.poses.paths.sampling import SAMPLES, per_segment
+from gcrules.screws.pose_text import HOME
 from gcrules.screws.threshold import Threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import SOLVED, decide
 
-__all__ = ["HOME", "path_of_limbs"]
+__all__ = ["path_of_limbs"]
 
 Truths = NDArray[np.bool_]
 
 MAX_SAMPLES = 20_000
 _STEP = 0.125  # rad, or parts of the robot's size: what is proved at once, as a rule
 _MOST_STEPS = 2000  # between two poses: more are gone without being predicted
-HOME = "home"
-"""The name of the first pose of all, in which the file has the robot."""
 
 
 def path_of_limbs(found: Limbs, poses: Sequence[Any], *, samples: Any = SAMPLES, threshold: Threshold) -> RobotPath:
@@ -123,7 +122,7 @@ def _targets(m: Linkage, poses: Sequence[Any]) -> list[Target]:
 
 def _target(m: Linkage, number: int, given: Any) -> Target | None:
     """What is given, None for home."""
-    if isinstance(given, str) and given.strip() == HOME:
+    if isinstance(given, str) and given.strip().lower() == HOME:
         return None
     try:
         return target_of(m, given, None)
