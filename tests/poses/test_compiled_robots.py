@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from places import DATA
 
 import gcrules as gc
 from gcrules.core.errors import InputError
@@ -18,13 +19,15 @@ from gcrules.poses.compiling.compiled import CompiledCondition
 from gcrules.poses.compiling.compiled_limbs import CompiledLimbs
 
 IDS = [one.id for one in robots()]
+OF_FILES = ("2rps-2ups",)
 SIX = ("gough-stewart", "gough-stewart-63", "octahedral")
 WHOLE = "x, y, z, roll, pitch, yaw"
 
 
 @cache
 def of(name: str, coordinates: str | None = None) -> CompiledLimbs:
-    found = gc.compiled(name, coordinates=coordinates or (WHOLE if name in SIX else None))
+    source = DATA / "robots" / f"{name}.yaml" if name in OF_FILES else name
+    found = gc.compiled(source, coordinates=coordinates or (WHOLE if name in SIX else None))
     assert isinstance(found, CompiledLimbs)
     return found
 
@@ -46,7 +49,7 @@ def one_by_one(value: CompiledLimbs, pose: Any) -> Any:
         return None
 
 
-@pytest.mark.parametrize("name", IDS)
+@pytest.mark.parametrize("name", [*IDS, *OF_FILES])
 def test_numbers_are_those_of_pose(name: str) -> None:
     value = of(name)
     poses = drawn(value, 3)
@@ -95,7 +98,7 @@ OPEN = {"3-pprs", "exechon", "gallardo-4dof", "tricept"}
 """The robots of which something has no closed form of the kinds that are known."""
 
 
-@pytest.mark.parametrize("name", IDS)
+@pytest.mark.parametrize("name", [*IDS, *OF_FILES])
 def test_closed_forms_are_what_joints_give(name: str) -> None:
     """Two roads: programs, and Newton's method; where the second one leads somewhere, far from home too."""
     value = of(name)

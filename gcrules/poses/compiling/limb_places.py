@@ -24,7 +24,20 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.compiling.roots import NoForm, Roots, cosine_and_sine, inverse, root
 from gcrules.poses.compiling.scalars import Graph, Ring
 from gcrules.poses.compiling.turns import about, back, level, product
-from gcrules.poses.compiling.vectors import Turn, Vector, add, cross, dot, exact, scaled, sub, total, turned, vector
+from gcrules.poses.compiling.vectors import (
+    Turn,
+    Vector,
+    add,
+    cross,
+    dot,
+    exact,
+    fractions,
+    scaled,
+    sub,
+    total,
+    turned,
+    vector,
+)
 from gcrules.poses.limbs.many import Solved
 from gcrules.screws.pose_text import SHIFTS, TURNS
 
@@ -116,14 +129,14 @@ class LimbPlaces:
         else:
             raise NoForm("planes that depend on each other")
         weights = np.linalg.svd(matrix.T)[2][-1] if unknown else np.ones(1)  # Σ weight · normal = 0 in the unknowns
-        factors = exact(weights)
+        factors = fractions(weights)
         a, b, c = (total(f * rows[k][place] for f, k in zip(factors, chosen, strict=True)) for place in range(3))
         cosine, sine = self.roots.turned(a, b, c)
         solve = np.linalg.pinv(matrix)
         sides = [-(rows[k][0] * cosine + rows[k][1] * sine + rows[k][2]) for k in chosen]
         found: dict[str, tuple[Ring, ...]] = {"yaw": (cosine, sine)}
         for place, row in zip(unknown, solve, strict=True):
-            found[SHIFTS[place]] = (total(f * side for f, side in zip(exact(row), sides, strict=True)),)
+            found[SHIFTS[place]] = (total(f * side for f, side in zip(fractions(row), sides, strict=True)),)
         return found
 
     def _planes(self) -> Iterator[tuple[Floats, Vector]]:

@@ -28,6 +28,7 @@ __all__ = [
     "cross",
     "dot",
     "exact",
+    "fractions",
     "of_expression",
     "of_legs",
     "of_polynomial",
@@ -72,7 +73,12 @@ def total(terms: Iterable[Ring]) -> Ring:
 
 def exact(v: Iterable[Any]) -> Vector:
     """Three floats as the numbers that they are."""
-    return vector([Fraction(float(c)) for c in v])
+    return vector(fractions(v))
+
+
+def fractions(v: Iterable[Any]) -> list[Fraction]:
+    """Floats as the numbers that they are."""
+    return [Fraction(float(c)) for c in v]
 
 
 def vector(v: Sequence[Ring]) -> Vector:

@@ -300,7 +300,7 @@ def limbs_task(
     driven = axes[0].kind == ACTUATOR
     names, values = _coordinates(k, axes, at, driven)
     reach = parse_limits(limits, tuple(angles), m.unit, tuple(angles.values())) if limits is not None else None
-    grid = LimbsGrid(axes, names, values, driven, m.title or k.robot.id, tuple(angles), m.unit)
+    grid = LimbsGrid(axes, names, values, driven, m.title or k.robot.id, tuple(angles), m.unit, k.notes)
     if grid.size > MAX_POSES:
         raise LimitReached(
             f"{grid.size:,} poses: more than {MAX_POSES:,} in one map of a robot of joints", hint="take a coarser grid"

@@ -239,7 +239,7 @@ def _report(
         factors=tuple(f.expression for f in factors(found.analysis, m.home.values)),
         factor_values=values,
         verdicts=verdicts,
-        notes=tuple(dict.fromkeys(n for t in targets for n in t.notes)),
+        notes=tuple(dict.fromkeys((*m.notes, *(n for t in targets for n in t.notes)))),
     )
 
 
