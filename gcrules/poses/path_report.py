@@ -186,8 +186,7 @@ def _why(m: SixLegs, pose: Pose, limit: Threshold) -> tuple[tuple[str, ...], Any
 
 def _ends(moving: MovingPlatform, translations: Any, rotations: Any) -> Any:
     """As `MovingPlatform.ends`, where legs may have no length."""
-    centre = np.array([float(c) for c in moving.centre])
-    return np.einsum("nij,kj->nki", rotations, moving.arms) + (centre + translations)[:, None, :]
+    return np.einsum("nij,kj->nki", rotations, moving.arms) + (moving.centre_of_turns + translations)[:, None, :]
 
 
 def _least(way: Sequence[Segment], per_segment: int, zeros: Sequence[Zero], still: Sequence[Stretch]) -> Least:

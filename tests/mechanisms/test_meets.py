@@ -194,7 +194,7 @@ def test_a_screw_is_given_as_the_force_that_it_is_modulo_a_couple() -> None:
     assert _pure(row, [(0, 0, 0, 0, 1, 0)]) == row
 
 
-def flat(name: str, **changed: list[Fraction]) -> Robot:
+def flat(name: str, **changed: tuple[Fraction, Fraction, Fraction]) -> Robot:
     robot = read_robot(DATA / f"meets/{name}.yaml")
     assert robot.home is not None
     return replace(robot, home={**robot.home, **changed})
@@ -202,8 +202,8 @@ def flat(name: str, **changed: list[Fraction]) -> Robot:
 
 AXES_OF_HOME = {
     "as in the file": ({}, {"w × x", "w × z"}),
-    "along x": ({"w": [Fraction(1), Fraction(0), Fraction(0)]}, {"w × y", "w × z"}),
-    "along z": ({"w": [Fraction(0), Fraction(0), Fraction(3)]}, {"w × x", "w × y"}),
+    "along x": ({"w": (Fraction(1), Fraction(0), Fraction(0))}, {"w × y", "w × z"}),
+    "along z": ({"w": (Fraction(0), Fraction(0), Fraction(3))}, {"w × x", "w × y"}),
 }
 
 

@@ -118,8 +118,8 @@ class CompiledLimbs:
 
     def numbers(self, poses: Any, asked: str | Iterable[str] = "factors, margins, actuators") -> dict[str, Any]:
         """Several of "factors", "margins", "limb_margins", "actuators", "coordinates" (all nine of the platform),
-        "signs" and "proved" at once, by name: the joints are solved once. With "proved" steps are made so short, where
-        that helps, that they can be proved.
+        "isotropy", "speeds" and "turns" of the actuators, "signs" and "proved" at once, by name: the joints are solved
+        once. With "proved" steps are made so short, where that helps, that they can be proved.
         """
         known = (*NUMBERS, *WAYS)
         names: Any = [n.strip() for n in asked.split(",")] if isinstance(asked, str) else asked

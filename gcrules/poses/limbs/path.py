@@ -28,6 +28,8 @@ from gcrules.core.budget import report as report_progress
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.kinematics.actuations import amplified
+from gcrules.mechanisms.kinematics.amplification import Amplifications
 from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
 from gcrules.mechanisms.kinematics.itinerary import Itinerary
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
@@ -239,6 +241,7 @@ def _report(
         factors=tuple(f.expression for f in factors(found.analysis, m.home.values)),
         factor_values=values,
         verdicts=verdicts,
+        amplifications=Amplifications.together([amplified(m, some.here) for some in nodes.blocks()]),
         notes=tuple(dict.fromkeys((*m.notes, *(n for t in targets for n in t.notes)))),
     )
 
