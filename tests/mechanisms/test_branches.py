@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
@@ -288,17 +289,25 @@ def test_singular_homes_are_told(name: str) -> None:
     json.loads(done.stdout)
 
 
-@pytest.mark.parametrize("power", [0, 4, 6, 8, 10])
-def test_robots_far_from_the_origin_say_what_that_costs(power: int) -> None:
+@pytest.mark.parametrize("power", [0, 4, 8, 20])
+def test_robots_far_from_the_origin_are_measured_from_near_them(power: int) -> None:
     r = machine("3-rps").robot
     assert r.home is not None
     sorts = r.family.sorts
-    home = {n: tuple(c + (10**power if sorts[n] == "point" else 0) for c in v) for n, v in r.home.items()}
-    here, near = gc.pose(replace(r, home=home)), gc.pose(r)
-    notes = [n for n in here.notes if "away from the origin" in n]
-    assert len(notes) == (power > 5)
-    claimed = float(notes[0].partition("about ")[2].partition(";")[0]) if notes else 1e-10
-    assert abs(here.margin - near.margin) <= claimed
+    shift = 10**power * (power > 0)
+    home = {n: tuple(c + (shift if sorts[n] == "point" else 0) for c in v) for n, v in r.home.items()}
+    far = replace(r, home=home)
+    centre = [Fraction(1, n) for n in (2, 3, 5)]
+    for asked in (
+        {},
+        {"at": "z=0.2, pitch=0.1rad, roll=0.1rad"},
+        {"at": "z=0.2, pitch=0.1rad, roll=0.1rad", "about": [c + shift for c in centre]},
+    ):
+        here = gc.pose(far, **asked)
+        near = gc.pose(r, **({**asked, "about": centre} if "about" in asked else asked))
+        assert any("measured from" in n for n in here.notes) == (power > 3)
+        assert not any("away from the origin" in n for n in here.notes)
+        assert abs(here.margin - near.margin) <= 1e-12
 
 
 # --- the bounds themselves --------------------------------------------------------------------------------------------

@@ -14,6 +14,7 @@ from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mechanisms.moved_robots import analysed, machine, robot, there
+from places import EXAMPLES
 
 import gcrules as gc
 from gcrules.apps.cli import cli
@@ -393,6 +394,14 @@ def test_any_mechanism_turns_about_any_centre() -> None:
         gc.pose(source, at, about="1,2,3", nearest=n) for source, n in (("gough-stewart", False), (source, False))
     )
     assert one.margin == pytest.approx(two.margin, rel=1e-9)
+
+
+@pytest.mark.parametrize("source", ["3-rps", "gough-stewart", str(EXAMPLES / "octahedral.yaml")])
+def test_home_is_a_pose(source: str) -> None:
+    """By its name, for every kind of robot."""
+    expected: Any = gc.pose(source, nearest=False)
+    found: Any = gc.pose(source, " Home ", nearest=False)
+    assert found.margin == pytest.approx(expected.margin, abs=1e-12)
 
 
 def test_pose_reads_robots_and_platforms() -> None:

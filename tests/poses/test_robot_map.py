@@ -248,7 +248,7 @@ def test_data_sets() -> None:
         ("delta", ["x -1:1:3", "y -1:1:3"], "0 0 1", {}, "gives no value to a name"),
         ("delta", ["x 50:60:3", "y 0:1:3"], None, {}, "does not assemble|cannot move"),
         ("3-rpr", ["x -1:1:3", "yaw 0:400:3 deg"], None, {}, "more than once around"),
-        ("delta", ["x -1:1:3", "y -1:1:3"], None, {"measure": "value"}, "of its margin"),
+        ("delta", ["x -1:1:3", "y -1:1:3"], None, {"measure": "value"}, "no superbracket of its legs"),
         ("delta", ["x -1:1:3", "y -1:1:3"], None, {"limits": "q1 -1..1"}, "angle without a unit"),
         ("delta", ["x -1:1:3", "y -1:1:3"], None, {"limits": "q9 -1..1 deg"}, "no actuator"),
         ("delta", ["x -1:1:3", "y -1:1:3"], None, {"limits": "q1 2..1 deg"}, "reversed"),

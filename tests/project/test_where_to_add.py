@@ -31,6 +31,7 @@ from gcrules.screws import JOINTS
 from gcrules.screws.joints import JointKind
 from gcrules.screws.screw import prismatic_of, revolute_of
 from gcrules.views import forms
+from gcrules.views.code.languages import LANGUAGES
 from gcrules.views.forms import FORMS, Forms
 from gcrules.views.plots.map_files import MAP_FORMATS, MapFormat
 from gcrules.views.robots.robot_drawing import draw_robot
@@ -68,6 +69,7 @@ SHOWN_BY = {
     "a joint": "test_a_joint",
     "a form of a result": "test_a_form_of_a_result",
     "a kind of answer": "test_a_kind_of_answer",
+    "a language of exported code": "test_a_language_of_exported_code",
     "a file format of a map": "test_a_file_format_of_a_map",
     "a kind of mechanism": "test_a_kind_of_mechanism",
     "a command": "test_a_command",
@@ -233,6 +235,14 @@ def test_a_file_format_of_a_map(add: Add, tmp_path: Path) -> None:
     found = gc.singular_map(EXAMPLES / "octahedral.yaml", ["x -1:1:2", "y -1:1:2"])
     found.save(tmp_path / "map.txt")
     assert re.fullmatch(r"\(\d+, \d+\)", (tmp_path / "map.txt").read_text(encoding="utf-8"))
+
+
+def test_a_language_of_exported_code(add: Add) -> None:
+    """Here with a template that is there already."""
+    add(LANGUAGES, "octave", replace(LANGUAGES["python"], title="Octave", comment="% {line}", root="sqrt({x})"))
+    text = gc.export("3-rpr", "octave")
+    assert text.startswith("% 3-rpr: when is it singular?")
+    assert " = sqrt(v" in text
 
 
 class Renamed(Limbs):

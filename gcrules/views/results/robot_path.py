@@ -9,6 +9,7 @@ from gcrules.core.english import agreeing, as_sentence
 from gcrules.poses.limbs.path_report import Crossing, RobotPath
 from gcrules.screws.pose_text import ANGLES
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.results.amplification import index_ranges
 from gcrules.views.results.path_account import (
     PathAccount,
     PathPlace,
@@ -34,6 +35,7 @@ def account(r: RobotPath) -> PathAccount:
         ("between", f"{agreeing(r.names, 'grows', 'grow')} evenly"),
         *_closest(r),
         ("values", f"at {len(r):,} samples: {listed_verdicts(r.verdicts.tolist())}"),
+        *index_ranges(r.amplifications, r.parameters, ""),
         ("branch", _branch(r)),
         ("proof", _PROOF),
         *(("note", note) for note in r.notes),
