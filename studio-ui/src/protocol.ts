@@ -300,12 +300,13 @@ export interface PathArgs {
   threshold?: string;
 }
 
-/** Over two coordinates with their ranges ("x -1:1:21"), the others as they are at the pose. */
+/** Over two coordinates with their ranges ("x -1:1:21"), the others as they are at the pose. The bands of its picture are the `measure`, one of those of the study; the margin, where none is asked for. */
 export interface MapArgs {
   source: Source;
   over: [string, string];
   pose: Pose;
   threshold?: string;
+  measure?: string;
 }
 
 /** The pose at a place of that map, in the units of its axes. */
@@ -331,7 +332,7 @@ export interface ComposeArgs {
   drawing: Sketch;
 }
 
-export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml";
+export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml" | "c" | "cpp" | "py" | "rs";
 
 export interface SaveArgs extends PoseArgs {
   what: Format;
@@ -468,6 +469,12 @@ export interface Stage {
   items: Item[];
 }
 
+export interface Measure {
+  name: string;
+  meaning: string;
+  unit: string;
+}
+
 export interface Axis {
   name: string;
   unit: string;
@@ -534,6 +541,8 @@ export interface Study {
   axes: Axis[];
   /** Coordinates of its pose, then its actuators, over which it can be mapped, with ranges to begin with. */
   ranges: Axis[];
+  /** What the bands of such a map can be, the margin first. */
+  measures: Measure[];
   /** The class of the catalog. */
   entry: Entry | null;
   /** SVG of the legs as a graph. Elements carry data-point="a" and data-leg="ab". */
@@ -728,6 +737,8 @@ export interface MapAnswer {
   frame: Frame;
   /** σ at the nodes; null where the robot does not get. */
   margin: ((number | null)[])[];
+  /** The measure at the nodes, where it is another one than the margin; null where it is infinite. */
+  index: ((number | null)[])[];
   /** Of the cells between them. */
   status: CellStatus[][];
   guarantee: string;

@@ -59,7 +59,7 @@ const DOCS: Record<string, Doc> = {
     threshold: "20 mm",
     commands: ["plane a b c"],
     bench: "let p = a ∨ b",
-    tour: { start: TURNED, to: "z=1", over: [{ name: "x", low: -1, high: 2 }, { name: "roll", low: 0, high: 30 }], nodes: 41 },
+    tour: { start: TURNED, to: "z=1", over: [{ name: "x", low: -1, high: 2 }, { name: "roll", low: 0, high: 30 }], nodes: 41, measure: "isotropy" },
     sketch: { title: "t", points: { a: [0, 0, 1], b: [0, 0, 2] }, base: ["a"], platform: ["b"], legs: [["a", "b"]] },
   },
 };

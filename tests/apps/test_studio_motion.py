@@ -24,6 +24,7 @@ from apps.studio_client import HOME, Page
 from gcrules.apps.studio.map_view import map_view
 from gcrules.apps.studio.protocol.requests import HOME as AT_HOME
 from gcrules.apps.studio.subject import read_subject
+from gcrules.mechanisms.kinematics.amplification import INDICES
 
 DELTA = {"kind": "robot", "id": "delta"}
 RPS = {"kind": "robot", "id": "3-rps"}
@@ -205,6 +206,19 @@ def test_without_matplotlib_a_map_says_what_is_proved(monkeypatch: pytest.Monkey
     legs = map_view(read_subject({"kind": "example", "name": "octahedral"}), ["x 0:1:3", "y 0:1:3"], AT_HOME, None)
     assert legs["guarantee"].startswith("No pose of the slice is singular: all 4 cells are proved free")
     assert {s for row in legs["status"] for s in row} == {"free"}
+
+
+@pytest.mark.parametrize("measure", ["isotropy", "shift_error"])
+def test_a_map_of_what_actuators_do(page: Page, measure: str) -> None:
+    study = page.ask("open", source=DELTA)
+    assert [m["name"] for m in study["measures"]] == ["margin", *INDICES]
+    over = ["x -0.2:0.2:3", "y -0.1:0.1:3"]
+    found = page.ask("map", source=DELTA, over=over, pose=HOME, measure=measure)
+    expected = gc.singular_map("delta", over, measure=measure)
+    assert found["index"] == [[pytest.approx(v, rel=1e-3) for v in row] for row in expected.values(measure).tolist()]
+    assert any(INDICES[measure].meaning in item["value"] for item in found["facts"])
+    assert page.ask("map", source=DELTA, over=over, pose=HOME)["index"] == []
+    assert "is no measure" in page.fault("map", source=DELTA, over=over, pose=HOME, measure="beauty")["message"]
 
 
 def test_axes_are_where_the_frame_of_a_path_says(page: Page) -> None:

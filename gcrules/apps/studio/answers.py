@@ -30,7 +30,9 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "path": lambda subject, args: path_view(
         subject, args.get("start"), args["goal"], args.get("to"), args.get("threshold")
     ),
-    "map": lambda subject, args: map_view(subject, args["over"], args["pose"], args.get("threshold")),
+    "map": lambda subject, args: map_view(
+        subject, args["over"], args["pose"], args.get("threshold"), args.get("measure")
+    ),
     "place": lambda subject, args: place_view(subject, args["over"], args["pose"], args["place"]),
     "manual": lambda subject, args: replayed(subject, args["commands"]),
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from base64 import b64encode
 from collections.abc import Sequence
 from fractions import Fraction
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,7 @@ from gcrules.core.budget import report
 from gcrules.core.deferred import deferred
 from gcrules.core.english import as_sentence
 from gcrules.core.errors import LimitReached
+from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
@@ -43,11 +45,13 @@ MAX_NODES = 20_000
 framed = deferred("gcrules.views.plots.map_plot:framed")  # matplotlib, an extra of the installation
 
 
-def map_view(subject: Subject, over: Sequence[str], pose: PoseJson, threshold: str | None) -> MapAnswer:
+def map_view(
+    subject: Subject, over: Sequence[str], pose: PoseJson, threshold: str | None, measure: str | None = None
+) -> MapAnswer:
     """The map over two coordinates, the others as they are at the pose. Raises InputError where there is none,
     LimitReached for more than `MAX_NODES` poses.
     """
-    plan = _planned(subject, over, pose, threshold_of(threshold, subject.unit))
+    plan = _planned(subject, over, pose, threshold_of(threshold, subject.unit), measure or "margin")
     if plan.task.grid.size > MAX_NODES:
         raise LimitReached(
             f"{plan.task.grid.size:,} poses: more than {MAX_NODES:,} in a map of the page",
@@ -60,7 +64,8 @@ def map_view(subject: Subject, over: Sequence[str], pose: PoseJson, threshold: s
         "axes": [_axis(a) for a in found.grid.axes],
         "picture": picture,
         "frame": {"left": left, "right": right, "top": top, "bottom": bottom},
-        "margin": [[_short(v) for v in row] for row in found.values("margin").tolist()],
+        "margin": _table(found, "margin"),
+        "index": _table(found, found.task.measure) if found.task.measure in INDICES else [],
         "status": [[MEANINGS[s] for s in row] for row in found.values("cell_status").tolist()],
         "guarantee": as_sentence(found.guarantee),
         "statement": found.sentence,
@@ -70,13 +75,13 @@ def map_view(subject: Subject, over: Sequence[str], pose: PoseJson, threshold: s
 
 def place_view(subject: Subject, over: Sequence[str], pose: PoseJson, place: Sequence[float]) -> PlacedPose:
     """The pose at a place of that map. Raises InputError where the sliders do not lead there."""
-    plan = _planned(subject, over, pose, DEFAULT)
+    plan = _planned(subject, over, pose, DEFAULT, "margin")
     return {"pose": method(_PLACED, subject.mechanism, "a map")(plan.task.grid, place)}
 
 
-def _planned(subject: Subject, over: Sequence[str], pose: PoseJson, limit: Threshold) -> Plan:
+def _planned(subject: Subject, over: Sequence[str], pose: PoseJson, limit: Threshold, measure: str) -> Plan:
     m = subject.mechanism
-    return planned(m, over, method(_REST, m, "a map")(over, pose), None, limit, "margin")
+    return planned(m, over, method(_REST, m, "a map")(over, pose), None, limit, measure)
 
 
 def _rest_of_limbs(m: Limbs, over: Sequence[str], pose: PoseJson) -> dict[str, float]:
@@ -123,5 +128,9 @@ def _axis(a: GridAxis) -> Axis:
     return {"name": a.name, "unit": a.unit, "low": float(a.start), "high": float(a.stop), "step": float(a.step)}
 
 
+def _table(m: SingularMap, name: str) -> list[list[float | None]]:
+    return [[_short(v) for v in row] for row in m.values(name).tolist()]
+
+
 def _short(value: float) -> float | None:
-    return None if value != value else float(f"{value:.4g}")
+    return float(f"{value:.4g}") if isfinite(value) else None

@@ -16,10 +16,9 @@ from gcrules.mechanisms.kinematics.solve import free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import Target, actuators_target, written
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.around import actuator_values
-from gcrules.poses.limbs.path import HOME
 from gcrules.poses.limbs.pose_report import target_of
 from gcrules.screws.pose import Pose
-from gcrules.screws.pose_text import pose_of
+from gcrules.screws.pose_text import HOME, pose_of
 
 __all__ = ["at_coordinates", "coordinates_at", "pose_json", "poses_of_limbs", "reached"]
 

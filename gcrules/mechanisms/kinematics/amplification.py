@@ -29,6 +29,7 @@ __all__ = [
     "amplification",
     "amplifications",
     "index_columns",
+    "index_names",
     "mixed",
 ]
 
@@ -58,7 +59,7 @@ class Amplifications(HoldsArrays):
     @property
     def indices(self) -> Mapping[str, Floats]:
         """All of `INDICES` that these actuators have, (N,) each."""
-        return {name: one.of(self) for name, one in INDICES.items() if name == "isotropy" or not mixed(self.angles)}
+        return {name: INDICES[name].of(self) for name in index_names(self.angles)}
 
     def to_json(self) -> dict[str, list[float | None]]:
         """Lists of the indices, null where they are infinite or do not exist."""
@@ -218,6 +219,11 @@ direction cannot reach them all at once. All but the isotropy need actuators of 
 def _inverse(a: Floats) -> Floats:
     with np.errstate(divide="ignore"):
         return np.asarray(1 / a)
+
+
+def index_names(angles: Sequence[bool]) -> tuple[str, ...]:
+    """Those of `INDICES` that actuators have, of which `angles` tells whether they turn."""
+    return ("isotropy",) if mixed(angles) else tuple(INDICES)
 
 
 def index_columns(a: Amplifications, unit: str) -> tuple[str, ...]:

@@ -23,7 +23,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
-from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.closed_forms import ClosedForms
 from gcrules.poses.compiling.compiled_limbs import compiled_limbs
@@ -36,7 +36,7 @@ from gcrules.poses.numbers.many import scaled_superbracket
 from gcrules.screws.margin import jacobian
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS, pose_of
 
-__all__ = ["Controller", "Factor", "Test", "controller"]
+__all__ = ["Controller", "Factor", "Test", "controller", "controller_of"]
 
 _TESTS = 6
 _REACHES = (0.0, 0.2, 0.2, 0.1, 0.1, 0.1, 0.05, 0.05, 0.02, 0.02, 0.01, 0.005)  # in parts of the robot's size, and rad
@@ -94,7 +94,12 @@ def controller(
 
     Raises InputError where a robot has no coordinates, or something has no closed form that is known.
     """
-    return method(_METHODS, mechanism(source, about=about), "code of the condition")(coordinates)
+    return controller_of(mechanism(source, about=about), coordinates)
+
+
+def controller_of(m: Mechanism, coordinates: str | Sequence[str] | None = None) -> Controller:
+    """The same of a mechanism."""
+    return method(_METHODS, m, "code of the condition")(coordinates)
 
 
 def _of_legs(m: SixLegs, coordinates: str | Sequence[str] | None) -> Controller:

@@ -27,7 +27,7 @@ from gcrules.core.budget import checkpoint, report
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import drawn
-from gcrules.mechanisms.kinematics.amplification import INDICES, mixed
+from gcrules.mechanisms.kinematics.amplification import INDICES, index_names
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
@@ -102,7 +102,7 @@ def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold:
     if measure not in MEASURES:
         raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
     plan = method(_PLANNED, found, "a map")(over, at, limits, limit, measure)
-    if measure in INDICES and measure != "isotropy" and mixed(plan.task.grid.angles_driven):
+    if measure in INDICES and measure not in index_names(plan.task.grid.angles_driven):
         raise InputError(
             f"some actuators turn and others slide: there is no common {measure.replace('_', ' ')}",
             hint="take --measure isotropy, which weighs them with the robot's size",

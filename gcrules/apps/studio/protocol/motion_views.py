@@ -85,6 +85,8 @@ class MapAnswer(TypedDict):
     frame: FrameView
     margin: list[list[float | None]]
     """σ at the nodes; null where the robot does not get."""
+    index: list[list[float | None]]
+    """The measure at the nodes, where it is another one than the margin; null where it is infinite."""
     status: list[list[CellStatus]]
     """Of the cells between them."""
     guarantee: str

@@ -164,12 +164,15 @@ class PathArgs(TypedDict):
 
 
 class MapArgs(TypedDict):
-    """Over two coordinates with their ranges ("x -1:1:21"), the others as they are at the pose."""
+    """Over two coordinates with their ranges ("x -1:1:21"), the others as they are at the pose. The bands of its
+    picture are the `measure`, one of those of the study; the margin, where none is asked for.
+    """
 
     source: SourceJson
     over: _Ranges
     pose: PoseJson
     threshold: NotRequired[_Threshold]
+    measure: NotRequired[Annotated[str, text(20)]]
 
 
 class PlaceArgs(TypedDict):
@@ -196,7 +199,7 @@ class ComposeArgs(TypedDict):
     drawing: Sketch
 
 
-Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml"]
+Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml", "c", "cpp", "py", "rs"]
 
 
 class SaveArgs(PoseArgs):

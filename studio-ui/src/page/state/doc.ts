@@ -20,6 +20,8 @@ export interface Tour {
   over: [Range, Range] | null;
   /** Poses along each of them. */
   nodes: number;
+  /** What the bands of the map are. */
+  measure: string;
 }
 
 export interface Doc {
@@ -44,7 +46,9 @@ export const HOME: Pose = { translation: [0, 0, 0], quaternion: [1, 0, 0, 0] };
 /** Poses along each coordinate of a map, to choose from. */
 export const NODES: readonly number[] = [11, 17, 25, 41, 61, 81];
 
-export const TOUR: Tour = { start: null, to: "", over: null, nodes: 25 };
+export const MARGIN = "margin";
+
+export const TOUR: Tour = { start: null, to: "", over: null, nodes: 25, measure: MARGIN };
 
 export const EMPTY: Doc = {
   source: null,

@@ -59,13 +59,14 @@ function readSketch(x: unknown): Sketch | null {
 
 function readTour(x: unknown): Tour {
   if (!isObject(x)) return TOUR;
-  const { start, to, over, nodes } = x;
+  const { start, to, over, nodes, measure } = x;
   const [first, second] = listOf(isRange)(over) ? over : [];
   return {
     start: isObject(start) ? readPose(start) : null,
     to: isText(to) ? to : "",
     over: first && second ? [first, second] : null,
     nodes: isNumber(nodes) && NODES.includes(nodes) ? nodes : TOUR.nodes,
+    measure: isText(measure) ? measure : TOUR.measure,
   };
 }
 

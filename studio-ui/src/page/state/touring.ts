@@ -1,7 +1,7 @@
 // A path and a map of what is open, and what they are asked with.
 import type { Axis, Study } from "../../protocol";
 import type { Client } from "../net/client";
-import type { Range, Tour } from "./doc";
+import { MARGIN, type Range, type Tour } from "./doc";
 import type { Editing } from "./editing";
 import { createRunner, type Runner } from "./running";
 
@@ -30,6 +30,13 @@ export function rangesOf({ ranges }: Study, { over }: Tour): [Range, Range] | nu
   const [a, b] = ranges;
   return a && b ? [rangeOf(a), rangeOf(b)] : null;
 }
+
+/** What the bands of the map are: what was chosen, if the robot has it. */
+export const measureOf = ({ measures }: Study, { measure }: Tour): string =>
+  measures.some(({ name }) => name === measure) ? measure : MARGIN;
+
+/** The name of a measure as a word. */
+export const spoken = (measure: string): string => measure.replace("_", " ");
 
 const rounded = (value: number): number => Number(value.toPrecision(2));
 

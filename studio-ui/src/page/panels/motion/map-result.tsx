@@ -1,10 +1,11 @@
 // The map as a picture: what stands under the pointer is said, and a click takes the robot there.
 import { useSignal } from "@preact/signals";
-import type { MapAnswer, MapArgs, Pose } from "../../../protocol";
+import type { MapAnswer, MapArgs, Measure, Pose } from "../../../protocol";
 import { short } from "../../lib/format";
 import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
 import { samePose } from "../../state/doc";
+import { spoken } from "../../state/touring";
 import { Facts } from "./facts";
 import { Plot, type Spot } from "./plot";
 import { stepped, valueOf, within } from "./spots";
@@ -16,7 +17,13 @@ const CELLS: Record<string, string> = {
   outside: "not reached at a corner",
 };
 
-export function MapResult({ asked, result }: { asked: MapArgs; result: MapAnswer }) {
+interface Props {
+  asked: MapArgs;
+  result: MapAnswer;
+  measures: readonly Measure[];
+}
+
+export function MapResult({ asked, result, measures }: Props) {
   const { touring, moving, pose$ } = useStore();
   const hovered = useSignal<Spot | null>(null);
   const chosen = useSignal<Spot | null>(null);
@@ -72,7 +79,7 @@ export function MapResult({ asked, result }: { asked: MapArgs; result: MapAnswer
         <p class="none">The picture needs matplotlib: pip install "gcrules[maps]".</p>
       )}
       <p class="readout" data-testid="map-readout" aria-live="polite">
-        {spot ? <Spoken result={result} spot={spot} /> : "Point at the map to read it; a click takes the robot there."}
+        {spot ? <Spoken result={result} spot={spot} measure={measures.find(({ name }) => name === asked.measure)} /> : "Point at the map to read it; a click takes the robot there."}
       </p>
       {going.state === "failed" && <FaultBox fault={going.fault} />}
       <Facts facts={result.facts} title="What was computed" />
@@ -80,12 +87,19 @@ export function MapResult({ asked, result }: { asked: MapArgs; result: MapAnswer
   );
 }
 
-function Spoken({ result, spot }: { result: MapAnswer; spot: Spot }) {
-  const { axes, margin, status } = result;
+interface SpokenProps {
+  result: MapAnswer;
+  spot: Spot;
+  measure: Measure | undefined;
+}
+
+function Spoken({ result, spot, measure }: SpokenProps) {
+  const { axes, margin, index, status } = result;
   const [rows, columns] = [margin.length, margin[0]?.length ?? 0];
   const node = [Math.round(spot[0] * (rows - 1)), Math.round(spot[1] * (columns - 1))] as const;
   const cell = [within(spot[0], rows - 1), within(spot[1], columns - 1)] as const;
   const sigma = margin[node[0]]?.[node[1]] ?? null;
+  const own = index[node[0]]?.[node[1]];
   const kind = status[cell[0]]?.[cell[1]] ?? "undecided";
   return (
     <>
@@ -95,7 +109,13 @@ function Spoken({ result, spot }: { result: MapAnswer; spot: Spot }) {
           {axis.unit === "deg" ? "°" : axis.unit && ` ${axis.unit}`} ·{" "}
         </span>
       ))}
-      σ <b>{sigma === null ? "none" : short(sigma, 3)}</b> at the nearest node · the cell is <b class={kind}>{CELLS[kind]}</b>
+      σ <b>{sigma === null ? "none" : short(sigma, 3)}</b>
+      {measure && own !== undefined && (
+        <>
+          , {spoken(measure.name)} <b>{own === null ? "none" : short(own, 3)}</b> {measure.unit}
+        </>
+      )}{" "}
+      at the nearest node · the cell is <b class={kind}>{CELLS[kind]}</b>
     </>
   );
 }

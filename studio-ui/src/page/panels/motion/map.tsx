@@ -7,7 +7,7 @@ import { NumberField } from "../../parts/number-field";
 import { digitsOf } from "../../pose/axis-slider";
 import { Seeks } from "../../pose/nearest-view";
 import { NODES, type Range } from "../../state/doc";
-import { changed, inWords, rangeOf, rangesOf } from "../../state/touring";
+import { changed, inWords, measureOf, rangeOf, rangesOf, spoken } from "../../state/touring";
 import { MapResult } from "./map-result";
 
 export function MapSection({ study }: { study: Study }) {
@@ -15,13 +15,14 @@ export function MapSection({ study }: { study: Study }) {
   const { map, change } = touring;
   const { nodes } = tour$.value;
   const ranges = rangesOf(study, tour$.value);
+  const measure = measureOf(study, tour$.value);
   const now = map.now.value;
   if (!ranges) return null;
   const words = (range: Range) => inWords(range, study.ranges.find(({ name }) => name === range.name)?.unit ?? "", nodes);
 
   function go([across, upwards]: [Range, Range]): void {
     const { source, pose, threshold } = doc.peek();
-    if (source) void map.start({ source, pose, threshold, over: [words(across), words(upwards)] });
+    if (source) void map.start({ source, pose, threshold, over: [words(across), words(upwards)], measure });
   }
 
   return (
@@ -39,6 +40,21 @@ export function MapSection({ study }: { study: Study }) {
         ))}
         <div class="row">
           <label>
+            <span class="label">bands</span>
+            <select
+              value={measure}
+              title={study.measures.find(({ name }) => name === measure)?.meaning}
+              data-testid="map-measure"
+              onChange={(event) => change({ measure: event.currentTarget.value })}
+            >
+              {study.measures.map(({ name, meaning }) => (
+                <option key={name} value={name} title={meaning}>
+                  {spoken(name)}
+                </option>
+              ))}
+            </select>
+          </label>
+          <label>
             <span class="label">poses</span>
             <select value={nodes} data-testid="map-nodes" onChange={(event) => change({ nodes: Number(event.currentTarget.value) })}>
               {NODES.map((n) => (
@@ -55,7 +71,7 @@ export function MapSection({ study }: { study: Study }) {
       </form>
       {now.state === "busy" && <Seeks words={now.words} stop={map.stop} testid="map-stop" />}
       {now.state === "failed" && <FaultBox fault={now.fault} />}
-      {now.state === "found" && <MapResult asked={now.asked} result={now.result} />}
+      {now.state === "found" && <MapResult asked={now.asked} result={now.result} measures={study.measures} />}
     </section>
   );
 }
