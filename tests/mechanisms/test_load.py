@@ -65,7 +65,7 @@ FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     "singular_map": lambda source: gc.singular_map(source, ["z -0.1:0.1:2", "roll -5:5:2 deg"]),
     "view": gc.view,
 }
-NEED_COORDINATES = ("pose", "singular", "path", "locus", "singular_map")
+NEED_COORDINATES = ("pose", "singular", "path", "locus", "export", "singular_map")
 NEED_SIX_LEGS = ("locus",)
 
 
