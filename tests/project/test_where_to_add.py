@@ -146,7 +146,7 @@ def test_a_joint(add: Add) -> None:
     before, after = (gc.analyze(gc.load(t)) for t in (text, text.replace("R(A%, r%) P*(A% S%)", "RP*2(A%, r%, A% S%)")))
     assert [j.kind for j in after.robot.limbs[0].joints] == ["RP", "S"]
     assert after.condition.expression == before.condition.expression
-    poses = [gc.pose(a, "z=0.2, roll=5deg, pitch=0deg") for a in (before, after)]
+    poses = [gc.pose(a, "z=0.2, roll=5deg, pitch=0deg", nearest=False) for a in (before, after)]
     assert poses[0].margin == pytest.approx(poses[1].margin)
     assert [*poses[0].actuator_values.values()] == pytest.approx([*poses[1].actuator_values.values()])
     drawn = [draw_robot(a, home_values(a.robot)).svg() for a in (before, after)]
@@ -254,7 +254,7 @@ def test_a_kind_of_mechanism(add: Add, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(methods, "mechanism", lambda source, **options: made)
     for table in (methods._POSE, methods._SINGULAR):
         add(table, Renamed, table[Limbs])
-    assert gc.pose("3-rps", "z=0.1, roll=0deg, pitch=0deg").verdict == "regular"
+    assert gc.pose("3-rps", "z=0.1, roll=0deg, pitch=0deg", nearest=False).verdict == "regular"
     assert gc.singular("3-rps", "z=0.1, roll=0deg, pitch=0deg") is None
 
 
