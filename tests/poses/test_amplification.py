@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from commands import assert_refused
+from mechanisms.shipped_robots import analysis
 from places import EXAMPLES
 
 import gcrules as gc
@@ -30,7 +31,7 @@ STEP = 1e-5
 
 @cache
 def at_home(name: str) -> RobotPose:
-    found = gc.pose(read_robot(name), nearest=False)
+    found = gc.pose(analysis(name), nearest=False)
     assert isinstance(found, RobotPose)
     return found
 
@@ -44,7 +45,7 @@ def test_each_actuator_moves_the_platform_so_fast(name: str) -> None:
     found = home.jacobian.amplification
     for place, actuator in enumerate(found.actuators):
         ends: list[Any] = [
-            gc.pose(read_robot(name), actuators={actuator: s * STEP}, nearest=False).coordinates for s in (-1, 1)
+            gc.pose(analysis(name), actuators={actuator: s * STEP}, nearest=False).coordinates for s in (-1, 1)
         ]
         moved = {n: (ends[1][n] - ends[0][n]) / (2 * STEP) for n in ends[0]}
         speed, turn = (math.hypot(*(moved[n] for n in names)) for names in (("x", "y", "z"), ("rx", "ry", "rz")))
