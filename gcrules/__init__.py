@@ -63,7 +63,7 @@ if TYPE_CHECKING:
         transversals,
         within,
     )
-    from gcrules.api.poses import compiled, locus, path, pose, singular, singular_map
+    from gcrules.api.poses import compiled, export, locus, path, pose, singular, singular_map
     from gcrules.apps.notebook.view import view
 
 __all__ = [
@@ -94,6 +94,7 @@ __all__ = [
     "compiled",
     "evaluate",
     "expand",
+    "export",
     "factor",
     "load",
     "load_rules",
@@ -118,7 +119,7 @@ __all__ = [
 
 
 _ELSEWHERE = {
-    **dict.fromkeys(("compiled", "locus", "path", "pose", "singular", "singular_map"), "gcrules.api.poses"),
+    **dict.fromkeys(("compiled", "export", "locus", "path", "pose", "singular", "singular_map"), "gcrules.api.poses"),
     "view": "gcrules.apps.notebook.view",  # it shows a robot in an app, the notebook
 }
 

@@ -1,9 +1,12 @@
-"""The pictures of docs/studio.md; `python tools/studio_pictures.py` writes them into docs/assets (needs Chromium)."""
+"""The pictures of docs/studio.md; `python tools/studio_pictures.py [NAME …]` writes them, or some, into docs/assets
+(needs Chromium).
+"""
 
 from __future__ import annotations
 
 import sys
 import tempfile
+from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -33,20 +36,36 @@ PICTURES: dict[str, dict[str, Any]] = {
         "nearest": True,
     },
     "studio-robot.png": {"scheme": "dark", "open": ("robot", "gallardo-4dof"), "stage": "equivalent"},
+    "studio-map.png": {
+        "scheme": "light",
+        "open": ("robot", "3-rps"),
+        "map": [{"name": "z", "low": -0.7, "high": 0.7}, {"name": "roll", "low": -70, "high": 70}],
+        "place": (0.62, 0.22),
+    },
 }
-"""Name: colours of the page, what is opened, the step, and how the platform is moved."""
+"""Name: colours of the page, what is opened, the step or the map, and how the platform is moved."""
 
 
 def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
     """One view of the page as a PNG."""
     kind, name = wanted["open"]
-    desk.visit().open(kind, name, wanted["stage"])
+    desk.visit().open(kind, name, wanted.get("stage"))
     for name, value in wanted.get("sliders", {}).items():
         desk.slide(name, value)
     if wanted.get("nearest"):
         desk.one("nearest-rotation").click()
         desk.verdict("singular", timeout=30_000)
         desk.one("view-fit").click()
+    if "map" in wanted:
+        desk.one("panel-motion").click()
+        desk.run("over => gcrules.touring.change({over, nodes: 61})", wanted["map"])
+        desk.one("map-go").click()
+        desk.one("map-plot").wait_for()
+        desk.page.locator(".motion .map").evaluate("map => map.scrollIntoView()")
+        box = desk.one("map-plot").bounding_box()
+        x, y = wanted["place"]
+        desk.one("map-plot").click(position={"x": x * box["width"], "y": y * box["height"]})
+        desk.page.wait_for_timeout(3000)
     desk.answered()
     desk.page.mouse.move(2, 2)
     desk.page.evaluate("document.activeElement?.blur()")
@@ -54,9 +73,11 @@ def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
     return bytes(desk.page.screenshot())
 
 
-def main() -> None:
+def main(names: Sequence[str]) -> None:
     with tempfile.TemporaryDirectory() as state, studio(Path(state)) as server, chromium() as browser:
         for name, wanted in PICTURES.items():
+            if names and name not in names:
+                continue
             context = browser.new_context(viewport=SIZE, color_scheme=wanted["scheme"], reduced_motion="reduce")
             picture = Image.open(BytesIO(take(Desk(context.new_page(), server), wanted))).convert("RGB")
             small = picture.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
@@ -65,4 +86,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 from gcrules.api.signatures import public
+from gcrules.mechanisms.load import Source
 from gcrules.poses.compiling.compiled import compiled as _compiled
+from gcrules.poses.compiling.controller import controller as _controller
 from gcrules.poses.loci.locus import locus as _locus
 from gcrules.poses.maps.maps import singular_map as _singular_map
 from gcrules.poses.path_report import path as _path
 from gcrules.poses.pose import pose as _pose
 from gcrules.poses.pose import singular as _singular
+from gcrules.views.code.source_code import source_code as _source_code
 
-__all__ = ["compiled", "locus", "path", "pose", "singular", "singular_map"]
+__all__ = ["compiled", "export", "locus", "path", "pose", "singular", "singular_map"]
 
 compiled = public(_compiled)
 locus = public(_locus)
@@ -18,3 +24,21 @@ path = public(_path)
 pose = public(_pose)
 singular = public(_singular)
 singular_map = public(_singular_map)
+
+
+@public
+def export(
+    source: Source,
+    language: str = "c",
+    *,
+    coordinates: str | Sequence[str] | None = None,
+    about: str | Sequence[Any] = "centroid",
+) -> str:
+    """The condition's factors, the margin and the inverse kinematics of a robot as source code in "c", "cpp", "python"
+    or "rust", which needs nothing else and holds a test.
+
+    `source` is what `load` takes. Its functions take poses by the `coordinates` of the platform that are named, or
+    those that are free near home: lengths in the file's unit, angles in rad, 0 at home. Poses turn `about` the same
+    centre as in `pose`. Raises InputError for other languages, and where something has no closed form that is known.
+    """
+    return _source_code(_controller(source, coordinates=coordinates, about=about), language)

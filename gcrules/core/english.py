@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-__all__ = ["agreeing", "listed", "of_kind", "together"]
+__all__ = ["agreeing", "as_sentence", "listed", "of_kind", "together"]
 
 
 def listed(names: Sequence[str]) -> str:
@@ -20,6 +20,11 @@ def agreeing(names: Sequence[str], one: str, several: str) -> str:
     ('leg 1 is', 'leg 1, leg 2 and leg 3 are')
     """
     return f"{listed(names)} {one if len(dict.fromkeys(names)) == 1 else several}"
+
+
+def as_sentence(words: str) -> str:
+    """ "Proved, all of it." of "proved, all of it"; nothing of nothing."""
+    return f"{words[:1].upper()}{words[1:]}." if words else ""
 
 
 def of_kind(kind: str, names: Sequence[str]) -> str:

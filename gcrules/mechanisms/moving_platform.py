@@ -62,6 +62,11 @@ class MovingPlatform:
         return np.array([[float(c) for c in self.points[a]] for a, _ in self.legs])
 
     @cached_property
+    def centre_of_turns(self) -> Floats:
+        """The centre as floats, shape (3,)."""
+        return np.array([float(c) for c in self.centre])
+
+    @cached_property
     def arms(self) -> Floats:
         """The platform ends of the legs in the file less the centre, shape (6, 3)."""
         return np.array(
@@ -96,8 +101,8 @@ class MovingPlatform:
         Raises InputError where a leg has no length (below 1e-12 of the robot's size); `first` is the number of the
         first of these poses in what the user gave.
         """
-        centre = np.array([float(c) for c in self.centre])
-        found: Floats = np.einsum("nij,kj->nki", rotations, self.arms) + (centre + translations)[:, None, :]
+        found: Floats = np.einsum("nij,kj->nki", rotations, self.arms)
+        found += (self.centre_of_turns + translations)[:, None, :]
         if np.abs(found - self.base).max() > FAR * self.size:
             raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
         short = np.linalg.norm(found - self.base, axis=2) <= 1e-12 * self.size

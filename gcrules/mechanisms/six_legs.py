@@ -75,7 +75,7 @@ class SixLegs:
         turn = np.array([[[float(c) for c in row] for row in pose.rotation]])
         shift = np.array([[float(c) for c in pose.translation]])
         ends = moving.ends(shift, turn)[0]
-        centre = np.array([float(c) for c in moving.centre]) + shift[0]
+        centre = moving.centre_of_turns + shift[0]
         j = jacobian(moving.base, ends[None])
         forces = j.directions[0]
         rows = np.concatenate([forces, np.cross(ends - centre, forces)], axis=1)

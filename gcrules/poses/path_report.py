@@ -26,10 +26,10 @@ from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
-from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.limbs.path import HOME, path_of_limbs
+from gcrules.poses.limbs.path import path_of_limbs
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.arrays import from_poses, matrices
@@ -47,7 +47,7 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import decide
 
-__all__ = ["MAX_SAMPLES", "path", "path_of_legs"]
+__all__ = ["MAX_SAMPLES", "path", "path_of", "path_of_legs"]
 
 MAX_SAMPLES = 200_000
 
@@ -68,11 +68,21 @@ def path(
     one axis, the shorter way. `samples` is the number of places at which values are given; singular poses are found
     between them, too. `threshold` is an angle.
 
-    For a robot of joints a pose may be "home", and all others name the same coordinates, which grow evenly between two
+    A pose may be "home". For a robot of joints all others name the same coordinates, which grow evenly between two
     of them; stretches in which nothing is proved are listed. Raises InputError for what is no path and for degenerate
     robots.
     """
-    return method(_PATH, mechanism(source, about=about), "a path")(poses, samples, threshold)
+    return path_of(mechanism(source, about=about), poses, samples, threshold)
+
+
+def path_of(
+    found: Mechanism,
+    poses: str | PathLike[str] | Sequence[Any],
+    samples: int = SAMPLES,
+    threshold: str | Threshold = DEFAULT.text,
+) -> PathReport | RobotPath:
+    """The path of a mechanism; arguments and errors as for `path`."""
+    return method(_PATH, found, "a path")(poses, samples, threshold)
 
 
 def _of_limbs(
@@ -146,7 +156,7 @@ def _poses(given: str | PathLike[str] | Sequence[Any], unit: str) -> tuple[tuple
 def _pose(number: int, given: Any, unit: str) -> Pose:
     """A `Pose`, its text, "home", or a translation of three numbers. Raises InputError that names the pose."""
     try:
-        found = Pose() if isinstance(given, str) and given == HOME else one_pose(given, {}, False, unit)
+        found = one_pose(given, {}, False, unit)
     except GcrulesError as fault:
         if fault.source is None:
             fault.args = (f"pose {number}: {fault.message}",)
@@ -186,8 +196,7 @@ def _why(m: SixLegs, pose: Pose, limit: Threshold) -> tuple[tuple[str, ...], Any
 
 def _ends(moving: MovingPlatform, translations: Any, rotations: Any) -> Any:
     """As `MovingPlatform.ends`, where legs may have no length."""
-    centre = np.array([float(c) for c in moving.centre])
-    return np.einsum("nij,kj->nki", rotations, moving.arms) + (centre + translations)[:, None, :]
+    return np.einsum("nij,kj->nki", rotations, moving.arms) + (moving.centre_of_turns + translations)[:, None, :]
 
 
 def _least(way: Sequence[Segment], per_segment: int, zeros: Sequence[Zero], still: Sequence[Stretch]) -> Least:

@@ -24,6 +24,7 @@ from gcrules.screws.rotations import IDENTITY, MANY, Vector, check_sequence, fro
 __all__ = [
     "ANGLES",
     "COORDINATES",
+    "HOME",
     "SHIFTS",
     "TURNS",
     "VECTOR",
@@ -35,6 +36,9 @@ __all__ = [
     "read_centre",
     "read_named",
 ]
+
+HOME = "home"
+"""The pose in which the file has the robot."""
 
 SHIFTS = ("x", "y", "z")
 TURNS = ("roll", "pitch", "yaw")
@@ -72,10 +76,13 @@ def parse_pose(text: str, unit: str = "", option: str = "--at") -> Pose:
     """Read coordinates by their names, "z=5, roll=10deg", those that are not named being 0; or a whole pose,
     "x y z; quaternion w x y z" and the like, its parts separated by ";", numbers by blanks or commas.
 
-    `unit` is the unit of length of the robot. Lengths may name their unit, which must be that one; angles must say deg
-    or rad. The turn of a whole pose is one of `quaternion w x y z` (or `quaternion xyzw x y z w`), `rotation-vector
-    x y z rad` and `euler SEQUENCE a b c deg` (see `from_euler`). Raises InputError with the place, in `option`.
+    "home" is the pose of the file. `unit` is the unit of length of the robot. Lengths may name their unit, which must
+    be that one; angles must say deg or rad. The turn of a whole pose is one of `quaternion w x y z` (or `quaternion
+    xyzw x y z w`), `rotation-vector x y z rad` and `euler SEQUENCE a b c deg` (see `from_euler`). Raises InputError
+    with the place, in `option`.
     """
+    if text.strip().lower() == HOME:
+        return Pose()
     if "=" in text:
         return pose_of(read_named(text, dict.fromkeys(COORDINATES, False) | dict.fromkeys(ANGLES, True), unit, option))
     found: dict[str, tuple[Any, ...]] = {}

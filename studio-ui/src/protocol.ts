@@ -291,6 +291,32 @@ export interface AlongArgs {
   threshold?: string;
 }
 
+/** From `start` (home without it) to `goal`, or to the pose that the text `to` names. */
+export interface PathArgs {
+  source: Source;
+  start?: Pose;
+  goal: Pose;
+  to?: string;
+  threshold?: string;
+}
+
+/** Over two coordinates with their ranges ("x -1:1:21"), the others as they are at the pose. The bands of its picture are the `measure`, one of those of the study; the margin, where none is asked for. */
+export interface MapArgs {
+  source: Source;
+  over: [string, string];
+  pose: Pose;
+  threshold?: string;
+  measure?: string;
+}
+
+/** The pose at a place of that map, in the units of its axes. */
+export interface PlaceArgs {
+  source: Source;
+  over: [string, string];
+  pose: Pose;
+  place: [number, number];
+}
+
 export interface ManualArgs {
   source: Source;
   commands: string[];
@@ -306,7 +332,7 @@ export interface ComposeArgs {
   drawing: Sketch;
 }
 
-export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml";
+export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml" | "c" | "cpp" | "py" | "rs";
 
 export interface SaveArgs extends PoseArgs {
   what: Format;
@@ -443,6 +469,12 @@ export interface Stage {
   items: Item[];
 }
 
+export interface Measure {
+  name: string;
+  meaning: string;
+  unit: string;
+}
+
 export interface Axis {
   name: string;
   unit: string;
@@ -507,6 +539,10 @@ export interface Study {
   size: number;
   /** Independent coordinates: six for a platform; those of the robot's mobility otherwise. */
   axes: Axis[];
+  /** Coordinates of its pose, then its actuators, over which it can be mapped, with ranges to begin with. */
+  ranges: Axis[];
+  /** What the bands of such a map can be, the margin first. */
+  measures: Measure[];
   /** The class of the catalog. */
   entry: Entry | null;
   /** SVG of the legs as a graph. Elements carry data-point="a" and data-leg="ab". */
@@ -641,6 +677,79 @@ export interface Cancelled {
   cancelled: boolean;
 }
 
+/** Where the axes are in a picture, as parts of its width and of its height from above. */
+export interface Frame {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+}
+
+export interface PathSample {
+  parameter: number;
+  margin: number;
+  /** null where it is not known that the sliders lead to this configuration from home. */
+  pose: Pose | null;
+}
+
+/** A singular place on a path, with what happens there, why, and what is gained, in sentences. */
+export interface PathPlace {
+  parameter: number;
+  /** The parameter as a fraction; "" where it is none. */
+  exactly: string;
+  /** The pose, as `gcrules pose --at` takes it. */
+  at: string;
+  words: string[];
+  sure: string;
+  pose: Pose | null;
+}
+
+export interface PathStretch {
+  start: number;
+  end: number;
+  /** Every pose is singular; else it is not decided whether one is. */
+  singular: boolean;
+  words: string[];
+}
+
+export interface PathAnswer {
+  verdict: Verdict;
+  reason: string;
+  svg: string;
+  frame: Frame;
+  /** The parameter of the last pose; that of the first is 0. */
+  end: number;
+  samples: PathSample[];
+  places: PathPlace[];
+  /** Places that are left out. */
+  more: number;
+  stretches: PathStretch[];
+  facts: FactItem[];
+}
+
+export type CellStatus = "free" | "crossed" | "undecided" | "outside";
+
+/** A map over two coordinates. Arrays run over the first axis, then over the second. */
+export interface MapAnswer {
+  axes: Axis[];
+  /** SVG in base64, "" where matplotlib is missing. */
+  picture: string;
+  frame: Frame;
+  /** σ at the nodes; null where the robot does not get. */
+  margin: ((number | null)[])[];
+  /** The measure at the nodes, where it is another one than the margin; null where it is infinite. */
+  index: ((number | null)[])[];
+  /** Of the cells between them. */
+  status: CellStatus[][];
+  guarantee: string;
+  statement: string;
+  facts: FactItem[];
+}
+
+export interface PlacedPose {
+  pose: Pose;
+}
+
 export interface Methods {
   hello: { args: NoArgs; result: Hello };
   gallery: { args: NoArgs; result: Gallery };
@@ -648,6 +757,9 @@ export interface Methods {
   pose: { args: PoseArgs; result: Numbers };
   along: { args: AlongArgs; result: Along };
   nearest: { args: PoseArgs; result: Nearest };
+  path: { args: PathArgs; result: PathAnswer };
+  map: { args: MapArgs; result: MapAnswer };
+  place: { args: PlaceArgs; result: PlacedPose };
   manual: { args: ManualArgs; result: Manual };
   bench: { args: BenchArgs; result: Bench };
   compose: { args: ComposeArgs; result: Composed };

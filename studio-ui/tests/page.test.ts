@@ -10,13 +10,16 @@ import { along, degreesOf } from "../src/page/lib/scale";
 import { splitBrackets, splitOperator } from "../src/page/lib/tex";
 import { tintOf } from "../src/page/lib/tint";
 import { chosen } from "../src/page/start/filter";
-import { EMPTY, HOME, samePose, type Doc } from "../src/page/state/doc";
+import { EMPTY, HOME, TOUR, atHome, isHome, samePose, type Doc, type Range } from "../src/page/state/doc";
 import { plainFragment, readFragment, writeFragment } from "../src/page/state/fragment";
 import { begin, closed, moved, record, redone, undone } from "../src/page/state/history";
 import { readDoc } from "../src/page/state/read";
+import { changed, inWords, rangeOf, rangesOf } from "../src/page/state/touring";
+import { nearest } from "../src/page/panels/motion/samples";
+import { stepped, valueOf, within } from "../src/page/panels/motion/spots";
 import { latest } from "../src/page/net/latest";
 import { rotationVector } from "../src/viewer/pose";
-import type { Entity, GalleryItem, Pose, Vec3 } from "../src/protocol";
+import type { Axis, Entity, GalleryItem, Pose, Study, Vec3 } from "../src/protocol";
 
 const GRID = [-180, -135, -90, -37, 0, 12.5, 90, 179, 180];
 const TURNED: Pose = { translation: [1, -2, 3.5], quaternion: [0.5, 0.5, -0.5, 0.5], coordinates: [0.25] };
@@ -56,6 +59,7 @@ const DOCS: Record<string, Doc> = {
     threshold: "20 mm",
     commands: ["plane a b c"],
     bench: "let p = a ∨ b",
+    tour: { start: TURNED, to: "z=1", over: [{ name: "x", low: -1, high: 2 }, { name: "roll", low: 0, high: 30 }], nodes: 41, measure: "isotropy" },
     sketch: { title: "t", points: { a: [0, 0, 1], b: [0, 0, 2] }, base: ["a"], platform: ["b"], legs: [["a", "b"]] },
   },
 };
@@ -81,6 +85,8 @@ test("what a link says is checked field by field", () => {
   assert.deepEqual(doc, EMPTY);
   assert.deepEqual(readDoc({ pose: { translation: [0, 0, 0], quaternion: [2, 0, 0, 0] } }).pose, HOME);
   assert.equal(readDoc({ panel: "guided" }).panel, "start");
+  const wrong = [7, { over: [{ name: "x", low: 0, high: 1 }] }, { nodes: 1e9, to: 3, start: "home" }, { over: [{ name: "x", low: "0" }, 1] }];
+  for (const tour of wrong) assert.deepEqual(readDoc({ tour }).tour, TOUR);
 });
 
 const at = (x: number): Partial<Doc> => ({ pose: { ...HOME, translation: [x, 0, 0] } });
@@ -166,4 +172,49 @@ const zero: Vec3 = [0, 0, 0];
 test("poses compare by value", () => {
   assert.ok(samePose(HOME, { translation: zero, quaternion: [1, 0, 0, 0] }));
   assert.ok(!samePose(HOME, { ...HOME, coordinates: [0] }));
+});
+
+const axis = (name: string, unit = ""): Axis => ({ name, unit, low: -0.69267, high: 0.69267, step: 0.001 });
+const study = { ranges: [axis("z"), axis("roll", "deg"), axis("q1")] } as Study;
+const range = (name: string, low = 0): Range => ({ name, low, high: 1 });
+
+test("a map begins with the first coordinates, and keeps those that were chosen", () => {
+  const first = rangesOf(study, TOUR);
+  assert.deepEqual(first, [{ name: "z", low: -0.69, high: 0.69 }, { name: "roll", low: -0.69, high: 0.69 }]);
+  assert.deepEqual(rangesOf(study, { ...TOUR, over: [range("q1"), range("z")] }), [range("q1"), range("z")]);
+  assert.deepEqual(rangesOf(study, { ...TOUR, over: [range("gone"), range("z")] }), first);
+  assert.equal(rangesOf({ ranges: [] as Axis[] } as Study, TOUR), null);
+});
+
+test("the two coordinates of a map are never the same one", () => {
+  assert.deepEqual(changed([range("z"), range("roll")], 0, range("q1", 0.5)), [range("q1", 0.5), range("roll")]);
+  assert.deepEqual(changed([range("z"), range("roll")], 0, range("roll", 0.5)), [range("roll"), range("z")]);
+  assert.deepEqual(changed([range("z"), range("roll")], 1, range("z", 0.5)), [range("roll"), range("z")]);
+  assert.deepEqual(changed([range("z"), range("roll")], 1, range("roll", 0.5)), [range("z"), range("roll", 0.5)]);
+});
+
+test("ranges are written as the command takes them", () => {
+  assert.equal(inWords(range("x", -1.5), "mm", 25), "x -1.5:1:25");
+  assert.equal(inWords(rangeOf(axis("roll", "deg")), "deg", 11), "roll -0.69:0.69:11 deg");
+});
+
+test("places of a map: nodes, cells and values, at the edges too", () => {
+  const margin = [[1, 2, 3], [4, 5, 6], [7, 8, null]];
+  assert.deepEqual(stepped([0.5, 0.5], [1, 0], margin), [1, 0.5]);
+  assert.deepEqual(stepped([1, 0], [1, 0], margin), [1, 0]);
+  assert.deepEqual(stepped([0, 0.4], [0, -1], margin), [0, 0]);
+  assert.deepEqual([0, 0.49, 0.51, 1].map((part) => within(part, 2)), [0, 0, 1, 1]);
+  const { low, high } = axis("z");
+  assert.deepEqual([0, 0.5, 1].map((part) => valueOf(axis("z"), part)), [low, 0, high]);
+});
+
+test("the sample of a path that is nearest to a parameter", () => {
+  const samples = [0, 0.4, 0.42, 1].map((parameter) => ({ parameter, margin: 0, pose: null }));
+  assert.deepEqual([-1, 0.1, 0.409, 0.415, 0.6, 5].map((p) => nearest(samples, p)), [0, 0, 1, 2, 2, 3]);
+});
+
+test("home is home with the robot's actuators or without", () => {
+  assert.ok(isHome(HOME) && isHome({ ...HOME, coordinates: [0, 0] }));
+  assert.ok(!isHome(TURNED) && !isHome({ ...HOME, coordinates: [0, 0.1] }));
+  assert.deepEqual(atHome(TURNED), { ...HOME, coordinates: [0] });
 });

@@ -171,7 +171,7 @@ sys.stdout.buffer.write(pickle.dumps(values))
 """
 
 
-@pytest.mark.parametrize("seed", ["1", "2"])
+@pytest.mark.parametrize("seed", ["1"])
 def test_another_process_finds_the_same_values(seed: str) -> None:
     """Pickled here, made anew and compared there where hashes of texts are others, pickled there, compared here."""
     values = {name: make() for name, make in EVERY.items()}

@@ -418,6 +418,15 @@ def test_saving(page: Page, source: dict[str, str], what: str, begins: str) -> N
         assert json.loads(found["data"])["studio_pose"]["verdict"] == "regular"
 
 
+@pytest.mark.parametrize(("what", "language"), [("c", "c"), ("cpp", "cpp"), ("py", "python"), ("rs", "rust")])
+def test_code_for_a_controller_is_saved(page: Page, what: str, language: str) -> None:
+    found = page.ask("save", source={"kind": "robot", "id": "delta"}, pose=HOME, what=what)
+    assert found["name"] == f"delta-robot-with-rods.{what}"
+    assert found["data"] == gc.export("delta", language=language)
+    refused = page.fault("save", source=FOUR_DOF, pose=HOME, what=what)
+    assert refused["message"].startswith("no closed form is known")
+
+
 def test_saved_file_is_in_the_pose(page: Page) -> None:
     source = {"kind": "example", "name": "octahedral"}
     pose = {"translation": [1, -2, 3], "quaternion": [0.9, 0.1, 0, 0.2]}

@@ -354,3 +354,88 @@ def test_the_link_restores_the_state(desk: Desk) -> None:
     desk.answered()
     assert desk.pose["translation"] == [0.1, 0, 0.2]
     assert desk.run("gcrules.bench$.value") == "ab /\\ cde"
+
+
+# --- paths and maps ------------------------------------------------------------------------------------------------
+
+
+def motion(desk: Desk, kind: str, name: str) -> None:
+    desk.open(kind, name)
+    desk.one("panel-motion").click()
+
+
+def test_a_path_leads_the_robot_to_its_singular_place(desk: Desk) -> None:
+    motion(desk, "robot", "3-rps")
+    assert desk.one("path-go").is_disabled(), "home to home is no path"
+    desk.one("path-to").fill("z=0.1")
+    desk.one("path-to").press("Enter")
+    assert "too few coordinates" in desk.text("fault")
+    desk.one("path-to").fill("z=0.1, roll=110deg, pitch=0deg")
+    desk.one("path-go").click()
+    desk.page.wait_for_selector("[data-testid=path-verdict][data-verdict=singular]")
+    desk.one("path-place-go").click()
+    desk.page.wait_for_function("() => gcrules.posing.numbers.value?.margin < 1e-5")
+    assert "σ 0" in desk.text("path-readout")
+    lead = desk.one("path-lead")
+    lead.focus()
+    for _ in range(3):
+        lead.press("ArrowLeft")
+    desk.answered()
+    shown = float(desk.text("path-readout").split()[1])
+    assert 0.3 < shown < 0.42
+    assert desk.numbers["margin"] > 0.01
+    desk.one("path-from-here").click()
+    desk.page.wait_for_function("() => location.hash.length > 20")
+    desk.page.wait_for_timeout(400)
+    marked = desk.run("gcrules.tour$.value")
+    desk.page.reload()
+    desk.one("path-to").wait_for()
+    assert desk.run("gcrules.tour$.value") == marked
+    assert marked["start"]["coordinates"]
+    assert desk.one("path-to").input_value() == "z=0.1, roll=110deg, pitch=0deg"
+
+
+def test_a_map_is_read_by_pointer_and_keys_and_leads_the_robot(desk: Desk) -> None:
+    motion(desk, "example", "octahedral")
+    desk.one("map-axis-1").select_option("x")
+    assert [r["name"] for r in desk.run("gcrules.tour$.value.over")] == ["y", "x"], "they change places"
+    low = desk.one("map-low-0")
+    low.fill("500")
+    low.press("Enter")
+    desk.one("map-go").click()
+    assert "reversed" in desk.text("fault")
+    low.fill("-100")
+    low.press("Enter")
+    desk.one("map-nodes").select_option("11")
+    desk.one("map-go").click()
+    desk.one("map-plot").wait_for()
+    assert "cells" in desk.text("map-guarantee")
+    plot = desk.one("map-plot")
+    plot.scroll_into_view_if_needed()
+    box = plot.bounding_box()
+    plot.click(position={"x": box["width"] - 1, "y": box["height"] - 1})
+    desk.page.wait_for_function("() => gcrules.pose$.value.translation[0] !== 0")
+    desk.answered()
+    over = desk.run("gcrules.tour$.value.over")
+    assert desk.pose["translation"] == pytest.approx([over[1]["low"], over[0]["high"], 0], abs=5)
+    plot.focus()
+    for key in ("ArrowLeft", "ArrowUp", "Enter"):
+        desk.page.keyboard.press(key)
+    first, second = ((r["high"] - r["low"]) / 10 for r in over)
+    wanted = [over[1]["low"] + second, over[0]["high"] - first, 0]
+    desk.page.wait_for_function("x => Math.abs(gcrules.pose$.value.translation[0] - x) < 1e-6", arg=wanted[0])
+    desk.answered()
+    assert desk.pose["translation"] == pytest.approx(wanted)
+    margin = desk.numbers["margin"]
+    assert f"σ {margin:.3g}" in desk.text("map-readout")
+    assert "proved free" in desk.text("map-readout")
+
+
+def test_a_long_map_is_stopped(desk: Desk) -> None:
+    motion(desk, "robot", "delta")
+    desk.one("map-nodes").select_option("81")
+    desk.one("map-go").click()
+    desk.one("map-stop").click()
+    desk.one("map-stop").wait_for(state="detached")
+    assert desk.one("map-go").is_enabled()
+    assert desk.page.get_by_test_id("fault").count() == 0

@@ -46,7 +46,7 @@ def test_both_ways_to_a_pose_agree(name: str) -> None:
     """The same wrenches: the platform's numbers, and those of the robot whose joints are solved."""
     at = "0.3 0.2 0.5; euler zyx 20 0 10 deg"
     robot = read_robot(name)
-    one, other = gc.pose(robot, at), gc.pose(as_platform(robot), at, nearest=False)
+    one, other = gc.pose(robot, at, nearest=False), gc.pose(as_platform(robot), at, nearest=False)
     assert one.margin == pytest.approx(other.margin, rel=1e-9)
 
 

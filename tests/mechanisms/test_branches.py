@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
@@ -225,7 +226,7 @@ def test_a_crossing_is_told_without_a_condition() -> None:
 
 def test_where_a_crossing_lies() -> None:
     m = machine("5-rpur")
-    here = gc.pose(analysis("5-rpur"), "x=0, y=0, z=-1, roll=0deg, yaw=60deg")
+    here = gc.pose(analysis("5-rpur"), "x=0, y=0, z=-1, roll=0deg, yaw=60deg", nearest=False)
     assert len(here.factors) == 1
     assert here.mode.startswith("the way from home crosses a singular configuration")
     (part,) = here.assembly.crossings
@@ -235,13 +236,14 @@ def test_where_a_crossing_lies() -> None:
     at = goal(Course(m, wanted), Solution(m.home, wanted), 0.0, part).configuration
     assert margin(m, at).sigma < 1e-4 * max(sigma)
     assert here.assembly.same is False
-    said = gc.pose(analysis("5-rpur"), "x=0, y=0, z=-1, roll=0deg, yaw=35deg")
+    said = gc.pose(analysis("5-rpur"), "x=0, y=0, z=-1, roll=0deg, yaw=35deg", nearest=False)
     assert said.mode == "that of home, proved: no configuration on the way from there is singular"
 
 
 def test_a_cofactor_is_no_crossing() -> None:
     a = analysis("4-ruu-opposite")
-    home, there = gc.pose(a), gc.pose(a, "x=0, y=0.25, z=0, yaw=0deg")
+    home = gc.pose(a, nearest=False)
+    there = gc.pose(a, "x=0, y=0.25, z=0, yaw=0deg", nearest=False)
     assert home.verdict == there.verdict == "regular"
     assert there.assembly.same is True
     (f,), (g,) = home.factors, there.factors
@@ -265,8 +267,8 @@ def test_factors_by_cofactors_vanish_with_the_wrenches_alone(name: str) -> None:
             mode = assembly_mode(m, solve(m, wanted))
         except gc.InputError:
             continue
-        home = gc.pose(a).factors
-        there = gc.pose(a, dict(zip(wanted.names, wanted.values, strict=True))).factors
+        home = gc.pose(a, nearest=False).factors
+        there = gc.pose(a, dict(zip(wanted.names, wanted.values, strict=True)), nearest=False).factors
         for f, g in zip(home, there, strict=True):
             assert (f.value * g.value < 0) == (len(mode.crossings) % 2 == 1)
 
@@ -288,17 +290,25 @@ def test_singular_homes_are_told(name: str) -> None:
     json.loads(done.stdout)
 
 
-@pytest.mark.parametrize("power", [0, 4, 6, 8, 10])
-def test_robots_far_from_the_origin_say_what_that_costs(power: int) -> None:
+@pytest.mark.parametrize("power", [0, 4, 8, 20])
+def test_robots_far_from_the_origin_are_measured_from_near_them(power: int) -> None:
     r = machine("3-rps").robot
     assert r.home is not None
     sorts = r.family.sorts
-    home = {n: tuple(c + (10**power if sorts[n] == "point" else 0) for c in v) for n, v in r.home.items()}
-    here, near = gc.pose(replace(r, home=home)), gc.pose(r)
-    notes = [n for n in here.notes if "away from the origin" in n]
-    assert len(notes) == (power > 5)
-    claimed = float(notes[0].partition("about ")[2].partition(";")[0]) if notes else 1e-10
-    assert abs(here.margin - near.margin) <= claimed
+    shift = 10**power * (power > 0)
+    home = {n: tuple(c + (shift if sorts[n] == "point" else 0) for c in v) for n, v in r.home.items()}
+    far = replace(r, home=home)
+    centre = [Fraction(1, n) for n in (2, 3, 5)]
+    for asked in (
+        {},
+        {"at": "z=0.2, pitch=0.1rad, roll=0.1rad"},
+        {"at": "z=0.2, pitch=0.1rad, roll=0.1rad", "about": [c + shift for c in centre]},
+    ):
+        here = gc.pose(far, **asked, nearest=False)
+        near = gc.pose(r, **({**asked, "about": centre} if "about" in asked else asked), nearest=False)
+        assert any("measured from" in n for n in here.notes) == (power > 3)
+        assert not any("away from the origin" in n for n in here.notes)
+        assert abs(here.margin - near.margin) <= 1e-12
 
 
 # --- the bounds themselves --------------------------------------------------------------------------------------------
@@ -410,6 +420,6 @@ def test_words_of_modes() -> None:
 
 def test_parts_of_rotation_vectors_are_not_proved() -> None:
     """One or two components of the rotation vector: solved, but the branch is said to be open."""
-    here = gc.pose("3-rps", {"z": 0.1, "rx": 0.1, "ry": 0.05})
+    here = gc.pose("3-rps", {"z": 0.1, "rx": 0.1, "ry": 0.05}, nearest=False)
     assert here.assembly.doubt == 0
     assert here.mode.startswith("not known")

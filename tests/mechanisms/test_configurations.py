@@ -14,6 +14,7 @@ from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mechanisms.moved_robots import analysed, machine, robot, there
+from places import EXAMPLES
 
 import gcrules as gc
 from gcrules.apps.cli import cli
@@ -172,7 +173,7 @@ def test_determinants_change_their_sign_where_it_is_singular() -> None:
     roll = found.coordinates["roll"]
     signs = []
     for angle in (roll - 1e-4, roll + 1e-4):
-        at = gc.pose(analysed("3-rps"), {"z": 0, "roll": angle, "pitch": 0}).points
+        at = gc.pose(analysed("3-rps"), {"z": 0, "roll": angle, "pitch": 0}, nearest=False).points
         rows = []
         for n in "123":
             A, S, r = (np.array(at[f"{letter}{n}"]) for letter in "ASr")
@@ -280,8 +281,8 @@ def test_a_robot_that_is_singular_at_home() -> None:
 
 
 def test_ways_that_cross_a_singular_configuration_are_told() -> None:
-    assert "crosses a singular" in gc.pose(analysed("3-rps"), "z=0, roll=60deg, pitch=0deg").mode
-    assert gc.pose(analysed("3-rps"), "z=0, roll=40deg, pitch=0deg").mode.startswith("that of home")
+    assert "crosses a singular" in gc.pose(analysed("3-rps"), "z=0, roll=60deg, pitch=0deg", nearest=False).mode
+    assert gc.pose(analysed("3-rps"), "z=0, roll=40deg, pitch=0deg", nearest=False).mode.startswith("that of home")
 
 
 def test_none_is_found_where_none_is() -> None:
@@ -293,20 +294,20 @@ def test_none_is_found_where_none_is() -> None:
 
 def test_ways_to_ask() -> None:
     r = analysed("3-rps")
-    here = gc.pose(r, {"z": 0.2, "roll": 5, "pitch": 0}, degrees=True)
+    here = gc.pose(r, {"z": 0.2, "roll": 5, "pitch": 0}, degrees=True, nearest=False)
     for same in (
-        gc.pose(r, "z=0.2, roll=5deg, pitch=0deg"),
-        gc.pose(r, {"z": 0.2, "roll": np.pi / 36, "pitch": 0}),
-        gc.pose(r, actuators=list(here.actuator_values.values())),
-        gc.pose(r, actuators=here.actuator_values),
+        gc.pose(r, "z=0.2, roll=5deg, pitch=0deg", nearest=False),
+        gc.pose(r, {"z": 0.2, "roll": np.pi / 36, "pitch": 0}, nearest=False),
+        gc.pose(r, actuators=list(here.actuator_values.values()), nearest=False),
+        gc.pose(r, actuators=here.actuator_values, nearest=False),
     ):
         assert same.margin == pytest.approx(here.margin, abs=1e-9)
         assert same.coordinates == pytest.approx(here.coordinates, abs=1e-9)
-    assert gc.pose(r, (0, 0, 0.2)).margin == pytest.approx(gc.pose(r, "0 0 0.2").margin)
-    assert gc.pose(r).target == "home"
-    assert [one.margin for one in gc.pose(r, ["0 0 0.2", {"z": 0.2, "roll": 0, "pitch": 0}])] == pytest.approx(
-        [0.609] * 2, abs=1e-3
-    )
+    assert gc.pose(r, (0, 0, 0.2), nearest=False).margin == pytest.approx(gc.pose(r, "0 0 0.2", nearest=False).margin)
+    assert gc.pose(r, nearest=False).target == "home"
+    assert [
+        one.margin for one in gc.pose(r, ["0 0 0.2", {"z": 0.2, "roll": 0, "pitch": 0}], nearest=False)
+    ] == pytest.approx([0.609] * 2, abs=1e-3)
     assert repr(here) == "<RobotPose 3-rps: regular, margin 0.5913, 36.3°>"
 
 
@@ -395,14 +396,22 @@ def test_any_mechanism_turns_about_any_centre() -> None:
     assert one.margin == pytest.approx(two.margin, rel=1e-9)
 
 
+@pytest.mark.parametrize("source", ["3-rps", "gough-stewart", str(EXAMPLES / "octahedral.yaml")])
+def test_home_is_a_pose(source: str) -> None:
+    """By its name, for every kind of robot."""
+    expected: Any = gc.pose(source, nearest=False)
+    found: Any = gc.pose(source, " Home ", nearest=False)
+    assert found.margin == pytest.approx(expected.margin, abs=1e-12)
+
+
 def test_pose_reads_robots_and_platforms() -> None:
     folder = shipped_folder()
     assert folder is not None
     path = str(folder / "3-rps" / "robot.yaml")
-    answers = [CliRunner().invoke(cli, ["pose", name, "--json"]).stdout for name in ("3-rps", path)]
-    answers.append(CliRunner().invoke(cli, ["robot", "pose", "3-rps", "--json"]).stdout)
+    answers = [CliRunner().invoke(cli, ["pose", name, "--json", "--no-nearest"]).stdout for name in ("3-rps", path)]
+    answers.append(CliRunner().invoke(cli, ["robot", "pose", "3-rps", "--json", "--no-nearest"]).stdout)
     with open(path, encoding="utf-8") as file:
-        answers.append(CliRunner().invoke(cli, ["pose", "-", "--json"], input=file.read()).stdout)
+        answers.append(CliRunner().invoke(cli, ["pose", "-", "--json", "--no-nearest"], input=file.read()).stdout)
     found = [json.loads(a)["margin"] for a in answers]
     assert found == [found[0]] * 4
     refused = CliRunner().invoke(cli, ["pose", "examples/octahedral.yaml", "--actuators", "q1=0"])

@@ -58,7 +58,7 @@ def poses(a: RobotAnalysis, number: int) -> list[RobotPose]:
     while len(found) < number:
         at = {n: rng.uniform(-0.2, 0.2) * (1 if n in ANGLES else m.size) for n in free_coordinates(m)}
         with contextlib.suppress(InputError):  # it does not assemble there
-            here = gc.pose(a, at)
+            here = gc.pose(a, at, nearest=False)
             assert isinstance(here, RobotPose)
             found.append(here)
     return found

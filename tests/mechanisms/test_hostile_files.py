@@ -178,7 +178,7 @@ def test_numbers_in_a_geometry_file(text: str, tmp_path: Path, monkeypatch: pyte
 @pytest.mark.parametrize("new", ["1e30", "1e-30", "[1e30, 0, 0]", "[0, 0, 1e-30]", "9" * 60, "[nan, 0, 0]"])
 def test_numbers_in_a_robot_file(old: str, new: str, tmp_path: Path) -> None:
     (tmp_path / "f.yaml").write_text(ROBOT.replace(old, new, 3), encoding="utf-8")
-    for words in (("robot", "check"), ("robot", "pose"), ("pose",)):
+    for words in (("robot", "check"), ("robot", "pose", "--no-nearest"), ("pose", "--no-nearest")):
         run(*words, str(tmp_path / "f.yaml"))
 
 

@@ -263,7 +263,7 @@ def test_half_turns_have_logarithms(axis: tuple[float, ...]) -> None:
     ids=["yaw", "roll", "in the plane"],
 )
 def test_more_than_half_a_turn(name: str, at: str, whole: str) -> None:
-    one, two = gc.pose(analysed(name), at), gc.pose(analysed(name), whole)
+    one, two = gc.pose(analysed(name), at, nearest=False), gc.pose(analysed(name), whole, nearest=False)
     assert list(one.actuator_values.values()) == pytest.approx(list(two.actuator_values.values()), abs=1e-8)
 
 
@@ -272,7 +272,7 @@ def test_ends_on_a_line() -> None:
     r = robot("3-rps")
     points = {"A1": (2, 0, 0), "A2": (0, 2, 0), "A3": (-2, 0, 0), "S1": (1, 0, 2), "S2": (0, 0, 2), "S3": (-1, 0, 2)}
     axes = {"r1": (0, 1, 0), "r2": (1, 0, 0), "r3": (0, 1, 0)}
-    here = gc.pose(replace(r, home={n: tuple(map(Fraction, v)) for n, v in {**points, **axes}.items()}))
+    here = gc.pose(replace(r, home={n: tuple(map(Fraction, v)) for n, v in {**points, **axes}.items()}), nearest=False)
     assert (here.verdict, here.margin) == ("singular", pytest.approx(0, abs=1e-12))
     assert any(abs(abs(t.axis[0]) - 1) < 1e-9 and t.pitch == pytest.approx(0, abs=1e-9) for t in here.motions)
 
@@ -333,7 +333,7 @@ home: {A1: [3, 0, 0], A2: [-2, 3, 0], A3: [-2, -3, 0], D1: [3, 1, 0], D2: [-3, 3
     r = parse_robot(text)
     assert r.home is not None
     home = {n: np.array([float(c) for c in v]) for n, v in r.home.items()}
-    here = gc.pose(r, "x=0.1, y=0.05, z=-0.04")
+    here = gc.pose(r, "x=0.1, y=0.05, z=-0.04", nearest=False)
     for k, q in zip("123", here.actuator_values.values(), strict=True):
         u = home[f"u{k}"] / np.linalg.norm(home[f"u{k}"])
         turn = rotations(q * u)
@@ -361,7 +361,7 @@ def test_cylindrical_joints_slide_by_what_is_given_back() -> None:
     r = parse_robot(SLEEVES)
     assert r.home is not None
     home = {n: np.array([float(c) for c in v]) for n, v in r.home.items()}
-    here = gc.pose(r, "z=0.05, roll=1deg, pitch=-1deg")
+    here = gc.pose(r, "z=0.05, roll=1deg, pitch=-1deg", nearest=False)
     for k, q in zip("123", here.actuator_values.values(), strict=True):
         u = home[f"u{k}"] / np.linalg.norm(home[f"u{k}"])
         then, now = (p - home[f"A{k}"] for p in (home[f"B{k}"], np.array(here.points[f"B{k}"])))
@@ -392,7 +392,7 @@ def test_planar_joints_keep_their_distance() -> None:
     r = parse_robot(PLANES)
     assert r.home is not None
     home = {n: np.array([float(c) for c in v]) for n, v in r.home.items()}
-    here = gc.pose(r, "0.1 0.2 0.3; euler zyx 5 6 7 deg")
+    here = gc.pose(r, "0.1 0.2 0.3; euler zyx 5 6 7 deg", nearest=False)
     driven = list(here.actuator_values.values())[::2]
     for k, q in zip("123", driven, strict=True):
         n = home[f"n{k}"] / np.linalg.norm(home[f"n{k}"])
@@ -401,12 +401,12 @@ def test_planar_joints_keep_their_distance() -> None:
 
 def test_limbs_by_themselves_are_left_out_of_the_guarantee() -> None:
     """Close to the reach of an arm of a Delta robot it is singular by itself long before asin σ is used up."""
-    here = gc.pose(analysed("delta"), "x=0, y=0, z=-2.4")
+    here = gc.pose(analysed("delta"), "x=0, y=0, z=-2.4", nearest=False)
     assert here.limbs[0].margin < 0.1
     assert here.turn > 0.15
     assert here.reason.startswith("The limbs' own singularities apart, there is no singular configuration before")
 
 
 def test_degrees_of_text() -> None:
-    here = gc.pose("3-rpr", {"x": "0.1", "y": 0, "yaw": "5"}, degrees=True)
+    here = gc.pose("3-rpr", {"x": "0.1", "y": 0, "yaw": "5"}, degrees=True, nearest=False)
     assert here.coordinates["yaw"] == pytest.approx(np.deg2rad(5))

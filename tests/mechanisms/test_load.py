@@ -60,11 +60,12 @@ FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     "singular": lambda source: gc.singular(source, "z=0.01, roll=0deg, pitch=0deg"),
     "path": lambda source: gc.path(source, ["home", "z=0.1, roll=0deg, pitch=0deg"], samples=1),
     "locus": lambda source: gc.locus(source, over="z"),
+    "export": lambda source: gc.export(source, "python"),
     "compiled": lambda source: gc.compiled(source, engine="numpy"),
     "singular_map": lambda source: gc.singular_map(source, ["z -0.1:0.1:2", "roll -5:5:2 deg"]),
     "view": gc.view,
 }
-NEED_COORDINATES = ("pose", "singular", "path", "locus", "singular_map")
+NEED_COORDINATES = ("pose", "singular", "path", "locus", "export", "singular_map")
 NEED_SIX_LEGS = ("locus",)
 
 

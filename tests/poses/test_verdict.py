@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from commands import invoke
+from mechanisms.shipped_robots import analysis
 from places import ROOT
 
 import gcrules as gc
@@ -87,7 +88,7 @@ HEIGHTS = {
 @pytest.mark.parametrize("road", ROADS)
 @pytest.mark.parametrize(("height", "sigma", "verdict", "of_joints"), HEIGHTS.values(), ids=HEIGHTS.keys())
 def test_every_road_says_the_same(road: str, height: str, sigma: float, verdict: str, of_joints: str) -> None:
-    assert gc.pose(platform(height), [[0, 0, 0]]).margin[0] == pytest.approx(sigma, rel=1e-4, abs=1e-15)
+    assert gc.pose(platform(height), [[0, 0, 0]], nearest=False).margin[0] == pytest.approx(sigma, rel=1e-4, abs=1e-15)
     assert ROADS[road](height) == (of_joints if road == "joints" else verdict)
 
 
@@ -126,7 +127,9 @@ def test_the_decision(sigma: float, floor: float, spread: float, close: float, w
 def test_a_threshold_means_the_same_for_legs_and_limbs(degrees: float) -> None:
     """The octahedral platform at home has σ = 0.4064 and asin σ = 23.98°: as limbs, and as six legs."""
     threshold = f"{degrees} deg"
-    limbs, legs = gc.pose("octahedral", threshold=threshold), gc.pose("octahedral", threshold=threshold, accuracy="0")
+    a = analysis("octahedral")
+    limbs = gc.pose(a, threshold=threshold, nearest=False)
+    legs = gc.pose(a, threshold=threshold, accuracy="0", nearest=False)
     assert limbs.margin == pytest.approx(legs.margin)
     assert limbs.verdict == legs.verdict == ("regular" if degrees < 23.98 else "close")
 

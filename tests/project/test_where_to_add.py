@@ -31,6 +31,7 @@ from gcrules.screws import JOINTS
 from gcrules.screws.joints import JointKind
 from gcrules.screws.screw import prismatic_of, revolute_of
 from gcrules.views import forms
+from gcrules.views.code.languages import LANGUAGES
 from gcrules.views.forms import FORMS, Forms
 from gcrules.views.plots.map_files import MAP_FORMATS, MapFormat
 from gcrules.views.robots.robot_drawing import draw_robot
@@ -68,6 +69,7 @@ SHOWN_BY = {
     "a joint": "test_a_joint",
     "a form of a result": "test_a_form_of_a_result",
     "a kind of answer": "test_a_kind_of_answer",
+    "a language of exported code": "test_a_language_of_exported_code",
     "a file format of a map": "test_a_file_format_of_a_map",
     "a kind of mechanism": "test_a_kind_of_mechanism",
     "a command": "test_a_command",
@@ -144,7 +146,7 @@ def test_a_joint(add: Add) -> None:
     before, after = (gc.analyze(gc.load(t)) for t in (text, text.replace("R(A%, r%) P*(A% S%)", "RP*2(A%, r%, A% S%)")))
     assert [j.kind for j in after.robot.limbs[0].joints] == ["RP", "S"]
     assert after.condition.expression == before.condition.expression
-    poses = [gc.pose(a, "z=0.2, roll=5deg, pitch=0deg") for a in (before, after)]
+    poses = [gc.pose(a, "z=0.2, roll=5deg, pitch=0deg", nearest=False) for a in (before, after)]
     assert poses[0].margin == pytest.approx(poses[1].margin)
     assert [*poses[0].actuator_values.values()] == pytest.approx([*poses[1].actuator_values.values()])
     drawn = [draw_robot(a, home_values(a.robot)).svg() for a in (before, after)]
@@ -235,6 +237,14 @@ def test_a_file_format_of_a_map(add: Add, tmp_path: Path) -> None:
     assert re.fullmatch(r"\(\d+, \d+\)", (tmp_path / "map.txt").read_text(encoding="utf-8"))
 
 
+def test_a_language_of_exported_code(add: Add) -> None:
+    """Here with a template that is there already."""
+    add(LANGUAGES, "octave", replace(LANGUAGES["python"], title="Octave", comment="% {line}", root="sqrt({x})"))
+    text = gc.export("3-rpr", "octave")
+    assert text.startswith("% 3-rpr: when is it singular?")
+    assert " = sqrt(v" in text
+
+
 class Renamed(Limbs):
     """A mechanism of another kind."""
 
@@ -244,7 +254,7 @@ def test_a_kind_of_mechanism(add: Add, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(methods, "mechanism", lambda source, **options: made)
     for table in (methods._POSE, methods._SINGULAR):
         add(table, Renamed, table[Limbs])
-    assert gc.pose("3-rps", "z=0.1, roll=0deg, pitch=0deg").verdict == "regular"
+    assert gc.pose("3-rps", "z=0.1, roll=0deg, pitch=0deg", nearest=False).verdict == "regular"
     assert gc.singular("3-rps", "z=0.1, roll=0deg, pitch=0deg") is None
 
 

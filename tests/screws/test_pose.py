@@ -128,12 +128,12 @@ def test_arrays_of_other_things_are_refused(given_numbers: Any, says: str) -> No
 
 
 def test_normalised_quaternions_of_arrays_are_noted() -> None:
-    exactly = gc.pose(OCTAHEDRON, quaternion=[(1, 0, 0, 0), (HALF, 0, 0, HALF)])
-    nearly = gc.pose(OCTAHEDRON, quaternion=[(1, 0, 0, 0), (0.7071, 0, 0, 0.7071)])
+    exactly = gc.pose(OCTAHEDRON, quaternion=[(1, 0, 0, 0), (HALF, 0, 0, HALF)], nearest=False)
+    nearly = gc.pose(OCTAHEDRON, quaternion=[(1, 0, 0, 0), (0.7071, 0, 0, 0.7071)], nearest=False)
     assert exactly.notes == ()
     assert nearly.notes == ("quaternions normalised: 1, off from length 1 by up to 9.6e-06",)
     assert np.allclose(nearly.value, exactly.value)
-    listed = gc.pose(OCTAHEDRON, ["0 0 0; quaternion 0.7071 0 0 0.7071"])
+    listed = gc.pose(OCTAHEDRON, ["0 0 0; quaternion 0.7071 0 0 0.7071"], nearest=False)
     assert "normalised" in listed.notes[0]
 
 

@@ -22,6 +22,7 @@ COMMANDS = {
     "path": ("gcrules.apps.cli.path:path", "Find every singular pose on a path of a robot."),
     "locus": ("gcrules.apps.cli.locus:locus", "Compute the polynomial whose zeros are a robot's singular poses."),
     "map": ("gcrules.apps.cli.map:map_", "Map the singular poses over two or three coordinates."),
+    "export": ("gcrules.apps.cli.export:export", "Write the condition as source code for a controller."),
     "report": ("gcrules.apps.cli.legs:report", "Write the analysis as a self-contained HTML page."),
     "studio": ("gcrules.apps.cli.studio:studio", "Open a page that leads through an analysis, in the browser."),
     "prove": ("gcrules.apps.cli.algebra:prove", 'Decide an identity "LHS == RHS".'),

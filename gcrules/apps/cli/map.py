@@ -16,8 +16,9 @@ from gcrules.core.budget import report
 from gcrules.core.errors import InputError
 from gcrules.core.files import after_writing
 from gcrules.mechanisms.mechanism import mechanism
-from gcrules.poses.maps.maps import MEASURES, bytes_of, done, planned
+from gcrules.poses.maps.maps import bytes_of, done, planned
 from gcrules.poses.maps.store import check_room
+from gcrules.poses.maps.task import MEASURES
 from gcrules.views.plots.map_files import MAP_FORMATS, check_outputs
 
 __all__ = ["map_"]
@@ -46,7 +47,7 @@ __all__ = ["map_"]
     default="margin",
     show_default=True,
     type=click.Choice(MEASURES),
-    help="margin σ and leg lengths too, or the superbracket only, which is quick.",
+    help="margin σ and leg lengths too; the superbracket only, which is quick; or the margin and what actuators do.",
 )
 @time_limit(None)
 @click.option("--restart", is_flag=True, help="Throw away finished chunks of an earlier run and begin anew.")

@@ -10,8 +10,10 @@ from gcrules.apps.studio.composing import composed
 from gcrules.apps.studio.export import saved
 from gcrules.apps.studio.gallery import gallery
 from gcrules.apps.studio.manual_replay import replayed
+from gcrules.apps.studio.map_view import map_view, place_view
 from gcrules.apps.studio.nearest_view import nearest
 from gcrules.apps.studio.numbers import margins, numbers
+from gcrules.apps.studio.path_view import path_view
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import Subject
 
@@ -25,6 +27,13 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "pose": lambda subject, args: numbers(subject, args["pose"], args.get("threshold")),
     "along": lambda subject, args: margins(subject, args["poses"], args.get("threshold")),
     "nearest": lambda subject, args: nearest(subject, args["pose"], args.get("threshold")),
+    "path": lambda subject, args: path_view(
+        subject, args.get("start"), args["goal"], args.get("to"), args.get("threshold")
+    ),
+    "map": lambda subject, args: map_view(
+        subject, args["over"], args["pose"], args.get("threshold"), args.get("measure")
+    ),
+    "place": lambda subject, args: place_view(subject, args["over"], args["pose"], args["place"]),
     "manual": lambda subject, args: replayed(subject, args["commands"]),
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),
     "compose": lambda subject, args: composed(args["drawing"]),

@@ -22,6 +22,8 @@ from gcrules.core.errors import InputError
 from gcrules.core.yaml_file import read_text
 from gcrules.mechanisms.description.discovery import examples
 from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.poses.compiling.controller import controller_of
+from gcrules.views.code.source_code import source_code
 from gcrules.views.drawing.drawing import Drawing
 from gcrules.views.drawing.drawing_files import pdf_bytes
 from gcrules.views.drawing.figures import robot_figure
@@ -138,6 +140,15 @@ def _yaml(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
     return platform_text(p.title, p.note, p.units, p.legs, p.points)
 
 
+def _code(language: str) -> Bytes:
+    """Factors, margin and inverse kinematics for a controller, from home; they are the same for every pose."""
+
+    def make(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
+        return source_code(controller_of(subject.mechanism), language)
+
+    return make
+
+
 _MAKERS: Mapping[Format, tuple[str, Bytes]] = {
     "html": ("text/html", _html),
     "latex": ("application/x-tex", _latex),
@@ -146,4 +157,8 @@ _MAKERS: Mapping[Format, tuple[str, Bytes]] = {
     "png": ("image/png", _png),
     "json": ("application/json", _json),
     "yaml": ("application/yaml", _yaml),
+    "c": ("text/plain", _code("c")),
+    "cpp": ("text/plain", _code("cpp")),
+    "py": ("text/plain", _code("python")),
+    "rs": ("text/plain", _code("rust")),
 }

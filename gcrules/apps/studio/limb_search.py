@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from math import degrees as to_degrees
-from math import radians
 
 import numpy as np
 
-from gcrules.apps.studio.moving import configuration
+from gcrules.apps.studio.moving import amounts_at, configuration, posed
 from gcrules.apps.studio.protocol.answer_views import Nearest, SingularPoseView
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.core.budget import report
@@ -39,8 +38,7 @@ def first_around(limbs: Limbs, pose: PoseJson) -> Nearest:
     if configuration(limbs, pose).margin <= SOLVED:
         return {"found": [], "note": "The robot is singular at this pose: move it away to search from there."}
     m = limbs.linkage
-    given = pose.get("coordinates") or [0.0] * len(m.actuators)
-    now = [radians(v) if a.angle else float(v) for a, v in zip(m.actuators, given, strict=True)]
+    now = amounts_at(limbs, pose) or [0.0] * len(m.actuators)
     at = begun_at(m, solve(m, actuators_target(m, now)).configuration if any(now) else m.home)
     one = nearest_around(at)
     met = [one] if one else []
@@ -73,8 +71,7 @@ def _view(limbs: Limbs, at: Linkage, one: SingularAlong, now: list[float], pose:
         try:
             target = one.before(short) if short else one.solution.configuration
             amounts = [a + b for a, b in zip(now, actuator_values(at, target), strict=True)]
-            given = [to_degrees(v) if a.angle else v for a, v in zip(at.actuators, amounts, strict=True)]
-            goal: PoseJson = {**pose, "coordinates": given}
+            goal = posed(limbs, amounts)
             reached = configuration(limbs, goal)
         except InputError:
             continue

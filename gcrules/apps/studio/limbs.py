@@ -88,7 +88,7 @@ def _equivalent(robot: RobotAnalysis) -> Iterator[Item]:
     if s.ideal:
         yield fact("at infinity", ", ".join(s.ideal))
     for name, what in s.named:
-        yield fact(name, f"the direction {what}")
+        yield fact(name, what)
     if s.incidences:
         yield fact("known of the points", ", ".join(s.incidences))
 

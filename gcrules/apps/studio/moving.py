@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import isfinite, log10, radians
+from collections.abc import Sequence
+from math import degrees, isfinite, log10, radians
 
 import numpy as np
 
@@ -12,18 +13,29 @@ from gcrules.apps.studio.protocol.study_views import Axis
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import close_margin
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.factors import superbracket_value
 from gcrules.poses.limbs.pose_report import report_of_limbs
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.motion import Twist
+from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import DEFAULT
 from gcrules.views.results.amplification import conditioning
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.robots.limb_views import limb_views
 from gcrules.views.scene_data import MotionView
 
-__all__ = ["actuator_axes", "configuration", "motion_view", "numbers_of_limbs", "values_at"]
+__all__ = [
+    "actuator_axes",
+    "amounts_at",
+    "configuration",
+    "coordinate_axes",
+    "motion_view",
+    "numbers_of_limbs",
+    "posed",
+    "values_at",
+]
 
 _TURN, _SHIFT = 30.0, 0.35
 """How far the sliders of actuators reach: degrees, and parts of the robot's size."""
@@ -35,19 +47,34 @@ def actuator_axes(limbs: Limbs, size: float) -> list[Axis]:
         actuators = limbs.linkage.actuators
     except InputError:
         return []
-    step = 10.0 ** round(log10(size) - 2.7)
+    return [_axis(f"{a.name}, {a.limb}", a.angle, limbs.unit, size) for a in actuators]
+
+
+def coordinate_axes(limbs: Limbs, size: float) -> list[Axis]:
+    """Coordinates over which the robot can be mapped, those that are independent at home first; then its actuators."""
+    try:
+        m = limbs.linkage
+        free = free_coordinates(m)
+    except InputError:
+        return []
+    others = () if m.robot.family.plane else (*SHIFTS, *TURNS)
+    names = dict.fromkeys((*free, *others))
     return [
-        {"name": f"{a.name}, {a.limb}", "unit": "deg", "low": -_TURN, "high": _TURN, "step": 0.1}
-        if a.angle
-        else {
-            "name": f"{a.name}, {a.limb}",
-            "unit": limbs.unit,
-            "low": -_SHIFT * size,
-            "high": _SHIFT * size,
-            "step": step,
-        }
-        for a in actuators
+        *(_axis(n, n in ANGLES, limbs.unit, size) for n in names),
+        *(_axis(a.name, a.angle, limbs.unit, size) for a in m.actuators),
     ]
+
+
+def _axis(name: str, angle: bool, unit: str, size: float) -> Axis:
+    if angle:
+        return {"name": name, "unit": "deg", "low": -_TURN, "high": _TURN, "step": 0.1}
+    return {
+        "name": name,
+        "unit": unit,
+        "low": -_SHIFT * size,
+        "high": _SHIFT * size,
+        "step": 10.0 ** round(log10(size) - 2.7),
+    }
 
 
 def configuration(limbs: Limbs, pose: PoseJson, threshold: str | None = None) -> RobotPose:
@@ -55,14 +82,24 @@ def configuration(limbs: Limbs, pose: PoseJson, threshold: str | None = None) ->
 
     Raises InputError where the robot does not assemble.
     """
-    m = limbs.linkage
-    given = pose.get("coordinates")
-    if given is not None and len(given) != len(m.actuators):
-        raise InputError(f"{len(given)} coordinates, and the robot has {len(m.actuators)} actuators")
-    amounts = None
-    if given and any(given):
-        amounts = [radians(v) if a.angle else v for a, v in zip(m.actuators, given, strict=True)]
-    return report_of_limbs(limbs, actuators=amounts, threshold=threshold or DEFAULT)
+    amounts = amounts_at(limbs, pose)
+    return report_of_limbs(limbs, actuators=amounts or None, threshold=threshold or DEFAULT)
+
+
+def amounts_at(limbs: Limbs, pose: PoseJson) -> list[float]:
+    """The amounts of the actuators from home, angles in radians; none at home. Raises InputError for another number."""
+    actuators, given = limbs.linkage.actuators, pose.get("coordinates")
+    if given is not None and len(given) != len(actuators):
+        raise InputError(f"{len(given)} coordinates, and the robot has {len(actuators)} actuators")
+    if not given or not any(given):
+        return []
+    return [radians(v) if a.angle else float(v) for a, v in zip(actuators, given, strict=True)]
+
+
+def posed(limbs: Limbs, amounts: Sequence[float]) -> PoseJson:
+    """The pose of the page in which the actuators have these amounts, angles in radians."""
+    given = [degrees(v) if a.angle else float(v) for a, v in zip(limbs.linkage.actuators, amounts, strict=True)]
+    return {"translation": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0], "coordinates": given}
 
 
 def values_at(subject: Subject, pose: PoseJson) -> dict[str, list[float]]:

@@ -10,12 +10,16 @@ from gcrules.algebra.language.text import text
 from gcrules.apps.studio.drawings import schematic
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.limbs import robot_view
-from gcrules.apps.studio.moving import actuator_axes
-from gcrules.apps.studio.protocol.study_views import Axis, ConditionView, EntryView, Study
+from gcrules.apps.studio.moving import actuator_axes, coordinate_axes
+from gcrules.apps.studio.protocol.study_views import Axis, ConditionView, EntryView, MeasureView, Study
 from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.subject import Subject
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import report
+from gcrules.mechanisms.kinematics.amplification import INDICES, index_names
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.methods import Methods, method
 from gcrules.rules.condition import Condition
 from gcrules.views.drawing.figures import distinct_entities
 from gcrules.views.report.scene_json import entity_data
@@ -28,6 +32,7 @@ def study(subject: Subject) -> Study:
     """Everything about the structure, for the page."""
     a, bodies = subject.analysis, subject.mechanism.bodies
     report("stages")
+    ranges = method(_RANGES, subject.mechanism, "a map")(subject)
     return {
         "title": subject.title,
         "note": subject.note,
@@ -41,6 +46,8 @@ def study(subject: Subject) -> Study:
         "about": subject.about,
         "size": subject.size,
         "axes": _axes(subject),
+        "ranges": ranges,
+        "measures": _measures(subject) if ranges else [],
         "entry": _entry(a) if a else None,
         "schematic": schematic(a.structure) if a and a.structure.joined and a.structure.rank == 4 else "",
         "stages": stage_views(subject),
@@ -62,6 +69,27 @@ def _axes(subject: Subject) -> list[Axis]:
     shifts: list[Axis] = [{"name": n, "unit": unit, "low": -reach, "high": reach, "step": step} for n in "xyz"]
     turns: list[Axis] = [{"name": f"r{n}", "unit": "deg", "low": -90.0, "high": 90.0, "step": 0.1} for n in "xyz"]
     return shifts + turns
+
+
+def _ranges_of_legs(m: SixLegs, subject: Subject) -> list[Axis]:
+    """Three shifts and three turns; none where the platform has no numbers."""
+    return _axes(subject) if subject.moving else []
+
+
+_RANGES: Methods[list[Axis]] = {
+    SixLegs: _ranges_of_legs,
+    Limbs: lambda m, subject: coordinate_axes(m, subject.size),
+}
+
+
+def _measures(subject: Subject) -> list[MeasureView]:
+    """The margin, and what actuators of these kinds have."""
+    limbs = subject.limbs
+    angles = [a.angle for a in limbs.linkage.actuators] if limbs else [False] * 6
+    units = {name: INDICES[name].unit(subject.unit, angles) for name in index_names(angles)}
+    margin: MeasureView = {"name": "margin", "meaning": "margin σ, 0 where singular", "unit": ""}
+    others: list[MeasureView] = [{"name": n, "meaning": INDICES[n].meaning, "unit": u} for n, u in units.items()]
+    return [margin, *others]
 
 
 def _entry(a: Analysis) -> EntryView | None:

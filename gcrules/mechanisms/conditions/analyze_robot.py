@@ -8,7 +8,7 @@ from itertools import combinations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME
-from gcrules.algebra.expr import Expr, Point
+from gcrules.algebra.expr import Expr, Point, points_of
 from gcrules.algebra.language.text import text
 from gcrules.algebra.scalars import bracket
 from gcrules.conditions.analysis import Analysis
@@ -41,11 +41,12 @@ __all__ = ["analyze_robot"]
 
 def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
     """Analyse a robot; `search` as for `gcrules.analyze`. Raises InputError for six lines that are no legs."""
-    structure = equivalent(robot.family, robot.limbs) if robot.limbs else _given_lines(robot)
+    home = robot.values_at() if robot.home is not None else None
+    structure = equivalent(robot.family, robot.limbs, home) if robot.limbs else _given_lines(robot)
     if structure.lines is None:
         return _without_lines(robot, structure)
     if structure.over and not sees_constraints(robot.family, structure):
-        structure = equivalent(robot.family, robot.limbs, frame=False)
+        structure = equivalent(robot.family, robot.limbs, home, frame=False)
     found, condition = condition_of_lines(robot, structure, search)
     family = robot.family
     cofactors, factors = factors_at(robot, structure, condition)
@@ -72,7 +73,7 @@ def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
         condition,
         parts,
         serial,
-        _with_derived(_meaning(structure, condition, cofactors, parts, serial), structure),
+        _with_derived(_meaning(structure, condition, cofactors, parts, serial), structure, parts),
         _certificate(robot, condition, members, told.met),
         cofactors,
         members,
@@ -149,7 +150,7 @@ def _meaning(
         aside.append("where the lines that were chosen for a limb do not depend on each other")
     outside = " and ".join(aside)
     also = _CONSTRAINTS_TOO if any(line.limb == FRAME for line in structure.lines or ()) else ""
-    live = [p for p in parts if p.kind not in ASIDE and p.same is None]
+    live = _live(parts)
     if live and not cofactors and (any(p.meaning for p in live) or any(p.kind in ASIDE for p in parts)):
         mark = len({p.kind for p in live}) > 1 or live[0].kind == "constraint"
         moving, fixed = ([_clause(p, mark) for p in live if p.of_design is design] for design in (False, True))
@@ -161,6 +162,10 @@ def _meaning(
     else:
         return say("No singular member of the family was found outside the singularities of its limbs.")
     return say("{}{}", said.capitalised, also)
+
+
+def _live(parts: Sequence[FactorCause]) -> list[FactorCause]:
+    return [p for p in parts if p.kind not in ASIDE and p.same is None]
 
 
 def _clause(p: FactorCause, mark: bool) -> Statement:
@@ -185,9 +190,10 @@ _CONSTRAINTS_TOO = (
 )
 
 
-def _with_derived(meaning: Statement, structure: Equivalent) -> Statement:
-    """With what the derived directions and points are that it names."""
-    named = [say("{} is {}", Point(n), what) for n, what in structure.named if n in meaning.points]
+def _with_derived(meaning: Statement, structure: Equivalent, parts: Sequence[FactorCause]) -> Statement:
+    """With what the derived directions and points are that it names, or that stand in factors without a meaning."""
+    points = meaning.points.union(*(points_of(p.expression) for p in _live(parts) if not p.meaning))
+    named = [say("{} is {}", Point(n), what) for n, what in structure.named if n in points]
     return say("{} Here {}.", meaning, listing(named)) if named else meaning
 
 

@@ -224,7 +224,8 @@ def tell_apart(
     for e in open_factors:
         votes = poll.best(e)
         kinds, kind = votes.kinds, _kind(votes.kinds)
-        chosen = 0 if kind in ASIDE else min(ENOUGH, kinds["choice"])
+        choice = max(poll.alone[e].kinds["choice"], poll.shared[e].kinds["choice"])
+        chosen = 0 if kind in ASIDE else min(ENOUGH, choice)
         others = sum(kinds.values()) - (kinds["choice"] if chosen else 0)
         parts[e] = FactorCause(e, kind, min(ENOUGH, others) + chosen, chosen=chosen, types=votes.common_types)
     poll.met = min(poll.met, sum(p.members for p in parts.values()))

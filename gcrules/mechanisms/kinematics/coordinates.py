@@ -9,7 +9,7 @@ import numpy as np
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix, rotation_vector, rotation_vector_rates
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS, VECTOR
 
-__all__ = ["coordinates", "slopes", "without_rounding", "wrapped"]
+__all__ = ["coordinates", "principal", "slopes", "without_rounding", "wrapped"]
 
 _STEEPEST = 1e-12  # of cos pitch, by which is divided
 _NOTHING = 1e-9  # in parts of the robot's size, or rad: loops are closed no better
@@ -64,4 +64,10 @@ def without_rounding(names: Sequence[str], values: Floats, size: float) -> Float
 def wrapped(names: Sequence[str], differences: Floats) -> Floats:
     """Differences of angles between −π and π."""
     angle = np.array([n in ANGLES for n in names], dtype=bool)
-    return np.where(angle, (differences + np.pi) % (2 * np.pi) - np.pi, differences)
+    return np.where(angle, principal(differences), differences)
+
+
+def principal(angles: Floats) -> Floats:
+    """The same angles between −π and π."""
+    found: Floats = (angles + np.pi) % (2 * np.pi) - np.pi
+    return found

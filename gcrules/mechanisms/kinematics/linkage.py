@@ -18,12 +18,14 @@ from gcrules.mechanisms.lines.ranks import Ranks, ranks
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS
 from gcrules.screws.pose_text import read_centre
+from gcrules.screws.rotations import Vector
 
 __all__ = ["Actuator", "Configuration", "Linkage", "begun_at", "linkage"]
 
 
 _FAR = 1e12
-_FARTHEST = 1e6  # of the robot from the origin: σ is then off by less than 1e-10
+_ORIGIN: Vector = (Fraction(0), Fraction(0), Fraction(0))
+_NEAR = 1000  # sizes of the robot: nearer to the origin coordinates are taken as they are
 
 
 @dataclass(frozen=True)
@@ -73,7 +75,8 @@ class Linkage:
     alone. `centre` is what poses turn about, the centroid of the places of the ends if nothing else is chosen; `size`
     is the root mean square of the ends' distances from their mean (of all points, where it is 0). `elsewhere` are
     the ranks at a member of the family in general position. `locked` are coordinates that have to stay at 0: the places
-    of limb and coordinate, and the joint as written.
+    of limb and coordinate, and the joint as written. All places are measured from `origin`, which is near the robot
+    where its file's own is far away, so that floats keep their digits.
     """
 
     robot: Robot
@@ -86,11 +89,19 @@ class Linkage:
     size: float
     elsewhere: Ranks
     locked: tuple[tuple[int, int, str], ...]
+    origin: Vector = _ORIGIN
 
     @property
     def ranks(self) -> tuple[int, ...]:
         """Those of each limb's twists in the family."""
         return tuple(every for every, _ in self.elsewhere.limbs)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is to be said of all its places."""
+        if not any(self.origin):
+            return ()
+        return (f"all places are measured from ({', '.join(map(str, self.origin))}), near the robot",)
 
     @property
     def passive_ranks(self) -> tuple[int, ...]:
@@ -112,25 +123,22 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
             f"{robot.id} has no home configuration, from which numbers could start",
             hint="add the key home to its file: coordinates of the points and directions that the relations leave free",
         )
-    values = {n: np.array([float(c) for c in v]) for n, v in home_values(robot).items()}
+    given = home_values(robot)
+    origin = _origin(robot, given)
+    sorts = robot.family.sorts
+    values = {n: _floats(_less(v, origin) if sorts.get(n) == "point" else v) for n, v in given.items()}
     chains = tuple(chain_of(limb, values) for limb in robot.limbs)
     links = tuple(np.broadcast_to(np.eye(4), (len(c.screws) + 1, 4, 4)) for c in chains)
     home = Configuration(values, links, tuple(np.zeros(len(c.turns)) for c in chains), chains)
     ends = np.array([_end(robot, place, values) for place in range(len(chains))])
     centre = ends.mean(axis=0)
     joints = np.unique(ends, axis=0).mean(axis=0)  # limbs may share one
-    x, y, z = map(Fraction, joints.tolist())
-    turning = np.array([float(c) for c in read_centre(about, (x, y, z))])
+    x, y, z = (Fraction(c) + o for c, o in zip(joints.tolist(), origin, strict=True))
+    turning = _floats(_less(read_centre(about, (x, y, z)), origin))
     size = float(np.sqrt(((ends - centre) ** 2).sum(axis=1).mean()))
     if size <= 1e-9 * float(np.abs(ends).max(initial=0.0)) or not size:
         points = np.array([values[d.name] for d in robot.family.definitions if d.sort == "point"])
         size = float(np.sqrt(((points - points.mean(axis=0)) ** 2).sum(axis=1).mean())) or 1.0
-    if np.abs(centre).max() > _FARTHEST * size:
-        raise InputError(
-            f"{robot.id}'s home lies more than {_FARTHEST:,.0f} times the robot's size from the origin, where floats"
-            " keep too few digits of it",
-            hint="give home in a frame near the robot",
-        )
     if np.abs(turning - centre).max() > _FAR * size:
         raise InputError(f"the centre is more than {_FAR:g} times the robot's size away", hint="check the unit")
     ball = "R" if robot.family.plane else "S"
@@ -146,6 +154,7 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
         size,
         ranks(robot.family, robot.limbs, robot.family.member("kinematics")),
         tuple(_still(robot)),
+        origin,
     )
 
 
@@ -158,6 +167,31 @@ def begun_at(m: Linkage, c: Configuration) -> Linkage:
         joint_values=tuple(np.zeros_like(a) for a in c.joint_values),
     )
     return replace(m, home=home, centre=turn @ m.centre + shift, ends=m.ends @ turn.T + shift)
+
+
+def _origin(robot: Robot, values: Mapping[str, Any]) -> Vector:
+    """A place near the robot, in whole numbers, if its points are far from the origin and its relations hold there too;
+    else the origin.
+    """
+    points = [values[d.name] for d in robot.family.definitions if d.sort == "point"]
+    if not points:
+        return _ORIGIN
+    x, y, z = (Fraction(round(sum(c) / len(points))) for c in zip(*points, strict=True))
+    size = max(abs(c - o) for p in points for c, o in zip(p, (x, y, z), strict=True))
+    if max(map(abs, (x, y, z))) <= _NEAR * size:
+        return _ORIGIN
+    sorts = robot.family.sorts
+    moved = {n: _less(v, (x, y, z)) if sorts.get(n) == "point" else v for n, v in values.items()}
+    return _ORIGIN if any(robot.violates(d, moved) for d in robot.family.definitions) else (x, y, z)
+
+
+def _less(p: Sequence[Any], origin: Vector) -> Vector:
+    x, y, z = (Fraction(c) - o for c, o in zip(p, origin, strict=True))
+    return x, y, z
+
+
+def _floats(p: Sequence[Any]) -> Floats:
+    return np.array([float(c) for c in p])
 
 
 def _end(robot: Robot, place: int, values: Mapping[str, Floats]) -> Floats:

@@ -18,6 +18,7 @@ platform. A limb may be singular by itself sooner: then the platform is held, bu
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -28,7 +29,16 @@ from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix, crossed
 
-__all__ = ["LimbMargin", "LimbMargins", "limb_margins", "limb_twists", "margin", "margins"]
+__all__ = [
+    "LimbMargin",
+    "LimbMargins",
+    "balance",
+    "kept_axes",
+    "limb_margins",
+    "limb_twists",
+    "margin",
+    "margins",
+]
 
 _PLANE = (0, 1, 5)  # of (v; ω): a planar robot's twists
 _ROUNDING = 1e-12
@@ -105,31 +115,47 @@ def margins(m: Linkage, here: Configurations) -> LimbMargins:
     centre = ends.mean(axis=1)
     rows: list[Floats] = []
     owners: list[int] = []
-    metric = np.zeros((len(here), 6, 6))
+    arms = (ends - centre[:, None]) / m.size
     for place, chain in enumerate(here.chains):
-        arm = (ends[:, place] - centre) / m.size
         wrenches = _locked(m, place, chain, ends[:, place])
         f, moment = wrenches[..., :3], wrenches[..., 3:]
-        rows.append(np.concatenate([f, moment + crossed(arm[:, None], f)], axis=2))
+        rows.append(np.concatenate([f, moment + crossed(arms[:, None, place], f)], axis=2))
         owners += [place] * wrenches.shape[1]
-        velocity = np.concatenate([np.broadcast_to(np.eye(3), (len(here), 3, 3)), -cross_matrix(arm)], axis=2)
-        metric += np.swapaxes(velocity, 1, 2) @ velocity
-        if not m.ball_ended[place]:
-            metric[:, 3:, 3:] += np.eye(3)
     every = np.concatenate(rows, axis=1)
-    keep = list(_PLANE) if m.robot.family.plane else list(range(6))
-    values, vectors = np.linalg.eigh(metric[:, keep][:, :, keep])
-    # a turn about a line through all ends, ball joints each, moves none of them; no limb's wrench notices it either
-    balance = vectors / np.sqrt(np.where(values > _ROUNDING * values[:, -1:], values, 1.0))[:, None]
-    left, sizes, right = np.linalg.svd(every[..., keep] @ balance)
+    keep = kept_axes(m)
+    scale = balance(arms, m.ball_ended, keep)
+    left, sizes, right = np.linalg.svd(every[..., keep] @ scale)
     motions = np.zeros((len(here), len(keep), 6))
-    motions[..., keep] = np.swapaxes(balance @ np.swapaxes(right, 1, 2), 1, 2)
+    motions[..., keep] = np.swapaxes(scale @ np.swapaxes(right, 1, 2), 1, 2)
     largest = np.take_along_axis(motions, np.abs(motions).argmax(axis=2)[..., None], axis=2)
     motions *= np.where(largest < 0, -1.0, 1.0)  # the sign of a motion is free
     motions[..., 3:] /= m.size
     return LimbMargins(
         every[..., keep], sizes[:, : len(keep)], motions, left[..., len(keep) - 1], tuple(owners), centre
     )
+
+
+def kept_axes(m: Linkage) -> list[int]:
+    """The columns of a wrench (f; m), and of a twist (v; ω), in which the robot lives: of planar ones three."""
+    return list(_PLANE) if m.robot.family.plane else list(range(6))
+
+
+def balance(arms: Floats, ball_ended: Sequence[bool], keep: Sequence[int] = range(6)) -> Floats:
+    """Columns (N, k, k) of twists with Σ (|v_i|² + ε_i ρ²|ω|²) = 1, orthogonal in that sense, of the axes to `keep`.
+    The `arms` (N, limbs, 3) lead from the centre of the ends to each of them, in parts of the robot's size.
+    """
+    metric = np.zeros((len(arms), 6, 6))
+    for place, loose in enumerate(ball_ended):
+        velocity = np.concatenate(
+            [np.broadcast_to(np.eye(3), (len(arms), 3, 3)), -cross_matrix(arms[:, place])], axis=2
+        )
+        metric += np.swapaxes(velocity, 1, 2) @ velocity
+        if not loose:
+            metric[:, 3:, 3:] += np.eye(3)
+    values, vectors = np.linalg.eigh(metric[:, list(keep)][:, :, list(keep)])
+    # a turn about a line through all ends, ball joints each, moves none of them; no limb's wrench notices it either
+    found: Floats = vectors / np.sqrt(np.where(values > _ROUNDING * values[:, -1:], values, 1.0))[:, None]
+    return found
 
 
 def _ends(m: Linkage, here: Configurations) -> Floats:

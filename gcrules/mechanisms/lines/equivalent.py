@@ -3,16 +3,17 @@ r"""The equivalent structure: six lines that span all wrenches of the limbs, and
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, product
+from typing import Any
 
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import AXES, Values
 from gcrules.mechanisms.lines.derived import Derived, in_words, needed, with_derived
-from gcrules.mechanisms.lines.names import Sample, directions, key, samples
+from gcrules.mechanisms.lines.names import Sample, directions, home_sample, key, samples
 from gcrules.mechanisms.lines.wrenches import PLANAR, LimbWrenches, WrenchLine, limb_wrenches, reciprocal_to
 from gcrules.screws import RESIDUES, Field
 from gcrules.screws.field import Row
@@ -79,16 +80,20 @@ class Equivalent:
         }
 
 
-def equivalent(family: Family, limbs: Sequence[LimbSpec], *, frame: bool = True) -> Equivalent:
+def equivalent(
+    family: Family, limbs: Sequence[LimbSpec], home: Mapping[str, Any] | None = None, *, frame: bool = True
+) -> Equivalent:
     """Choose the equivalent structure of a robot on exact random members of its family.
 
-    With `frame` constraints that limbs have in common may be replaced by lines that all limbs together hold.
+    Where lines can be chosen, those are that do not depend on each other at `home` (coordinates of all points and
+    directions), so that the condition holds near it. With `frame` constraints that limbs have in common may be replaced
+    by lines that all limbs together hold.
     """
-    at = samples(family, limbs)
+    at, here = samples(family, limbs), home_sample(family, limbs, home)
     one = directions(family, at)
     name = {n: one[key(s.values[n] for s in at)] if sort == "direction" else n for n, sort in family.sorts.items()}
     shared = Counter(n for limb in limbs for n in {name[n] for j in limb.joints for n in j.names} | set(limb.through))
-    found = _alike([limb_wrenches(family, limb, place, at, one, shared) for place, limb in enumerate(limbs)])
+    found = _alike([limb_wrenches(family, limb, place, at, one, shared, here) for place, limb in enumerate(limbs)])
     trivial = PLANAR if family.plane else ()
     full = 6 - len(trivial)
     held = [row for limb in at[0].limbs for row in limb.constraints(RESIDUES)]
@@ -107,12 +112,9 @@ def equivalent(family: Family, limbs: Sequence[LimbSpec], *, frame: bool = True)
     constraints = [line for limb in found for line in limb.lines or () if line.role == "constraint"]
     if len(constraints) > full - mobility:
         names = [limb.name for limb in limbs]
-        constraints = _over_constrained(family, names if frame else (), constraints, at, full - mobility, trivial)
-    lines = list(constraints)
-    for line in (line for limb in found for line in limb.lines or () if line.role != "constraint"):
-        rows = [one.row(at[0].points) for one in (*lines, line)]
-        if len(lines) < full and RESIDUES.rank([*trivial, *rows]) == len(trivial) + len(rows):
-            lines.append(line)
+        constraints = _over_constrained(family, names if frame else (), constraints, at, here, full - mobility, trivial)
+    rest = [line for limb in found for line in limb.lines or () if line.role != "constraint"]
+    lines = _independent(constraints, rest, at[0], here, full, trivial)
     if len(lines) < full:
         return result
     order = {limb.limb.name: place for place, limb in enumerate(found)}
@@ -149,6 +151,7 @@ def _over_constrained(
     names: Sequence[str],
     lines: Sequence[WrenchLine],
     at: Sequence[Sample],
+    home: Sample | None,
     size: int,
     trivial: tuple[Row, ...],
 ) -> list[WrenchLine]:
@@ -167,15 +170,29 @@ def _over_constrained(
             own = (n for n, *alike in zip(names, *every, strict=True) if all(map(reciprocal_to, alike, rows)))
             frame.append(replace(line, limb=next(own, FRAME)))
     fixed = {*AXES, *finite}
-    chosen: list[WrenchLine] = []
 
     def moving(line: WrenchLine) -> tuple[int, int]:
         return sum(n not in fixed for n in line.ends), sum(n not in AXES for n in line.ends)
 
-    for line in sorted((*lines, *frame), key=moving):
-        rows = [*trivial, *(one.row(at[0].points) for one in chosen)]
-        if len(chosen) < size and RESIDUES.rank([*rows, line.row(at[0].points)]) > len(rows):
-            chosen.append(line)
+    return _independent((), sorted((*lines, *frame), key=moving), at[0], home, size, trivial)
+
+
+def _independent(
+    first: Sequence[WrenchLine],
+    lines: Sequence[WrenchLine],
+    at: Sample,
+    home: Sample | None,
+    size: int,
+    trivial: tuple[Row, ...],
+) -> list[WrenchLine]:
+    """The `first` lines and, as far as `size`, further ones: those that are independent at home too before others."""
+    chosen, rows = list(first), {s: [*trivial, *(one.row(s.points) for one in first)] for s in (at, home) if s}
+    for every in ((at, home), (at,)):
+        for line in lines:
+            new = {s: [*rows[s], line.row(s.points)] for s in rows}
+            if len(chosen) < size and all(RESIDUES.rank(new[s]) == len(new[s]) for s in every if s):
+                chosen.append(line)
+                rows = new
     return chosen
 
 

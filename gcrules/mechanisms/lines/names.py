@@ -6,7 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
+from typing import Any
 
+from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import AXES, Term, Values
@@ -22,6 +24,7 @@ __all__ = [
     "crosswise",
     "directions",
     "free_names",
+    "home_sample",
     "key",
     "names_of_limb",
     "names_of_others",
@@ -62,6 +65,16 @@ def sample(family: Family, limbs: Sequence[LimbSpec], values: Values) -> Sample:
 def samples(family: Family, limbs: Sequence[LimbSpec]) -> tuple[Sample, ...]:
     """The members on which lines are tested."""
     return tuple(sample(family, limbs, family.member(seed)) for seed in _SEEDS)
+
+
+def home_sample(family: Family, limbs: Sequence[LimbSpec], home: Mapping[str, Any] | None) -> Sample | None:
+    """Home, modulo the prime; None without one, and where a joint of it is none there."""
+    if home is None:
+        return None
+    try:
+        return sample(family, limbs, {n: RESIDUES.vector(v) for n, v in home.items()})
+    except InputError:
+        return None
 
 
 def key(rows: Iterable[Row]) -> Key:

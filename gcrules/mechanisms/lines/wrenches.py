@@ -100,10 +100,12 @@ def limb_wrenches(
     at: Sequence[Sample],
     one: Mapping[Key, str],
     shared: Mapping[str, int],
+    home: Sample | None,
 ) -> LimbWrenches:
     """The wrenches of one limb. `one` names each direction (see `directions`); `shared` says in how many limbs a name
-    stands: such points are preferred.
+    stands: such points are preferred. So are lines that do not depend on each other at `home`.
     """
+    every = at if home is None else (*at, home)
     all_twists = [s.limbs[place].twists(RESIDUES) for s in at]
     actuated = set(at[0].limbs[place].actuated)
     passive = [[t for i, t in enumerate(rows) if i not in actuated] for rows in all_twists]
@@ -114,12 +116,12 @@ def limb_wrenches(
     held = constraint.dimension - len(trivial)
     found: tuple[WrenchLine, ...] | None = None
     made: list[Derived] = []
-    for names in _names(family, limb, at, one, made):
+    for names in _names(family, limb, at, one, made, every):
         candidates = _candidates(limb, names, at, all_twists, passive, shared)
-        found = _basis(candidates, at[0].points, wanted, held, trivial)
+        found = _basis(candidates, [s.points for s in every[:: len(at)]], wanted, held, trivial)
         if found is not None:
             break
-    lines, derived = (None, ()) if found is None else _named(family, place, at, found, made)
+    lines, derived = (None, ()) if found is None else _named(family, place, every, found, made)
     if lines is not None and sum(line.role == "constraint" for line in lines) < held:
         lines = tuple(replace(line, role="both") if line.role == "actuation" else line for line in lines)
     return LimbWrenches(
@@ -135,10 +137,15 @@ def limb_wrenches(
 
 
 def _names(
-    family: Family, limb: LimbSpec, at: Sequence[Sample], one: Mapping[Key, str], made: list[Derived]
+    family: Family,
+    limb: LimbSpec,
+    at: Sequence[Sample],
+    one: Mapping[Key, str],
+    made: list[Derived],
+    every: Sequence[Sample],
 ) -> Iterator[list[Named]]:
     """Names through which lines may go: those of the limb; then with directions u × (u × v), with names of other limbs,
-    or with where planes of its axes meet. What is derived is added to `made`.
+    or with where planes of its axes meet. What is derived is added to `made`, and to the points of `every` sample.
     """
     own = names_of_limb(family, limb, at, one)
     further: tuple[Callable[[], list[Named]], ...] = (
@@ -150,7 +157,7 @@ def _names(
     for more in further:
         names = more()
         new = [d for _, _, d in names if d]
-        add_derived(new, at)
+        add_derived(new, every)
         made += new
         yield names if names is own else [*own, *names]
 
@@ -228,17 +235,19 @@ def _bundles_along_axes(found: list[_Costly], points: Mapping[str, Row]) -> list
 
 def _basis(
     candidates: Sequence[tuple[float, WrenchLine]],
-    points: Mapping[str, Row],
+    at: Sequence[Mapping[str, Row]],
     size: int,
     constraints: int,
     trivial: tuple[Row, ...],
 ) -> tuple[WrenchLine, ...] | None:
-    """Lines that span the system: with as few points as possible, constraints told apart, and of least cost."""
+    """Lines that span the system at the first sample: constraints told apart, if possible so that they span it at the
+    other ones too, with as few points as possible, and of least cost.
+    """
     kept: list[tuple[float, WrenchLine]] = []
     spanned = len(trivial)
     rows: list[Row] = list(trivial)
     for cost, line in candidates:  # the cheapest basis, and further cheap lines beside it
-        row = line.row(points)
+        row = line.row(at[0])
         grows = spanned < size + len(trivial) and RESIDUES.rank([*rows, row]) > spanned
         if grows:
             rows.append(row)
@@ -253,9 +262,11 @@ def _basis(
         lines = tuple(line for _, line in some)
         held = min(sum(line.role == "constraint" for line in lines), constraints)
         number = len({n for line in lines for n in line.ends})
-        score = (-held, number, sum(cost for cost, _ in some))
-        if (best is None or score < best[0]) and (
-            RESIDUES.rank([*trivial, *(line.row(points) for line in lines)]) == size + len(trivial)
-        ):
+        score: tuple[float, ...] = (-held, -size - len(trivial), number, sum(cost for cost, _ in some))
+        if best is not None and score >= best[0]:
+            continue
+        ranks = [RESIDUES.rank([*trivial, *(line.row(points) for line in lines)]) for points in at]
+        score = (-held, -min(ranks), *score[2:])
+        if ranks[0] == size + len(trivial) and (best is None or score < best[0]):
             best = score, lines
     return best[1] if best else ()

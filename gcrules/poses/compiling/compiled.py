@@ -17,13 +17,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.algebra.expr import ONE, Expr, points_of, rank_of
+from gcrules.algebra.expr import Expr, points_of, rank_of
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.language.text import text as as_text
@@ -40,9 +39,9 @@ from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.batches import Batch, joint_batch, output, pose_batch
 from gcrules.poses.compiling.compiled_limbs import CompiledLimbs, compiled_limbs
 from gcrules.poses.compiling.engines import STEP, engine_named, runner
+from gcrules.poses.compiling.roads import as_written, check_finite, joints_of, roads_of
 from gcrules.poses.compiling.tape import Program
-from gcrules.poses.compiling.tracing import Joints, Road, trace
-from gcrules.poses.compiling.vectors import of_expression, of_legs, of_polynomial
+from gcrules.poses.compiling.tracing import trace
 from gcrules.poses.methods import Methods, method
 
 __all__ = ["CompiledCondition", "compiled"]
@@ -94,15 +93,12 @@ class CompiledCondition:
     def _run(self, kind: str, batch: Batch, out: Floats | None) -> Floats:
         program = self.programs[kind]
         values = output(batch, out)
-        run = runner(program, self.engine) if program.lines else None
+        run = runner(program, self.engine)
         for start in range(0, batch.number, STEP):
             stop = min(start + STEP, batch.number)
             first, second = batch.columns(start, stop)
             part = values[start:stop]
-            if run is None:
-                part[:] = float(program.constant)
-            else:
-                run(first, second, part)
+            run(first, second, part[None])
             batch.check(start, first, second, part, program.unused)
         return values
 
@@ -200,11 +196,10 @@ def _condition(
     analysis: Analysis, moving: MovingPlatform | None, expression: str | Expr | None, engine: str
 ) -> CompiledCondition:
     structure = analysis.structure
-    if structure.special or structure.stand_ins or structure.rank != 4:
-        raise InputError("only legs between finite joints in space are compiled", hint="analyze a platform")
+    check_finite(structure)
     asked = structure.superbracket if expression is None else _scalar(expression, structure.names)
-    roads = _roads(analysis) if asked == structure.superbracket else [_as_written(asked)]
-    joints = _joints(analysis, moving)
+    roads = roads_of(analysis) if asked == structure.superbracket else [as_written(asked)]
+    joints = joints_of(analysis, moving)
     found = {kind: trace(joints, kind, roads, asked) for kind in joints.kinds}
     return CompiledCondition(
         expression=as_text(asked, names=structure.names),
@@ -224,33 +219,3 @@ def _scalar(expression: str | Expr, names: tuple[str, ...]) -> Expr:
     if unknown:
         raise InputError(f"{', '.join(unknown)} are no joints of the robot", hint=f"its joints are {', '.join(names)}")
     return e
-
-
-def _roads(analysis: Analysis) -> list[Road]:
-    """What the superbracket of the legs equals; a condition with a cofactor is not among them."""
-    shortest = analysis.shortest
-    conditions = {c.right_side: None for c in (analysis.condition, *analysis.readings) if c.cofactor == ONE}
-    return [
-        ("six legs", lambda places: of_legs(analysis.structure.legs, places)),
-        ("shortest bracket form", lambda places: shortest.sign * of_polynomial(shortest.polynomial, places)),
-        *map(_as_written, conditions),
-    ]
-
-
-def _as_written(e: Expr) -> Road:
-    return as_text(e), lambda places: of_expression(e, places)
-
-
-def _joints(analysis: Analysis, moving: MovingPlatform | None) -> Joints:
-    """The joints with their coordinates; without a platform all of them move."""
-    if moving is None:
-        return Joints({}, analysis.structure.names, {})
-    body = analysis.structure.platform
-    arms = {n: _less(moving.points[n], moving.centre) for n in body}
-    fixed = {n: p for n, p in moving.points.items() if n not in arms}
-    return Joints(fixed, tuple(body), arms, moving.centre)
-
-
-def _less(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Fraction, Fraction, Fraction]:
-    x, y, z = (a - b for a, b in zip(p, q, strict=True))
-    return x, y, z

@@ -13,7 +13,7 @@ r"""Robots of joints at very many poses: a frozen value that is called with arra
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -29,8 +29,8 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.solve import check_target, free_coordinates
 from gcrules.mechanisms.kinematics.targets import Target, actuators_target, check_turn, coordinates_target
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.compiling.limb_programs import limb_programs, run
-from gcrules.poses.compiling.tape import Program
+from gcrules.poses.compiling.closed_forms import ClosedForms, run
+from gcrules.poses.compiling.limb_programs import limb_programs
 from gcrules.poses.limbs.factors import factors
 from gcrules.poses.limbs.many import NUMBERS, WAYS, numbers_at
 from gcrules.poses.numbers.arrays import finite_rows
@@ -66,13 +66,13 @@ class CompiledLimbs:
     driven: bool
     factors: tuple[str, ...]
     kinds: tuple[str, ...]
-    programs: tuple[Program, ...] = ()
+    programs: ClosedForms = field(default_factory=ClosedForms)
     engine: str = "numpy"
 
     @property
     def mode(self) -> str:
         """The branch of solutions whose factors a call gives, in words."""
-        return _CLOSED if self.programs else _STRAIGHT
+        return _CLOSED if self.programs.factors else _STRAIGHT
 
     @property
     def actuators(self) -> tuple[Actuator, ...]:
@@ -83,27 +83,26 @@ class CompiledLimbs:
         """The values of the factors, (N, factors): numbers with a sign that know neither unit nor scale, divided by
         their cofactors, as those of `gc.pose`.
         """
-        if not self.programs:
-            return self._one("factors", poses)
-        wanted = self._wanted(poses)
-        if _largest(wanted) > np.pi:
-            wanted = wrapped(self.coordinates, wanted)
-        found = np.empty((len(self.programs), len(wanted)))
-        for program, row in zip(self.programs, found, strict=True):
-            run(program, self.engine, wanted, row)
-        return found.T
+        program = self.programs.factors
+        return run(program, self.engine, self._turned(poses)).T if program else self._one("factors", poses)
 
     def margins(self, poses: Any) -> Floats:
         """The margin σ, (N,): 0 where the wrenches of all limbs do not hold the platform."""
-        return self._one("margins", poses)
+        if self.programs.wrenches is None:
+            return self._one("margins", poses)
+        return self.programs.margins(self.engine, self._turned(poses))
 
     def limb_margins(self, poses: Any) -> Floats:
         """For each limb how far it is from being singular by itself, (N, limbs)."""
         return self._one("limb_margins", poses)
 
     def actuator_values(self, poses: Any) -> Floats:
-        """The amounts of the actuators from home, (N, actuators): rad, or the file's unit of length."""
-        return self._one("actuators", poses)
+        """The amounts of the actuators from home, (N, actuators): rad, or the file's unit of length; by a program turns
+        from −π to π.
+        """
+        if self.programs.actuators is None:
+            return self._one("actuators", poses)
+        return self.programs.amounts(self.engine, self._turned(poses))
 
     def signs(self, poses: Any) -> NDArray[np.int8]:
         """The sign of the determinant of all wrenches, (N,), 1 at home: it changes where the way crosses a singular
@@ -119,8 +118,8 @@ class CompiledLimbs:
 
     def numbers(self, poses: Any, asked: str | Iterable[str] = "factors, margins, actuators") -> dict[str, Any]:
         """Several of "factors", "margins", "limb_margins", "actuators", "coordinates" (all nine of the platform),
-        "signs" and "proved" at once, by name: the joints are solved once. With "proved" steps are made so short, where
-        that helps, that they can be proved.
+        "isotropy", "speeds" and "turns" of the actuators, "signs" and "proved" at once, by name: the joints are solved
+        once. With "proved" steps are made so short, where that helps, that they can be proved.
         """
         known = (*NUMBERS, *WAYS)
         names: Any = [n.strip() for n in asked.split(",")] if isinstance(asked, str) else asked
@@ -134,6 +133,11 @@ class CompiledLimbs:
         order = tuple(a.name for a in m.actuators) if self.driven else self.coordinates
         target = Target(order, np.zeros(len(order)), self.driven)
         return numbers_at(self.mechanism, target, wanted[:, [self.coordinates.index(n) for n in order]], names)
+
+    def _turned(self, poses: Any) -> Floats:
+        """The wanted values with angles from −π to π, as programs take them."""
+        wanted = self._wanted(poses)
+        return wrapped(self.coordinates, wanted) if _largest(wanted) > np.pi else wanted
 
     def _wanted(self, poses: Any) -> Floats:
         """The wanted values (N, coordinates). Raises InputError for what is no array of them."""
@@ -163,8 +167,8 @@ class CompiledLimbs:
         robot, over = self.mechanism.robot.id, ", ".join(self.coordinates)
         pairs = zip(self.factors, self.kinds, strict=True)
         words = ", ".join(f"{f} ({k})" for f, k in pairs) or "the margin"
-        count = sum(p.operations for p in self.programs)
-        way = f"{count} operations a pose, by {self.engine}" if self.programs else "by closing the loops"
+        program = self.programs.factors
+        way = f"{program.operations} operations a pose, by {self.engine}" if program else "by closing the loops"
         return f"<CompiledLimbs {robot} over {over}: {words}; {way}>"
 
 

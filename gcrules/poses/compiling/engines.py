@@ -5,7 +5,7 @@ Both do the same operations on the same numbers and contract none, so their valu
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from importlib.util import find_spec
 from typing import Any
 
@@ -20,7 +20,9 @@ __all__ = ["ENGINES", "STEP", "Run", "engine_named", "runner"]
 
 Floats = NDArray[np.float64]
 Run = Callable[[Floats, Floats, Floats], None]
-"""run(first, second, out): the values for n poses whose inputs are the columns of two arrays, (n, k) and (n, m)."""
+"""run(first, second, out): the values (results, n) for n poses whose inputs are the columns of two arrays, (n, k) and
+(n, m).
+"""
 
 ENGINES = ("numpy", "numba")
 
@@ -43,16 +45,33 @@ def engine_named(name: str | None) -> str:
 
 
 def runner(program: Program, engine: str) -> Run:
-    """What runs a program that has lines."""
-    return native(program) if engine == "numba" else _numpy(program)
+    """What runs a program."""
+    fixed = {k: float(r) for k, r in enumerate(program.results) if not isinstance(r, int)}
+    if not program.lines:
+        return lambda _first, _second, out: _fill(out, fixed)
+    call = native(program) if engine == "numba" else _numpy(program)
+    if not fixed:
+        return call
+
+    def run(first: Floats, second: Floats, out: Floats) -> None:
+        call(first, second, out)
+        _fill(out, fixed)
+
+    return run
+
+
+def _fill(out: Floats, fixed: Mapping[int, float]) -> None:
+    for k, value in fixed.items():
+        out[k] = value
 
 
 def _numpy(program: Program) -> Run:
-    held, count = allocated(program.lines)
+    held, count = allocated(program)
     size = int(np.clip(CACHE // (8 * count), 256, 16_384))
     ufuncs = {"add": np.add, "sub": np.subtract, "mul": np.multiply, "shift": np.add, "scale": np.multiply}
     constants = [np.array(float(line.constant)) for line in program.lines]
     one = np.array(1.0)
+    kept = [(k, held[r]) for k, r in enumerate(program.results) if isinstance(r, int)]
 
     def calls(registers: Floats) -> list[tuple[Any, Any, Any, Floats]]:
         """What to call on which arrays; None for an input, with its column."""
@@ -74,11 +93,12 @@ def _numpy(program: Program) -> Run:
 
     def run(first: Floats, second: Floats, out: Floats) -> None:
         columns = [*first.T, *second.T]
-        registers = np.empty((count, min(size, len(out))))
+        number = out.shape[1]
+        registers = np.empty((count, min(size, number)))
         whole = calls(registers)
         with np.errstate(all="ignore"):  # what is not finite is looked for in the values
-            for start in range(0, len(out), size):
-                stop = min(start + size, len(out))
+            for start in range(0, number, size):
+                stop = min(start + size, number)
                 part = whole if stop - start == registers.shape[1] else calls(registers[:, : stop - start])
                 for ufunc, a, b, to in part:
                     if ufunc is None:
@@ -87,6 +107,7 @@ def _numpy(program: Program) -> Run:
                         ufunc(a, to)
                     else:
                         ufunc(a, b, to)
-                out[start:stop] = part[-1][3]
+                for k, register in kept:
+                    out[k, start:stop] = registers[register, : stop - start]
 
     return run

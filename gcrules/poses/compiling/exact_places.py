@@ -13,10 +13,9 @@ from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.description.relations import Term
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.poses.compiling.scalars import Ring
-from gcrules.poses.compiling.vectors import Vector, add
+from gcrules.poses.compiling.vectors import Vector, add, exact, scaled, sub, vector
 
-__all__ = ["at_home", "combined_at", "exact", "floats", "left_inverse", "near", "scaled", "vector"]
+__all__ = ["at_home", "combined_at", "floats", "left_inverse", "near"]
 
 _SHORT = 10**6  # denominators of a centre that was computed in floats
 
@@ -31,10 +30,12 @@ def combined_at(term: Term, values: Mapping[str, Vector]) -> Vector:
 
 def at_home(m: Linkage) -> dict[str, Vector]:
     """The places at home, exact as the file gives them; of a linkage that has been moved, those of its floats."""
-    found = {}
+    sorts, found = m.robot.family.sorts, {}
     written = home_values(m.robot)
     for n, value in m.home.values.items():
         own = written.get(n)
+        if own is not None and sorts.get(n) == "point":
+            own = sub(own, m.origin)
         found[n] = own if own is not None and np.array_equal(floats(own), value) else exact(value)
     return found
 
@@ -51,22 +52,9 @@ def floats(v: Sequence[Any]) -> Floats:
     return np.array([float(c) for c in v])
 
 
-def exact(v: Floats) -> Vector:
-    return vector([Fraction(float(c)) for c in v])
-
-
 def left_inverse(matrix: Sequence[Sequence[Any]]) -> list[list[Fraction]]:
     """(MᵀM)⁻¹ Mᵀ for independent columns; no rows where there are none."""
     width = len(matrix[0])
     square = [[sum(row[i] * row[j] for row in matrix) for j in range(width)] for i in range(width)]
     rows, _ = echelon([[*left, *(row[i] for row in matrix)] for i, left in enumerate(square)])
     return [list(row[width:]) for row in rows]
-
-
-def vector(v: Sequence[Ring]) -> Vector:
-    x, y, z = v
-    return x, y, z
-
-
-def scaled(v: Vector, by: Ring) -> Vector:
-    return v[0] * by, v[1] * by, v[2] * by

@@ -3,7 +3,8 @@ r"""Where the points and directions of a robot of joints are, in closed form on 
 The platform: coordinates that are not named are 0, or follow from planes in which points of it stay, as the spherical
 joints of a 3-RPS do. Then what rides on it is known. A point that a limb's first joint carries, a turn or a slide, is
 the one of a circle or a line that keeps its distance from a point of the platform; a direction that it turns keeps its
-angle with one. A bar between two such points is their difference. Of two roots that of home is taken, throughout.
+angle with one. A bar between two such points is their difference, and what stays perpendicular to two of all these is
+along their cross product. Of two roots that of home is taken, throughout.
 
 What stays, rides and keeps a distance is seen in configurations that were solved by Newton's method; what is made of
 it is compared with others (`limb_programs`). All numbers are those of the home configuration as the file gives it,
@@ -12,7 +13,8 @@ exact, and no root is taken but on the tape; so it can be run in exact arithmeti
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from itertools import combinations
 
@@ -20,10 +22,23 @@ import numpy as np
 
 from gcrules.core.linear_algebra import kernel
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.poses.compiling.exact_places import at_home, combined_at, floats, left_inverse, near, scaled, vector
+from gcrules.poses.compiling.exact_places import at_home, combined_at, floats, left_inverse, near
 from gcrules.poses.compiling.roots import NoForm, Roots, cosine_and_sine
 from gcrules.poses.compiling.scalars import Graph, Ring
-from gcrules.poses.compiling.vectors import Vector, add, cross, dot, sub
+from gcrules.poses.compiling.turns import about, back, level, product
+from gcrules.poses.compiling.vectors import (
+    Turn,
+    Vector,
+    add,
+    cross,
+    dot,
+    exact,
+    scaled,
+    sub,
+    total,
+    turned,
+    vector,
+)
 from gcrules.poses.limbs.many import Solved
 from gcrules.screws.pose_text import SHIFTS, TURNS
 
@@ -31,26 +46,25 @@ __all__ = ["LimbPlaces"]
 
 _STAYS = 1e-10  # in parts of the robot's size, or rad
 _ROUNDED = 1e-14  # in parts of the robot's size
-
-Turn = tuple[Vector, Vector, Vector]
+_APART = 1e-3  # the sine of the angle between two directions that have a normal
 
 
 class LimbPlaces:
     """The places of names from coordinates `names` of a pose; `solved` are configurations in general position. Asking
-    for what has no closed form raises NoForm. Directions may have another length than at home.
+    for what has no closed form raises NoForm. Directions of `other_length` have not the one that they have at home.
 
-    Inputs of angles are what `turned` makes a cosine and a sine of: the angles themselves, from −π to π, or what else
-    is 0 at home.
+    Inputs of angles are what `turned_by` makes a cosine and a sine of: the angles themselves, from −π to π, or what
+    else is 0 at home.
     """
 
     def __init__(
         self,
         names: Sequence[str],
         solved: Solved,
-        turned: Callable[[Ring], tuple[Ring, Ring]] = cosine_and_sine,
+        turned_by: Callable[[Ring], tuple[Ring, Ring]] = cosine_and_sine,
     ) -> None:
         self.names, self.solved, self.m = names, solved, solved.m.linkage
-        self.turned = turned
+        self.turned_by = turned_by
         self.size = self.m.size
         self.graph = Graph(len(names))
         self.roots = Roots(self.graph)
@@ -62,6 +76,8 @@ class LimbPlaces:
         self.shift, self.turn = self._pose()
         self._note_roots("yaw")
         self.known: dict[str, Vector] = {}
+        self.other_length: set[str] = set()
+        self._open: set[str] = set()  # names that are being made from others
 
     def at(self, name: str) -> Vector:
         """Where a point or direction of the robot is."""
@@ -69,6 +85,14 @@ class LimbPlaces:
             self.known[name] = self._place(name)
             self._note_roots(name)
         return self.known[name]
+
+    def seen(self, name: str) -> Vector:
+        """The same, as the platform sees it: where it would be with the platform at home."""
+        if self._rides(name) and not self._stays(name):
+            return self.home[name]
+        if self.sorts[name] != "point":
+            return turned(back(self.turn), self.at(name))
+        return add(turned(back(self.turn), sub(self.at(name), add(self.centre, self.shift))), self.centre)
 
     def _note_roots(self, name: str) -> None:
         """Roots that have been made since are of the equation that places this name."""
@@ -85,14 +109,14 @@ class LimbPlaces:
         found = self.solved.coordinates  # in the order of SHIFTS and TURNS
         given: dict[str, tuple[Ring, ...]] = {}
         for n, angle in zip(self.names, self.graph.inputs, strict=True):
-            given[n] = (angle,) if n in SHIFTS else self.turned(angle)
+            given[n] = (angle,) if n in SHIFTS else self.turned_by(angle)
         still = [n for k, n in enumerate((*SHIFTS, *TURNS)) if np.abs(found[:, k]).max() <= self._zero(n)]
         given |= {n: (0,) if n in SHIFTS else (1, 0) for n in still if n not in given}
         open_ = [n for n in (*SHIFTS, *TURNS) if n not in given]
         if open_:
             given |= self._from_pivot(open_, given) or self._from_planes(open_, given)
         x, y, z = (given[n][0] for n in SHIFTS)
-        return (x, y, z), _product(_about(2, *given["yaw"]), _level(given))
+        return (x, y, z), product(about(2, *given["yaw"]), level(given["roll"], given["pitch"]))
 
     def _zero(self, name: str) -> float:
         return _STAYS * (self.size if name in SHIFTS else 1.0)
@@ -104,7 +128,7 @@ class LimbPlaces:
         if pivot is None or not set(open_) <= set(SHIFTS):
             return {}
         arm = sub(self.home[pivot], self.centre)
-        shift = sub(arm, _turned(_product(_about(2, *given["yaw"]), _level(given)), arm))
+        shift = sub(arm, turned(product(about(2, *given["yaw"]), level(given["roll"], given["pitch"])), arm))
         return {n: (shift[SHIFTS.index(n)],) for n in open_}
 
     def _from_planes(self, open_: list[str], given: dict[str, tuple[Ring, ...]]) -> dict[str, tuple[Ring, ...]]:
@@ -116,10 +140,10 @@ class LimbPlaces:
         shift = tuple(given[n][0] if n in given else 0 for n in SHIFTS)
         if "yaw" not in open_ or len(unknown) + 1 > len(planes):
             raise NoForm("too few planes")
-        level = _level(given)
+        flat = level(given["roll"], given["pitch"])
         rows = []  # a cos + b sin + c + Σ normal · unknown shifts = 0
         for n, arm in planes:
-            u, v, w = (dot(row, arm) for row in level)
+            u, v, w = (dot(row, arm) for row in flat)
             fixed = dot(n, sub(vector(shift), arm)) + n[2] * w
             rows.append((n[0] * u + n[1] * v, n[1] * u - n[0] * v, fixed))
         for chosen in combinations(range(len(planes)), len(unknown) + 1):
@@ -130,12 +154,12 @@ class LimbPlaces:
         else:
             raise NoForm("planes that depend on each other")
         factors = kernel(zip(*matrix, strict=True), len(chosen))[0]  # Σ factor · normal = 0 in the unknowns
-        a, b, c = (_sum(f * rows[k][place] for f, k in zip(factors, chosen, strict=True)) for place in range(3))
+        a, b, c = (total(f * rows[k][place] for f, k in zip(factors, chosen, strict=True)) for place in range(3))
         cosine, sine = self.roots.turned(a, b, c)
         sides = [-(rows[k][0] * cosine + rows[k][1] * sine + rows[k][2]) for k in chosen]
         found: dict[str, tuple[Ring, ...]] = {"yaw": (cosine, sine)}
         for place, row in zip(unknown, left_inverse(matrix), strict=True):
-            found[SHIFTS[place]] = (_sum(f * side for f, side in zip(row, sides, strict=True)),)
+            found[SHIFTS[place]] = (total(f * side for f, side in zip(row, sides, strict=True)),)
         return found
 
     def _planes(self) -> Iterator[tuple[Vector, Vector]]:
@@ -147,10 +171,10 @@ class LimbPlaces:
             moved = (platform[:, :3, :3] @ end) + platform[:, :3, 3] - end
             at = next((n for n, v in self.m.home.values.items() if np.array_equal(v, end)), None)
             for name, sort in self.sorts.items():
-                if at is not None and sort == "direction" and self._stays(name):
+                if sort == "direction" and self._stays(name):
                     normal = self.m.home.values[name] / np.linalg.norm(self.m.home.values[name])
                     if np.abs(moved @ normal).max() <= _STAYS * self.size:
-                        yield self.home[name], sub(self.home[at], self.centre)
+                        yield self.home[name], sub(exact(end) if at is None else self.home[at], self.centre)
                         break
 
     # --- names ---
@@ -173,8 +197,8 @@ class LimbPlaces:
     def _carried(self, v: Vector, point: bool) -> Vector:
         """A place at home where the platform carries it, on the tape."""
         if not point:
-            return _turned(self.turn, v)
-        return add(_turned(self.turn, sub(v, self.centre)), add(self.centre, self.shift))
+            return turned(self.turn, v)
+        return add(turned(self.turn, sub(v, self.centre)), add(self.centre, self.shift))
 
     def _place(self, name: str) -> Vector:
         home, point = self.home[name], self.sorts[name] == "point"
@@ -183,29 +207,36 @@ class LimbPlaces:
         if self._rides(name):
             return self._carried(home, point)
         limb = next((a.limb for a in self.m.attachments.get(name, ()) if a.link == 1), None)
-        crossed = self._perpendicular(name)
-        if crossed is not None:
-            return crossed
+        roads: list[Callable[[], Vector]] = [] if point else [lambda: self._perpendicular(name)]
         if limb is not None:
-            return self._first(name, limb)
+            roads.append(lambda: self._first(name, limb))
         if not point:
-            return self._bar(name)
+            roads += [lambda: self._bar(name), lambda: self._normal(name)]
+        for road in roads:
+            with suppress(NoForm):
+                return road()
         raise NoForm(f"{name} is carried by several joints")
 
-    def _perpendicular(self, name: str) -> Vector | None:
-        """A direction that the file makes perpendicular to two others, with the sign of home; None where it is not made
-        so, or these have no closed form.
-        """
+    def _perpendicular(self, name: str) -> Vector:
+        """A direction that the file makes perpendicular to two others."""
         made = next((d.relation for d in self.m.robot.family.definitions if d.name == name), None)
-        if self.sorts[name] == "point" or made is None or made.kind != "perpendicular to both":
-            return None
+        if made is None or made.kind != "perpendicular to both" or self._open & set(made.names):
+            raise NoForm(f"{name} is perpendicular to no two others")
+        self._open.add(name)
         try:
             u, v = (combined_at(term, {n: self.at(n) for n in made.names}) for term in made.args)
-        except NoForm:
-            return None
+        finally:
+            self._open.discard(name)
         before, after = (combined_at(term, self.home) for term in made.args)
-        sign = dot(cross(before, after), self.home[name])
-        return scaled(cross(u, v), 1 if sign > 0 else -1) if sign else None  # type: ignore[operator]
+        return self._along(name, cross(u, v), np.cross(floats(before), floats(after)))
+
+    def _along(self, name: str, v: Vector, home: Floats) -> Vector:
+        """A direction as another one that is parallel to it, which is `home` at home; it may have another length."""
+        sign = float(home @ self.m.home.values[name])
+        if not sign:
+            raise NoForm(f"{name} is perpendicular to parallel directions at home")
+        self.other_length.add(name)
+        return scaled(v, 1 if sign > 0 else -1)
 
     def _bar(self, name: str) -> Vector:
         """A direction from a point that a first joint carries to one of the platform."""
@@ -218,6 +249,42 @@ class LimbPlaces:
                     return sub(self._carried(add(self.home[start], self.home[name]), point=True), self.at(start))
         raise NoForm(f"{name} is carried by several joints")
 
+    def _normal(self, name: str) -> Vector:
+        """A direction that stays perpendicular to two others, or to bars between points."""
+        here, home = self.solved.values[name], self.m.home.values[name]
+        across: list[tuple[tuple[str, ...], Floats]] = []
+        for one in self._ends():
+            if name not in one:
+                bar = self._bar_of(one, self.solved.values)
+                size = np.linalg.norm(bar, axis=-1) * np.linalg.norm(home)
+                if np.abs((bar * here).sum(axis=-1)).max() <= _STAYS * size.min(initial=np.inf):
+                    across.append((one, self._bar_of(one, self.m.home.values)))
+        self._open.add(name)
+        try:
+            for (one, u), (other, v) in combinations(across, 2):
+                normal = np.cross(u, v)
+                if np.linalg.norm(normal) <= _APART * np.linalg.norm(u) * np.linalg.norm(v):
+                    continue
+                with suppress(NoForm):
+                    return self._along(name, cross(self._between(one), self._between(other)), normal)
+        finally:
+            self._open.discard(name)
+        raise NoForm(f"{name} is perpendicular to no two others")
+
+    def _ends(self) -> Iterator[tuple[str, ...]]:
+        """Directions, and pairs of points."""
+        yield from ((n,) for n, sort in self.sorts.items() if sort == "direction")
+        yield from combinations((n for n, sort in self.sorts.items() if sort == "point"), 2)
+
+    @staticmethod
+    def _bar_of(ends: Sequence[str], values: Mapping[str, Floats]) -> Floats:
+        return values[ends[0]] if len(ends) == 1 else values[ends[1]] - values[ends[0]]
+
+    def _between(self, ends: Sequence[str]) -> Vector:
+        if self._open & set(ends):
+            raise NoForm("a circle")
+        return self.at(ends[0]) if len(ends) == 1 else sub(self.at(ends[1]), self.at(ends[0]))
+
     def _first(self, name: str, limb: int) -> Vector:
         """What a limb's first joint carries, held at its distance from, or angle with, what rides on the platform."""
         home = self.home[name]
@@ -226,7 +293,7 @@ class LimbPlaces:
         if self.sorts[name] == "point":
             held = next(self._held(name), None)
             if held is None:
-                raise NoForm(f"{name} keeps no distance from the platform")
+                return self._slid(name, None if turns else axis)
             far, rod = self._carried(held, point=True), sub(held, home)
             length = dot(rod, rod)
             if not turns:
@@ -252,6 +319,22 @@ class LimbPlaces:
         rest = dot(middle, w) - dot(home, self.home[other])
         cosine, sine = self.roots.turned(dot(u, w), dot(v, w), rest, square)
         return add(middle, add(scaled(u, cosine), scaled(v, sine)))
+
+    def _slid(self, name: str, axis: Vector | None) -> Vector:
+        """A point on a slide that stays with one of the platform in a plane of constant direction."""
+        size = np.linalg.norm(floats(axis)) if axis is not None else 0.0
+        for normal in (n for n, sort in self.sorts.items() if sort == "direction" and self._stays(n) and size):
+            assert axis is not None
+            n, v = self.home[normal], self.m.home.values[normal]
+            for other in (o for o, sort in self.sorts.items() if sort == "point" and self._rides(o)):
+                depth = (self.solved.values[other] - self.solved.values[name]) @ (v / np.linalg.norm(v))
+                if (
+                    abs(v @ floats(axis)) > _APART * np.linalg.norm(v) * size
+                    and np.abs(depth - depth[0]).max() <= _STAYS * self.size
+                ):
+                    moved = sub(self._carried(self.home[other], point=True), self.home[other])
+                    return add(self.home[name], scaled(axis, dot(n, moved) * (1 / Fraction(dot(n, axis)))))  # type: ignore[arg-type]
+        raise NoForm(f"{name} keeps no distance from the platform")
 
     def _axis(self, limb: int) -> tuple[bool, Vector, Vector]:
         """Of a limb's first motion at home: whether it turns, along what, and a point of its axis (the origin for a
@@ -294,34 +377,3 @@ class LimbPlaces:
                 angle = (here * self.solved.values[other]).sum(axis=1)
                 if np.abs(angle - home[name] @ home[other]).max() <= _STAYS:
                     yield other
-
-
-def _turned(turn: Turn, v: Vector) -> Vector:
-    return dot(turn[0], v), dot(turn[1], v), dot(turn[2], v)
-
-
-def _sum(terms: Iterable[Ring]) -> Ring:
-    found: Ring = 0
-    for term in terms:
-        found = found + term
-    return found
-
-
-def _about(axis: int, cosine: Ring, sine: Ring) -> Turn:
-    """A turn about a coordinate axis."""
-    j, k = (axis + 1) % 3, (axis + 2) % 3
-    rows: list[list[Ring]] = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
-    rows[axis][axis] = 1
-    rows[j][j], rows[j][k], rows[k][j], rows[k][k] = cosine, -sine, sine, cosine
-    return vector(rows[0]), vector(rows[1]), vector(rows[2])
-
-
-def _product(a: Turn, b: Turn) -> Turn:
-    columns = [_turned(a, vector([row[k] for row in b])) for k in range(3)]
-    first, second, third = ([c[k] for c in columns] for k in range(3))
-    return vector(first), vector(second), vector(third)
-
-
-def _level(given: Mapping[str, tuple[Ring, ...]]) -> Turn:
-    """The turn by roll, then by pitch."""
-    return _product(_about(1, *given["pitch"]), _about(0, *given["roll"]))

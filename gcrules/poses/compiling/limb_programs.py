@@ -1,13 +1,14 @@
-r"""The factors of a robot's condition as programs, where all that they name has a closed form.
+r"""A robot's factors, margin and actuators as programs, where what they need has a closed form.
 
-Each program is compared with `factor_values` at configurations that were solved by Newton's method and proved to lie
-on home's branch: at poses drawn anew in each process, which had no part in finding it. Both are analytic functions of
+Each program is compared with the joints at configurations that were solved by Newton's method and proved to lie on
+home's branch: at poses drawn anew in each process, which had no part in finding it. Both are analytic functions of
 the pose where the robot is not singular, so that programs which differ anywhere would differ at almost all of these.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,64 +16,77 @@ import numpy as np
 
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import ONE, Expr, points_of
-from gcrules.core.budget import checkpoint
 from gcrules.core.seeds import drawn
 from gcrules.mechanisms.conditions.factor_causes import ASIDE
+from gcrules.mechanisms.kinematics.coordinates import principal
+from gcrules.mechanisms.kinematics.margin import kept_axes, margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.compiling.engines import STEP, runner
-from gcrules.poses.compiling.exact_places import combined_at, scaled
+from gcrules.poses.compiling.closed_forms import ClosedForms, run
+from gcrules.poses.compiling.exact_places import combined_at
+from gcrules.poses.compiling.limb_amounts import amounts
 from gcrules.poses.compiling.limb_places import LimbPlaces
+from gcrules.poses.compiling.limb_wrenches import balanced_wrenches
 from gcrules.poses.compiling.roots import NoForm, inverse, root
 from gcrules.poses.compiling.scalars import Ring
 from gcrules.poses.compiling.tape import Program, lower
-from gcrules.poses.compiling.vectors import Vector, add, cross, dot, sub
+from gcrules.poses.compiling.vectors import Vector, add, cross, dot, scaled, sub
 from gcrules.poses.limbs.many import Solved, proved_at
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["limb_programs", "run", "solved_near_home", "vectors_of"]
+__all__ = ["limb_programs", "solved_near_home", "vectors_of"]
 
 _POSES = 24  # from which closed forms are found, and as many with which they are compared
 _REACHES = (0.1, 0.02, 0.005)  # in parts of the robot's size, and rad
 _EQUAL = 1e-9  # of values from −1 to 1
 
 
-def limb_programs(m: Limbs, target: Target) -> tuple[Program, ...]:
-    """A program for each factor whose zeros are singularities, of the target's coordinates, angles from −π to π; none
-    where a factor has no closed form that is found here, and agrees with the joints elsewhere.
-    """
-    if m.analysis.lines is None or target.driven or any(part.over != ONE for part in m.analysis.parts):
-        return ()
-    rng = np.random.default_rng(0)
-    found = solved_near_home(m, target, rng)
+def limb_programs(m: Limbs, target: Target) -> ClosedForms:
+    """The programs that are found and checked for coordinates of the platform; none for actuators."""
+    none = ClosedForms(columns=len(kept_axes(m.linkage)), turns=tuple(a.angle for a in m.linkage.actuators))
+    if target.driven:
+        return none
+    found = solved_near_home(m, target, np.random.default_rng(0))
     if found is None:
-        return ()
+        return none
     try:
-        programs = _traced(m, LimbPlaces(target.names, found[1]))
+        places = LimbPlaces(target.names, found[1])
     except NoForm:
-        return ()
+        return none
+    made = replace(
+        none,
+        factors=_lowered(places, lambda: _factors(m, places)),
+        wrenches=_lowered(places, lambda: tuple(c for row in balanced_wrenches(m, places) for c in row)),
+        actuators=_lowered(places, lambda: amounts(places)),
+    )
     seed = drawn("closed form", m.robot.id, *target.names).getrandbits(64)
     check = solved_near_home(m, target, np.random.default_rng(seed))
-    if check is None:
-        return ()
-    poses, there = check
-    values = np.stack([run(p, "numpy", poses) for p in programs], axis=1)
-    return programs if np.abs(values - there.factors).max(initial=0.0) <= _EQUAL else ()
+    return none if check is None else _checked(made, *check)
 
 
-def run(program: Program, engine: str, inputs: Floats, out: Floats | None = None) -> Floats:
-    """The values for inputs (N, k), written to `out` if it is given."""
-    values = np.empty(len(inputs)) if out is None else out
-    if not program.lines:
-        values[:] = float(program.constant)
-        return values
-    call = runner(program, engine)
-    for start in range(0, len(inputs), STEP):
-        checkpoint()
-        part = inputs[start : start + STEP]
-        call(part, np.empty((len(part), 0)), values[start : start + STEP])
-    return values
+def _lowered(places: LimbPlaces, of: Callable[[], tuple[Ring, ...]]) -> Program | None:
+    try:
+        return lower(places.graph, *of())
+    except NoForm:
+        return None
+
+
+def _checked(made: ClosedForms, poses: Floats, there: Solved) -> ClosedForms:
+    """Those that agree with the joints at these configurations."""
+    m, factors, wrenches, actuators = there.m.linkage, made.factors, made.wrenches, made.actuators
+    if factors and not _agree(run(factors, "numpy", poses).T - there.factors):
+        factors = None
+    if wrenches and not _agree(made.margins("numpy", poses) - margins(m, there.here).sigma):
+        wrenches = None
+    if actuators:
+        off = made.amounts("numpy", poses) - there.actuators
+        actuators = actuators if _agree(np.where(made.turns, principal(off), off / m.size)) else None
+    return replace(made, factors=factors, wrenches=wrenches, actuators=actuators)
+
+
+def _agree(differences: Floats) -> bool:
+    return bool(np.nan_to_num(np.abs(differences), nan=np.inf).max(initial=0.0) <= _EQUAL)
 
 
 def solved_near_home(m: Limbs, target: Target, rng: np.random.Generator) -> tuple[Floats, Solved] | None:
@@ -86,26 +100,20 @@ def solved_near_home(m: Limbs, target: Target, rng: np.random.Generator) -> tupl
     return None
 
 
-def vectors_of(m: Limbs, places: LimbPlaces) -> dict[str, Vector]:
-    """The places of all names of the factors, by coordinates; those of directions of another length than at home.
-    Raises NoForm where one has no closed form.
-    """
+def _factors(m: Limbs, places: LimbPlaces) -> tuple[Ring, ...]:
     analysis = m.analysis
-    used = dict.fromkeys(n for part in analysis.parts for n in (*points_of(part.expression), *points_of(part.over)))
-    derived: dict[str, Vector] = {}
-    for d in analysis.structure.derived:
-        if d.is_point:
-            raise NoForm
-        names = dict.fromkeys(n for term in d.args for _, n in term)
-        u, v = (combined_at(term, {n: derived[n] if n in derived else places.at(n) for n in names}) for term in d.args)
-        derived[d.name] = cross(u, v)
-    return {n: derived[n] if n in derived else places.at(n) for n in used}
-
-
-def _traced(m: Limbs, places: LimbPlaces) -> tuple[Program, ...]:
-    analysis = m.analysis
-    vectors = vectors_of(m, places)
-    points = [n for n in vectors if places.sorts.get(n) == "point"]
+    if analysis.lines is None:
+        raise NoForm("wrenches that are no lines of the file's points")
+    structure, parts = analysis.lines.structure, analysis.parts
+    live = [part.expression for part in parts if part.kind not in ASIDE]
+    used = dict.fromkeys(n for part in parts for n in points_of(part.expression))
+    if any(part.over != ONE for part in parts):  # the quotient is the superbracket up to a number, as in `factors`
+        if len(parts) > 1:
+            raise NoForm("several factors, and a cofactor")
+        live = [structure.superbracket] if live else []
+        used = dict.fromkeys((*structure.names, *points_of(parts[0].over)))
+    vectors = vectors_of(m, places, used)
+    points = [n for n in used if places.sorts.get(n) == "point"]
     if len(points) > 1:
         centre: Vector = (0, 0, 0)
         for n in points:
@@ -116,8 +124,20 @@ def _traced(m: Limbs, places: LimbPlaces) -> tuple[Program, ...]:
             square = square + dot(vectors[n], vectors[n]) * Fraction(1, len(points))
         scale = inverse(root(square))
         vectors |= {n: scaled(vectors[n], scale) for n in points}
-    live = [part.expression for part in analysis.parts if part.kind not in ASIDE]
-    return tuple(lower(places.graph, _value(e, vectors, points, analysis.robot.family.plane)) for e in live)
+    return tuple(_value(e, vectors, points, analysis.robot.family.plane) for e in live)
+
+
+def vectors_of(m: Limbs, places: LimbPlaces, names: Iterable[str]) -> dict[str, Vector]:
+    """The places of these names, those that are derived for the lines among them; of directions up to their length.
+    Raises NoForm where one has no closed form.
+    """
+    derived: dict[str, Vector] = {}
+    for d in m.analysis.structure.derived:
+        if d.is_point:
+            raise NoForm
+        u, v = (combined_at(t, {n: derived[n] if n in derived else places.at(n) for _, n in t}) for t in d.args)
+        derived[d.name] = cross(u, v)
+    return {n: derived[n] if n in derived else places.at(n) for n in names}
 
 
 def _value(e: Expr, vectors: Mapping[str, Vector], points: Sequence[str], plane: bool) -> Ring:

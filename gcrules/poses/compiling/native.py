@@ -28,7 +28,8 @@ _INSTRUCTIONS = {"add": "fadd", "sub": "fsub", "mul": "fmul", "shift": "fadd", "
 
 
 def native(program: Program) -> Callable[[Floats, Floats, Floats], None]:
-    """What runs a program that has lines: on two arrays of inputs, (n, k) and (n, m) of any strides, and one of values.
+    """What runs a program that has lines: on two arrays of inputs, (n, k) and (n, m) of any strides, and one of values,
+    (results, n), in which constant ones are left out.
 
     The machine code is made at the first call with inputs of this layout, in some tenths of a second.
     """
@@ -38,18 +39,19 @@ def native(program: Program) -> Callable[[Floats, Floats, Floats], None]:
         return _kernel(program, split, rows)
 
     def run(first: Floats, second: Floats, out: Floats) -> None:
-        n = len(out)
+        n = out.shape[1]
         if n < WIDTH:
             last = np.minimum(np.arange(WIDTH), n - 1)
-            values = np.empty(WIDTH)
+            values = np.empty((len(out), WIDTH))
             run(first[last], second[last], values)
-            out[:] = values[:n]
+            out[:] = values[:, :n]
             return
         first, second = (np.require(part, requirements="A") for part in (first, second))
-        values = out if out.flags.c_contiguous and out.flags.aligned else np.empty(n)
+        fit = out.flags.aligned and out.strides[1] == _REAL
+        values = out if fit else np.empty(out.shape)
         rows = all(part.strides[1] == _REAL for part in (first, second) if part.size)
         places = (x for part in (first, second) for x in (part.ctypes.data, *part.strides))
-        kernel(first.shape[1], rows)(n, *places, values.ctypes.data)
+        kernel(first.shape[1], rows)(n, *places, values.ctypes.data, values.strides[0])
         if values is not out:
             out[:] = values
 
@@ -62,14 +64,16 @@ def _kernel(program: Program, split: int, rows: bool) -> Any:
     numba = import_module("numba")
     block = _block(program, split, rows)
 
-    def kernel(n: int, a: int, a_row: int, a_column: int, b: int, b_row: int, b_column: int, out: int) -> None:
+    def kernel(
+        n: int, a: int, a_row: int, a_column: int, b: int, b_row: int, b_column: int, out: int, out_row: int
+    ) -> None:
         """Arrays are given by address and strides, in bytes. The last block overlaps the one before it."""
         for start in range(0, n - WIDTH, WIDTH):
-            block(a + start * a_row, a_row, a_column, b + start * b_row, b_row, b_column, out + start * _REAL)
+            block(a + start * a_row, a_row, a_column, b + start * b_row, b_row, b_column, out + start * _REAL, out_row)
         start = n - WIDTH
-        block(a + start * a_row, a_row, a_column, b + start * b_row, b_row, b_column, out + start * _REAL)
+        block(a + start * a_row, a_row, a_column, b + start * b_row, b_row, b_column, out + start * _REAL, out_row)
 
-    return numba.njit(numba.types.void(*[numba.types.intp] * 8), nogil=True)(kernel)
+    return numba.njit(numba.types.void(*[numba.types.intp] * 9), nogil=True)(kernel)
 
 
 def _block(program: Program, split: int, rows: bool) -> Any:
@@ -80,8 +84,10 @@ def _block(program: Program, split: int, rows: bool) -> Any:
     def emit(_context: Any, builder: Any, _signature: Any, addresses: Any) -> Any:
         return _emit(builder, program, split, rows, addresses)
 
-    def typed(_context: Any, a: Any, a_row: Any, a_column: Any, b: Any, b_row: Any, b_column: Any, out: Any) -> Any:
-        return void(a, a_row, a_column, b, b_row, b_column, out), emit
+    def typed(
+        _context: Any, a: Any, a_row: Any, a_column: Any, b: Any, b_row: Any, b_column: Any, out: Any, out_row: Any
+    ) -> Any:
+        return void(a, a_row, a_column, b, b_row, b_column, out, out_row), emit
 
     return intrinsic(typed)
 
@@ -90,7 +96,7 @@ def _emit(builder: Any, program: Program, split: int, rows: bool, addresses: Any
     ir = import_module("llvmlite.ir")
     real, word = ir.DoubleType(), ir.IntType(32)
     vector = ir.VectorType(real, WIDTH)
-    a, a_row, a_column, b, b_row, b_column, out = addresses
+    a, a_row, a_column, b, b_row, b_column, out, out_row = addresses
     size = out.type
     starts = [
         [builder.add(at, builder.mul(ir.Constant(size, lane), row)) for lane in range(WIDTH)]
@@ -124,5 +130,8 @@ def _emit(builder: Any, program: Program, split: int, rows: bool, addresses: Any
             x = values[line.args[0]]
             y = values[line.args[1]] if line.op in BINARY else constant(line.constant)
             values.append(getattr(builder, _INSTRUCTIONS[line.op])(x, y))
-    builder.store(values[-1], builder.inttoptr(out, vector.as_pointer()), align=_REAL)
+    for k, r in enumerate(program.results):
+        if isinstance(r, int):
+            place = builder.add(out, builder.mul(ir.Constant(size, k), out_row))
+            builder.store(values[r], builder.inttoptr(place, vector.as_pointer()), align=_REAL)
     return ir.Constant(ir.IntType(8).as_pointer(), None)

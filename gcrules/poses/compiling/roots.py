@@ -4,7 +4,7 @@ r"""Closed forms on the tape: turns and slides that satisfy an equation, with th
 >>> roots = Roots(graph)
 >>> (x,) = graph.inputs  # 0 at home
 >>> cosine, sine = roots.turned(-1, 2, 1 - x)  # 2 sin θ = cos θ − 1 + x, θ = 0 at home
->>> c, s = (lower(graph, value).exact([0.3]) for value in (cosine, sine))
+>>> c, s = lower(graph, cosine, sine).exact([0.3])
 >>> abs(c * c + s * s - 1) < 1e-15, abs(2 * s - c + 1 - 0.3) < 1e-15, 0 < s < 0.2
 (True, True, True)
 >>> roots.turned(-1, x, 1)
@@ -70,9 +70,9 @@ def cosine_and_sine(angle: Ring) -> tuple[Ring, Ring]:
     cosine what it lacks of 1 is doubled, so that nothing is lost.
 
     >>> graph = Graph(1)
-    >>> c, s = (lower(graph, x) for x in cosine_and_sine(graph.inputs[0]))
+    >>> both = lower(graph, *cosine_and_sine(graph.inputs[0]))
     >>> from math import cos, sin
-    >>> max(abs(c.exact([x]) - cos(x)) + abs(s.exact([x]) - sin(x)) for x in (-3.1, 1e-9, 0.3, 2.0)) < 2e-15
+    >>> all(abs(c - cos(x)) + abs(s - sin(x)) < 2e-15 for x in (-3.1, 1e-9, 0.3, 2.0) for c, s in [both.exact([x])])
     True
     """
     small = angle * Fraction(1, 16)
@@ -100,7 +100,7 @@ class Roots:
 
     def at_home(self, x: Ring) -> float:
         """The value there."""
-        return float(lower(self.graph, x).exact([0.0] * len(self.graph.inputs)))
+        return float(lower(self.graph, x).exact([0.0] * len(self.graph.inputs))[0])
 
     def turned(self, a: Ring, b: Ring, c: Ring, n: Ring = 1) -> tuple[Ring, Ring]:
         """cos θ and sin θ/√n with a cos θ + b sin θ/√n + c = 0, n > 0: so a sine may stand for a vector √n as long as

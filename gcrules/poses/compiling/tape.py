@@ -1,4 +1,4 @@
-r"""A traced polynomial as a straight-line program, and the registers that it needs.
+r"""Traced polynomials as a straight-line program, and the registers that it needs.
 
 >>> from gcrules.poses.compiling.scalars import Graph
 >>> graph = Graph(3)
@@ -13,7 +13,9 @@ v4 = 2 * v3
 v5 = v3 * v4
 v6 = v0 - v5
 >>> program.exact([1, 3, 10])
-Fraction(2, 1)
+(Fraction(2, 1),)
+>>> lower(graph, x + y, 7, (x + y) * z).exact([1, 3, 10])
+(4, Fraction(7, 1), 40)
 """
 
 from __future__ import annotations
@@ -74,11 +76,11 @@ _TEXTS = {
 
 @dataclass(frozen=True)
 class Program:
-    """Lines of which the last is the value; without lines the value is `constant`, whatever the inputs."""
+    """Lines, and the `results`: numbers of lines, or Fractions where a value is constant, whatever the inputs."""
 
     inputs: int
     lines: tuple[Operation, ...]
-    constant: Fraction = Fraction(0)
+    results: tuple[int | Fraction, ...]
 
     @property
     def operations(self) -> int:
@@ -87,49 +89,55 @@ class Program:
 
     @property
     def unused(self) -> tuple[int, ...]:
-        """The inputs on which the value does not depend."""
+        """The inputs on which no value depends."""
         read = {line.args[0] for line in self.lines if line.op == "input"}
         return tuple(k for k in range(self.inputs) if k not in read)
 
-    def exact(self, inputs: Sequence[Any]) -> Any:
-        """The value for one set of inputs of any ring: exact for integers and Fractions, but for square roots."""
-        values: list[Any] = [self.constant]
+    def exact(self, inputs: Sequence[Any]) -> tuple[Any, ...]:
+        """The values for one set of inputs of any ring: exact for integers and Fractions, but for square roots."""
+        values: list[Any] = []
         for line in self.lines:
             if line.op == "input":
                 values.append(inputs[line.args[0]])
             else:
-                a, *b = (values[n + 1] for n in line.args)
+                a, *b = (values[n] for n in line.args)
                 values.append(OPERATIONS[line.op](a, b[0] if b else line.constant))
-        return values[-1]
+        return tuple(values[r] if isinstance(r, int) else r for r in self.results)
 
     def __str__(self) -> str:
         rows = [f"v{n} = {_TEXTS[i.op].format(*i.args, c=i.constant)}" for n, i in enumerate(self.lines)]
-        return "\n".join(rows) or str(self.constant)
+        if self.results != (len(rows) - 1,):
+            rows.append(", ".join(f"v{r}" if isinstance(r, int) else str(r) for r in self.results))
+        return "\n".join(rows)
 
 
-def lower(graph: Graph, result: Ring) -> Program:
-    """The lines that `result` needs, each operand shortly before it is used first."""
-    if not isinstance(result, Scalar):
-        return Program(len(graph.inputs), (), Fraction(result))
-    root = result.node if result.sign > 0 else _negated(graph, result.node)
+def lower(graph: Graph, *values: Ring) -> Program:
+    """The lines that the values need, each operand shortly before it is used first."""
     number: dict[int, int] = {}
     lines: list[Operation] = []
-    stack = [(root, False)]
-    while stack:
-        n, ready = stack.pop()
-        op, a, b = graph.nodes[n]
-        operands = () if op == "input" else (a, int(b)) if op in BINARY else (a,)
-        if ready and n not in number:
-            number[n] = len(lines)
-            if op == "input":
-                lines.append(Operation(op, (a,)))
-            else:
-                constant = Fraction(0) if op in BINARY else Fraction(b)
-                lines.append(Operation(op, tuple(number[m] for m in operands), constant))
-        elif n not in number:
-            stack.append((n, True))
-            stack += [(m, False) for m in reversed(operands)]
-    return Program(len(graph.inputs), tuple(lines))
+    results: list[int | Fraction] = []
+    for value in values:
+        if not isinstance(value, Scalar):
+            results.append(Fraction(value))
+            continue
+        root = value.node if value.sign > 0 else _negated(graph, value.node)
+        stack = [(root, False)]
+        while stack:
+            n, ready = stack.pop()
+            op, a, b = graph.nodes[n]
+            operands = () if op == "input" else (a, int(b)) if op in BINARY else (a,)
+            if ready and n not in number:
+                number[n] = len(lines)
+                if op == "input":
+                    lines.append(Operation(op, (a,)))
+                else:
+                    constant = Fraction(0) if op in BINARY else Fraction(b)
+                    lines.append(Operation(op, tuple(number[m] for m in operands), constant))
+            elif n not in number:
+                stack.append((n, True))
+                stack += [(m, False) for m in reversed(operands)]
+        results.append(number[root])
+    return Program(len(graph.inputs), tuple(lines), tuple(results))
 
 
 def _negated(graph: Graph, n: int) -> int:
@@ -137,9 +145,13 @@ def _negated(graph: Graph, n: int) -> int:
     return graph.node("sub", int(b), a) if op == "sub" else graph.node("scale", n, -1)
 
 
-def allocated(lines: Sequence[Operation]) -> tuple[tuple[int, ...], int]:
-    """A register for the value of each line, and how many there are. None is written by a line that reads it."""
+def allocated(program: Program) -> tuple[tuple[int, ...], int]:
+    """A register for the value of each line, and how many there are. None is written by a line that reads it, and
+    those of results are kept.
+    """
+    lines = program.lines
     last = {m: n for n, line in enumerate(lines) for m in line.operands}
+    last |= {r: len(lines) for r in program.results if isinstance(r, int)}
     free: list[int] = []
     held: list[int] = []
     count = 0

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from types import MappingProxyType
 
 from gcrules.algebra.claims import digest
 from gcrules.algebra.evaluate import evaluate
@@ -18,10 +19,11 @@ from gcrules.core.errors import EngineFault
 from gcrules.core.seeds import drawn
 from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
 from gcrules.poses.compiling.tape import Program, lower
-from gcrules.poses.compiling.vectors import Places, Vector, add, dot, sub
+from gcrules.poses.compiling.turns import by_angles
+from gcrules.poses.compiling.vectors import Places, Turn, Vector, add, sub, turned
 from gcrules.screws.rotations import rotation
 
-__all__ = ["KINDS", "Joints", "Road", "trace"]
+__all__ = ["COORDINATES", "KINDS", "Joints", "Road", "trace"]
 
 Road = tuple[str, Callable[[Places], Ring]]
 """What a value is computed from, in words, and how."""
@@ -29,8 +31,10 @@ Road = tuple[str, Callable[[Places], Ring]]
 KINDS = ("matrices", "quaternions", "joints")
 """What a pose may be given by: translation and matrix, translation and quaternion, or the joints that move."""
 
+COORDINATES = "coordinates"
+"""What it may be given by too: translation, and roll, pitch and yaw, whose cosines and sines are rounded."""
+
 ZERO: Vector = (0, 0, 0)
-Turn = tuple[Vector, Vector, Vector]
 
 
 @dataclass(frozen=True)
@@ -58,16 +62,16 @@ class Joints:
             for k, n in enumerate(self.moving):
                 at[n] = sub((x[3 * k], x[3 * k + 1], x[3 * k + 2]), origin)
             return Places(at, {})
-        turn = _matrix(x[3:]) if kind == "matrices" else _quaternion(x[3:])
+        turn = _TURNS[kind](x[3:])
         shift = add((x[0], x[1], x[2]), sub(self.centre, origin))
         start = ZERO if anchor is None else self.arms[anchor]
-        arms = {n: _turned(turn, sub(self.arms[n], start)) for n in self.moving}
-        first = add(_turned(turn, start), shift)
+        arms = {n: turned(turn, sub(self.arms[n], start)) for n in self.moving}
+        first = add(turned(turn, start), shift)
         return Places(at | {n: add(first, arm) for n, arm in arms.items()}, {} if anchor is None else arms)
 
     def inputs(self, kind: str) -> int:
         """How many numbers a pose has: translation and matrix (rows), or quaternion (w, x, y, z), or all joints."""
-        return {"matrices": 12, "quaternions": 7, "joints": 3 * len(self.moving)}[kind]
+        return {"matrices": 12, "quaternions": 7, "joints": 3 * len(self.moving), COORDINATES: 6}[kind]
 
 
 def _matrix(x: Sequence[Scalar]) -> Turn:
@@ -85,9 +89,7 @@ def _quaternion(q: Sequence[Scalar]) -> Turn:
     return (1 - (yy + zz), xy - wz, xz + wy), (xy + wz, 1 - (xx + zz), yz - wx), (xz - wy, yz + wx, 1 - (xx + yy))
 
 
-def _turned(turn: Turn, v: Vector) -> Vector:
-    return dot(turn[0], v), dot(turn[1], v), dot(turn[2], v)
-
+_TURNS = MappingProxyType({"matrices": _matrix, "quaternions": _quaternion, COORDINATES: by_angles})
 
 _LARGE = 1 << 30  # numbers of the exact check are smaller
 
@@ -127,7 +129,7 @@ def _check(joints: Joints, kind: str, program: Program, expression: Expr) -> Non
         turn = rotation((w, x, y, z))
         inputs[3:] = (w, x, y, z) if kind == "quaternions" else (c for row in turn for c in row)
         shift = add(joints.centre, (inputs[0], inputs[1], inputs[2]))
-        at = {n: add(_turned(turn, joints.arms[n]), shift) for n in joints.moving}
+        at = {n: add(turned(turn, joints.arms[n]), shift) for n in joints.moving}
     points = {n: (*p, 1) for n, p in {**joints.fixed, **at}.items()}
-    if program.exact(inputs) != evaluate(expression, points):
+    if program.exact(inputs) != (evaluate(expression, points),):
         raise EngineFault(f"the compiled {kind} and {str(expression)[:80]} disagree at a pose")

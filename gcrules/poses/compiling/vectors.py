@@ -20,9 +20,28 @@ from gcrules.algebra.language.line_text import Leg
 from gcrules.core.linear_algebra import cross, permutation_sign
 from gcrules.poses.compiling.scalars import Ring, Scalar
 
-__all__ = ["Places", "Vector", "add", "cross", "dot", "of_expression", "of_legs", "of_polynomial", "sub"]
+__all__ = [
+    "Places",
+    "Turn",
+    "Vector",
+    "add",
+    "cross",
+    "dot",
+    "exact",
+    "fractions",
+    "of_expression",
+    "of_legs",
+    "of_polynomial",
+    "scaled",
+    "sub",
+    "total",
+    "turned",
+    "vector",
+]
 
 Vector = tuple[Ring, Ring, Ring]
+Turn = tuple[Vector, Vector, Vector]
+"""The rows of a rotation matrix."""
 
 
 def add(u: Vector, v: Vector) -> Vector:
@@ -35,6 +54,36 @@ def sub(u: Vector, v: Vector) -> Vector:
 
 def dot(u: Vector, v: Vector) -> Ring:
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+
+
+def scaled(v: Vector, by: Ring) -> Vector:
+    return v[0] * by, v[1] * by, v[2] * by
+
+
+def turned(turn: Turn, v: Vector) -> Vector:
+    return dot(turn[0], v), dot(turn[1], v), dot(turn[2], v)
+
+
+def total(terms: Iterable[Ring]) -> Ring:
+    found: Ring = 0
+    for term in terms:
+        found = found + term
+    return found
+
+
+def exact(v: Iterable[Any]) -> Vector:
+    """Three floats as the numbers that they are."""
+    return vector(fractions(v))
+
+
+def fractions(v: Iterable[Any]) -> list[Fraction]:
+    """Floats as the numbers that they are."""
+    return [Fraction(float(c)) for c in v]
+
+
+def vector(v: Sequence[Ring]) -> Vector:
+    x, y, z = v
+    return x, y, z
 
 
 @dataclass(frozen=True)

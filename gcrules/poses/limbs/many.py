@@ -19,6 +19,8 @@ from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint, report
 from gcrules.mechanisms.conditions.factor_causes import ASIDE
+from gcrules.mechanisms.kinematics.actuations import amplified
+from gcrules.mechanisms.kinematics.amplification import Amplifications
 from gcrules.mechanisms.kinematics.attachments import Values, moved
 from gcrules.mechanisms.kinematics.branch import Steps, follow_branch
 from gcrules.mechanisms.kinematics.chains import chain_of
@@ -111,6 +113,11 @@ class Solved:
         """The amounts of the actuators from home, (N, actuators)."""
         return np.stack([self.amounts[a.place][:, a.coordinate] for a in self.m.linkage.actuators], axis=1)
 
+    @cached_property
+    def amplifications(self) -> Amplifications:
+        """What the actuators make of their rates."""
+        return amplified(self.m.linkage, self.here)
+
     @property
     def coordinates(self) -> Floats:
         """All coordinates of the pose, (N, coordinates)."""
@@ -124,6 +131,9 @@ NUMBERS: Mapping[str, Callable[[Solved], Floats]] = MappingProxyType(
         "limb_margins": lambda s: limb_margins(s.m.linkage, s.here),
         "actuators": lambda s: s.actuators,
         "coordinates": lambda s: s.coordinates,
+        "isotropy": lambda s: s.amplifications.isotropy,
+        "speeds": lambda s: s.amplifications.speeds,
+        "turns": lambda s: s.amplifications.turns,
     }
 )
 """What configurations have, each (N, …)."""

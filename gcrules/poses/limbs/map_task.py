@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any
 
@@ -23,6 +23,7 @@ from gcrules.core.english import listed
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.version import __version__
+from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
@@ -56,6 +57,7 @@ class LimbsGrid:
     driven: bool
     title: str
     actuators: tuple[str, ...]
+    angles_driven: tuple[bool, ...]
     unit: str = ""
     notes: tuple[str, ...] = ()
 
@@ -121,20 +123,21 @@ class LimbsTask(HoldsArrays):
     mechanism: Limbs
     grid: LimbsGrid
     limits: LengthLimits | None = None
+    measure: str = "margin"
 
-    measure = "margin"
     factors = None
     everywhere = False
     number = 1
     halvings = 14
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"mechanism": self.mechanism, "grid": self.grid, "limits": self.limits}  # the sweep is made anew
+        return {f.name: getattr(self, f.name) for f in fields(self)}  # the sweep is made anew
 
     @property
     def names(self) -> tuple[str, ...]:
         """The arrays of the chunk."""
-        return ("margin", "sign", "actuator", "allowed", "cell_status")
+        index = (self.measure,) if self.measure in INDICES else ()
+        return ("margin", "sign", "actuator", "allowed", *index, "cell_status")
 
     @property
     def layers(self) -> int:
@@ -183,6 +186,7 @@ class LimbsTask(HoldsArrays):
             "sign": sweep.signs.reshape(shape),
             "actuator": amounts.astype(np.float32).reshape(*shape, -1),
             "allowed": allowed.astype(np.uint8).reshape(shape),
+            **{n: sweep.index(INDICES[n]).astype(np.float32).reshape(shape) for n in self.names if n in INDICES},
             "cell_status": status,
         }
 
@@ -265,12 +269,15 @@ class LimbsTask(HoldsArrays):
     def guarantee(self, summary: MapSummary) -> str:
         """What is proved, in one sentence."""
         free, crossed, undecided = summary.cells
-        left = f"{crossed:,} crossed, {undecided:,} undecided, {summary.outside:,} with a corner that is not reached"
-        return (
-            f"{free:,} cells are proved free, by Krawczyk's operator: for all their coordinates the robot has one "
-            "configuration near those of the nodes, and none of these is singular; singular poses that hang together "
-            f"with home lie in the {crossed + undecided + summary.outside:,} other cells ({left})"
+        others = crossed + undecided + summary.outside
+        proved = (
+            f"{'' if others else 'all '}{free:,} cells are proved free, by Krawczyk's operator: for all their "
+            "coordinates the robot has one configuration near those of the nodes, and none of these is singular"
         )
+        if not others:
+            return proved
+        left = f"{crossed:,} crossed, {undecided:,} undecided, {summary.outside:,} with a corner that is not reached"
+        return f"{proved}; singular poses that hang together with home lie in the {others:,} other cells ({left})"
 
     @property
     def manifest(self) -> dict[str, Any]:
@@ -283,24 +290,25 @@ class LimbsTask(HoldsArrays):
             "over": [a.text for a in self.grid.axes],
             "rest": self.grid.to_json()["at"],
             "limits": self.limits.to_json() if self.limits else None,
+            "measure": self.measure,
         }
 
 
-def limbs_task(
-    m: Limbs, over: Any, at: Any = None, limits: str | None = None, measure: str = LimbsTask.measure
-) -> LimbsTask:
+def limbs_task(m: Limbs, over: Any, at: Any = None, limits: str | None = None, measure: str = "margin") -> LimbsTask:
     """The map of a robot of joints over coordinates of its pose or over actuators; `at` says what the others are, home
     where they are not named. Raises InputError for what makes no sense, LimitReached for too many poses.
     """
     k = m.linkage
     angles = {a.name: a.angle for a in k.actuators}
     axes = read_axes(over, m.unit, angles)
-    if measure != LimbsTask.measure:
-        raise InputError("the map of a robot of joints is of its margin", hint="leave --measure out")
+    if measure == "value":
+        raise InputError("a robot of joints has no superbracket of its legs", hint="leave --measure out")
     driven = axes[0].kind == ACTUATOR
     names, values = _coordinates(k, axes, at, driven)
     reach = parse_limits(limits, tuple(angles), m.unit, tuple(angles.values())) if limits is not None else None
-    grid = LimbsGrid(axes, names, values, driven, m.title or k.robot.id, tuple(angles), m.unit)
+    grid = LimbsGrid(
+        axes, names, values, driven, m.title or k.robot.id, tuple(angles), tuple(angles.values()), m.unit, k.notes
+    )
     if grid.size > MAX_POSES:
         raise LimitReached(
             f"{grid.size:,} poses: more than {MAX_POSES:,} in one map of a robot of joints", hint="take a coarser grid"
@@ -309,7 +317,7 @@ def limbs_task(
         if a.unit and (float(a.stop) - float(a.start)) * (math.radians(1) if a.unit == "deg" else 1.0) > _ALL_ROUND:
             raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
     check_target(k, Target(names, np.zeros(len(names)), driven, text="home"))
-    return LimbsTask(m, grid, reach)
+    return LimbsTask(m, grid, reach, measure)
 
 
 def _coordinates(

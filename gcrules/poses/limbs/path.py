@@ -28,6 +28,8 @@ from gcrules.core.budget import report as report_progress
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.kinematics.actuations import amplified
+from gcrules.mechanisms.kinematics.amplification import Amplifications
 from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
 from gcrules.mechanisms.kinematics.itinerary import Itinerary
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
@@ -45,18 +47,17 @@ from gcrules.poses.limbs.pose_report import cause_of, target_of
 from gcrules.poses.limbs.way import Stretch, Way
 from gcrules.poses.numbers.motion import twist_of
 from gcrules.poses.paths.sampling import SAMPLES, per_segment
+from gcrules.screws.pose_text import HOME
 from gcrules.screws.threshold import Threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import SOLVED, decide
 
-__all__ = ["HOME", "path_of_limbs"]
+__all__ = ["path_of_limbs"]
 
 Truths = NDArray[np.bool_]
 
 MAX_SAMPLES = 20_000
 _STEP = 0.125  # rad, or parts of the robot's size: what is proved at once, as a rule
 _MOST_STEPS = 2000  # between two poses: more are gone without being predicted
-HOME = "home"
-"""The name of the first pose of all, in which the file has the robot."""
 
 
 def path_of_limbs(found: Limbs, poses: Sequence[Any], *, samples: Any = SAMPLES, threshold: Threshold) -> RobotPath:
@@ -123,7 +124,7 @@ def _targets(m: Linkage, poses: Sequence[Any]) -> list[Target]:
 
 def _target(m: Linkage, number: int, given: Any) -> Target | None:
     """What is given, None for home."""
-    if isinstance(given, str) and given.strip() == HOME:
+    if isinstance(given, str) and given.strip().lower() == HOME:
         return None
     try:
         return target_of(m, given, None)
@@ -240,7 +241,8 @@ def _report(
         factors=tuple(f.expression for f in factors(found.analysis, m.home.values)),
         factor_values=values,
         verdicts=verdicts,
-        notes=tuple(dict.fromkeys(n for t in targets for n in t.notes)),
+        amplifications=Amplifications.together([amplified(m, some.here) for some in nodes.blocks()]),
+        notes=tuple(dict.fromkeys((*m.notes, *(n for t in targets for n in t.notes)))),
     )
 
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
+from gcrules.mechanisms.kinematics.amplification import Amplifications, index_columns
 from gcrules.mechanisms.kinematics.linkage import Actuator
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.pose_text import ANGLES
@@ -62,7 +63,8 @@ class RobotPath(HoldsArrays, Shown):
 
     `parameters` (N,), `coordinates` (N, names) and `actuator_values` (N, actuators) are the samples, `margins` (N,)
     their σ, `limb_margins` (N,) the least of the limbs' own, `factor_values` (N, F) those of the condition's `factors`
-    (nan where a cofactor is 0 too), `verdicts` (N,) regular | close | singular.
+    (nan where a cofactor is 0 too), `verdicts` (N,) regular | close | singular, `amplifications` what the
+    actuators make of their rates there.
     """
 
     robot: str
@@ -85,6 +87,7 @@ class RobotPath(HoldsArrays, Shown):
     factors: tuple[str, ...]
     factor_values: Floats
     verdicts: NDArray[np.str_]
+    amplifications: Amplifications
     notes: tuple[str, ...] = ()
 
     @property
@@ -117,6 +120,7 @@ class RobotPath(HoldsArrays, Shown):
                 "limb_margin": self.limb_margins.tolist(),
                 "factors": {f: [_finite(v) for v in self.factor_values[:, k]] for k, f in enumerate(self.factors)},
                 "verdict": self.verdicts.tolist(),
+                **self.amplifications.to_json(),
             },
             "notes": list(self.notes),
         }
@@ -131,10 +135,12 @@ class RobotPath(HoldsArrays, Shown):
             "parameter",
             *(f"{n}{angle[n in ANGLES]}" for n in self.names),
             *(f"{a.name}{angle[a.angle]}" for a in self.actuators),
-            *("margin", "limb margin", *self.factors, "verdict"),
+            *("margin", "limb margin", *self.factors),
+            *index_columns(self.amplifications, ""),
+            "verdict",
         ]
         columns = [self.parameters, self.coordinates, self.actuator_values, self.margins, self.limb_margins]
-        columns.append(self.factor_values)
+        columns += [self.factor_values, *self.amplifications.indices.values()]
         for row, verdict in zip(np.column_stack(columns).tolist(), self.verdicts.tolist(), strict=True):
             yield [*("" if x != x else repr(x + 0.0).removesuffix(".0") for x in row), verdict]
 

@@ -207,7 +207,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
             d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
             for d in m.robot.family.definitions
         },
-        notes=(*solution.target.notes, *_far(m), *_notes(m, own)),
+        notes=(*solution.target.notes, *m.notes, *_far(m), *_notes(m, own)),
     )
 
 

@@ -14,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint, report
+from gcrules.mechanisms.kinematics.actuations import amplified
+from gcrules.mechanisms.kinematics.amplification import Index
 from gcrules.mechanisms.kinematics.branch import Steps, follow_branch
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.determinants import frames, relative_sign
@@ -136,6 +138,13 @@ class Sweep:
         found = np.full(len(self.reached), np.nan)
         for nodes in self._kept():
             found[nodes] = margins(self.course.m, self.at(self.amounts[nodes])).sigma
+        return found
+
+    def index(self, index: Index) -> Floats:
+        """An index of the actuators at the nodes (N,), not a number where none is reached."""
+        found = np.full(len(self.reached), np.nan)
+        for nodes in self._kept():
+            found[nodes] = index.of(amplified(self.course.m, self.at(self.amounts[nodes])))
         return found
 
     @cached_property

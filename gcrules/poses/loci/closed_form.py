@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from gcrules.algebra.evaluate import Evaluator
-from gcrules.algebra.expr import ONE, Expr
+from gcrules.algebra.expr import ONE, Expr, points_of
 from gcrules.algebra.language.text import text
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
@@ -114,7 +114,7 @@ def closed_form(m: Limbs, coordinates: tuple[str, ...]) -> ClosedForm:
         )
     try:
         places = LimbPlaces(coordinates, found[1], half_tangent)
-        vectors = vectors_of(m, places)
+        vectors = vectors_of(m, places, _names(m))
         every = _factors(m, places, vectors)
         form = ClosedForm(places.graph, coordinates, every, places.solved_for, places.centre, len(check[0]))
     except NoForm as fault:
@@ -128,6 +128,12 @@ def closed_form(m: Limbs, coordinates: tuple[str, ...]) -> ClosedForm:
             f"{m.robot.id} has no locus as a polynomial: no closed form agrees with its joints", hint=_INSTEAD
         )
     return form
+
+
+def _names(m: Limbs) -> tuple[str, ...]:
+    """All names of the factors and of what divides them."""
+    parts = m.analysis.parts
+    return tuple(dict.fromkeys(n for part in parts for e in (part.expression, part.over) for n in points_of(e)))
 
 
 def _unfit(m: Limbs) -> str:

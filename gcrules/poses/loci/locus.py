@@ -72,8 +72,8 @@ def locus(
     Of other robots of joints it is a `RobotLocus`: a polynomial for each factor of the condition, multiplied over all
     working modes. Its variables are coordinates that determine the pose, x, y, z and t_roll, t_pitch, t_yaw, the
     tangents of half the angles ("yaw" names t_yaw too); `at` gives others by their names ("z=1/2, yaw=30deg"), and
-    those that are not named are 0. Raises InputError where the loops cannot be eliminated, with what to use instead, and
-    LimitReached where that makes too large polynomials.
+    those that are not named are 0. Raises InputError where the loops cannot be eliminated, with what to use instead,
+    and LimitReached where that makes too large polynomials.
     """
     m = mechanism(source, about=about)
     if has_six_legs(m):

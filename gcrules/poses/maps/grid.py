@@ -64,6 +64,11 @@ class Grid:
         return self.rig.names
 
     @property
+    def angles_driven(self) -> tuple[bool, ...]:
+        """Of each leg whether it turns: none does."""
+        return (False,) * len(self.actuators)
+
+    @property
     def rest(self) -> str:
         """The given pose, in words."""
         return f'"{self.at.text()}"'
@@ -122,10 +127,13 @@ class Grid:
 
     def ends(self, coordinates: Floats) -> Floats:
         """The platform ends of the legs at coordinates (N, axes): (N, 6, 3). Legs may have no length there."""
-        shift, turn = self.arrays(coordinates)
-        centre = np.array([float(c) for c in self.rig.centre])
-        found: Floats = np.swapaxes(np.matmul(turn, self.rig.arms.T), 1, 2) + (centre + shift)[:, None, :]
+        turn = self.arrays(coordinates)[1]
+        found: Floats = np.swapaxes(np.matmul(turn, self.rig.arms.T), 1, 2) + self.centres(coordinates)[:, None, :]
         return found
+
+    def centres(self, coordinates: Floats) -> Floats:
+        """Where the centre of turns is at coordinates (N, axes): (N, 3)."""
+        return np.asarray(self.rig.centre_of_turns + self.arrays(coordinates)[0])
 
     def coordinates(self, nodes: NDArray[Any]) -> Floats:
         """The coordinates (N, axes) of places (N, axes) that are counted in nodes."""

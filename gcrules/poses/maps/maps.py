@@ -27,9 +27,11 @@ from gcrules.core.budget import checkpoint, report
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import drawn
+from gcrules.mechanisms.kinematics.amplification import INDICES, index_names
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
+from gcrules.mechanisms.platform_analysis import with_platform
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.compiled import compiled
 from gcrules.poses.limbs.map_task import limbs_task
@@ -43,15 +45,14 @@ from gcrules.poses.maps.report import Curve, SingularMap
 from gcrules.poses.maps.slices import factors, middle, slice_polynomial, vanishes
 from gcrules.poses.maps.store import Folder, Memory, Store
 from gcrules.poses.maps.summary import MapSummary, together
-from gcrules.poses.maps.task import KINDS, Chunk, MapTask, width_of
+from gcrules.poses.maps.task import KINDS, MEASURES, Chunk, MapTask, width_of
 from gcrules.poses.maps.tracing import polished, traced
 from gcrules.poses.maps.values import LegsTask
 from gcrules.poses.methods import Methods, method
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of
 
-__all__ = ["MEASURES", "Plan", "bytes_of", "done", "planned", "singular_map"]
+__all__ = ["Plan", "bytes_of", "done", "planned", "singular_map"]
 
-MEASURES = ("margin", "value")
 _BAR = 24
 MAX_HELD = 8_000_000
 """Poses whose numbers are kept in memory; more need a folder for the work."""
@@ -75,9 +76,10 @@ def singular_map(
     `source`, `at` (one pose, for the other coordinates) and `about` are those of `pose`. `over` lists coordinates with
     start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"]; for a robot of joints
     coordinates of its pose or actuators, from home. `limits` is text such as "leg lengths 1..3" or "q1 -30..30 deg";
-    `threshold` is an angle. `measure` is "margin", or for platforms "value" for the superbracket alone, which is quick.
-    `work` names a folder for the chunks of a large map: a run that was interrupted
-    goes on from there, unless `restart` throws them away; `.store.close()` removes it. Raises InputError for what makes
+    `threshold` is an angle. `measure` is "margin", for platforms "value" for the superbracket alone, which is quick, or
+    "isotropy" or another one of the `INDICES` of the actuators, which comes on top of the margin. `work` names a folder
+    for the chunks of a large map: a run that was interrupted goes on from there, unless `restart` throws them away;
+    `.store.close()` removes it. Raises InputError for what makes
     no sense and for degenerate robots, LimitReached for maps that are too large.
     """
     plan = planned(mechanism(source, about=about), over, at, limits, threshold, measure)
@@ -99,14 +101,21 @@ def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold:
     limit = angle_threshold(threshold, "in a map")
     if measure not in MEASURES:
         raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
-    return method(_PLANNED, found, "a map")(over, at, limits, limit, measure)
+    plan = method(_PLANNED, found, "a map")(over, at, limits, limit, measure)
+    if measure in INDICES and measure not in index_names(plan.task.grid.angles_driven):
+        raise InputError(
+            f"some actuators turn and others slide: there is no common {measure.replace('_', ' ')}",
+            hint="take --measure isotropy, which weighs them with the robot's size",
+        )
+    return plan
 
 
 def _of_legs(m: SixLegs, over: Any, at: Any, limits: str | None, limit: Threshold, measure: str) -> Plan:
     axes = read_axes(over, m.unit)
     reached = parse_limits(limits, m.actuators, m.unit) if limits is not None else None
     g = grid(m.rig, axes, at)
-    condition = compiled(m.analysis, about=m.about)
+    known = m.analysis if m.analysis.platform is not None else with_platform(m.analysis, m.platform)
+    condition = compiled(known, about=m.about)
     moved = g.rotation_axis is not None
     everywhere = vanishes(g) if moved else not slice_polynomial(g)
     task = LegsTask(g, condition, measure, reached, None if moved else factors(g), everywhere)
@@ -191,11 +200,23 @@ def _summed(chunk: Chunk, task: MapTask, number: int, sigma: float) -> MapSummar
     cells, outside = (int(counts[FREE]), int(counts[CROSSED]), int(counts[UNDECIDED])), int(counts[OUTSIDE])
     if "margin" not in chunk or not inside.any():
         return MapSummary(cells, poses, int(inside.sum()), 0, outside=outside)
+
+    def place(k: Any) -> tuple[float, ...]:
+        at = np.array([[k[0] + first, *k[1:]]], dtype=np.float64)
+        return tuple(map(float, task.grid.coordinates(at)[0]))
+
     values = np.where(inside, chunk["margin"], np.inf)
     k = np.unravel_index(int(values.argmin()), values.shape)
-    place = task.grid.coordinates(np.array([[k[0] + first, *k[1:]]], dtype=np.float64))[0]
     close = int((values < sigma).sum())
-    return MapSummary(cells, poses, int(inside.sum()), close, float(values[k]), tuple(map(float, place)), outside)
+    ends: tuple[tuple[float, tuple[float, ...]], ...] = ()
+    if task.measure in chunk and task.measure in INDICES:
+        index = np.where(inside, chunk[task.measure], np.nan).astype(np.float64)
+        if not np.isnan(index).all():
+            ends = tuple(
+                (float(index[at]), place(at))
+                for at in (np.unravel_index(int(find(index)), index.shape) for find in (np.nanargmin, np.nanargmax))
+            )
+    return MapSummary(cells, poses, int(inside.sum()), close, float(values[k]), place(k), outside, ends)
 
 
 def _bar(done: int, number: int) -> str:

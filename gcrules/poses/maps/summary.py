@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any
 
 from gcrules.poses.maps.cells import MEANINGS
@@ -15,7 +16,8 @@ __all__ = ["MapSummary", "together"]
 class MapSummary:
     """Counts over the whole map: `cells` by status (free, crossed, undecided) and those `outside`, of which a corner is
     not reached; poses, those that are reached within the limits, and those of the latter below the threshold; the least
-    margin among them, and where (None where it was not asked for or no pose keeps to the limits).
+    margin among them, and where (None where it was not asked for or no pose keeps to the limits); the least and the
+    largest value of an index of the actuators, and where (empty where none was asked for).
     """
 
     cells: tuple[int, int, int]
@@ -25,6 +27,7 @@ class MapSummary:
     margin: float | None = None
     place: tuple[float, ...] | None = None
     outside: int = 0
+    index: tuple[tuple[float, tuple[float, ...]], ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         return {
@@ -34,6 +37,7 @@ class MapSummary:
             "close": self.close,
             "least_margin": self.margin,
             "at": list(self.place) if self.place else None,
+            "index": [{"value": v if isfinite(v) else None, "at": list(place)} for v, place in self.index],
         }
 
 
@@ -51,5 +55,8 @@ def together(parts: Iterable[MapSummary]) -> MapSummary:
             least.margin,
             least.place,
             total.outside + p.outside,
+            (min(total.index[0], p.index[0]), max(total.index[1], p.index[1]))
+            if total.index and p.index
+            else total.index or p.index,
         )
     return total

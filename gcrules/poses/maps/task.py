@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.limits import LengthLimits
 
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from gcrules.poses.maps.slices import SliceFactor
     from gcrules.poses.maps.summary import MapSummary
 
-__all__ = ["KINDS", "Chunk", "MapTask", "Slice", "width_of"]
+__all__ = ["KINDS", "MEASURES", "Chunk", "MapTask", "Slice", "width_of"]
 
 Floats = NDArray[np.float64]
 Chunk = Mapping[str, NDArray[Any]]
@@ -28,16 +29,21 @@ KINDS: Mapping[str, Any] = {
     "actuator": np.float32,
     "allowed": np.uint8,
     "cell_status": np.uint8,
+    **dict.fromkeys(INDICES, np.float32),
 }
 """The arrays that a chunk can have, and their types."""
+
+
+MEASURES = ("margin", "value", *INDICES)
+"""What a map can be of: the margin, the superbracket alone, or the margin and an index of the actuators."""
 
 
 class Slice(Protocol):
     """The poses of a map: its `axes`, and `rest`, what the other coordinates are, in words.
 
-    `title` and `unit` are those of the mechanism, `actuators` the names of its legs or actuators; `home` is the given
-    pose in the axes' coordinates (not a number where it is not in the slice), `moved` whether it is another one than
-    that of the file.
+    `title` and `unit` are those of the mechanism, `actuators` the names of its legs or actuators, `angles_driven` which
+    of these turn; `home` is the given pose in the axes' coordinates (not a number where it is not in the slice),
+    `moved` whether it is another one than that of the file.
     """
 
     @property
@@ -59,6 +65,8 @@ class Slice(Protocol):
     @property
     def moved(self) -> bool: ...
     @property
+    def angles_driven(self) -> tuple[bool, ...]: ...
+    @property
     def notes(self) -> tuple[str, ...]: ...
 
     def coordinates(self, nodes: NDArray[Any]) -> Floats:
@@ -71,10 +79,10 @@ class Slice(Protocol):
 class MapTask(Protocol):
     """What is computed over a slice, in chunks of whole layers along the first axis.
 
-    `measure` is margin or value; `limits` are those of legs or actuators; `factors` are the exact ones of the condition
-    on the slice, None where it is no polynomial; `everywhere` says that every pose is singular; `names` are the arrays
-    of each chunk; zeros are brought nearer by so many `halvings`; `accuracy` says how curves are found, `guard` what a
-    margin guarantees.
+    `measure` is margin, value, or an index of the actuators; `limits` are those of legs or actuators; `factors` are the
+    exact ones of the condition on the slice, None where it is no polynomial; `everywhere` says that every pose is
+    singular; `names` are the arrays of each chunk; zeros are brought nearer by so many `halvings`; `accuracy` says how
+    curves are found, `guard` what a margin guarantees.
     """
 
     @property

@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.version import __version__
+from gcrules.mechanisms.kinematics.actuations import amplified_by_legs
+from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.compiling.compiled import CompiledCondition
 from gcrules.poses.maps.cells import CROSSED, FREE, UNDECIDED, certified
 from gcrules.poses.maps.grid import Grid
@@ -39,8 +41,8 @@ _BATCH = 20_000  # poses whose Jacobians are in memory at once
 
 @dataclass(frozen=True, eq=False)
 class LegsTask(HoldsArrays):
-    """A `MapTask` of a platform on six legs: `measure` is margin (everything) or value (the superbracket, and what the
-    limits need).
+    """A `MapTask` of a platform on six legs: `measure` is value (the superbracket, and what the limits need), margin
+    (everything), or an index of the legs' rates, which comes on top.
 
     `factors` are those of the superbracket where all axes are translations, else None; `everywhere` says that it is
     exactly 0 in all poses of the slice.
@@ -58,13 +60,22 @@ class LegsTask(HoldsArrays):
     @property
     def names(self) -> tuple[str, ...]:
         """The arrays of each chunk."""
-        full = ("margin", "leg_length") if self.measure == "margin" else ()
-        return ("superbracket", *full, *(("allowed",) if self.limits else ()), "cell_status")
+        full = () if self._quick else ("margin", "leg_length")
+        return (
+            *("superbracket", *full),
+            *(("allowed",) if self.limits else ()),
+            *((self.measure,) if self.measure in INDICES else ()),
+            "cell_status",
+        )
+
+    @property
+    def _quick(self) -> bool:
+        return self.measure == "value"
 
     @property
     def layers(self) -> int:
         """Layers of a chunk; the margin takes long, so its chunks are smaller."""
-        poses = _POSES // 4 if self.measure == "margin" else _POSES
+        poses = _POSES if self._quick else _POSES // 4
         return max(1, poses // math.prod(self.grid.shape[1:]))
 
     @property
@@ -138,13 +149,15 @@ class LegsTask(HoldsArrays):
             return f"every pose is singular: the superbracket is exactly 0 in {MEMBERS} random poses of the slice"
         if self.everywhere:
             return "the superbracket is the zero polynomial on this slice, exactly: every pose is singular"
-        if self.factors is None and self.measure == "value":
+        if self.factors is None and self._quick:
             return f"none: {crossed:,} cells are crossed by a change of sign; --measure margin proves others free"
         if self.factors is not None:
             how = "the superbracket is an exact polynomial there, its Bernstein coefficients show its signs"
         else:
             how = "by bounds of the legs' coordinates around their middles"
         left = f"{crossed:,} crossed, {undecided:,} undecided"
+        if not crossed + undecided:
+            return f"no pose of the slice is singular: all {free:,} cells are proved free: {how}"
         return (
             f"every singular pose of the slice lies in the {crossed + undecided:,} cells that are not free ({left}); "
             + (f"{free:,} cells are proved free: {how}")
@@ -177,12 +190,14 @@ class LegsTask(HoldsArrays):
         stop = min(last + 1, self.grid.shape[0])  # one layer more: the cells between it and the chunk belong here
         values = self._superbracket(first, stop)
         found: dict[str, NDArray[Any]] = {"superbracket": values[: last - first]}
-        if self.measure == "margin" or self.limits:
-            lengths, sigma = self._legs(first, last)
+        if not self._quick or self.limits:
+            lengths, sigma, index = self._legs(first, last)
             if self.limits:
                 found["allowed"] = self.limits.allow(lengths).astype(np.uint8).reshape(-1, *inner)
-            if self.measure == "margin":
+            if not self._quick:
                 found["leg_length"] = lengths.astype(np.float32).reshape(-1, *inner, 6)
+                if self.measure in INDICES:
+                    found[self.measure] = index.astype(np.float32).reshape(-1, *inner)
                 found["margin"] = sigma.astype(np.float32).reshape(-1, *inner)
         found["cell_status"] = self._cells(first, values)
         return {name: found[name] for name in self.names}
@@ -200,21 +215,25 @@ class LegsTask(HoldsArrays):
         index = np.unravel_index(np.arange(start, start + number), self.grid.shape)
         return np.stack(index, axis=1).astype(np.float64)
 
-    def _legs(self, first: int, last: int) -> tuple[Floats, Floats]:
-        """Lengths (N, 6) and σ (N,), which is 0 where a leg has no length."""
+    def _legs(self, first: int, last: int) -> tuple[Floats, Floats, Floats]:
+        """Lengths (N, 6), σ (N,), which is 0 where a leg has no length, and the index, not a number there."""
         g, inner = self.grid, math.prod(self.grid.shape[1:])
         number = (last - first) * inner
-        lengths, sigma = np.empty((number, 6)), np.zeros(number)
+        lengths, sigma, index = np.empty((number, 6)), np.zeros(number), np.full(number, np.nan)
         for start in range(0, number, _BATCH):
             checkpoint()
             part = slice(start, min(start + _BATCH, number))
-            ends = g.ends(g.coordinates(self._places(first * inner + start, part.stop - start)))
+            at = g.coordinates(self._places(first * inner + start, part.stop - start))
+            ends = g.ends(at)
             lengths[part] = np.linalg.norm(ends - g.rig.base, axis=2)
             whole = (lengths[part] > ROUNDING * g.rig.size).all(axis=1)
-            if self.measure == "margin" and whole.any():
+            if not self._quick and whole.any():
                 sigma[part][whole] = jacobian(g.rig.base, ends[whole]).sigma
+            if self.measure in INDICES:
+                every = amplified_by_legs(g.rig.base, ends, g.centres(at))
+                index[part] = INDICES[self.measure].of(every)
         sigma[sigma < _ROUNDING] = 0.0
-        return lengths, sigma
+        return lengths, sigma, index
 
     def _cells(self, first: int, values: Floats) -> NDArray[np.uint8]:
         shape = tuple(n - 1 for n in values.shape)
@@ -231,7 +250,7 @@ class LegsTask(HoldsArrays):
             low = np.minimum(low.take(one, axis), low.take(other, axis))
             high = np.maximum(high.take(one, axis), high.take(other, axis))
         found = np.where((low <= 0) & (high >= 0), np.uint8(CROSSED), np.uint8(UNDECIDED))
-        if self.measure == "value":  # quick, but nothing is proved
+        if self._quick:  # , but nothing is proved
             return found
         unsure = np.argwhere(found == UNDECIDED)
         free = regular_cells(self.grid, unsure + np.array([first, *[0] * (len(shape) - 1)]))

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
+from gcrules.mechanisms.kinematics.actuations import amplified_by_legs
+from gcrules.mechanisms.kinematics.amplification import Amplifications
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.incidence_measures import IncidenceMeasure, readings
 from gcrules.rules.condition import Condition
@@ -32,8 +34,8 @@ CHUNK = 20_000
 
 @dataclass(frozen=True, eq=False)
 class PoseNumbers(HoldsArrays, Shown):
-    """Arrays over N poses, shape (N,); the names and units are those of `PoseReport`. `readings` hold arrays too;
-    `notes` say what was changed on reading.
+    """Arrays over N poses, shape (N,); the names and units are those of `PoseReport`. `readings` hold arrays
+    too, and `amplifications` what the legs make of their rates; `notes` say what was changed on reading.
 
     These are floats: a pose is called singular where `margin` is 0 within their rounding.
     """
@@ -48,6 +50,7 @@ class PoseNumbers(HoldsArrays, Shown):
     smallest_singular_value: Floats
     condition_number: Floats
     verdict: NDArray[np.str_]
+    amplifications: Amplifications
     readings: tuple[IncidenceMeasure, ...]
     radius: float
     unit: str
@@ -65,6 +68,7 @@ class PoseNumbers(HoldsArrays, Shown):
             "characteristic_length": self.radius,
             **{name: _finite(getattr(self, name)) for name in names},
             "verdict": self.verdict.tolist(),
+            **self.amplifications.to_json(),
             "readings": [
                 {"part": r.part, "name": r.name, "values": _finite(np.where(r.valid, r.values, np.nan))}
                 for r in self.readings
@@ -130,7 +134,8 @@ def _joined(parts: Sequence[PoseNumbers]) -> PoseNumbers:
         for same in zip(*(p.readings for p in parts), strict=True)
     )
     notes = tuple(dict.fromkeys(note for p in parts for note in p.notes))
-    return replace(first, readings=joined, notes=notes, **arrays)
+    every = Amplifications.together([p.amplifications for p in parts])
+    return replace(first, amplifications=every, readings=joined, notes=notes, **arrays)
 
 
 def scaled_superbracket(moving: MovingPlatform, j: LegJacobians) -> Floats:
@@ -165,6 +170,7 @@ def _numbers(
         smallest_singular_value=j.singular_values[:, 5],
         condition_number=j.condition_number,
         verdict=np.array(VERDICTS)[rank(j.sigma, floor, spread, margin_of(angle))],
+        amplifications=amplified_by_legs(rig.base, ends, poses[0] + rig.centre_of_turns),
         readings=readings(conditions, homogeneous(rig, *poses)),
         radius=j.radius,
         unit=rig.unit,

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
+from gcrules.mechanisms.kinematics.amplification import index_columns
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.many import PoseNumbers
 from gcrules.poses.numbers.motion import Dependence
@@ -147,10 +148,12 @@ class PathReport(HoldsArrays, Shown):
             *(f"superbracket{f' [{self.rig.unit}^9]' if u else ''}", "margin", "free turn [rad]", f"free shift{u}"),
             *("smallest singular value", "condition number"),
             *(f"{r.name} of {r.part}{u if r.power else ''}" for r in n.readings),
+            *index_columns(n.amplifications, self.rig.unit),
             *("verdict", "zero"),
         ]
         columns: list[Floats] = [n.value, n.margin, n.turn, n.shift, n.smallest_singular_value, n.condition_number]
         columns += [np.where(r.valid, r.values, np.nan) for r in n.readings]
+        columns += n.amplifications.indices.values()
         numbers = np.column_stack([self.parameters, self.translations, self.quaternions, *columns])
         for row, verdict, kind in zip(numbers.tolist(), n.verdict.tolist(), self.kinds(), strict=True):
             yield [*("" if x != x else repr(x + 0.0).removesuffix(".0") for x in row), verdict, kind]

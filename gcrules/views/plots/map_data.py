@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.maps.task import KINDS
@@ -142,6 +143,9 @@ def _variables(m: SingularMap) -> dict[str, Variable]:
             "comment": m.guarantee,
         },
     }
+    for name in set(INDICES) & set(m.arrays):
+        own = INDICES[name].unit(unit, m.grid.angles_driven)
+        about[name] = {"long_name": INDICES[name].meaning, "units": own or "1"}
     dims = {name: (*names, dimension) for name, (dimension, _) in _DIMENSIONS.items()}
     dims["cell_status"] = tuple(f"{n}_cell" for n in names)
     return {name: Variable(dims.get(name, names), about[name]) for name in m.arrays}

@@ -20,12 +20,13 @@ from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
+from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.maps.cells import CROSSED, UNDECIDED
 from gcrules.poses.maps.report import SingularMap
 from gcrules.views.drawing.palette import LIGHT
 from gcrules.views.plots.map_surface import views
 
-__all__ = ["figure", "picture"]
+__all__ = ["figure", "framed", "picture"]
 
 Floats = NDArray[np.float64]
 
@@ -48,10 +49,24 @@ _SIGMA = LinearSegmentedColormap.from_list("margin", ["#08306B", "#2F74B5", "#7F
 _BELOW, _ABOVE = "#F6E3D3", "#D8E6F2"
 _WIDTH = 6.3  # inches
 _MOST = 500  # nodes of each axis that are drawn
+_FAR = 8.0
 
 
 def picture(m: SingularMap, kind: str) -> bytes:
     """The bytes of a picture: svg, pdf or png."""
+    return _saved(m, kind)[0]
+
+
+def framed(m: SingularMap) -> tuple[bytes, tuple[float, float, float, float]]:
+    """The picture of a map over two coordinates as SVG, and where the axes are in it: left and right as parts of its
+    width, top and bottom of its height.
+    """
+    found, made = _saved(m, "svg")
+    box = made.axes[0].get_position()
+    return found, (float(box.x0), float(box.x1), float(1 - box.y1), float(1 - box.y0))
+
+
+def _saved(m: SingularMap, kind: str) -> tuple[bytes, Figure]:
     out = BytesIO()
     with _SETTING, matplotlib.rc_context(_SETTINGS):
         made = figure(m)
@@ -62,7 +77,7 @@ def picture(m: SingularMap, kind: str) -> bytes:
             "png": {"Title": title},
         }
         made.savefig(out, format=kind, dpi=200, metadata=metadata[kind])
-    return out.getvalue()
+    return out.getvalue(), made
 
 
 def figure(m: SingularMap) -> Figure:
@@ -81,7 +96,9 @@ def _flat(m: SingularMap) -> Figure:
     x, y, step = _places(m)
     extent = (float(first.start), float(first.stop), float(second.start), float(second.stop))
     handles: list[Any] = []
-    if "margin" in m.arrays:
+    if m.task.measure in INDICES:
+        _index(m, made, axes, x, y, m.values(m.task.measure)[:: step[0], :: step[1]].astype(np.float64))
+    elif "margin" in m.arrays:
         _margin(m, made, axes, x, y, m.values("margin")[:: step[0], :: step[1]].astype(np.float64), handles)
     else:
         values = m.values("superbracket")[:: step[0], :: step[1]]
@@ -143,27 +160,71 @@ def _places(m: SingularMap) -> tuple[Floats, Floats, list[int]]:
 def _margin(m: SingularMap, made: Figure, axes: Any, x: Floats, y: Floats, sigma: Floats, handles: list[Any]) -> None:
     top = float(np.nanmax(sigma, initial=0.0))
     bounds = _bounds(top)
-    norm = BoundaryNorm(bounds, _SIGMA.N)
+    _field(made, axes, x, y, sigma, bounds, _SIGMA, "margin σ (0 is singular)")
+    if float(np.nanmin(sigma, initial=1.0)) < m.sigma < top:
+        rim: Any = {"path_effects": [withStroke(linewidth=2.0, foreground=_INK)]}
+        lines = axes.contour(x, y, sigma.T, levels=[m.sigma], colors=[_YELLOW], linewidths=1.0, zorder=3)
+        lines.set(**rim)
+        handles.append(Line2D([], [], color=_YELLOW, lw=1.0, label=f"threshold {m.threshold.text}", **rim))
+
+
+def _index(m: SingularMap, made: Figure, axes: Any, x: Floats, y: Floats, values: Floats) -> None:
+    """An index of the actuators, dark where it is bad; values beyond the bands have the colour of the last one."""
+    index = INDICES[m.task.measure]
+    shown = np.where(np.isfinite(values), values, np.nan)
+    low, high = np.nanpercentile(shown, [2, 98]) if np.isfinite(values).any() else (0.0, 1.0)
+    bounds = _bands(float(low), float(high))
+    unit = index.unit(m.grid.unit, m.grid.angles_driven)
+    label = f"{m.task.measure.replace('_', ' ')}{f' ({unit})' if unit else ''}"
+    colours = _SIGMA if index.small else _SIGMA.reversed()
+    beyond = 2 * bounds[-1] if not index.small else bounds[0] / 2
+    _field(made, axes, x, y, np.where(np.isinf(values), beyond, values), bounds, colours, label)
+
+
+def _bands(low: float, high: float) -> list[float]:
+    """Round values around these two: ten bands or so, or 1, 2, 5, 10 … where they are far apart."""
+    if low > 0 and high > _FAR * low:
+        steps = [
+            k * 10.0**p
+            for p in range(*(int(np.floor(np.log10(x))) + n for x, n in ((low, 0), (high, 2))))
+            for k in (1, 2, 5)
+        ]
+        first, last = sum(s <= low for s in steps) - 1, sum(s < high for s in steps)
+        return steps[first : last + 1]
+    width = max(high - low, 1e-9 * max(abs(low), abs(high)), 1e-300) / 8
+    power = 10.0 ** np.floor(np.log10(width))
+    step = next(float(k * power) for k in (1, 2, 5, 10) if k * power >= width)
+    first, last = int(np.floor(low / step)), int(np.ceil(high / step))
+    return [k * step for k in range(first, max(last, first + 1) + 1)]
+
+
+def _field(
+    made: Figure,
+    axes: Any,
+    x: Floats,
+    y: Floats,
+    values: Floats,
+    bounds: list[float],
+    colours: LinearSegmentedColormap,
+    label: str,
+) -> None:
+    """Bands of colour between the bounds, with the bar that says what they are."""
+    norm = BoundaryNorm(bounds, colours.N)
     dx, dy = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
     image = axes.imshow(
-        sigma.T,
+        values.T,
         origin="lower",
         extent=(x[0] - dx, x[-1] + dx, y[0] - dy, y[-1] + dy),
-        cmap=_SIGMA,
+        cmap=colours,
         norm=norm,
         interpolation="bilinear",
         interpolation_stage="data",
         aspect="auto",
         zorder=1,
     )
-    axes.contour(x, y, sigma.T, levels=bounds[1:-1], colors="white", linewidths=0.35, alpha=0.7, zorder=2)
-    if float(np.nanmin(sigma, initial=1.0)) < m.sigma < top:
-        rim: Any = {"path_effects": [withStroke(linewidth=2.0, foreground=_INK)]}
-        lines = axes.contour(x, y, sigma.T, levels=[m.sigma], colors=[_YELLOW], linewidths=1.0, zorder=3)
-        lines.set(**rim)
-        handles.append(Line2D([], [], color=_YELLOW, lw=1.0, label=f"threshold {m.threshold.text}", **rim))
+    axes.contour(x, y, values.T, levels=bounds[1:-1] or bounds, colors="white", linewidths=0.35, alpha=0.7, zorder=2)
     bar = made.colorbar(image, ax=axes, pad=0.02, fraction=0.05, aspect=28, ticks=bounds, format="%g")
-    bar.set_label("margin σ (0 is singular)")
+    bar.set_label(label)
     bar.outline.set_linewidth(0.6)
     bar.ax.tick_params(length=2.5, width=0.6)
 

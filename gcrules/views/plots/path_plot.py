@@ -20,12 +20,15 @@ from gcrules.screws.margin import jacobian
 from gcrules.screws.threshold import Threshold, margin_of
 from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, text_width
 
-__all__ = ["plot", "plot_of_robot", "svg", "svg_of_robot"]
+__all__ = ["FRAME", "plot", "plot_of_robot", "svg", "svg_of_robot"]
 
 Floats = NDArray[np.float64]
 
 WIDTH, LEFT, RIGHT = 560.0, 62.0, 18.0
 _TOP, _UPPER, _GAP, _LOWER, _BOTTOM = 34.0, 170.0, 40.0, 110.0, 74.0
+_FLOOR = _TOP + _UPPER + _GAP + _LOWER
+FRAME = LEFT / WIDTH, 1 - RIGHT / WIDTH, _TOP / (_FLOOR + _BOTTOM), _FLOOR / (_FLOOR + _BOTTOM)
+"""Where the axes are in the plot: left and right as parts of its width, top and bottom of its height."""
 _MOST = 600  # points of a curve; of more, the least and the largest of every group are drawn
 _SIZE = 11.0
 
@@ -107,8 +110,7 @@ def _drawn(p: _Plot) -> Drawing:
     sigma = _Axis(0, _up(max(float(p.margins.max(initial=0)), 1e-9)), _TOP + _UPPER, _TOP)
     label, value = p.other
     low, high = (math.copysign(_up(abs(v)), v) if v else 0.0 for v in (value.min(initial=0), value.max(initial=0)))
-    floor = _TOP + _UPPER + _GAP + _LOWER
-    other = _Axis(low, high, floor, floor - _LOWER) if low < high else _Axis(-1, 1, floor, floor - _LOWER)
+    other = _Axis(low, high, _FLOOR, _FLOOR - _LOWER) if low < high else _Axis(-1, 1, _FLOOR, _FLOOR - _LOWER)
     shapes: list[Shape] = []
     for start, end in p.blocks:
         for axis in (sigma, other):
@@ -131,8 +133,8 @@ def _drawn(p: _Plot) -> Drawing:
         height = float(np.interp(place, p.places, value))
         shapes += [_marker(kind, (x(place), sigma(0))), _marker(kind, (x(place), other(height)))]
     shapes += _numbers([place for place, _ in p.zeros], x, sigma.end - 6)
-    shapes += _legend(p, floor + 58)
-    return Drawing(WIDTH, floor + _BOTTOM, tuple(shapes), p.title)
+    shapes += _legend(p, _FLOOR + 58)
+    return Drawing(WIDTH, _FLOOR + _BOTTOM, tuple(shapes), p.title)
 
 
 def _determinant(r: PathReport) -> Floats:

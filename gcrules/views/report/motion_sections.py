@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from html import escape
 
 from gcrules.core.deferred import deferred
+from gcrules.core.english import as_sentence
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.paths.report import PathReport
@@ -43,19 +44,15 @@ def _places(a: PathAccount) -> str:
 
 def _place(number: int, p: PathPlace) -> str:
     pose = f'<p class="at"><code>{escape(p.pose)}</code></p>'
-    sure = f'<p class="sure">{escape(_sentence(p.sure))}</p>' if p.sure else ""
-    words = _paragraphs(_sentence(p.kind), *p.causes, *p.motions)
+    sure = f'<p class="sure">{escape(as_sentence(p.sure))}</p>' if p.sure else ""
+    words = _paragraphs(as_sentence(p.kind), *p.causes, *p.motions)
     return f"<tr><th>{number}</th><td>{p.parameter:.6g}{escape(p.exactly)}</td><td>{pose}{words}{sure}</td></tr>"
 
 
 def _stretch(s: PathStretch) -> str:
-    words = _paragraphs(_sentence(s.words), *s.causes, *s.motions)
+    words = _paragraphs(as_sentence(s.words), *s.causes, *s.motions)
     place = f"{s.start:.6g} to {s.end:.6g}" if s.end > s.start else f"{s.start:.6g}"
     return f"<tr><th>–</th><td>{place}</td><td>{words}</td></tr>"
-
-
-def _sentence(words: str) -> str:
-    return f"{words[:1].upper()}{words[1:]}."
 
 
 def _paragraphs(*words: str) -> str:
@@ -66,7 +63,7 @@ def map_html(m: SingularMap) -> str:
     """The picture, the sentence that says what is proved, and what was computed."""
     over = " and ".join(a.name for a in m.grid.axes)
     facts = [row for row in account(m) if row[0] != "proof"]
-    proof = f'<p class="proof">{escape(_sentence(m.guarantee))}</p>'
+    proof = f'<p class="proof">{escape(as_sentence(m.guarantee))}</p>'
     head = f"<h2>Map over {escape(over)}</h2>"
     return f'<section class="motion">{head}{proof}{_picture(m)}{_facts(facts)}</section>'
 

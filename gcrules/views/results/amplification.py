@@ -5,13 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from gcrules.mechanisms.kinematics.amplification import Amplification
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.mechanisms.kinematics.amplification import INDICES, Amplification, Amplifications
 from gcrules.views.formulas.latex_text import latex_quantity
 from gcrules.views.text_tables import columns
 
-__all__ = ["amplification_lines", "amplification_rows", "conditioning", "conditioning_rows"]
+__all__ = ["amplification_lines", "amplification_rows", "conditioning", "conditioning_rows", "index_ranges"]
 
 _NOTHING = 1e-12
+_SINGULAR = 1e-7  # isotropies below, as of a zero that is known up to rounding
+_ALONG = ("isotropy", "speed", "turn")
 
 
 def conditioning(a: Amplification, unit: str) -> str:
@@ -38,6 +43,19 @@ def amplification_rows(a: Amplification, unit: str) -> Iterator[tuple[str, str, 
         units = (f" {length}/rad", "") if angle else ("", f" rad/{length}")
         speeds, turns = (_number(x) + u * math.isfinite(x) for x, u in zip((speed, turn), units, strict=True))
         yield name, speeds, turns
+
+
+def index_ranges(a: Amplifications, parameters: NDArray[np.float64], unit: str) -> Iterator[tuple[str, str]]:
+    """The worst isotropy, speed and turn of the samples, and at which parameter; nothing where one is singular."""
+    if not a.isotropy.min(initial=1.0) > _SINGULAR:
+        return
+    for name in (n for n in _ALONG if n in a.indices):
+        index, values = INDICES[name], a.indices[name]
+        worst = int(values.argmin() if index.small else values.argmax())
+        if values[worst]:
+            number = f"{_number(float(values[worst]))} {index.unit(unit, a.angles)}".rstrip()
+            end = "least" if index.small else "largest"
+            yield name, f"{number} at parameter {parameters[worst]:.4g}, the {end} of the samples"
 
 
 def conditioning_rows(a: Amplification, unit: str) -> Iterator[tuple[str, str]]:

@@ -2,9 +2,11 @@ r"""A map as plain text, as LaTeX and as a picture: what was computed, what is s
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from gcrules.core.deferred import deferred
+from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.maps.report import SingularMap
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.text_tables import ASCII, table
@@ -44,9 +46,22 @@ def account(m: SingularMap) -> list[tuple[str, str]]:
         at = ", ".join(f"{a.name} = {c:.6g}" for a, c in zip(g.axes, m.summary.place, strict=True))
         rows.append(("close", f"{_share(m.summary.close, m.summary.allowed)} of them (threshold {m.threshold.text})"))
         rows.append(("least", f"margin σ = {m.summary.margin:.4g} at the node {at}"))
+    if m.summary.index:
+        rows.append((m.task.measure.replace("_", " "), _index(m)))
     rows += list(_found(m))
     rows.append(("proof", m.guarantee + "."))
     return [*rows, *(("note", note) for note in m.notes)]
+
+
+def _index(m: SingularMap) -> str:
+    """ "isotropy of the actuators: from 0.1 at x = 2 to 0.9 at x = 0"."""
+    index, unit = INDICES[m.task.measure], INDICES[m.task.measure].unit(m.grid.unit, m.grid.angles_driven)
+    ends = []
+    for value, place in m.summary.index:
+        at = ", ".join(f"{a.name} = {c:.6g}" for a, c in zip(m.grid.axes, place, strict=True))
+        shown = "infinite" if math.isinf(value) else f"{value:.4g} {unit}".rstrip()
+        ends.append(f"{shown} at {at}")
+    return f"{index.meaning}: from {ends[0]} to {ends[1]}"
 
 
 def _found(m: SingularMap) -> Iterator[tuple[str, str]]:

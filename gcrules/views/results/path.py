@@ -11,6 +11,7 @@ from gcrules.poses.paths.zeros import Stretch
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import degrees, turn_of
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.results.amplification import index_ranges
 from gcrules.views.results.path_account import (
     PathAccount,
     PathPlace,
@@ -44,6 +45,7 @@ def account(r: PathReport) -> PathAccount:
         ("centre", _centre(r)),
         *_least(r),
         ("values", f"at {_count(len(r), 'sample')}: {listed_verdicts(r.numbers.verdict.tolist())}"),
+        *index_ranges(r.numbers.amplifications, r.parameters, r.rig.unit),
         ("proof", _proof(r)),
         *(("note", note) for note in r.notes),
     ]

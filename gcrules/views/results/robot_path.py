@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from gcrules.core.english import agreeing
+from gcrules.core.english import agreeing, as_sentence
 from gcrules.poses.limbs.path_report import Crossing, RobotPath
 from gcrules.screws.pose_text import ANGLES
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.results.amplification import index_ranges
 from gcrules.views.results.path_account import (
     PathAccount,
     PathPlace,
@@ -34,6 +35,7 @@ def account(r: RobotPath) -> PathAccount:
         ("between", f"{agreeing(r.names, 'grows', 'grow')} evenly"),
         *_closest(r),
         ("values", f"at {len(r):,} samples: {listed_verdicts(r.verdicts.tolist())}"),
+        *index_ranges(r.amplifications, r.parameters, ""),
         ("branch", _branch(r)),
         ("proof", _PROOF),
         *(("note", note) for note in r.notes),
@@ -67,7 +69,7 @@ def _crossing(r: RobotPath, c: Crossing) -> PathPlace:
         "",
         "crosses: the determinant of all wrenches changes its sign",
         _place(r, c),
-        tuple(f"{cause[:1].upper()}{cause[1:]}." for cause in c.causes),
+        tuple(map(as_sentence, c.causes)),
         (f"Gained motion: the platform can {c.motion.text()}.",),
         f"proved: an odd number of singular places lies between parameter {c.first:.7g} and {c.last:.7g}",
     )

@@ -75,12 +75,33 @@ def _pose(rng: Random) -> Any:
     )
 
 
+def _range(rng: Random) -> str:
+    name = rng.choice(("x", "y", "z", "yaw", "rx", "zyx1", "tilt", "q1", "q2", "w", ""))
+    ends = rng.choice(("-1:1", "1:-1", "0:0", "nan:1", "-1e9:1e9", "0:1/3", "a:b"))
+    return f"{name} {ends}:{rng.choice((2, 3, 5, 1, 0, 10**6))}{rng.choice(('', ' deg', ' rad', ' mm'))}"
+
+
 def _message(rng: Random, number: int) -> str:
     known = rng.choice(("ab af cb cd ed ef", "Aa Ab Bc Bd Ce Cf"))
     cheap = {"kind": "legs", "legs": known} if rng.random() < 0.6 else _source(rng)
     do = rng.choices(
-        ("hello", "gallery", "open", "pose", "along", "manual", "bench", "compose", "save", "cancel", "x"),
-        (1, 0.02, 1.5, 5, 2, 2, 5, 2, 1.5, 1, 0.5),
+        (
+            "hello",
+            "gallery",
+            "open",
+            "pose",
+            "along",
+            "path",
+            "map",
+            "place",
+            "manual",
+            "bench",
+            "compose",
+            "save",
+            "cancel",
+            "x",
+        ),
+        (1, 0.02, 1.5, 5, 2, 0.5, 0.5, 0.5, 2, 5, 2, 1.5, 1, 0.5),
     )[0]
     args: dict[str, Any] = {}
     match do:
@@ -90,6 +111,15 @@ def _message(rng: Random, number: int) -> str:
             args = {"source": cheap, "pose": _pose(rng)}
         case "along":
             args = {"source": cheap, "poses": [_pose(rng) for _ in range(rng.randint(0, 3))]}
+        case "path":
+            to = rng.choice(("z=0.1", "x=0.1, y=0, yaw=20deg", "home", "x=nan", "x", "1 2 3", "z=1e400", "q1=1"))
+            args = {"source": cheap, "goal": _pose(rng), "start": _pose(rng), "to": to}
+            for name in rng.sample(("start", "to"), rng.randint(0, 2)):
+                del args[name]
+        case "map" | "place":
+            args = {"source": cheap, "over": [_range(rng), _range(rng)], "pose": _pose(rng)}
+            if do == "place":
+                args["place"] = [rng.choice((0, 0.5, -1, 1e9)) for _ in range(2)]
         case "manual":
             words = ("plane abc", "plane abd", "auto", "undo", "x", "shortest", "hint", "condition [abcd]", "form 16")
             args = {"source": cheap, "commands": [rng.choice(words) for _ in range(rng.randint(0, 3))]}
@@ -113,7 +143,7 @@ def _message(rng: Random, number: int) -> str:
             }
         case "cancel":
             args = {"target": rng.randint(0, 4)}
-    if rng.random() < 0.1 and do in ("pose", "along", "save"):
+    if rng.random() < 0.1 and do in ("pose", "along", "path", "map", "save"):
         args["threshold"] = rng.choice(("1 deg", "x", "5 mm", "-1 deg", 3))
     message: Any = {"id": number, "do": do, "args": args}
     if rng.random() < 0.15:

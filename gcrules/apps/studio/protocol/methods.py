@@ -13,6 +13,7 @@ from typing import Any, Literal
 from gcrules.apps.studio.protocol import answer_views as answers
 from gcrules.apps.studio.protocol import requests
 from gcrules.apps.studio.protocol.checking import Check
+from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
 
@@ -46,6 +47,9 @@ METHODS: Mapping[str, Method] = {
     "pose": Method(requests.PoseArgs, answers.Numbers, where="numbers"),
     "along": Method(requests.AlongArgs, answers.Along),
     "nearest": Method(requests.PoseArgs, answers.Nearest, seconds=120),
+    "path": Method(requests.PathArgs, PathAnswer, seconds=300),
+    "map": Method(requests.MapArgs, MapAnswer, seconds=600),
+    "place": Method(requests.PlaceArgs, PlacedPose),
     "manual": Method(requests.ManualArgs, answers.Manual),
     "bench": Method(requests.BenchArgs, answers.Bench, seconds=30),
     "compose": Method(requests.ComposeArgs, answers.Composed),

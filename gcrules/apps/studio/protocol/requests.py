@@ -28,8 +28,11 @@ __all__ = [
     "Format",
     "LegsSource",
     "ManualArgs",
+    "MapArgs",
     "NoArgs",
     "OpenArgs",
+    "PathArgs",
+    "PlaceArgs",
     "PoseArgs",
     "PoseJson",
     "Quaternion",
@@ -53,6 +56,7 @@ _Point = Annotated[str, text(40)]
 _Coordinate = Annotated[float, number(-FARTHEST, FARTHEST)]
 _Vector = Annotated[list[_Coordinate], EntryCount(3, 3)]
 _Threshold = Annotated[str, text(40)]
+_Ranges = Annotated[list[Annotated[str, text(100)]], EntryCount(2, 2)]
 
 
 # --- what is studied -----------------------------------------------------------------------------------------------
@@ -149,6 +153,37 @@ class AlongArgs(TypedDict):
     threshold: NotRequired[_Threshold]
 
 
+class PathArgs(TypedDict):
+    """From `start` (home without it) to `goal`, or to the pose that the text `to` names."""
+
+    source: SourceJson
+    start: NotRequired[PoseJson]
+    goal: PoseJson
+    to: NotRequired[Annotated[str, text(400)]]
+    threshold: NotRequired[_Threshold]
+
+
+class MapArgs(TypedDict):
+    """Over two coordinates with their ranges ("x -1:1:21"), the others as they are at the pose. The bands of its
+    picture are the `measure`, one of those of the study; the margin, where none is asked for.
+    """
+
+    source: SourceJson
+    over: _Ranges
+    pose: PoseJson
+    threshold: NotRequired[_Threshold]
+    measure: NotRequired[Annotated[str, text(20)]]
+
+
+class PlaceArgs(TypedDict):
+    """The pose at a place of that map, in the units of its axes."""
+
+    source: SourceJson
+    over: _Ranges
+    pose: PoseJson
+    place: Annotated[list[_Coordinate], EntryCount(2, 2)]
+
+
 class ManualArgs(TypedDict):
     source: SourceJson
     commands: Annotated[list[Annotated[str, text(500)]], EntryCount(0, MOST_COMMANDS)]
@@ -164,7 +199,7 @@ class ComposeArgs(TypedDict):
     drawing: Sketch
 
 
-Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml"]
+Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml", "c", "cpp", "py", "rs"]
 
 
 class SaveArgs(PoseArgs):

@@ -26,6 +26,7 @@ __all__ = [
     "GalleryItem",
     "Hello",
     "Item",
+    "MeasureView",
     "Monomial",
     "MonomialsItem",
     "OrdersCount",
@@ -175,6 +176,12 @@ class StageView(TypedDict):
     items: list[Item]
 
 
+class MeasureView(TypedDict):
+    name: str
+    meaning: str
+    unit: str
+
+
 class Axis(TypedDict):
     name: str
     unit: str
@@ -241,6 +248,10 @@ class Study(TypedDict):
     """A length to scale sliders and the camera by."""
     axes: list[Axis]
     """Independent coordinates: six for a platform; those of the robot's mobility otherwise."""
+    ranges: list[Axis]
+    """Coordinates of its pose, then its actuators, over which it can be mapped, with ranges to begin with."""
+    measures: list[MeasureView]
+    """What the bands of such a map can be, the margin first."""
     entry: EntryView | None
     """The class of the catalog."""
     schematic: str

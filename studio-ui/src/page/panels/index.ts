@@ -19,6 +19,7 @@ import { Bench } from "./bench";
 import { Draw } from "./draw";
 import { Guided } from "./guided";
 import { ManualPanel } from "./manual";
+import { Motion } from "./motion";
 import { Start } from "./start";
 import { TakeAway } from "./take-away";
 
@@ -39,6 +40,7 @@ export const panels: readonly Panel[] = [
   { id: "start", title: "Start", icon: "start", component: Start, layout: "wide", needs: "nothing" },
   { id: "guided", title: "Steps", icon: "guided", component: Guided, layout: "beside", needs: "study" },
   { id: "manual", title: "By hand", icon: "manual", component: ManualPanel, layout: "beside", needs: "study" },
+  { id: "motion", title: "Path, map", icon: "map", component: Motion, layout: "beside", needs: "study" },
   { id: "bench", title: "Bench", icon: "bench", component: Bench, layout: "beside", needs: "nothing" },
   { id: "draw", title: "Draw", icon: "draw", component: Draw, layout: "wide", needs: "nothing" },
   { id: "take-away", title: "Take away", icon: "take-away", component: TakeAway, layout: "beside", needs: "study" },

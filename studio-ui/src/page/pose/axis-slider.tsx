@@ -28,6 +28,7 @@ export function AxisSlider({ name, label, unit, value, low, high, step, testid, 
       </span>
       <input
         type="range"
+        class="slider"
         min={least}
         max={most}
         step={step}

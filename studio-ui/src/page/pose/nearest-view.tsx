@@ -13,18 +13,18 @@ const LABELS: Record<string, string> = { translation: "translation", rotation: "
 /** Whether what was found still holds: at the pose it was sought from, at what was found, and on the way between. */
 export function isKnown(seeking: Seeking, pose: Pose, moves: boolean): boolean {
   if (seeking.state !== "found") return false;
-  return moves || [seeking.from, ...seeking.nearest.found.map((one) => one.pose)].some((known) => samePose(known, pose));
+  return moves || [seeking.asked.pose, ...seeking.result.found.map((one) => one.pose)].some((known) => samePose(known, pose));
 }
 
 export const lengthOf = ({ distance, unit }: Nearest["found"][number]): string =>
   `${short(distance, 3)}${unit === "deg" ? "°" : unit && ` ${unit}`}`;
 
 /** How far the search is, with a way to stop. */
-export function Seeks({ words, stop }: { words: string; stop(): void }) {
+export function Seeks({ words, stop, testid = "nearest-stop" }: { words: string; stop(): void; testid?: string }) {
   return (
     <p class="busy" role="status">
       <span class="spinner" aria-hidden="true" /> {words} …
-      <button type="button" class="quiet" onClick={stop} data-testid="nearest-stop">
+      <button type="button" class="quiet" onClick={stop} data-testid={testid}>
         Stop
       </button>
     </p>
@@ -36,7 +36,7 @@ export function NearestView() {
   const seeking = seeker.seeking.value;
   const known = useComputed(() => isKnown(seeker.seeking.value, pose$.value, moving.active.value)).value;
   const busy = seeking.state === "busy";
-  const nearest = known && seeking.state === "found" ? seeking.nearest : null;
+  const nearest = known && seeking.state === "found" ? seeking.result : null;
   const found = nearest?.found ?? [];
 
   async function toward(kind: string): Promise<void> {

@@ -9,7 +9,7 @@ export function SearchView() {
   const seeking = seeker.seeking.value;
   const known = useComputed(() => isKnown(seeker.seeking.value, pose$.value, moving.active.value)).value;
   const busy = seeking.state === "busy";
-  const nearest = known && seeking.state === "found" ? seeking.nearest : null;
+  const nearest = known && seeking.state === "found" ? seeking.result : null;
 
   async function search(): Promise<void> {
     const [first] = (await seeker.start())?.found ?? [];

@@ -1,7 +1,28 @@
 // What the user has made: everything that undo brings back and that the link in the address bar restores.
 import { THRESHOLD, type Pose, type Sketch, type Source, type StageId, type Vec3 } from "../../protocol";
 
-export type PanelId = "start" | "guided" | "manual" | "bench" | "draw" | "take-away";
+export type PanelId = "start" | "guided" | "manual" | "motion" | "bench" | "draw" | "take-away";
+
+/** A coordinate of a map with its range, in the unit of that coordinate. */
+export interface Range {
+  name: string;
+  low: number;
+  high: number;
+}
+
+/** What a path and a map are asked with. */
+export interface Tour {
+  /** Where the path begins; null for home. */
+  start: Pose | null;
+  /** Where it ends, in words; "" for the pose on show. */
+  to: string;
+  /** The coordinates of the map; null for the first ones of the robot. */
+  over: [Range, Range] | null;
+  /** Poses along each of them. */
+  nodes: number;
+  /** What the bands of the map are. */
+  measure: string;
+}
 
 export interface Doc {
   source: Source | null;
@@ -15,11 +36,19 @@ export interface Doc {
   commands: string[];
   /** Text of the expression bench. */
   bench: string;
+  tour: Tour;
   /** What is being drawn, if anything. */
   sketch: Sketch | null;
 }
 
 export const HOME: Pose = { translation: [0, 0, 0], quaternion: [1, 0, 0, 0] };
+
+/** Poses along each coordinate of a map, to choose from. */
+export const NODES: readonly number[] = [11, 17, 25, 41, 61, 81];
+
+export const MARGIN = "margin";
+
+export const TOUR: Tour = { start: null, to: "", over: null, nodes: 25, measure: MARGIN };
 
 export const EMPTY: Doc = {
   source: null,
@@ -29,6 +58,7 @@ export const EMPTY: Doc = {
   threshold: THRESHOLD,
   commands: [],
   bench: "",
+  tour: TOUR,
   sketch: null,
 };
 
@@ -45,8 +75,10 @@ export function samePose(a: Pose, b: Pose): boolean {
   return x.length === y.length && x.every((value, i) => Math.abs(value - (y[i] ?? NaN)) < 1e-12);
 }
 
-export const isHome = (pose: Pose): boolean =>
-  samePose({ ...pose, coordinates: [] }, { ...HOME, coordinates: [] }) && !pose.coordinates?.some((c) => c !== 0);
+/** Home, for a robot of the same number of actuators. */
+export const atHome = ({ coordinates }: Pose): Pose => (coordinates ? { ...HOME, coordinates: coordinates.map(() => 0) } : HOME);
+
+export const isHome = (pose: Pose): boolean => samePose(pose, atHome(pose));
 
 export function shifted(pose: Pose, axis: 0 | 1 | 2, value: number): Pose {
   const translation: Vec3 = [...pose.translation];

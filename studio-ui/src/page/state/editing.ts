@@ -1,6 +1,6 @@
 // The document as a signal, its changes, undo and redo, and its copy in the address bar.
 import { batch, computed, effect, signal, type ReadonlySignal } from "@preact/signals";
-import { HOME, sameSource, type Doc, type PanelId } from "./doc";
+import { HOME, TOUR, sameSource, type Doc, type PanelId } from "./doc";
 import { leave, plainFragment, readFragment, writeFragment } from "./fragment";
 import { begin, closed, moved, record, redone, undone, type History } from "./history";
 import type { Source, StageId } from "../../protocol";
@@ -32,6 +32,7 @@ function fieldsOf(doc: ReadonlySignal<Doc>): Fields {
     threshold$: computed(() => doc.value.threshold),
     commands$: computed(() => doc.value.commands),
     bench$: computed(() => doc.value.bench),
+    tour$: computed(() => doc.value.tour),
     sketch$: computed(() => doc.value.sketch),
   };
 }
@@ -57,7 +58,7 @@ export function createEditing(start: Doc): Editing {
     open(source, panel = "guided") {
       const same = sameSource(source, doc.peek().source);
       if (same) return editing.go({ panel });
-      edit({ source, pose: HOME, commands: [], panel, stage: null });
+      edit({ source, pose: HOME, commands: [], tour: TOUR, panel, stage: null });
     },
     undo: () => void (history.value = undone(history.peek())),
     redo: () => void (history.value = redone(history.peek())),

@@ -2,11 +2,11 @@
 import {
   FARTHEST, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, STAGE_IDS, type Pose, type Sketch, type Source, type Vec3,
 } from "../../protocol";
-import { EMPTY, HOME, type Doc, type PanelId } from "./doc";
+import { EMPTY, HOME, NODES, TOUR, type Doc, type PanelId, type Range, type Tour } from "./doc";
 
 type Loose = Record<string, unknown>;
 
-const PANELS: readonly PanelId[] = ["start", "guided", "manual", "bench", "draw", "take-away"];
+const PANELS: readonly PanelId[] = ["start", "guided", "manual", "motion", "bench", "draw", "take-away"];
 
 const isObject = (x: unknown): x is Loose => typeof x === "object" && x !== null && !Array.isArray(x);
 const isText = (x: unknown): x is string => typeof x === "string";
@@ -15,6 +15,7 @@ const listOf = <T>(is: (x: unknown) => x is T) => (x: unknown): x is T[] => Arra
 const isPlace = (x: unknown): x is number => isNumber(x) && Math.abs(x) <= FARTHEST;
 const isVec3 = (x: unknown): x is Vec3 => listOf(isPlace)(x) && x.length === 3;
 const isLeg = (x: unknown): x is [string, string] => listOf(isText)(x) && x.length === 2;
+const isRange = (x: unknown): x is Range => isObject(x) && isText(x.name) && isPlace(x.low) && isPlace(x.high);
 const among = <T extends string>(allowed: readonly T[]) => (x: unknown): x is T => allowed.some((a) => a === x);
 
 function readSource(x: unknown): Source | null {
@@ -56,6 +57,19 @@ function readSketch(x: unknown): Sketch | null {
   };
 }
 
+function readTour(x: unknown): Tour {
+  if (!isObject(x)) return TOUR;
+  const { start, to, over, nodes, measure } = x;
+  const [first, second] = listOf(isRange)(over) ? over : [];
+  return {
+    start: isObject(start) ? readPose(start) : null,
+    to: isText(to) ? to : "",
+    over: first && second ? [first, second] : null,
+    nodes: isNumber(nodes) && NODES.includes(nodes) ? nodes : TOUR.nodes,
+    measure: isText(measure) ? measure : TOUR.measure,
+  };
+}
+
 export function readDoc(x: unknown): Doc {
   if (!isObject(x)) return EMPTY;
   const source = readSource(x.source);
@@ -68,6 +82,7 @@ export function readDoc(x: unknown): Doc {
     threshold: isText(x.threshold) ? x.threshold : EMPTY.threshold,
     commands: listOf(isText)(x.commands) ? x.commands.slice(0, MOST_COMMANDS) : [],
     bench: isText(x.bench) ? x.bench : "",
+    tour: readTour(x.tour),
     sketch: readSketch(x.sketch),
   };
 }

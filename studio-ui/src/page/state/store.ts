@@ -11,6 +11,7 @@ import { createSeeker, type Seeker } from "./seeking";
 import { createSpace, type Space } from "./space";
 import { createStudying, type Studying } from "./studying";
 import { createTaste, type Taste } from "./taste";
+import { createTouring, type Touring } from "./touring";
 
 export interface Store extends Editing, Studying {
   /** Asks the server; see protocol.ts. */
@@ -19,6 +20,7 @@ export interface Store extends Editing, Studying {
   posing: Posing;
   moving: Moving;
   seeker: Seeker;
+  touring: Touring;
   lit: Lit;
   space: Space;
   taste: Taste;
@@ -41,6 +43,7 @@ export function createStore(client: Client, start: Doc): Store {
     posing,
     moving: createMoving(editing, posing),
     seeker: createSeeker(client, editing),
+    touring: createTouring(client, editing),
     lit: createLit(),
     space: createSpace(),
     taste: createTaste(),

@@ -38,6 +38,15 @@ export const SECTIONS: readonly { title: string; offers: readonly Offer[] }[] = 
     ],
   },
   {
+    title: "Code for a controller",
+    offers: [
+      { thing: "c", title: "Check and kinematics", badge: "C", words: "Factors, margin and inverse kinematics as functions of the pose, with a test." },
+      { thing: "cpp", title: "Check and kinematics", badge: "C++", words: "The same in C++17." },
+      { thing: "py", title: "Check and kinematics", badge: "PY", words: "The same in Python, without any library." },
+      { thing: "rs", title: "Check and kinematics", badge: "RS", words: "The same in Rust." },
+    ],
+  },
+  {
     title: "Data",
     offers: [
       { thing: "yaml", title: "Robot file", badge: "YAML", words: "Legs and coordinates at this pose, to be opened here or with gcrules." },

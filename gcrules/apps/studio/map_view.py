@@ -1,0 +1,136 @@
+"""A map over two coordinates around a pose of the page: its picture with the places of its axes, and what is proved."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Sequence
+from fractions import Fraction
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from gcrules.apps.studio.items import fact
+from gcrules.apps.studio.moving import amounts_at
+from gcrules.apps.studio.numbers import exact_pose
+from gcrules.apps.studio.protocol.motion_views import MapAnswer, PlacedPose
+from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.protocol.study_views import Axis
+from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.thresholds import threshold_of
+from gcrules.apps.studio.whereabouts import at_coordinates, coordinates_at, pose_json
+from gcrules.core.budget import report
+from gcrules.core.deferred import deferred
+from gcrules.core.english import as_sentence
+from gcrules.core.errors import LimitReached
+from gcrules.mechanisms.kinematics.amplification import INDICES
+from gcrules.mechanisms.kinematics.solve import free_coordinates
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.limbs.map_task import LimbsGrid
+from gcrules.poses.maps.axes import ACTUATOR, GridAxis, read_axes
+from gcrules.poses.maps.cells import MEANINGS
+from gcrules.poses.maps.grid import Grid
+from gcrules.poses.maps.maps import Plan, done, planned
+from gcrules.poses.maps.report import SingularMap
+from gcrules.poses.methods import Methods, method
+from gcrules.screws.threshold import DEFAULT, Threshold
+from gcrules.views.results.map import account
+
+__all__ = ["map_view", "place_view"]
+
+MAX_NODES = 20_000
+"""Poses of a map in the page."""
+
+framed = deferred("gcrules.views.plots.map_plot:framed")  # matplotlib, an extra of the installation
+
+
+def map_view(
+    subject: Subject, over: Sequence[str], pose: PoseJson, threshold: str | None, measure: str | None = None
+) -> MapAnswer:
+    """The map over two coordinates, the others as they are at the pose. Raises InputError where there is none,
+    LimitReached for more than `MAX_NODES` poses.
+    """
+    plan = _planned(subject, over, pose, threshold_of(threshold, subject.unit), measure or "margin")
+    if plan.task.grid.size > MAX_NODES:
+        raise LimitReached(
+            f"{plan.task.grid.size:,} poses: more than {MAX_NODES:,} in a map of the page",
+            hint="take a coarser grid; `gcrules map` takes it",
+        )
+    found = done(plan)
+    report("drawing the map")
+    picture, (left, right, top, bottom) = _drawn(found)
+    return {
+        "axes": [_axis(a) for a in found.grid.axes],
+        "picture": picture,
+        "frame": {"left": left, "right": right, "top": top, "bottom": bottom},
+        "margin": _table(found, "margin"),
+        "index": _table(found, found.task.measure) if found.task.measure in INDICES else [],
+        "status": [[MEANINGS[s] for s in row] for row in found.values("cell_status").tolist()],
+        "guarantee": as_sentence(found.guarantee),
+        "statement": found.sentence,
+        "facts": [fact(name, value) for name, value in account(found) if name != "proof"],
+    }
+
+
+def place_view(subject: Subject, over: Sequence[str], pose: PoseJson, place: Sequence[float]) -> PlacedPose:
+    """The pose at a place of that map. Raises InputError where the sliders do not lead there."""
+    plan = _planned(subject, over, pose, DEFAULT, "margin")
+    return {"pose": method(_PLACED, subject.mechanism, "a map")(plan.task.grid, place)}
+
+
+def _planned(subject: Subject, over: Sequence[str], pose: PoseJson, limit: Threshold, measure: str) -> Plan:
+    m = subject.mechanism
+    return planned(m, over, method(_REST, m, "a map")(over, pose), None, limit, measure)
+
+
+def _rest_of_limbs(m: Limbs, over: Sequence[str], pose: PoseJson) -> dict[str, float]:
+    """What the coordinates, or the actuators, are at the pose that no axis stands for."""
+    actuators = {a.name: a.angle for a in m.linkage.actuators}
+    axes = read_axes(over, m.unit, actuators)
+    names = [a.name for a in axes]
+    amounts = amounts_at(m, pose)
+    if not amounts:
+        return {}
+    if axes[0].kind == ACTUATOR:
+        now = dict(zip(actuators, amounts, strict=True))
+    else:
+        now = coordinates_at(m, pose, free_coordinates(m.linkage, names))
+    return {n: v for n, v in now.items() if n not in names}
+
+
+_REST: Methods[Any] = {SixLegs: lambda m, over, pose: exact_pose(pose), Limbs: _rest_of_limbs}
+"""What the pose says of the coordinates that are no axes."""
+
+
+def _placed_of_legs(m: SixLegs, g: Grid, place: Sequence[float]) -> PoseJson:
+    return pose_json(g.pose([Fraction(c) for c in place]))
+
+
+def _placed_of_limbs(m: Limbs, g: LimbsGrid, place: Sequence[float]) -> PoseJson:
+    origin, steps = g.linear
+    values = origin + g.places(np.array([place]))[0] @ steps
+    return at_coordinates(m, g.names, values, g.driven)
+
+
+_PLACED: Methods[PoseJson] = {SixLegs: _placed_of_legs, Limbs: _placed_of_limbs}
+
+
+def _drawn(m: SingularMap) -> tuple[str, tuple[float, float, float, float]]:
+    try:
+        picture, frame = framed(m)
+    except ImportError:
+        return "", (0.0, 1.0, 0.0, 1.0)
+    return b64encode(picture).decode(), frame
+
+
+def _axis(a: GridAxis) -> Axis:
+    return {"name": a.name, "unit": a.unit, "low": float(a.start), "high": float(a.stop), "step": float(a.step)}
+
+
+def _table(m: SingularMap, name: str) -> list[list[float | None]]:
+    return [[_short(v) for v in row] for row in m.values(name).tolist()]
+
+
+def _short(value: float) -> float | None:
+    return float(f"{value:.4g}") if isfinite(value) else None

@@ -1,0 +1,123 @@
+"""A path from one pose of the page to another: σ along it, every singular place, what is not decided."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from gcrules.apps.studio.items import fact
+from gcrules.apps.studio.numbers import exact_pose
+from gcrules.apps.studio.protocol.motion_views import PathAnswer, PathPlaceView, PathSampleView, PathStretchView
+from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.thresholds import threshold_of
+from gcrules.apps.studio.whereabouts import poses_of_limbs, reached
+from gcrules.core.budget import checkpoint, report
+from gcrules.core.english import as_sentence
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.limbs.path_report import RobotPath
+from gcrules.poses.methods import Methods, method
+from gcrules.poses.path_report import path_of
+from gcrules.poses.paths.report import PathReport
+from gcrules.screws.pose import Pose
+from gcrules.views.forms import shown
+from gcrules.views.plots.path_plot import FRAME
+from gcrules.views.results.path_account import PathAccount, PathPlace, PathStretch
+
+__all__ = ["path_view"]
+
+_SHOWN = {PathReport: 100, RobotPath: 40}  # samples to which it can be moved; the loops of a robot are closed for each
+_MOST = 100  # places that are listed
+_LOST = 3  # in a row to which the sliders do not lead: as a rule they do not to the rest either, and trying takes long
+
+Found = PathReport | RobotPath
+PosedAt = Callable[[int], PoseJson | None]
+
+
+def path_view(
+    subject: Subject, start: PoseJson | None, goal: PoseJson, to: str | None, limit: str | None
+) -> PathAnswer:
+    """The path from `start`, or home, to `goal`, or to the pose that the text says.
+
+    Raises InputError where there is no such path.
+    """
+    m = subject.mechanism
+    poses, posed = method(_ENDS, m, "a path")(start, goal, to)
+    report("going along the path")
+    found = path_of(m, poses, threshold=threshold_of(limit, m.unit))
+    return _view(found, posed(found))
+
+
+def _of_legs(
+    m: SixLegs, start: PoseJson | None, goal: PoseJson, to: str | None
+) -> tuple[list[Any], Callable[[Any], PosedAt]]:
+    first = Pose() if start is None else exact_pose(start)
+
+    def posed(r: PathReport) -> PosedAt:
+        return lambda k: {"translation": r.translations[k].tolist(), "quaternion": r.quaternions[k].tolist()}
+
+    return [first, exact_pose(goal) if to is None else to], posed
+
+
+def _of_limbs(
+    m: Limbs, start: PoseJson | None, goal: PoseJson, to: str | None
+) -> tuple[list[Any], Callable[[Any], PosedAt]]:
+    def posed(r: RobotPath) -> PosedAt:
+        return lambda k: reached(m, r.actuator_values[k], r.names, r.coordinates[k])
+
+    return poses_of_limbs(m, start, goal, to), posed
+
+
+_ENDS: Methods[tuple[list[Any], Callable[[Any], PosedAt]]] = {SixLegs: _of_legs, Limbs: _of_limbs}
+"""The poses of a path, and what tells the page's pose of a sample of what was found."""
+
+
+def _view(found: Found, posed: PosedAt) -> PathAnswer:
+    a: PathAccount = shown(found, "account")
+    margins = found.numbers.margin if isinstance(found, PathReport) else found.margins
+    places = [p.parameter for p in a.places[:_MOST]]
+    poses: dict[float, PoseJson | None] = {}
+    samples: list[PathSampleView] = []
+    lost = 0
+    for k in _chosen(found.parameters, places, _SHOWN[type(found)]):
+        checkpoint()
+        report(f"setting the robot at parameter {found.parameters[k]:.2f}")
+        at = float(found.parameters[k])
+        poses[at] = posed(k) if lost < _LOST else None
+        lost = 0 if poses[at] else lost + 1
+        samples.append({"parameter": at, "margin": float(margins[k]), "pose": poses[at]})
+    left, right, top, bottom = FRAME
+    return {
+        "verdict": a.verdict,
+        "reason": a.reason,
+        "svg": shown(found, "svg"),
+        "frame": {"left": left, "right": right, "top": top, "bottom": bottom},
+        "end": float(found.parameters[-1]),
+        "samples": samples,
+        "places": [_place(p, poses.get(p.parameter)) for p in a.places[:_MOST]],
+        "more": max(len(a.places) - _MOST, 0),
+        "stretches": [_stretch(s) for s in a.stretches],
+        "facts": [fact(name, value) for name, value in a.facts],
+    }
+
+
+def _chosen(parameters: Any, places: Sequence[float], number: int) -> list[int]:
+    """About so many samples, evenly, and those at singular places."""
+    even = np.linspace(0, len(parameters) - 1, min(len(parameters), number + 1)).round().astype(int)
+    special = np.flatnonzero(np.isin(parameters, places))
+    return [int(k) for k in np.union1d(even, special)]
+
+
+def _place(p: PathPlace, pose: PoseJson | None) -> PathPlaceView:
+    words = [as_sentence(p.kind), *p.causes, *p.motions]
+    sure = as_sentence(p.sure)
+    exactly = p.exactly.strip()
+    return {"parameter": p.parameter, "exactly": exactly, "at": p.pose, "words": words, "sure": sure, "pose": pose}
+
+
+def _stretch(s: PathStretch) -> PathStretchView:
+    words = [as_sentence(s.words), *s.causes, *s.motions]
+    return {"start": s.start, "end": s.end, "singular": s.singular, "words": words}

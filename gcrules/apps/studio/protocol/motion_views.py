@@ -1,0 +1,98 @@
+"""What the server tells the page of a path and of a map, the same for every kind of mechanism."""
+
+from __future__ import annotations
+
+from typing import Annotated, TypedDict
+
+from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.protocol.study_views import Axis, FactItem
+from gcrules.core.shapes import OneOf
+from gcrules.views.scene_data import Verdict
+
+__all__ = [
+    "CellStatus",
+    "FrameView",
+    "MapAnswer",
+    "PathAnswer",
+    "PathPlaceView",
+    "PathSampleView",
+    "PathStretchView",
+    "PlacedPose",
+]
+
+
+class FrameView(TypedDict):
+    """Where the axes are in a picture, as parts of its width and of its height from above."""
+
+    left: float
+    right: float
+    top: float
+    bottom: float
+
+
+class PathSampleView(TypedDict):
+    parameter: float
+    margin: float
+    pose: PoseJson | None
+    """null where it is not known that the sliders lead to this configuration from home."""
+
+
+class PathPlaceView(TypedDict):
+    """A singular place on a path, with what happens there, why, and what is gained, in sentences."""
+
+    parameter: float
+    exactly: str
+    """The parameter as a fraction; "" where it is none."""
+    at: str
+    """The pose, as `gcrules pose --at` takes it."""
+    words: list[str]
+    sure: str
+    pose: PoseJson | None
+
+
+class PathStretchView(TypedDict):
+    start: float
+    end: float
+    singular: bool
+    """Every pose is singular; else it is not decided whether one is."""
+    words: list[str]
+
+
+class PathAnswer(TypedDict):
+    verdict: Verdict
+    reason: str
+    svg: str
+    frame: FrameView
+    end: float
+    """The parameter of the last pose; that of the first is 0."""
+    samples: list[PathSampleView]
+    places: list[PathPlaceView]
+    more: int
+    """Places that are left out."""
+    stretches: list[PathStretchView]
+    facts: list[FactItem]
+
+
+CellStatus = Annotated[str, OneOf(("free", "crossed", "undecided", "outside"))]
+
+
+class MapAnswer(TypedDict):
+    """A map over two coordinates. Arrays run over the first axis, then over the second."""
+
+    axes: list[Axis]
+    picture: str
+    """SVG in base64, "" where matplotlib is missing."""
+    frame: FrameView
+    margin: list[list[float | None]]
+    """σ at the nodes; null where the robot does not get."""
+    index: list[list[float | None]]
+    """The measure at the nodes, where it is another one than the margin; null where it is infinite."""
+    status: list[list[CellStatus]]
+    """Of the cells between them."""
+    guarantee: str
+    statement: str
+    facts: list[FactItem]
+
+
+class PlacedPose(TypedDict):
+    pose: PoseJson

@@ -1,0 +1,89 @@
+"""Poses of the page as paths and maps take them, and back: for each kind of mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from gcrules.apps.studio.moving import amounts_at, posed
+from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.coordinates import coordinates, wrapped
+from gcrules.mechanisms.kinematics.linkage import Configuration
+from gcrules.mechanisms.kinematics.solve import free_coordinates, solve
+from gcrules.mechanisms.kinematics.targets import Target, actuators_target, written
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.limbs.around import actuator_values
+from gcrules.poses.limbs.pose_report import target_of
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import HOME, pose_of
+
+__all__ = ["at_coordinates", "coordinates_at", "pose_json", "poses_of_limbs", "reached"]
+
+_NEAR = 1e-6  # radians, and parts of the robot's size
+
+
+def pose_json(pose: Pose) -> PoseJson:
+    """The pose of a platform on six legs, for the page."""
+    return {"translation": [float(c) for c in pose.translation], "quaternion": list(pose.unit_quaternion)}
+
+
+def poses_of_limbs(limbs: Limbs, start: PoseJson | None, goal: PoseJson, to: str | None) -> list[Any]:
+    """Poses for a path, which name the same coordinates: those of the text, else independent ones. Raises InputError
+    where the robot does not assemble.
+    """
+    target = None if to in (None, HOME) else target_of(limbs.linkage, to, None)
+    names = free_coordinates(limbs.linkage) if target is None else target.names
+    last: Any = to if to is not None else coordinates_at(limbs, goal, names)
+    if start is None:
+        return [HOME, last]
+    first = coordinates_at(limbs, start, names)
+    return [pose_of(first) if target is not None and target.whole is not None else first, last]
+
+
+def solved_at(limbs: Limbs, pose: PoseJson) -> Configuration:
+    """The configuration at a pose of the page. Raises InputError where the robot does not assemble."""
+    m = limbs.linkage
+    amounts = amounts_at(limbs, pose)
+    return solve(m, actuators_target(m, amounts)).configuration if amounts else m.home
+
+
+def coordinates_at(limbs: Limbs, pose: PoseJson, names: Sequence[str]) -> dict[str, float]:
+    """What these coordinates of the platform are there, from home, angles in radians."""
+    found = coordinates(names, solved_at(limbs, pose).platform, limbs.linkage.centre)
+    return dict(zip(names, found.tolist(), strict=True))
+
+
+def reached(limbs: Limbs, amounts: Sequence[float], names: Sequence[str], wanted: Any) -> PoseJson | None:
+    """The pose of the page with these amounts of the actuators, if from home they lead where the coordinates are as
+    wanted; else None: another configuration has the same amounts, or the robot does not assemble on the way.
+    """
+    found = posed(limbs, amounts)
+    try:
+        there = coordinates(names, solved_at(limbs, found).platform, limbs.linkage.centre)
+    except InputError:
+        return None
+    away = np.abs(wrapped(names, there - np.asarray(wanted)))
+    return found if away.max() <= _NEAR * max(1.0, limbs.linkage.size) else None
+
+
+def at_coordinates(limbs: Limbs, names: Sequence[str], values: Any, driven: bool) -> PoseJson:
+    """The pose of the page where coordinates, or actuators, are as given. Raises InputError where the sliders do not
+    lead there.
+    """
+    m = limbs.linkage
+    if driven:
+        solve(m, actuators_target(m, list(values)))
+        return posed(limbs, values)
+    wanted = np.asarray(values, dtype=np.float64)
+    text = written(dict(zip(names, wanted.tolist(), strict=True)))
+    there = solve(m, Target(tuple(names), wanted, text=text)).configuration
+    found = reached(limbs, actuator_values(m, there), names, values)
+    if found is None:
+        raise InputError(
+            "the robot gets to this place, but not by its sliders",
+            hint="on the straight way of the actuators from home it meets a singular configuration first",
+        )
+    return found

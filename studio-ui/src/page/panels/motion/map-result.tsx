@@ -1,0 +1,123 @@
+// The map as a picture: what stands under the pointer is said, and a click takes the robot there.
+import { useSignal } from "@preact/signals";
+import type { MapAnswer, MapArgs, Measure, Pose } from "../../../protocol";
+import { short } from "../../lib/format";
+import { useStore } from "../../parts/context";
+import { FaultBox } from "../../parts/fault-box";
+import { samePose } from "../../state/doc";
+import { spoken } from "../../state/touring";
+import { Facts } from "./facts";
+import { Plot, type Spot } from "./plot";
+import { stepped, valueOf, within } from "./spots";
+
+const CELLS: Record<string, string> = {
+  free: "proved free of singular poses",
+  crossed: "crossed by singular poses",
+  undecided: "not decided",
+  outside: "not reached at a corner",
+};
+
+interface Props {
+  asked: MapArgs;
+  result: MapAnswer;
+  measures: readonly Measure[];
+}
+
+export function MapResult({ asked, result, measures }: Props) {
+  const { touring, moving, pose$ } = useStore();
+  const hovered = useSignal<Spot | null>(null);
+  const chosen = useSignal<Spot | null>(null);
+  const led = useSignal<Pose | null>(null); // where the robot was taken from the map
+  const { axes, frame, picture, guarantee } = result;
+  const going = touring.place.now.value;
+  const left = led.value !== null && !moving.active.value && !samePose(led.value, pose$.value);
+  const mark = left ? null : chosen.value;
+  const spot = hovered.value ?? mark;
+
+  function choose(at: Spot): void {
+    chosen.value = at;
+    led.value = null;
+  }
+
+  function key(event: KeyboardEvent): void {
+    const by = STEPS[event.key];
+    if (by) choose(stepped(mark ?? [0.5, 0.5], by, result.margin));
+    else if (event.key === "Enter" && mark) void go(mark);
+    else return;
+    event.preventDefault();
+  }
+
+  async function go(at: Spot): Promise<void> {
+    const { source, over, pose } = asked;
+    const place = axes.map((axis, i) => valueOf(axis, at[i as 0 | 1])) as [number, number];
+    const found = await touring.place.start({ source, over, pose, place });
+    if (!found) return;
+    led.value = found.pose;
+    moving.to(found.pose);
+  }
+
+  const image = `data:image/svg+xml;base64,${picture}`;
+  return (
+    <div class="answer">
+      <p class="guarantee" data-testid="map-guarantee">
+        {guarantee}
+      </p>
+      {picture ? (
+        <Plot
+          frame={frame}
+          picture={<img src={image} alt={`Map over ${axes.map(({ name }) => name).join(" and ")}`} data-testid="map-picture" />}
+          testid="map-plot"
+          label="A place of the map: the arrow keys choose it, Enter takes the robot there"
+          onKey={key}
+          onHover={(at) => (hovered.value = at)}
+          onPress={choose}
+          onRelease={() => chosen.value && void go(chosen.value)}
+        >
+          {mark && <span class="here" style={{ left: `${100 * mark[0]}%`, bottom: `${100 * mark[1]}%` }} />}
+        </Plot>
+      ) : (
+        <p class="none">The picture needs matplotlib: pip install "gcrules[maps]".</p>
+      )}
+      <p class="readout" data-testid="map-readout" aria-live="polite">
+        {spot ? <Spoken result={result} spot={spot} measure={measures.find(({ name }) => name === asked.measure)} /> : "Point at the map to read it; a click takes the robot there."}
+      </p>
+      {going.state === "failed" && <FaultBox fault={going.fault} />}
+      <Facts facts={result.facts} title="What was computed" />
+    </div>
+  );
+}
+
+interface SpokenProps {
+  result: MapAnswer;
+  spot: Spot;
+  measure: Measure | undefined;
+}
+
+function Spoken({ result, spot, measure }: SpokenProps) {
+  const { axes, margin, index, status } = result;
+  const [rows, columns] = [margin.length, margin[0]?.length ?? 0];
+  const node = [Math.round(spot[0] * (rows - 1)), Math.round(spot[1] * (columns - 1))] as const;
+  const cell = [within(spot[0], rows - 1), within(spot[1], columns - 1)] as const;
+  const sigma = margin[node[0]]?.[node[1]] ?? null;
+  const own = index[node[0]]?.[node[1]];
+  const kind = status[cell[0]]?.[cell[1]] ?? "undecided";
+  return (
+    <>
+      {axes.map((axis, i) => (
+        <span key={axis.name}>
+          {axis.name} <b>{short(valueOf(axis, spot[i as 0 | 1]), 4)}</b>
+          {axis.unit === "deg" ? "°" : axis.unit && ` ${axis.unit}`} ·{" "}
+        </span>
+      ))}
+      σ <b>{sigma === null ? "none" : short(sigma, 3)}</b>
+      {measure && own !== undefined && (
+        <>
+          , {spoken(measure.name)} <b>{own === null ? "none" : short(own, 3)}</b> {measure.unit}
+        </>
+      )}{" "}
+      at the nearest node · the cell is <b class={kind}>{CELLS[kind]}</b>
+    </>
+  );
+}
+
+const STEPS: Readonly<Record<string, Spot>> = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
