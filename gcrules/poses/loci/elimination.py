@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.errors import LimitReached
 from gcrules.poses.loci.closed_form import ClosedForm
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.known import whole_ring
@@ -34,6 +35,10 @@ class FormalRoot:
 
     def to_json(self) -> dict[str, Any]:
         return {"name": self.name, "places": self.places, "radicand": str(self.radicand)}
+
+
+_MOST_BITS = 13_000  # of a coefficient
+_MOST_ROOTS = 4  # more working modes than 16 are not multiplied
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,6 +78,12 @@ def eliminated(form: ClosedForm, question: LimbQuestion) -> Eliminated:
 
     of = [r for f in form.factors for r in (f.value, f.over)]
     values = [field.number(v) if not isinstance(v, Surd) else v for v in form.values(inputs, root, Surd.inverse, of)]
+    if len(field.radicands) > _MOST_ROOTS:
+        raise LimitReached(
+            f"{len(field.radicands)} roots make {2 ** len(field.radicands)} working modes: their product is too large a"
+            " polynomial",
+            hint="gcrules map, path and pose --nearest close the loops by numbers instead",
+        )
     norms = tuple(_norm(field, a, b) for a, b in zip(values[::2], values[1::2], strict=True))
     names: list[str] = []
     places = [next(form.placed[n] for n, number in numbers.items() if number == k) for k in range(len(field.radicands))]
@@ -98,6 +109,10 @@ def _norm(field: SurdField, value: Surd, over: Surd) -> Norm:
         under = under * under
     found = above * under.inverse()
     (p,) = found.parts.values()
+    if max(abs(int(c)).bit_length() for c in p.coeffs()) > _MOST_BITS:
+        raise LimitReached(
+            "the polynomial has coefficients of more than 4,000 digits", hint="give coordinates with fewer digits"
+        )
     sign = -1 if p.LC < 0 else 1
     below = tuple((PolynomialForm.of(field.divisors[k]), n) for k, n in found.below.items())
     return Norm(PolynomialForm.of(p * sign), found.scale * sign, below, roots)

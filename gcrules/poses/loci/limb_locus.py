@@ -14,6 +14,7 @@ from typing import Any
 from gcrules.core.errors import LimitReached
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.compiling.vectors import add
 from gcrules.poses.loci.closed_form import ClosedFactor, closed_form
 from gcrules.poses.loci.elimination import Eliminated, Norm, eliminated
 from gcrules.poses.loci.factors import PossibleFactor, factored
@@ -53,11 +54,12 @@ def limb_locus(
     return RobotLocus(
         robot=m.robot,
         question=asked,
-        centre=form.centre,
+        centre=add(form.centre, m.linkage.origin),
         parts=tuple(parts),
         roots=norms.roots,
         checked=FrozenMap({"configurations": form.compared, "norms": CHECKS}),
         limit=limit,
+        chosen=any(part.chosen for part in m.analysis.parts),
     )
 
 

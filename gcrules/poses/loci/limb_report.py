@@ -96,7 +96,8 @@ class RobotLocus(LocusPolynomial, Shown):
 
     Each of the `parts` is a factor of the condition. `roots` are what was eliminated; `centre` is what the platform
     turns about, in the frame of the file. `checked` says at how many configurations the closed form was compared with
-    the joints, and at how many poses each norm was computed again from all working modes; `limit` is that of factors.
+    the joints, and at how many poses each norm was computed again from all working modes; `limit` is that of factors;
+    `chosen` says that the condition vanishes, too, where lines that were chosen for a limb depend on each other.
     """
 
     robot: Robot
@@ -106,6 +107,7 @@ class RobotLocus(LocusPolynomial, Shown):
     roots: tuple[FormalRoot, ...]
     checked: Mapping[str, int]
     limit: int
+    chosen: bool = False
 
     @cached_property
     def form(self) -> PolynomialForm:  # type: ignore[override]
@@ -152,6 +154,7 @@ class RobotLocus(LocusPolynomial, Shown):
             "roots": [r.to_json() for r in self.roots],
             "parts": [part.to_json() for part in self.parts],
             "checked": dict(self.checked),
+            "vanishes_where_chosen_lines_depend": self.chosen,
         }
 
     def __repr__(self) -> str:

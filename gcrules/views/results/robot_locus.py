@@ -16,17 +16,20 @@ __all__ = ["as_latex", "as_text"]
 
 _HEAD = (
     "Each polynomial is the product of a factor of the condition over all working modes. Every singular pose is a zero"
-    " of one of them; a zero is singular in one of the working modes, unless its root is not real there."
+    " of one of them, as far as no limb is singular by itself; a zero is singular in one of the working modes, unless"
+    " its root is not real there{}."
 )
 _ALONE = (
     "Each polynomial is a factor of the condition. A pose is singular exactly where one of them is 0, as far as no limb"
-    " is singular by itself."
+    " is singular by itself{}."
 )
+_CHOSEN = ", or lines that were chosen for a limb depend on each other"
 
 
 def as_text(found: RobotLocus, *, unicode: bool = False) -> str:
     """The summary, and polynomials that are short."""
-    lines = [fill(_HEAD if found.roots else _ALONE, WIDTH), "", *table(list(_rows(found)))]
+    head = (_HEAD if found.roots else _ALONE).format(_CHOSEN if found.chosen else "")
+    lines = [fill(head, WIDTH), "", *table(list(_rows(found)))]
     for number, part in enumerate(found.parts, 1):
         name = _name(found, number)
         lines += ["", *table(list(_part(part, name, len(found.roots), unicode)))]

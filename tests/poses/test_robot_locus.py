@@ -1,0 +1,143 @@
+"""Loci of robots of joints: the polynomials against paths that close the loops by numbers, and exact determinants."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+from commands import assert_refused
+from mechanisms.shipped_robots import analysis
+
+import gcrules as gc
+from gcrules.apps.cli import cli
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.poses.loci.limb_report import RobotLocus
+
+CROSSED: dict[str, tuple[dict[str, float], str, tuple[float, float]]] = {
+    "3-rpr": ({"y": 0.9, "yaw": 0.0}, "x", (0.5, 1.4)),
+    "3-rps": ({"roll": 0.1, "pitch": 0.15}, "z", (-1.9, -0.5)),
+    "3-rrr": ({"y": -0.067, "yaw": -0.35}, "x", (0.1, 0.15)),
+    "3-ups-s": ({"roll": -0.04, "pitch": -0.051}, "yaw", (-1.3, -0.8)),
+    "orthoglide": ({"x": 1.6, "y": 1.65}, "z", (1.4, 1.8)),
+    "3-prps": ({"x": 0.068, "y": 0.141, "roll": 0.587, "pitch": -0.279, "yaw": 0.003}, "z", (-0.5, 0.0)),
+    "3-rrr-spherical": ({"pitch": -0.73, "yaw": -0.503}, "roll", (-0.6, -0.4)),
+}
+"""Coordinates that are fixed, the one that is not, and between which values of it the robot becomes singular."""
+
+
+def written(at: dict[str, float]) -> str:
+    return ", ".join(f"{n}={v}{'rad' if n in ('roll', 'pitch', 'yaw') else ''}" for n, v in at.items())
+
+
+def signs(found: RobotLocus, x: float) -> list[int]:
+    """Those of all polynomials at a value of the only variable, exact; angles as half-tangents."""
+    value = Fraction(math.tan(x / 2) if found.variables[0].startswith("t_") else x).limit_denominator(10**9)
+    values = [p.form([value]) for p in found.parts]
+    return [(v > 0) - (v < 0) for v in values]
+
+
+@pytest.mark.parametrize("name", CROSSED)
+def test_places_where_paths_are_singular_are_zeros(name: str) -> None:
+    """The second road closes the loops by Newton's method, and takes the determinant of the joints' wrenches."""
+    fixed, free, ends = CROSSED[name]
+    a = analysis(name)
+    found = gc.locus(a, over=free, at=written(fixed))
+    assert isinstance(found, RobotLocus)
+    path = gc.path(a, ["home", *(written({**fixed, free: end}) for end in ends)], samples=10)
+    at = [c.coordinates[path.names.index(free)] for c in path.crossings if c.parameter > 1]
+    assert at
+    assert all(signs(found, x - 1e-5) != signs(found, x + 1e-5) for x in at)
+
+
+def test_the_planar_robot_of_sliding_legs_is_a_conic() -> None:
+    """For a fixed orientation the locus of 3-RPR is a conic; and its value is the determinant of the three lines."""
+    found = gc.locus(analysis("3-rpr"), over="x, y", at="yaw=90deg")
+    (part,) = found.parts
+    assert part.form.degree == 2
+    assert not found.roots
+    home = analysis("3-rpr").robot.values_at()
+    cx, cy = (sum(home[f"B{k}"][i] for k in "123") / 3 for i in (0, 1))
+    for x, y in ((0, 0), (1, 2), (Fraction(1, 3), -5), (7, Fraction(2, 9))):
+        rows = []
+        for k in "123":
+            bx, by = home[f"B{k}"][0] - cx, home[f"B{k}"][1] - cy
+            a, b = home[f"A{k}"], (cx + x - by, cy + y + bx)
+            rows.append((a[1] - b[1], b[0] - a[0], a[0] * b[1] - a[1] * b[0]))
+        (a, b, c), (d, e, f), (g, h, i) = rows
+        determinant = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+        assert abs(part.coefficient * part.form([Fraction(x), Fraction(y)])) == abs(determinant)
+
+
+@pytest.mark.parametrize("name", ["3-rps", "3-rpr", "orthoglide", "delta", "3-puu", "3-prs"])
+def test_regular_poses_are_no_zeros(name: str) -> None:
+    """Where `gc.pose` finds regular poses no polynomial is 0."""
+    a = analysis(name)
+    names = gc.compiled(a).coordinates
+    fixed = {n: 0.05 * (k + 1) for k, n in enumerate(names[1:])}
+    found = gc.locus(a, over=names[0], at=written(fixed))
+    for x in (-0.1, 0.0, 0.1):
+        assert gc.pose(a, {**fixed, names[0]: x}, nearest=False).verdict == "regular"
+        assert all(signs(found, x))
+
+
+def test_what_is_seen_at_zeros() -> None:
+    """Of 3-RPS: yaw has two places for each pose; at zeros that are met the robot is singular in the mode told."""
+    found = gc.locus(analysis("3-rps"), over="z", at="roll=0.1rad, pitch=0.15rad")
+    (root,) = found.roots
+    assert root.places == "yaw"
+    (part,) = found.parts
+    assert {m for f in part.factors for m in f.seen.modes} == {"+", "-"}
+    product: Any = 1
+    for f in part.factors:
+        product = product * f.form.poly.as_expr() ** f.multiplicity
+    ratio = (product / part.form.poly.as_expr()).simplify()
+    assert ratio.is_number
+
+
+@pytest.mark.parametrize("name", ["tricept", "exechon", "gallardo-4dof", "3-pprs"])
+def test_robots_without_a_locus_say_why_and_what_to_use(name: str) -> None:
+    with pytest.raises(InputError, match=f"{name} has no locus as a polynomial") as fault:
+        gc.locus(analysis(name))
+    assert "gcrules map" in (fault.value.hint or "")
+
+
+@pytest.mark.parametrize("name", ["6-rus", "6-pus"])
+def test_too_many_working_modes_are_refused(name: str) -> None:
+    with pytest.raises(LimitReached, match="64 working modes"):
+        gc.locus(analysis(name), over="x", at="y=0.1")
+
+
+def test_a_home_far_away_has_the_same_locus() -> None:
+    r = analysis("3-rpr").robot
+    assert r.home is not None
+    shift = 10**9
+    home = {n: tuple(c + shift * (k == 0) for k, c in enumerate(v)) for n, v in r.home.items()}
+    near, far = (gc.locus(robot, over="x, y", at="yaw=90deg") for robot in (r, replace(r, home=home)))
+    assert near.parts[0].form == far.parts[0].form
+    assert [b - a for a, b in zip(near.centre, far.centre, strict=True)] == [shift, 0, 0]
+
+
+def test_commands() -> None:
+    run = CliRunner().invoke
+    done = run(cli, ["locus", "3-rpr", "--over", "x,y", "--at", "yaw=90deg"])
+    assert done.exit_code == 0
+    assert "P = 450*x^2" in done.stdout
+    assert "exactly where one of them is 0, as far as no limb is singular by itself." in " ".join(done.stdout.split())
+    answer = json.loads(run(cli, ["locus", "delta", "--over", "x", "--at", "y=0.2, z=0.1", "--json"]).stdout)
+    assert [part["kind"] for part in answer["parts"]] == ["actuation", "constraint"]
+    assert len(answer["roots"]) == 3
+    for option in (["--latex"], ["--export", "sympy"], ["--export", "maple"], ["--export", "singular"]):
+        assert run(cli, ["locus", "orthoglide", "--over", "x,y", "--at", "z=0.1", *option]).exit_code == 0
+    assert_refused(run(cli, ["locus", "3-rpr", "--over", "q1"]), 2, "q1")
+
+
+def test_results_are_values() -> None:
+    one, other = (gc.locus(analysis("3-rps"), over="z") for _ in range(2))
+    assert one == other
+    assert hash(one) == hash(other)
+    assert one.verdict == "regular"
