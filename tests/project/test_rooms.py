@@ -20,7 +20,7 @@ PACKAGE = ROOT / "gcrules"
 MODULES = sorted(p for p in PACKAGE.rglob("*.py"))
 
 LATE = (
-    *("lark", "yaml", "networkx", "numpy", "sympy"),  # which take long to load
+    *("lark", "yaml", "networkx", "mpmath", "numpy", "sympy"),  # which take long to load
     *("h5netcdf", "h5py", "matplotlib", "numba", "skimage", "trimesh", "xarray"),  # extras of the installation
     *("fcntl", "threading"),  # which few systems have; which few programs need
 )
