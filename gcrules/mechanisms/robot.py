@@ -61,6 +61,13 @@ class Robot:
         return f"<{type(self).__name__} {self.id}: {self.chain or 'given by its lines'}, mobility {self.mobility}>"
 
     @property
+    def redundant(self) -> int:
+        """The number of actuators beyond the freedoms. Where there are such, no determinant of all wrenches is left
+        whose sign changes: it takes two conditions, as a rule, for them to lose rank.
+        """
+        return max(0, sum(limb.actuators for limb in self.limbs) - self.mobility)
+
+    @property
     def chain(self) -> str:
         """The limbs' joints in short: 3-UP*S, 2-UP*R + SP*R."""
         counts: dict[str, int] = {}

@@ -81,7 +81,7 @@ class SixLegs:
         rows = np.concatenate([forces, np.cross(ends - centre, forces)], axis=1)
         least, condition = float(j.singular_values[0, 5]), float(j.condition_number[0])
         names = self.actuators
-        return WrenchJacobian(names, rows, centre, j.radius, least, condition, names, (False,) * len(names))
+        return WrenchJacobian(names, rows, centre, j.radius, least, condition, names, (False,) * len(names), 6)
 
     def six_legs(self) -> SixLegs:
         return self

@@ -18,8 +18,8 @@ from gcrules.algebra.expr import Bracket, Expr, Point, points_of
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.analyze import analyze_robot
-from gcrules.mechanisms.conditions.analyze_robot import _meaning
 from gcrules.mechanisms.conditions.checks import notes
+from gcrules.mechanisms.conditions.robot_statement import robot_statement
 from gcrules.mechanisms.conditions.words import RobotWords
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.relations import AXES, Values
@@ -200,7 +200,7 @@ def test_a_factor_that_is_not_met_has_no_kind_in_the_statement() -> None:
     a = analysis("3-upu")
     assert a.condition is not None
     parts = [replace(p, kind=kind) for p, kind in zip(a.parts, ("not met", "constraint"), strict=True)]
-    said = str(_meaning(a.structure, a.condition, (), parts, ()))
+    said = str(robot_statement(a.structure, None, a.condition, (), parts, ()))
     assert "not met" not in said
     assert said.count("singularity") == 1
 

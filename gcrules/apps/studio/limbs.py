@@ -62,6 +62,7 @@ def limb_stages(robot: RobotAnalysis) -> Iterator[tuple[str, list[Item]]]:
         fact("mobility of the platform", str(s.mobility)),
         *([fact("overconstraints", str(s.over))] if s.over else []),
         *([fact("idle freedoms", str(s.idle))] if s.idle else []),
+        *([fact("actuators beyond the freedoms", str(s.redundant))] if s.redundant else []),
     ]
     words: list[Item] = [fact(f"{one.limb.name}, {one.limb.chain}", one.kind) for one in s.limbs]
     serial: list[Item] = [

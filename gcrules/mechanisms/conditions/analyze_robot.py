@@ -2,14 +2,13 @@ r"""From a robot's joints to the sentence: wrenches, equivalent lines, condition
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.evaluate import PRIME
-from gcrules.algebra.expr import Expr, Point, points_of
-from gcrules.algebra.language.text import text
+from gcrules.algebra.expr import Expr
 from gcrules.algebra.scalars import bracket
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import checkpoint
@@ -19,22 +18,23 @@ from gcrules.core.seeds import remark
 from gcrules.mechanisms.conditions.cofactors import with_cofactors
 from gcrules.mechanisms.conditions.common_factor import common_factor, sees_constraints
 from gcrules.mechanisms.conditions.design import is_of_design, rigid_bodies
-from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member, causes_left, tell_apart
+from gcrules.mechanisms.conditions.factor_causes import at_member, causes_left, tell_apart
 from gcrules.mechanisms.conditions.line_conditions import condition_of_lines, factors_at
 from gcrules.mechanisms.conditions.overlaps import of_several_kinds, without_repetition
 from gcrules.mechanisms.conditions.published import MEMBERS, published
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.conditions.robot_statement import robot_statement
 from gcrules.mechanisms.conditions.words import RobotWords
 from gcrules.mechanisms.description.relations import AXES
-from gcrules.mechanisms.lines.equivalent import FRAME, Equivalent, equivalent
+from gcrules.mechanisms.lines.equivalent import Equivalent, equivalent
 from gcrules.mechanisms.lines.home import home_wrenches
 from gcrules.mechanisms.lines.ranks import ranks
-from gcrules.mechanisms.lines.serial import LimbSingularity, limb_singularities
+from gcrules.mechanisms.lines.serial import limb_singularities
 from gcrules.mechanisms.lines.wrenches import WrenchLine
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.factorization import SECONDS
-from gcrules.rules.statement import Statement, listing, say
+from gcrules.rules.statement import say
 
 __all__ = ["analyze_robot"]
 
@@ -73,7 +73,7 @@ def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
         condition,
         parts,
         serial,
-        _with_derived(_meaning(structure, condition, cofactors, parts, serial), structure, parts),
+        robot_statement(structure, common, condition, cofactors, parts, serial),
         _certificate(robot, condition, members, told.met),
         cofactors,
         members,
@@ -122,79 +122,6 @@ def _check(
     if len(numbers) > 1:
         raise EngineFault(f"the factors found for {robot.id} are not its superbracket")
     return MEMBERS
-
-
-_MARKS: Mapping[str, str] = {
-    "actuation": " (actuation singularity)",
-    "constraint": " (constraint singularity)",
-    "mixed": " (actuation or constraint singularity)",
-    "not met": "",
-}
-"""What the statement says of kinds of factors. Where all are actuation singularities it says nothing."""
-
-
-def _some(serial: Sequence[LimbSingularity]) -> bool:
-    """Whether limbs are singular by themselves, be it known where or not."""
-    return any(s.conditions or s.unexplained for s in serial)
-
-
-def _meaning(
-    structure: Equivalent,
-    condition: Condition,
-    cofactors: Sequence[Expr],
-    parts: Sequence[FactorCause],
-    serial: Sequence[LimbSingularity],
-) -> Statement:
-    aside = ["outside the singularities of its limbs"] * _some(serial)
-    if any(p.chosen for p in parts):
-        aside.append("where the lines that were chosen for a limb do not depend on each other")
-    outside = " and ".join(aside)
-    also = _CONSTRAINTS_TOO if any(line.limb == FRAME for line in structure.lines or ()) else ""
-    live = _live(parts)
-    if live and not cofactors and (any(p.meaning for p in live) or any(p.kind in ASIDE for p in parts)):
-        mark = len({p.kind for p in live}) > 1 or live[0].kind == "constraint"
-        moving, fixed = ([_clause(p, mark) for p in live if p.of_design is design] for design in (False, True))
-        words = _WHEN[bool(moving), bool(fixed)]
-        where = f"{outside}, the" if outside else "the"
-        said = say(words, where=where, moving=listing(moving, ", or "), fixed=listing(fixed, ", or "))
-    elif live:
-        said = say("{}{}{}", f"{outside}: " * bool(outside), condition.whose, condition.meaning.of_forces)
-    else:
-        return say("No singular member of the family was found outside the singularities of its limbs.")
-    return say("{}{}", said.capitalised, also)
-
-
-def _live(parts: Sequence[FactorCause]) -> list[FactorCause]:
-    return [p for p in parts if p.kind not in ASIDE and p.same is None]
-
-
-def _clause(p: FactorCause, mark: bool) -> Statement:
-    return say("{}{}", p.meaning or f"{text(p.expression, unicode=True)} = 0", _MARKS[p.kind] * mark)
-
-
-_WHEN: Mapping[tuple[bool, bool], str] = {
-    (True, False): "{where} robot is singular exactly when {moving}.",
-    (True, True): (
-        "{where} robot is singular exactly when {moving}. By its design it is singular in every pose if {fixed}; no"
-        " motion changes that."
-    ),
-    (False, True): (
-        "{where} robot is singular exactly if {fixed}, and then in every pose: that is a matter of its design, and no"
-        " motion changes it."
-    ),
-}
-"""Whether there are factors that change as the robot moves, and factors of the design -> the sentence."""
-
-_CONSTRAINTS_TOO = (
-    " It is singular too where the constraints of all limbs together lose rank, which takes two conditions or more."
-)
-
-
-def _with_derived(meaning: Statement, structure: Equivalent, parts: Sequence[FactorCause]) -> Statement:
-    """With what the derived directions and points are that it names, or that stand in factors without a meaning."""
-    points = meaning.points.union(*(points_of(p.expression) for p in _live(parts) if not p.meaning))
-    named = [say("{} is {}", Point(n), what) for n, what in structure.named if n in points]
-    return say("{} Here {}.", meaning, listing(named)) if named else meaning
 
 
 def _certificate(robot: Robot, condition: Condition, members: int, met: int) -> str:

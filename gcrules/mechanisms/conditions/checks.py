@@ -136,10 +136,8 @@ def _check_platform(robot: Robot, limbs: Sequence[Limb], mobility: Node) -> None
             f"the platform has mobility {freedom}, not {robot.mobility}",
             f"its limbs apply constraints of rank {6 - freedom} together; check joints, parallel axes and this number",
         )
-    if actuators != freedom:
-        word = "few" if actuators < freedom else "many"
-        change = "star more joints" if actuators < freedom else "take stars away"
-        mobility.fault(f"too {word} actuators: {actuators} for a platform of mobility {freedom}", change)
+    if actuators < freedom:
+        mobility.fault(f"too few actuators: {actuators} for a platform of mobility {freedom}", "star more joints")
     elif RESIDUES.rank(locked) < 6:
         trivial = 3 if robot.family.plane else 0
         mobility.fault(
@@ -149,11 +147,14 @@ def _check_platform(robot: Robot, limbs: Sequence[Limb], mobility: Node) -> None
 
 
 def notes(robot: Robot) -> tuple[str, ...]:
-    """What is no fault, yet makes the family larger than the robot that is likely meant: bars of a parallelogram that
-    are not perpendicular to its axes.
+    """What is no fault, yet perhaps not meant: more actuators than freedoms, and what makes the family larger than the
+    robot, bars of a parallelogram that are not perpendicular to its axes.
     """
     member = robot.family.member(_SEEDS[0])
     found = []
+    if robot.redundant:
+        driven = robot.mobility + robot.redundant
+        found.append(f"{driven} actuators for {robot.mobility} freedoms: the robot is driven redundantly")
     for limb in robot.limbs:
         for j in limb.joints:
             if j.kind == "Pa" and RESIDUES.dot(*(combined(d, member, RESIDUES) for d in j.directions)):

@@ -1,13 +1,14 @@
-r"""The common factor of the superbrackets of all six-subsets of an over-constrained robot's lines, and what is left.
+r"""The common factor of the superbrackets of all six-subsets of a robot's lines, and what is left of each.
 
-The limbs of an over-constrained robot apply more than six wrenches. It is singular exactly where ALL superbrackets of
-six of their lines vanish; in codimension one these are the zeros of their common factor. On a random line in the
+The limbs of an over-constrained robot, or of one with more actuators than freedoms, apply more than six wrenches. It is
+singular exactly where ALL superbrackets of six of their lines vanish; in codimension one these are the zeros of their
+common factor. On a random line in the
 parameters of the family superbrackets are polynomials in one variable modulo the prime, so that the common factor, and
 what is left of each subset, its cofactor, are found by division, exactly. A cofactor gets an expression, and words,
 from a table of candidates; one is taken if it is the same polynomial up to a number.
 
-Subsets differ only in which of the constraints they take: the minors of these, in random coordinates of the space that
-they span, are in the ratio of the superbrackets (Laplace). Derived here.
+Where there are as many actuators as freedoms subsets differ only in which constraints they take: the minors of these,
+in random coordinates of the space that they span, are in the ratio of the superbrackets (Laplace). Derived here.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from math import comb
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.text import text
-from gcrules.algebra.scalars import bracket
+from gcrules.algebra.scalars import bracket, superbracket
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
@@ -41,7 +42,8 @@ Pair = tuple[str, str]
 
 @dataclass(frozen=True)
 class Subset:
-    """Constraints that stand beside the actuations in a subset: its superbracket is `cofactor` · the common factor.
+    """Constraints that stand beside the actuations in a subset, or all its lines where there are more actuators than
+    freedoms: its superbracket is `cofactor` · the common factor.
 
     `cofactor` is None where no expression in points was found; `meaning` says when it vanishes, "" if it cannot or if
     that is not known. `degree` is its degree along the line: 0 for a number.
@@ -70,7 +72,8 @@ class CommonFactor:
     """What the subsets of the `lines` different lines of all limbs have in common.
 
     `subsets` counts the sets of six (in the plane three), `independent` those whose superbracket does not vanish in the
-    whole family, `listed` them (not more than 200); `chosen` is that of the equivalent structure.
+    whole family, `listed` them (not more than 200); `chosen` is that of the equivalent structure. `degree` is that of
+    the common factor along a line in the parameters: 0 where no single condition makes all of them vanish.
     """
 
     lines: int
@@ -78,9 +81,11 @@ class CommonFactor:
     independent: int
     listed: tuple[Subset, ...]
     chosen: Subset
+    degree: int
 
     def to_json(self, names: Sequence[str] = ()) -> dict[str, object]:
         return {
+            "degree": self.degree,
             "lines": self.lines,
             "subsets": self.subsets,
             "independent": self.independent,
@@ -97,11 +102,12 @@ def common_factor(
     parts: Sequence[FactorCause],
     words: RobotWords,
 ) -> CommonFactor | None:
-    """The subsets of an over-constrained robot; None for others, and for families of too high a degree.
+    """The subsets of a robot that is over-constrained or has more actuators than freedoms; None for others, and for
+    families of too high a degree.
 
     Raises EngineFault if the factors told apart by ranks at members (`parts`) are not those of the common factor.
     """
-    if not structure.over or structure.lines is None:
+    if not (structure.over or structure.redundant) or structure.lines is None:
         return None
     try:
         return _common_factor(family, structure, superbracket, cofactors, parts, words)
@@ -127,7 +133,8 @@ def _common_factor(
     chosen = _subset(along, words, held, common)
     left = divided(along.polynomial(lambda t: along.minor(held, t)), common)[0]
     _check(along, superbracket, left, cofactors, parts)
-    return CommonFactor(len(along.lines), comb(len(along.lines), along.full), len(some), listed_subsets, chosen)
+    number = len(along.lines)
+    return CommonFactor(number, comb(number, along.full), len(some), listed_subsets, chosen, len(common) - 1)
 
 
 def sees_constraints(family: Family, structure: Equivalent) -> bool:
@@ -186,6 +193,9 @@ def _candidates(along: LineOfLimbs, lines: Sequence[Pair]) -> Iterator[Expr]:
                 yield ex.mul(_bracket([n, p, q, finite], 4), _bracket([n, *other, finite], 4))
         planes = [ex.join(*map(ex.Point, (*pair, finite))) for pair in lines[:2]]
         yield ex.meet(*planes, ex.join(*map(ex.Point, lines[2])))
+    if along.whole:
+        joins = [ex.join(*map(ex.Point, pair)) for pair in lines]
+        yield ex.meet(*joins, rank=3) if along.family.plane else superbracket(*joins)
 
 
 def _bracket(names: Sequence[str], rank: int) -> Expr:

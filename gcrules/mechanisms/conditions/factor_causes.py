@@ -49,13 +49,14 @@ KINDS: Mapping[str, str] = {
     "constraint": "the platform gains a freedom that its limbs should not allow",
     "mixed": "at some of these members constraints drop rank, at others only all wrenches together",
     "limb": "it vanishes only where a limb is singular by itself and the lines do not stand for its wrenches",
+    "held": "constraints drop rank, but actuators beyond the freedoms hold the platform",
     "choice": "it belongs to the chosen lines: the wrenches of the limbs keep their rank there",
     "never": "it cannot vanish for this robot",
     "not met": "no exact member was found at which it vanishes",
 }
 """What the kinds of factors mean."""
 
-ASIDE = ("never", "choice", "limb")
+ASIDE = ("never", "choice", "limb", "held")
 """Kinds of factors that are no singularities of the robot."""
 
 ENOUGH = 3  # singular members of each kind; more are not counted, as how many there are on a path is chance
@@ -105,7 +106,7 @@ class Votes:
     def cast(self, kind: str, types: tuple[str, ...]) -> None:
         """One more member."""
         self.kinds[kind] += 1
-        if kind not in ASIDE:
+        if kind not in ASIDE or kind == "held":
             self.types.append(types)
 
     @property
@@ -266,7 +267,7 @@ def _vote(
     elif here.wrenches == generic.wrenches:
         if _imaginary(limbs, structure, values):
             return
-        kind = "choice"
+        kind = "choice" if here.constraints == generic.constraints else "held"
     else:
         kind = "constraint" if here.constraints < generic.constraints else "actuation"
     if family.merged(values):
@@ -291,7 +292,7 @@ def _kind(votes: Counter[str]) -> str:
         return "mixed"
     if singular:
         return singular.pop()
-    return next((k for k in ("choice", "limb") if votes[k]), "not met")
+    return next((k for k in ("held", "choice", "limb") if votes[k]), "not met")
 
 
 def never(family: Family, limbs: Sequence[LimbSpec], structure: Equivalent, e: Expr) -> str:

@@ -29,7 +29,7 @@ def of_several_kinds(family: Family, structure: Equivalent, factors: Sequence[Ex
 
 def _of_several_kinds(along: LineOfLimbs, structure: Equivalent, factors: Sequence[Expr]) -> Iterator[Expr]:
     zeros = [along.dependent(limb.lines or ()) for limb in structure.limbs]
-    if along.size and not along.mixed_roles:
+    if along.size and not along.whole:
         zeros.append(along.common)
     zeros = [radical(f) for f in zeros if len(f) > 1]
     for e in factors if zeros else ():

@@ -66,6 +66,7 @@ class RobotAnalysis(Shown):
             "title": self.robot.title,
             "mobility": self.structure.mobility,
             "overconstraints": self.structure.over,
+            "redundant_actuators": self.structure.redundant,
             "idle": self.structure.idle,
             "limbs": [limb.to_json() for limb in self.structure.limbs],
             "equivalent": self.structure.to_json(),

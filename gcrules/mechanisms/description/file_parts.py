@@ -36,11 +36,15 @@ def read_lines(node: Node, family: Family, copies: int) -> tuple[tuple[str, str]
 
 
 def read_platform(node: Node, family: Family, copies: int) -> tuple[str, ...]:
-    text = node.string() or ""
-    names = tuple(n for (copy,) in numbered(node, copies, text) for n in copy.replace(",", " ").split())
-    for name in names:
-        if family.sorts.get(name) != "point":
-            node.fault(f"{name[:20]} is no point", near(name, family.sorts))
+    """The points that move with the platform: a list, or a text with spaces between them."""
+    names: list[str] = []
+    for item in node.sequence() if node.kind == "sequence" else (node,):
+        text = item.string() or ""
+        own = [n for (copy,) in numbered(item, copies, text) for n in copy.replace(",", " ").split()]
+        for name in own:
+            if family.sorts.get(name) != "point":
+                item.fault(f"{name[:20]} is no point", near(name, family.sorts))
+        names += own
     return tuple(dict.fromkeys(names))
 
 
@@ -65,9 +69,14 @@ def read_facts(node: Node, family: Family, copies: int) -> Iterator[tuple[Node, 
 
 
 def read_home(node: Node, family: Family) -> dict[str, tuple[Fraction, Fraction, Fraction]]:
+    """Three coordinates for each name; of planar robots two will do, z being 0."""
     found = {}
     for key, value in node.entries():
-        numbers = [n.rational("lengths are all in one unit, which the file does not name") for n in value.sequence(3)]
+        flat = family.plane and len(value.children) == 2
+        given = value.sequence(2 if flat else 3)
+        numbers = [n.rational("lengths are all in one unit, which the file does not name") for n in given]
+        if flat and len(numbers) == 2:
+            numbers.append(Fraction(0))
         if key.text not in family.sorts or key.text in AXES:
             key.fault(f"{key.text[:20]} is not defined", near(key.text, family.sorts))
         elif len(numbers) == 3 and None not in numbers:

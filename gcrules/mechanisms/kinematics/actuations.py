@@ -24,7 +24,7 @@ def amplified(m: Linkage, here: Configurations) -> Amplifications:
     """What the actuators make of their rates, about the moved centre, with the robot's size as characteristic
     length.
     """
-    return amplifications(*actuations(m, here), [a.angle for a in m.actuators], m.size)
+    return amplifications(*actuations(m, here), [a.angle for a in m.actuators], m.robot.mobility, m.size)
 
 
 def amplified_by_legs(base: Floats, ends: Floats, centres: Floats) -> Amplifications:
@@ -37,7 +37,7 @@ def amplified_by_legs(base: Floats, ends: Floats, centres: Floats) -> Amplificat
     rows = np.concatenate([forces, np.cross(ends - centres[:, None], forces)], axis=2)
     arms = ends - ends.mean(axis=1, keepdims=True)
     size = float(np.sqrt((arms[0] ** 2).sum(axis=1).mean()))
-    return amplifications(rows, np.zeros((len(rows), 0, 6)), (False,) * 6, size)
+    return amplifications(rows, np.zeros((len(rows), 0, 6)), (False,) * 6, 6, size)
 
 
 def actuations(m: Linkage, here: Configurations) -> tuple[Floats, Floats]:

@@ -5,7 +5,8 @@ centre). These twists are the columns of the inverse of the actuations' part of 
 constraints allow. They are the amplification of forces too: by the virtual work of T_i a force f through the centre
 needs the effort f · v_i of actuator i, and a couple m the effort m · ω_i. So a unit force through the centre needs at
 worst |v_i|, a unit couple at worst |ω_i|; and errors δ_i of the actuators move the centre by at most Σ |v_i| |δ_i|, to
-first order.
+first order. Where there are more actuators than freedoms none of them moves alone: then only the condition number of
+their rates is told.
 """
 
 from __future__ import annotations
@@ -42,10 +43,11 @@ _ROUNDING = 1e-13
 @dataclass(frozen=True, eq=False)
 class Amplifications(HoldsArrays):
     """Of N configurations all numbers that an `Amplification` has of one: `speeds` and `turns` (N, actuators),
-    `condition_numbers` (N,).
+    `condition_numbers` (N,). The platform has so many `freedoms`.
     """
 
     angles: tuple[bool, ...]
+    freedoms: int
     length: float
     speeds: Floats
     turns: Floats
@@ -59,7 +61,7 @@ class Amplifications(HoldsArrays):
     @property
     def indices(self) -> Mapping[str, Floats]:
         """All of `INDICES` that these actuators have, (N,) each."""
-        return {name: INDICES[name].of(self) for name in index_names(self.angles)}
+        return {name: INDICES[name].of(self) for name in index_names(self.angles, self.freedoms)}
 
     def to_json(self) -> dict[str, list[float | None]]:
         """Lists of the indices, null where they are infinite or do not exist."""
@@ -69,15 +71,16 @@ class Amplifications(HoldsArrays):
     def together(cls, parts: Sequence[Amplifications]) -> Amplifications:
         """Those of several stacks of one robot."""
         arrays = (np.concatenate([getattr(p, n) for p in parts]) for n in ("speeds", "turns", "condition_numbers"))
-        return cls(parts[0].angles, parts[0].length, *arrays)
+        return cls(parts[0].angles, parts[0].freedoms, parts[0].length, *arrays)
 
 
 @dataclass(frozen=True)
 class Amplification:
     """For each actuator (`angles` tells of each whether it turns) the `speeds` |v_i| of the platform's centre and the
     `turns` |ω_i| (rad) for a unit of its rate (1 rad, or the unit of length), all others locked; infinite where the
-    robot is singular, not a number where an actuator applies no wrench. `condition_number` is that of the twists, turns
-    weighed with `length` against shifts and the rates of angles likewise against those of lengths, where the robot has
+    robot is singular, not a number where an actuator applies no wrench, or where there are more actuators than
+    freedoms, so that none moves alone. `condition_number` is that of the twists, turns weighed with `length` against
+    shifts and the rates of angles likewise against those of lengths, where the robot has
     both kinds of actuators.
     """
 
@@ -111,29 +114,36 @@ class Amplification:
 
 
 def amplification(
-    actuations: Floats, constraints: Floats, names: Sequence[str], angles: Sequence[bool], length: float
+    actuations: Floats,
+    constraints: Floats,
+    names: Sequence[str],
+    angles: Sequence[bool],
+    freedoms: int,
+    length: float,
 ) -> Amplification:
     """From the wrenches (f; m about the centre) of the actuators (n, 6), whose product with a twist is their rate, and
-    of the constraints (k, 6); `angles` tells of each actuator whether it turns.
+    of the constraints (k, 6), which elsewhere leave so many freedoms; `angles` tells of each actuator whether it turns.
     """
     held = np.reshape(constraints, (1, -1, 6))
-    every = amplifications(np.asarray(actuations)[None], held, angles, length)
+    every = amplifications(np.asarray(actuations)[None], held, angles, freedoms, length)
     speeds, turns = (tuple(map(float, a[0])) for a in (every.speeds, every.turns))
     return Amplification(tuple(names), tuple(angles), speeds, turns, float(every.condition_numbers[0]), length)
 
 
-def amplifications(actuations: Floats, constraints: Floats, angles: Sequence[bool], length: float) -> Amplifications:
+def amplifications(
+    actuations: Floats, constraints: Floats, angles: Sequence[bool], freedoms: int, length: float
+) -> Amplifications:
     """The same in N configurations: wrenches of the actuators (N, n, 6) and of the constraints (N, k, 6)."""
     scale, number = np.array([1.0, 1.0, 1.0, length, length, length]), len(angles)
     held = np.zeros((len(actuations), max(6, constraints.shape[1]), 6))  # with rows of zeros there are six values
     held[:, : constraints.shape[1]] = constraints / scale
     _, sizes, right = np.linalg.svd(held, full_matrices=True)
     rank = (sizes > _RANK * np.where(sizes[:, :1] > 0, sizes[:, :1], 1.0)).sum(axis=1)
-    free = right[:, 6 - number :]
+    free = right[:, 6 - freedoms :]
     units = np.where(angles, length, 1.0) if mixed(angles) else np.ones(number)
     known: NDArray[np.bool_] = np.asarray(np.isfinite(actuations).all(axis=(1, 2)))
     own = np.where(known[:, None, None], actuations, 0.0) / scale
-    left, sizes, right = np.linalg.svd(units[:, None] * own @ np.swapaxes(free, 1, 2))
+    left, sizes, right = np.linalg.svd(units[:, None] * own @ np.swapaxes(free, 1, 2), full_matrices=False)
     lost = np.asarray(sizes <= _RANK * sizes[:, :1])
     twists = units[:, None] * (left / np.where(lost, 1.0, sizes)[:, None] @ right @ free) / scale
     endless = ((np.abs(left) > _RANK) & lost[:, None]).any(axis=2)
@@ -145,8 +155,10 @@ def amplifications(actuations: Floats, constraints: Floats, angles: Sequence[boo
     found.append(condition)
     for array in found:
         array[~known] = np.nan  # an actuator applies no wrench
-        array[rank != 6 - number] = np.inf  # the platform has another number of freedoms than actuators
-    return Amplifications(tuple(angles), length, *found)
+        array[rank != 6 - freedoms] = np.inf  # the platform has other freedoms here than elsewhere
+    if number > freedoms:
+        found[:2] = (np.full_like(part, np.nan) for part in found[:2])
+    return Amplifications(tuple(angles), freedoms, length, *found)
 
 
 def mixed(angles: Sequence[bool]) -> bool:
@@ -221,9 +233,9 @@ def _inverse(a: Floats) -> Floats:
         return np.asarray(1 / a)
 
 
-def index_names(angles: Sequence[bool]) -> tuple[str, ...]:
-    """Those of `INDICES` that actuators have, of which `angles` tells whether they turn."""
-    return ("isotropy",) if mixed(angles) else tuple(INDICES)
+def index_names(angles: Sequence[bool], freedoms: int) -> tuple[str, ...]:
+    """Those of `INDICES` that actuators have, of which `angles` tells whether they turn, on so many freedoms."""
+    return ("isotropy",) if mixed(angles) or len(angles) > freedoms else tuple(INDICES)
 
 
 def index_columns(a: Amplifications, unit: str) -> tuple[str, ...]:

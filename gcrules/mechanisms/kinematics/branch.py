@@ -10,7 +10,7 @@ wanted coordinates within a box, a cell.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -61,9 +61,18 @@ class Steps:
         return cls(here, tuple(b - a for a, b in pairs), there.platform, grown)
 
 
-def can_be_followed(wanted: Target) -> bool:
-    """Whether there are proofs for ways to what is wanted: not for one or two components of a rotation vector."""
-    return sum(n in VECTOR for n in wanted.names) in (0, len(VECTOR))
+def can_be_followed(m: Linkage, wanted: Target) -> bool:
+    """Whether there are proofs for ways to what is wanted: not for one or two components of a rotation vector in
+    space. In the plane rz is the yaw.
+    """
+    return m.robot.family.plane or sum(n in VECTOR for n in wanted.names) in (0, len(VECTOR))
+
+
+def _without_vector(m: Linkage, wanted: Target) -> Target:
+    """The same one, of a planar robot with the yaw in place of rz."""
+    if not m.robot.family.plane or len(VECTOR) == sum(n in VECTOR for n in wanted.names):
+        return wanted
+    return replace(wanted, names=tuple("yaw" if n == "rz" else n for n in wanted.names))
 
 
 def follow_branch(m: Linkage, wanted: Target, steps: Steps) -> Truths:
@@ -95,9 +104,9 @@ def _tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
     arms = _arms(m, steps.here, steps.amounts)
     if wanted.driven:
         return follows(spreads(arms), _passive(m), _passive_idle(m))
-    if not can_be_followed(wanted):
+    if not can_be_followed(m, wanted):
         return tuple(np.full(a.amounts.shape, np.inf) for a in arms)
-    arm, free = _pose_arm(m, wanted, steps)
+    arm, free = _pose_arm(m, _without_vector(m, wanted), steps)
     return follows(spreads([arm, *arms]), [free, *_unlocked(m)], _idle(m))[1:]
 
 
@@ -126,6 +135,7 @@ class Cells:
             tubes = holds(limbs, _passive(m), _passive_idle(m), known)
             reach = [k + t for k, t in zip(known, tubes, strict=True)]
         else:
+            wanted = _without_vector(m, wanted)
             places = Steps(here, tuple(still), here.platform, np.zeros(widths.shape))
             arm, free = _pose_arm(m, wanted, places)
             order = _order(wanted)

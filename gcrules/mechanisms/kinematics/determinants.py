@@ -4,7 +4,8 @@ Each limb's wrenches with the actuators locked have a frame: first an orthonorma
 is left of its wrenches. From one configuration to the next the frames keep their orientation where the determinants of
 their overlaps are positive; then the sign of the determinant of all wrenches means the same in both. In an
 over-constrained robot one basis of the constraints of all limbs together stands for theirs. The determinant is 0 where
-the robot is singular, so a change of its sign is a crossing, whether the robot has a condition or not. Derived here.
+the robot is singular, so a change of its sign is a crossing, whether the robot has a condition or not. A robot with
+more actuators than freedoms has no such determinant. Derived here.
 """
 
 from __future__ import annotations
@@ -34,7 +35,8 @@ _ZERO = 1e-8  # of a determinant of unit wrenches: below it has no sign
 @dataclass(frozen=True, eq=False)
 class Frames:
     """Orthonormal rows (N, rank, columns): constraints and then what actuators add, of each limb or of all; and the
-    determinant of all rows together, (N,), not a number where the ranks are not those of the family.
+    determinant of all rows together, (N,), not a number where the ranks are not those of the family, or where there are
+    more rows than six (in the plane three).
     """
 
     systems: tuple[Floats, ...]

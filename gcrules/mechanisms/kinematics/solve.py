@@ -82,7 +82,7 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
             grown = (part - before) * course.target.values[None]
             step_there = Steps.of(Configurations.of([here]), joints, grown)
             if doubt is None and not follow_branch(course.m, course.target, step_there)[0]:
-                if step > _SHORTEST_PROOF * max(far, 1e-3) and can_be_followed(course.target):
+                if step > _SHORTEST_PROOF * max(far, 1e-3) and can_be_followed(course.m, course.target):
                     step, growth = step / 2, _SLOWER
                     continue
                 doubt = before
@@ -137,7 +137,8 @@ def _configuration(m: Linkage, here: Configuration, joints: Joints) -> Configura
 
 def check_target(m: Linkage, wanted: Target) -> None:
     """Raises InputError where the wanted coordinates are too few or too many or do not determine the pose near home, or
-    where home itself is singular for the actuators, or where it is too far to get there step by step.
+    where there are more actuators than freedoms or home itself is singular for them, or where it is too far to get
+    there step by step.
     """
     if not Course(m, wanted).length <= _FAR:
         raise InputError(
@@ -146,6 +147,11 @@ def check_target(m: Linkage, wanted: Target) -> None:
         )
     if wanted.whole is not None:
         return
+    if wanted.driven and m.robot.redundant:
+        raise InputError(
+            f"{m.robot.id} has {len(m.actuators)} actuators for {m.robot.mobility} freedoms: one depends on the others",
+            hint="ask for coordinates of the pose; the actuators follow from it",
+        )
     if not wanted.driven and len(wanted.names) != m.robot.mobility:
         told = dict(zip(wanted.names, map(float, wanted.values), strict=True))
         example = written({n: told.get(n, 0.0) for n in free_coordinates(m, wanted.names)})

@@ -27,7 +27,8 @@ class WrenchJacobian(HoldsArrays):
     own joint's twist, then the constraints of all limbs, orthonormal with moments divided by `length`. The product of
     an actuation with a twist (ω; v at the centre) of the platform is the rate of its actuator, that of a constraint 0.
     Where a limb is singular an actuation may not exist: nan there. `actuators` are the names of the first rows'
-    actuators, `angles` tells of each whether it turns; a `chosen_length` counts in their `amplification` only.
+    actuators, `angles` tells of each whether it turns, and the platform has so many `freedoms`; a `chosen_length`
+    counts in their `amplification` only.
 
     `smallest_singular_value` and `condition_number` are those of the same wrenches as `LimbMargin.rows` has them, with
     `length` as the characteristic length.
@@ -41,13 +42,14 @@ class WrenchJacobian(HoldsArrays):
     condition_number: float
     actuators: tuple[str, ...]
     angles: tuple[bool, ...]
+    freedoms: int
     chosen_length: float | None = None
 
     @property
     def amplification(self) -> Amplification:
         """What the actuators make of their rates, with the chosen length if there is one."""
         n, length = len(self.actuators), self.chosen_length or self.length
-        return amplification(self.rows[:n], self.rows[n:], self.actuators, self.angles, length)
+        return amplification(self.rows[:n], self.rows[n:], self.actuators, self.angles, self.freedoms, length)
 
     def to_json(self) -> dict[str, Any]:
         number = _finite
@@ -93,6 +95,7 @@ def wrench_jacobian(m: Linkage, here: Configuration, near: LimbMargin) -> Wrench
         near.condition_number,
         tuple(a.name for a in actuators),
         tuple(a.angle for a in actuators),
+        m.robot.mobility,
     )
 
 

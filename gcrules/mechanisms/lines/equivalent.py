@@ -32,7 +32,7 @@ class Equivalent:
     `ideal` are the points at infinity, `given` brackets of points that vanish in the whole family, `derived` directions
     and points made from those of the file. `mobility` = 6 − rank of the constraints (3 − in the plane), `over` the
     number of constraints that are there twice, `idle` the motions inside limbs that leave the platform at rest, `rank`
-    that of all wrenches.
+    that of all wrenches, `redundant` the number of actuators beyond the freedoms.
     """
 
     limbs: tuple[LimbWrenches, ...]
@@ -44,11 +44,21 @@ class Equivalent:
     ideal: tuple[str, ...] = ()
     given: tuple[tuple[str, ...], ...] = ()
     derived: tuple[Derived, ...] = ()
+    redundant: int = 0
 
     @property
     def legs(self) -> tuple[tuple[str, str], ...]:
         """The lines as pairs of names."""
         return tuple(line.ends for line in self.lines or ())
+
+    @property
+    def drawn(self) -> tuple[WrenchLine, ...]:
+        """The lines; where there are more actuators than freedoms, those of all limbs that need no more names."""
+        if not self.redundant or self.lines is None:
+            return self.lines or ()
+        apart = {d.name for limb in self.limbs for d in limb.derived} - {d.name for d in self.derived}
+        every = [line for limb in self.limbs for line in limb.lines or () if not apart.intersection(line.ends)]
+        return tuple({line.ends: line for line in (*self.lines, *every)}.values())
 
     @property
     def incidences(self) -> tuple[str, ...]:
@@ -106,6 +116,7 @@ def equivalent(
         over=sum(limb.constraints for limb in found) - (full - mobility),
         idle=sum(limb.freedoms - limb.rank for limb in found),
         rank=RESIDUES.rank([*trivial, *every]) - len(trivial),
+        redundant=sum(limb.actuators for limb in limbs) - mobility,
     )
     if any(limb.lines is None for limb in found) or result.rank < full:
         return result
@@ -120,16 +131,12 @@ def equivalent(
     order = {limb.limb.name: place for place, limb in enumerate(found)}
     lines.sort(key=lambda line: order.get(line.limb, -1))
     used = dict.fromkeys(n for line in lines for n in line.ends)
-    return Equivalent(
-        found,
-        tuple(lines),
-        result.mobility,
-        result.over,
-        result.idle,
-        result.rank,
-        tuple(n for n in used if at[0].points[n][3] == 0),
-        tuple(_incidences(family, tuple(used), at)),
-        tuple(d for limb in found for d in needed(limb.derived, used)),
+    return replace(
+        result,
+        lines=tuple(lines),
+        ideal=tuple(n for n in used if at[0].points[n][3] == 0),
+        given=tuple(_incidences(family, tuple(used), at)),
+        derived=tuple(d for limb in found for d in needed(limb.derived, used)),
     )
 
 

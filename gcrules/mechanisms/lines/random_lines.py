@@ -23,8 +23,9 @@ __all__ = ["LineOfLimbs"]
 
 
 class LineOfLimbs:
-    """The lines of all limbs along one line of members. Where constraints of a limb are not spanned by lines, all lines
-    count as constraints: then a minor is the superbracket itself.
+    """The lines of all limbs along one line of members. Those of the `group` are chosen from, beside all others: the
+    constraints; or all lines, a minor being the superbracket itself, where constraints of a limb are not spanned by
+    lines or there are more actuators than freedoms (`whole`).
     """
 
     def __init__(self, family: Family, structure: Equivalent) -> None:
@@ -39,8 +40,9 @@ class LineOfLimbs:
         every = [line for limb in structure.limbs for line in limb.lines or ()]
         self.lines = list({self._place(line): line for line in reversed(every)}.values())[::-1]
         self.mixed_roles = any(line.role == "both" for line in every)
+        self.whole = self.mixed_roles or structure.redundant > 0
         self.group = [line for line in self.lines if self.held(line)]
-        self.size = self.full if self.mixed_roles else self.full - structure.mobility
+        self.size = self.full if self.whole else self.full - structure.mobility
         rng = drawn("coordinates")
         self.coordinates = [[rng.randrange(PRIME) for _ in range(6)] for _ in range(self.size)]
         self.row = cache(self._row)
@@ -50,7 +52,7 @@ class LineOfLimbs:
         return tuple(RESIDUES.simplest(line.row(self.points(t))) for t in (1, 2))
 
     def held(self, line: WrenchLine) -> bool:
-        return line.role == "constraint" or self.mixed_roles
+        return line.role == "constraint" or self.whole
 
     def _row(self, line: WrenchLine, t: int) -> tuple[int, ...]:
         wrench = line.row(self.points(t))

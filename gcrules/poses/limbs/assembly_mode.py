@@ -13,8 +13,10 @@ from typing import Any
 
 from gcrules.core.english import listed
 from gcrules.mechanisms.kinematics.linkage import Linkage
+from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.solve import Solution
 from gcrules.poses.limbs.way import Way
+from gcrules.screws.verdict import SOLVED
 
 __all__ = ["AssemblyMode", "assembly_mode"]
 
@@ -28,7 +30,8 @@ class AssemblyMode:
 
     The branch of solutions is proved but from `doubt` on. At the `crossings` the determinant of the wrenches changes
     its sign, `unknown` is where its sign cannot be followed. From home to `regular` it is proved that no configuration
-    is singular; `ends_singular` tells that the last configuration is.
+    is singular; `ends_singular` tells that the last configuration is. Robots with more actuators than freedoms are not
+    `signed`: no determinant changes its sign.
     """
 
     doubt: float | None = None
@@ -37,6 +40,7 @@ class AssemblyMode:
     regular: float = 1.0
     ends_singular: bool = False
     at_home: bool = False
+    signed: bool = True
 
     @property
     def same(self) -> bool | None:
@@ -69,6 +73,8 @@ class AssemblyMode:
         if self.unknown is not None:
             where = _percent(self.unknown)
             return f"not known: the sign of the determinant of the wrenches is lost at {where} of the way"
+        if not self.signed:
+            return f"not known: that nothing is singular is proved up to {_at_least(self.regular)} of the way from home"
         return (
             "not known: the determinant of the wrenches has one sign at all steps from home, but that nothing between"
             f" them is singular is not proved at {_at_least(self.regular)} of the way"
@@ -114,5 +120,8 @@ def assembly_mode(m: Linkage, solution: Solution) -> AssemblyMode:
         tuple(float((a + b) / (2 * end)) for a, b in crossings),
         None if unknown is None else float(unknown / end),
         float(regular / end),
-        not way.frames(solution.configuration).signed[0],
+        margin(m, solution.configuration).sigma <= SOLVED
+        if m.robot.redundant
+        else not way.frames(solution.configuration).signed[0],
+        signed=not m.robot.redundant,
     )

@@ -233,6 +233,11 @@ class LimbsTask(HoldsArrays):
     @property
     def accuracy(self) -> str:
         """How curves are found."""
+        if self.linkage.robot.redundant:
+            return (
+                "no curves or surfaces are drawn: with more actuators than freedoms no determinant changes its sign, "
+                "and singular poses lie in undecided cells only"
+            )
         if len(self.grid.axes) == 3:
             return "the surface is drawn between the nodes, where the determinant changes its sign"
         return (

@@ -50,7 +50,8 @@ class NearestSingular:
     the file) from where the search began, and its `solution`; None where nothing was found up to `reach`, or where it
     is not reached itself. `distance` is √Σ of the squares of angles and of shifts / ρ. No configuration is singular
     where every coordinate changes by less than `free` (times ρ for shifts), proved. Ways were followed in `directions`,
-    `stopped` of them end sooner: there the loops do not close beyond, or a limb is singular.
+    `stopped` of them end sooner: there the loops do not close beyond, or a limb is singular. Of a robot with more
+    actuators than freedoms only the box is proved; `directions` is 0.
     """
 
     names: tuple[str, ...]
@@ -69,6 +70,9 @@ def nearest_singular(m: Linkage) -> NearestSingular | None:
     if len(names) < m.robot.mobility:
         return None
     bundle = Bundle(m, names)
+    if m.robot.redundant:  # no determinant is there whose sign could change
+        reach = _reach(m)
+        return NearestSingular(names, None, float("inf"), _free(bundle, reach), reach, None, 0, 0)
     report("looking for singular configurations in all directions")
     directions, reach = directions_around(len(names)), _reach(m)
     ends = bundle.ends(directions, reach, nearest=True)

@@ -233,6 +233,7 @@ def _report(
         undecided=undecided,
         branch_doubt=doubt,
         threshold=limit,
+        redundant=m.robot.redundant > 0,
         parameters=parameters,
         coordinates=coordinates(names, nodes.here.platform, m.centre),
         actuator_values=np.stack([nodes.here.joint_values[a.place][:, a.coordinate] for a in m.actuators], axis=1),

@@ -61,6 +61,8 @@ class RobotPath(HoldsArrays, Shown):
     each crossing one is. `branch_doubt` is the parameter from which on it is not proved that the configurations follow
     one branch of solutions from home (None: it is proved throughout).
 
+    A `redundant` robot has more actuators than freedoms: there are no crossings.
+
     `parameters` (N,), `coordinates` (N, names) and `actuator_values` (N, actuators) are the samples, `margins` (N,)
     their σ, `limb_margins` (N,) the least of the limbs' own, `factor_values` (N, F) those of the condition's `factors`
     (nan where a cofactor is 0 too), `verdicts` (N,) regular | close | singular, `amplifications` what the
@@ -79,6 +81,7 @@ class RobotPath(HoldsArrays, Shown):
     undecided: tuple[tuple[float, float], ...]
     branch_doubt: float | None
     threshold: Threshold
+    redundant: bool
     parameters: Floats
     coordinates: Floats
     actuator_values: Floats

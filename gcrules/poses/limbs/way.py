@@ -82,8 +82,10 @@ class Way:
 
     def signs(self) -> tuple[tuple[Stretch, ...], float | None]:
         """The short stretches in which the determinant changes its sign, and the first place where that cannot be
-        told.
+        told. Robots with more actuators than freedoms have no such sign.
         """
+        if self.m.robot.redundant:
+            return (), None
         crossings: list[Stretch] = []
         unknown: float | None = None
         first, *others = self.nodes

@@ -139,6 +139,8 @@ def _names(m: Limbs) -> tuple[str, ...]:
 def _unfit(m: Limbs) -> str:
     if m.analysis.lines is None:
         return "the wrenches of its limbs are no lines of its points, so that it has no condition"
+    if m.robot.redundant:
+        return "with more actuators than freedoms it takes two conditions at once, not one polynomial"
     if all(part.kind in ASIDE for part in m.analysis.parts):
         return "its condition has no factor that may vanish"
     return ""

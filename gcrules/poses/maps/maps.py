@@ -102,11 +102,15 @@ def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold:
     if measure not in MEASURES:
         raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
     plan = method(_PLANNED, found, "a map")(over, at, limits, limit, measure)
-    if measure in INDICES and measure not in index_names(plan.task.grid.angles_driven):
-        raise InputError(
-            f"some actuators turn and others slide: there is no common {measure.replace('_', ' ')}",
-            hint="take --measure isotropy, which weighs them with the robot's size",
+    angles = plan.task.grid.angles_driven
+    if measure in INDICES and measure not in index_names(angles, found.mobility):
+        why = (
+            "there are more actuators than freedoms, so that none moves alone: there is no"
+            if len(angles) > found.mobility
+            else "some actuators turn and others slide: there is no common"
         )
+        hint = "take --measure isotropy, which weighs them with the robot's size"
+        raise InputError(f"{why} {measure.replace('_', ' ')}", hint=hint)
     return plan
 
 

@@ -38,8 +38,7 @@ def source_code(robot: Controller, language: str) -> str:
     assert forms.factors
     assert forms.wrenches
     assert forms.actuators
-    template = Template(files(__package__).joinpath("templates", spelt.template).read_text(encoding="utf-8"))
-    return template.substitute(
+    return _template(spelt, bool(robot.factors)).substitute(
         name=name,
         NAME=name.upper(),
         header="\n".join(spelt.comment.format(line=line).rstrip() for line in _header(robot, spelt)),
@@ -60,6 +59,16 @@ def source_code(robot: Controller, language: str) -> str:
     )
 
 
+_OF_FACTORS = " @factors"
+"""Ends lines of templates that a robot without factors has not."""
+
+
+def _template(spelt: Language, factors: bool) -> Template:
+    every = files(__package__).joinpath("templates", spelt.template).read_text(encoding="utf-8").splitlines()
+    kept = (line.removesuffix(_OF_FACTORS) for line in every if factors or not line.endswith(_OF_FACTORS))
+    return Template("\n".join([*kept, ""]))
+
+
 def _identifier(name: str) -> str:
     """In lower case, of letters, digits and underscores."""
     found = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")[:40].strip("_")
@@ -77,7 +86,8 @@ def _header(robot: Controller, spelt: Language) -> Iterator[str]:
     words = " and ".join(f"{', '.join(names)} ({unit})" for names, unit in groups if names)
     yield from _wrapped(f"A pose is {words}, in this order; all are 0 at home.")
     yield from _wrapped(f"actuators: {robot.amounts}: {', '.join(robot.actuators)}.")
-    yield "factors: numbers that are 0 where the robot is singular, and change their sign there as a rule:"
+    if robot.factors:
+        yield "factors: numbers that are 0 where the robot is singular, and change their sign there as a rule:"
     for k, factor in enumerate(robot.factors):
         why = factor.statement.rstrip(".")
         if why.startswith("The robot is singular exactly when "):

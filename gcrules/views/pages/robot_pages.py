@@ -118,7 +118,9 @@ def _facts(a: RobotAnalysis) -> Iterator[str]:
     robot, s = a.robot, a.structure
     if robot.limbs:
         yield f"* Limbs: {inline(robot.chain)} (a star at what is driven)"
-        yield f"* Mobility of the platform {s.mobility}, overconstraints {s.over}, idle freedoms in limbs {s.idle}"
+        more = f", actuators beyond the freedoms {s.redundant}" if s.redundant else ""
+        numbers = f"overconstraints {s.over}, idle freedoms in limbs {s.idle}{more}"
+        yield f"* Mobility of the platform {s.mobility}, {numbers}"
     if robot.source:
         yield f"* Source: {_source(robot.source)}"
     if robot.note:

@@ -144,6 +144,7 @@ def _header(a: RobotAnalysis) -> str:
     if a.structure.limbs:
         words.append(f"mobility of the platform {a.structure.mobility}")
         words += [f"overconstraints {a.structure.over}"] if a.structure.over else []
+        words += [f"actuators beyond the freedoms {a.structure.redundant}"] if a.structure.redundant else []
         words += [f"idle freedoms {a.structure.idle}"] if a.structure.idle else []
     sub = f'<p class="sub">{escape(" · ".join(filter(None, words)))}</p>'
     notes = [a.robot.note, f"Source: {a.robot.source}" if a.robot.source else ""]

@@ -28,8 +28,8 @@ def conditioning(a: Amplification, unit: str) -> str:
 
 
 def amplification_lines(a: Amplification, unit: str) -> Iterator[str]:
-    """For each actuator the speed and the turn of the platform; nothing where all are infinite."""
-    if all(map(math.isinf, a.speeds)):
+    """For each actuator the speed and the turn of the platform; nothing where there are no such numbers."""
+    if not any(map(math.isfinite, a.speeds)):
         return
     yield ""
     yield "Actuators, one at unit rate and the others locked: speed of the centre, turn of the platform"

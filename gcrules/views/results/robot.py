@@ -57,10 +57,10 @@ def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]
             left = ", ".join(text(e, unicode=unicode, names=names) for e in a.cofactors)
             factors.append(f"{left}: cofactor; where it vanishes so does the expression, singular or not")
         yield FACTORS, factors
-    if a.structure.over and a.lines is not None and a.structure.limbs:
+    if (a.structure.over or a.structure.redundant) and a.lines is not None and a.structure.limbs:
         title = f"All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines"
         too_high = ["not compared: their superbrackets have a degree above 63 in the parameters of the family"]
-        yield title, _common(a.common, a.lines.structure.names, unicode) if a.common else too_high
+        yield title, _common(a, a.common, unicode) if a.common else too_high
     if a.structure.limbs:
         yield "Singularities of the limbs by themselves (of codimension one)", [_serial(one) for one in a.limbs]
     sure = [a.certificate]
@@ -73,19 +73,27 @@ _NUMBERS = ("six", "three")
 _SHOWN = 6  # cofactors that are shown in words
 
 
-def _common(c: CommonFactor, names: tuple[str, ...], unicode: bool) -> list[str]:
-    """What the subsets of an over-constrained robot's lines have in common, and the cofactors."""
+def _common(a: RobotAnalysis, c: CommonFactor, unicode: bool) -> list[str]:
+    """What the subsets of the lines have in common, and the cofactors."""
+    assert a.lines is not None
+    names, redundant = a.lines.structure.names, a.structure.redundant > 0
+    what = "lines" if redundant else "constraints"
+    together = (
+        "the condition is the common factor of their superbrackets"
+        if c.degree or not redundant
+        else "their superbrackets have no factor in common, so that no single condition makes the robot singular"
+    )
     count = "one of them is" if c.independent == 1 else f"{c.independent} of them are"
     out = [
         f"the limbs have {c.lines} different lines, with {c.subsets} such subset{'s' * (c.subsets > 1)}, and {count}"
-        " not zero in the whole family; the condition is the common factor of their superbrackets"
+        f" not zero in the whole family; {together}"
     ]
     for one in c.listed[:_SHOWN] if c.independent > 1 else ():
-        out.append(f"with the constraints {_lines(one)}: {_cofactor(one, names, unicode)}")
+        out.append(f"with the {what} {_lines(one)}: {_cofactor(one, names, unicode)}")
     if c.independent > _SHOWN:
         out.append(f"and {c.independent - _SHOWN} more, which --json lists")
     if c.independent > 1:
-        out.append(f"with the constraints that were chosen, {_lines(c.chosen)}: {_cofactor(c.chosen, names, unicode)}")
+        out.append(f"with the {what} that were chosen, {_lines(c.chosen)}: {_cofactor(c.chosen, names, unicode)}")
     return out
 
 
@@ -116,10 +124,9 @@ def _place(c: LimbCondition) -> str:
 def _head(a: RobotAnalysis) -> Iterator[str]:
     yield f"{a.robot.title} ({a.robot.id}){': ' + a.robot.chain if a.robot.limbs else ''}"
     if a.robot.limbs:
-        yield (
-            f"mobility of the platform {a.structure.mobility}, overconstraints {a.structure.over},"
-            f" idle freedoms {a.structure.idle}"
-        )
+        s = a.structure
+        more = f", actuators beyond the freedoms {s.redundant}" if s.redundant else ""
+        yield f"mobility of the platform {s.mobility}, overconstraints {s.over}, idle freedoms {s.idle}{more}"
     for key, value in (("source", a.robot.source), ("note", a.robot.note)):
         if value:
             yield from _wrapped(f"{key}: {value}")
@@ -139,6 +146,8 @@ def _line(line: WrenchLine) -> str:
 
 def _structure(a: RobotAnalysis) -> str:
     words = [f"the lines {' '.join(''.join(leg) for leg in a.structure.legs)}"]
+    if a.structure.redundant:
+        words[0] += ", chosen among those of all limbs"
     if a.structure.ideal:
         words.append(f"at infinity {', '.join(a.structure.ideal)}")
     words += [f"{n} is {what}" for n, what in a.structure.named]
@@ -190,7 +199,7 @@ def as_latex(a: RobotAnalysis) -> str:
         out += [f"{_display(None, p.expression)}\n{words(_told(p))}" for p in a.parts]
     if a.common is not None and a.lines is not None:
         out += [rf"\subsection*{{All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines}}"]
-        out += [rf"{words(line)}\par" for line in _common(a.common, a.lines.structure.names, True)]
+        out += [rf"{words(line)}\par" for line in _common(a, a.common, True)]
     return latex_document([*out, r"\subsection*{Certificate}", words(a.certificate)])
 
 

@@ -37,7 +37,7 @@ def account(r: RobotPath) -> PathAccount:
         ("values", f"at {len(r):,} samples: {listed_verdicts(r.verdicts.tolist())}"),
         *index_ranges(r.amplifications, r.parameters, ""),
         ("branch", _branch(r)),
-        ("proof", _PROOF),
+        ("proof", _PROOF + (_NO_SIGNS if r.redundant else _SIGNS)),
         *(("note", note) for note in r.notes),
     ]
     places = tuple(_crossing(r, c) for c in r.crossings)
@@ -53,8 +53,10 @@ def _closest(r: RobotPath) -> Iterator[tuple[str, str]]:
 
 _PROOF = (
     "step by step: in a tube around each the loops have exactly one solution (Krawczyk's operator), and with the"
-    " actuators locked none that moves; the crossings lie where the determinant of all wrenches changes its sign"
+    " actuators locked none that moves"
 )
+_SIGNS = "; the crossings lie where the determinant of all wrenches changes its sign"
+_NO_SIGNS = "; with more actuators than freedoms no determinant changes its sign: what is not proved stays undecided"
 
 
 def _branch(r: RobotPath) -> str:

@@ -88,6 +88,12 @@ def _lines(r: RobotPose) -> Iterator[str]:
 
 
 def _nearest(n: NearestConfiguration) -> Iterator[str]:
+    if not n.directions:
+        yield "Nearest singular configuration"
+        words = "not sought: with more actuators than freedoms the sign of no determinant tells where it is"
+        yield from wrapped(words, "  ", "    ")
+        yield from _free_box(n)
+        return
     yield "Nearest singular configuration, by a search in all directions"
     stopped = f"; in {n.stopped} of them the robot cannot be followed so far" if n.stopped else ""
     measure = f"shifts as parts of the robot's size, {n.size:.4g}, and angles in radians"
@@ -104,6 +110,10 @@ def _nearest(n: NearestConfiguration) -> Iterator[str]:
     else:
         words = f"none found up to the distance {n.reach:.4g} ({measure}) in {n.directions} directions{stopped}"
         yield from wrapped(words, "  ", "    ")
+    yield from _free_box(n)
+
+
+def _free_box(n: NearestConfiguration) -> Iterator[str]:
     if not any(n.free.values()):
         yield from wrapped("no box around this configuration was proved free of them", "  ", "    ")
         return

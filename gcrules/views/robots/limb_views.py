@@ -28,7 +28,7 @@ Values = Mapping[str, Sequence[float] | Floats]
 def limb_views(robot: RobotAnalysis, values: Values) -> list[LimbView]:
     """The limbs in a configuration; lines that only all limbs together hold stand in one more, of the frame."""
     places, ideal = all_places(robot, values), directions(robot)
-    lines = robot.structure.lines or ()
+    lines = robot.structure.drawn
     views: list[LimbView] = [
         {
             "name": limb.limb.name,

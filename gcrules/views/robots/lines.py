@@ -73,7 +73,7 @@ def structure_shapes(
         labels.append(Label(name_runs(name), start, (start[0] - end[0], start[1] - end[1]), 2.0, fill=role))
     if motion:
         over += motion_shapes(frame, motion, places_of(s))
-    names = dict.fromkeys(n for leg in s.a.structure.legs for n in leg if n in s.points)
+    names = dict.fromkeys(n for line in s.a.structure.drawn for n in line.ends if n in s.points)
     dots = {n: frame.place(s.points[n]) for n in [*names, *(n for e in shown for n in e.points if n in s.points)]}
     over += [dot_at(at, _distance(s.points[n], s.plate) < _LEAST) for n, at in dots.items()]
     over += [Circle(frame.place(p), 5.4, "mark", "paper", 1.6) for p in near]
@@ -117,7 +117,7 @@ def _lines(s: Scene) -> tuple[list[tuple[_Segment, str]], list[tuple[_Segment, s
     """Lines between two points, and those to a point at infinity with its name; each with its colour."""
     solid, rays = [], []
     middle = center([*s.points.values()])
-    for line in s.a.structure.lines or ():
+    for line in s.a.structure.drawn:
         role = _line_role(s, line)
         near = [n for n in line.ends if n in s.points]
         if len(near) == 2:
@@ -140,7 +140,7 @@ def _line_role(s: Scene, line: Wrench) -> str:
 
 def far(s: Scene) -> Far:
     """The lines at infinity among them, with their points."""
-    lines = [line for line in s.a.structure.lines or () if all(n in s.ideal for n in line.ends)]
+    lines = [line for line in s.a.structure.drawn if all(n in s.ideal for n in line.ends)]
     named = dict.fromkeys(n for line in lines for n in line.ends)
     drawn = []
     for line in lines:
@@ -154,7 +154,7 @@ def far(s: Scene) -> Far:
 def entity_role_of(s: Scene, e: DrawnFlat) -> str:
     """A plane of a limb's lines has the limb's colour, one of platform or base points theirs."""
     names = set(e.points)
-    for line in s.a.structure.lines or ():
+    for line in s.a.structure.drawn:
         if names.issuperset(line.ends) and line.limb in s.roles:
             return s.roles[line.limb]
     owners = [limb for limb, own in _own(s) if names <= own]
