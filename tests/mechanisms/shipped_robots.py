@@ -11,13 +11,18 @@ from places import DATA
 import gcrules as gc
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.family import Path as MemberPath
 from gcrules.mechanisms.description.relations import Values
 from gcrules.mechanisms.lines.singular import interpolated, roots
 from gcrules.mechanisms.load import read_robot
 
-__all__ = ["GIVEN_BY_LINES", "GOOD", "OTHERS", "analysis", "robot", "singular_members"]
+__all__ = ["AS_MANY", "GIVEN_BY_LINES", "GOOD", "OTHERS", "REDUNDANT", "analysis", "robot", "singular_members"]
 FILES = DATA / "robots"
+REDUNDANT = ("4-rpr",)
+"""Shipped robots with more actuators than freedoms."""
+AS_MANY = tuple(one.id for one in robots() if one.id not in REDUNDANT)
+"""The others."""
 OTHERS = {  # robots from the literature's families, and what is said of them
     "2-prr-ppr": "the lines A1B1, A2B2 and n3C meet in a point or are parallel",
     "2-ups-u": "the planes A1B1O, A2B2O and uvO, which pass through O, have a common line",

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import pytest
-from mechanisms.shipped_robots import OTHERS, analysis, robot, singular_members
+from mechanisms.shipped_robots import AS_MANY, OTHERS, analysis, robot, singular_members
 from places import DATA
 
 from gcrules.algebra.evaluate import PRIME, Evaluator
@@ -18,7 +18,7 @@ from gcrules.screws import RESIDUES
 
 IDS = tuple(one.id for one in robots())
 FILES = DATA / "robots"
-ROAD = (*IDS, *OTHERS)
+ROAD = (*AS_MANY, *OTHERS)
 MEMBERS = 200
 PATHS = 9
 Row = tuple[Any, ...]

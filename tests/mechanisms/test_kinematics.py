@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from mechanisms.moved_robots import analysed, machine, moves, robot, there
+from mechanisms.shipped_robots import AS_MANY
 
 import gcrules as gc
 from gcrules.mechanisms.description.discovery import robots
@@ -119,7 +120,7 @@ def test_what_was_wanted_is_reached_and_relations_hold(name: str, part: float) -
         assert own[-1] == pytest.approx(s.configuration.platform, abs=1e-9 * m.size), m.robot.limbs[place].name
 
 
-@pytest.mark.parametrize("name", IDS)
+@pytest.mark.parametrize("name", AS_MANY)
 def test_actuators_lead_back_to_the_pose(name: str) -> None:
     m, s = machine(name), there(name, 0.6)
     amounts = {a.name: s.configuration.joint_values[a.place][a.coordinate] for a in m.actuators}

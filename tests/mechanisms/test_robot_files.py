@@ -42,7 +42,6 @@ FAULTS: dict[str, tuple[str, str, str]] = {
     "unknown joint": ("P*(A% S%)", "Q*(A% S%)", "robot.yaml:10:23: 'Q' is no kind of joint"),
     "near joint": ("P*(A% S%)", "p*(A% S%)", "did you mean P"),
     "no actuated joint": ("P*", "P", "robot.yaml:10:13: no joint is actuated"),
-    "too many actuators": ("R(A%", "R*(A%", "too many actuators: 6 for a platform of mobility 3"),
     "too few actuators": (
         "  - name: leg %\n    joints: R(A%, r%) P*(A% S%) S(S%)",
         "  - joints: R(A1, r1) P*(A1 S1) S(S1)\n  - joints: R(A2, r2) P(A2 S2) S(S2)\n"
@@ -86,7 +85,7 @@ FAULTS: dict[str, tuple[str, str, str]] = {
     "same limb": ("name: leg %", "name: leg", "two limbs bear the name 'leg'"),
     "long relation": ("A%: free", "A%: free\n  B1: A1" + " " * 400 + "+ x", "more than 300 characters"),
     "home missing": ("mobility: 3", "mobility: 3\nhome: {A1: [0, 0, 0]}", "home gives no coordinates for"),
-    "home numbers": ("mobility: 3", "mobility: 3\nhome: {A1: [0, 0]}", "a list of 2, expected 3"),
+    "home numbers": ("mobility: 3", "mobility: 3\nhome: {A1: [0, 0, 0, 0]}", "a list of 4, expected 3"),
     "home unknown": ("mobility: 3", "mobility: 3\nhome: {Q1: [0, 0, 0]}", "Q1 is not defined"),
     "platform": ("mobility: 3", "mobility: 3\nplatform: r1", "r1 is no point"),
     "division by zero": ("A%: free", "A%: free\n  B1: A1 + 1/0 x", "division by zero"),

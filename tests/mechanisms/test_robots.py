@@ -59,6 +59,7 @@ FOUND: dict[str, tuple[int, int, str, tuple[str, ...]]] = {
     "tricept": (3, 0, "Ov On1 uv A1B1 A2B2 A3B3", ("actuation",)),
     "exechon": (3, 2, "A1B1 A1v A2B2 A2v A3B3 A3s", ("actuation",)),
     "orthoglide": (3, 3, "xy xz yz A1B1 A2B2 A3B3", ("actuation",)),
+    "4-rpr": (3, 0, "A1B1 A2B2 A3B3", ("choice",)),
 }
 
 STATEMENTS = {
@@ -74,6 +75,7 @@ STATEMENTS = {
     "3-rpr": "the lines A1B1, A2B2 and A3B3 meet in a point or are parallel",
     "gough-stewart": "the lines A1B1, A2B2, A3B3, A4B4, A5B5 and A6B6 belong to one linear complex",
     "exechon": "the planes of leg 1 (vA1B1), leg 2 (vA2B2) and leg 3 (sA3B3) and the base plane A1A2A3 meet in a point",
+    "4-rpr": "the lines A1B1, A2B2, A3B3 and A4B4 all meet in one point or are all parallel, which takes two",
     "4-ruu": "singular too where the constraints of all limbs together lose rank",
 }
 

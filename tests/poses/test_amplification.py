@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from commands import assert_refused
-from mechanisms.shipped_robots import analysis
+from mechanisms.shipped_robots import AS_MANY, analysis
 from places import EXAMPLES
 
 import gcrules as gc
@@ -36,7 +36,7 @@ def at_home(name: str) -> RobotPose:
     return found
 
 
-@pytest.mark.parametrize("name", IDS)
+@pytest.mark.parametrize("name", AS_MANY)
 def test_each_actuator_moves_the_platform_so_fast(name: str) -> None:
     """The loops are closed a little to both sides, with one actuator after the other moved."""
     home = at_home(name)
@@ -53,7 +53,7 @@ def test_each_actuator_moves_the_platform_so_fast(name: str) -> None:
         assert turn == pytest.approx(found.turns[place], rel=1e-4, abs=1e-6)
 
 
-@pytest.mark.parametrize("name", IDS)
+@pytest.mark.parametrize("name", AS_MANY)
 def test_efforts_balance_forces_through_the_centre(name: str) -> None:
     """Statics: no unit force, and no unit couple, needs more effort than it is said, and one needs as much."""
     j = at_home(name).jacobian
@@ -125,7 +125,7 @@ def expected(a: Any) -> dict[str, float]:
         "force": 1 / speed if speed else math.inf,
         "couple": 1 / turn if turn else math.inf,
     }
-    return {"isotropy": a.isotropy, **({} if len(set(a.angles)) > 1 else rest)}
+    return {"isotropy": a.isotropy, **({} if len(set(a.angles)) > 1 or math.isnan(speed) else rest)}
 
 
 @pytest.mark.parametrize("name", IDS)

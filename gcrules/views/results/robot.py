@@ -78,6 +78,7 @@ def _common(a: RobotAnalysis, c: CommonFactor, unicode: bool) -> list[str]:
     assert a.lines is not None
     names, redundant = a.lines.structure.names, a.structure.redundant > 0
     what = "lines" if redundant else "constraints"
+    word = "cofactor" if c.degree or not redundant else "superbracket"
     together = (
         "the condition is the common factor of their superbrackets"
         if c.degree or not redundant
@@ -89,11 +90,11 @@ def _common(a: RobotAnalysis, c: CommonFactor, unicode: bool) -> list[str]:
         f" not zero in the whole family; {together}"
     ]
     for one in c.listed[:_SHOWN] if c.independent > 1 else ():
-        out.append(f"with the {what} {_lines(one)}: {_cofactor(one, names, unicode)}")
+        out.append(f"with the {what} {_lines(one)}: {_cofactor(one, word, names, unicode)}")
     if c.independent > _SHOWN:
         out.append(f"and {c.independent - _SHOWN} more, which --json lists")
     if c.independent > 1:
-        out.append(f"with the {what} that were chosen, {_lines(c.chosen)}: {_cofactor(c.chosen, names, unicode)}")
+        out.append(f"with the {what} that were chosen, {_lines(c.chosen)}: {_cofactor(c.chosen, word, names, unicode)}")
     return out
 
 
@@ -101,11 +102,11 @@ def _lines(one: Subset) -> str:
     return " ".join("".join(ends) for ends in one.lines)
 
 
-def _cofactor(one: Subset, names: tuple[str, ...], unicode: bool) -> str:
+def _cofactor(one: Subset, word: str, names: tuple[str, ...], unicode: bool) -> str:
     if not one.degree:
         return "no cofactor"
     shown = f" {text(one.cofactor, unicode=unicode, names=names)}" if one.cofactor else ""
-    return f"cofactor{shown}" + (f", zero where {one.statement}" if one.statement else "")
+    return f"{word}{shown}" + (f", zero where {one.statement}" if one.statement else "")
 
 
 def _serial(one: LimbSingularity) -> str:
