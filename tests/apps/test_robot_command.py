@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from pathlib import Path
+from xml.etree import ElementTree
 from typing import Any
 
 import pytest
@@ -124,6 +125,21 @@ def test_analyze_takes_robots(
     result = CliRunner().invoke(cli, ["analyze", *words])
     assert result.exit_code == code
     assert said in (result.stderr if code else result.stdout)
+
+
+@pytest.mark.parametrize("words", [["analyze", "3-rps"], ["robot", "analyze", "3-rps"], ["analyze", "4-rpr"]])
+def test_a_robot_is_drawn(words: list[str], tmp_path: Path) -> None:
+    path = tmp_path / "robot.svg"
+    assert CliRunner().invoke(cli, [*words, "--figure", str(path)]).exit_code == 0
+    drawing = ElementTree.parse(path).getroot()
+    assert "equivalent structure" in "".join(drawing.itertext())
+
+
+def test_a_robot_without_a_home_is_not_drawn(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(folder)
+    result = CliRunner().invoke(cli, ["analyze", "mine/robot.yaml", "--figure", "robot.svg"])
+    assert (result.exit_code, "no home configuration to be drawn in" in result.stderr) == (2, True)
+    assert not Path("robot.svg").exists()
 
 
 def test_a_refuted_condition_is_a_definite_no(folder: Path) -> None:

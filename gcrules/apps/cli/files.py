@@ -107,6 +107,14 @@ class OutputFile(click.types.StringParamType):
         return value
 
 
+figure_option = click.option(
+    "--figure",
+    type=OutputFile(".svg", ".pdf"),
+    metavar="FILE",
+    help="Draw the robot, or of legs without coordinates the graph: .svg or .pdf.",
+)
+
+
 class OutputCommand(click.Command):
     """A command whose output files appear together, when its answer is printed, and only with exit code 0 or 1."""
 

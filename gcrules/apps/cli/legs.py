@@ -19,7 +19,7 @@ from gcrules.apps.cli.base import (
     search_option,
     space_options,
 )
-from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.files import OutputFile, figure_option, working
 from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual_options import ManualOptions, manual_options
 from gcrules.apps.cli.motion_options import MotionOptions, motion_options
@@ -41,8 +41,7 @@ __all__ = ["analyze", "report"]
 run_manual = deferred("gcrules.apps.cli.manual:run_manual")
 rendered = deferred("gcrules.views.report.report:report")
 save = deferred("gcrules.views.drawing.drawing_files:save")
-graph_figure = deferred("gcrules.views.drawing.figures:graph_figure")
-robot_figure = deferred("gcrules.views.drawing.figures:robot_figure")
+figure_of = deferred("gcrules.views.figure:figure")
 home_remark = deferred("gcrules.poses.limbs.remark:home_remark")
 
 _order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
@@ -58,12 +57,7 @@ _SPACE = SpaceOptions(4, (), ())  # where no option says otherwise
 @_recheck
 @manual_options
 @click.option("--full", is_flag=True, help="Show every single step of the derivation.")
-@click.option(
-    "--figure",
-    type=OutputFile(".svg", ".pdf"),
-    metavar="FILE",
-    help="Draw the robot (FILE.yaml) or the graph of its legs: .svg or .pdf.",
-)
+@figure_option
 @given_option
 @_search
 @time_limit(itself=True)
@@ -118,12 +112,12 @@ def analyze(
         run_manual(_six_legs(legs, space, choice) if legs else None, order, manual, space, out, seconds)
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
-    others = order or recheck or full or figure or assumptions or catalogs or space != _SPACE
+    others = order or recheck or full or assumptions or catalogs or space != _SPACE
     with limited(seconds, beside(search)):
         loaded = _loaded(legs, assumptions, space, choice)
         analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others)
-        if figure and isinstance(analysis, Analysis):
-            _draw(analysis, figure)
+        if figure:
+            save(figure_of(analysis), figure)
         out.show(_InFull(analysis) if full and isinstance(analysis, Analysis) else analysis)
 
 
@@ -236,7 +230,7 @@ def _analyzed(
     """
     if isinstance(loaded, Robot):
         if others or choice.words or choice.without:
-            raise click.UsageError("A robot of joints takes --search, --plugins and the options of output only.")
+            raise click.UsageError("A robot of joints takes --search, --plugins, --figure and options of output only.")
         with working("analysing"):
             found = analyzed(loaded, search=search)
             remark = home_remark(found)
@@ -284,7 +278,3 @@ def _check_manual(legs: tuple[str, ...], others: object, manual: ManualOptions) 
         raise click.UsageError("Manual mode goes with --order, --points, --ideal and --json, no other options.")
     if "-" in legs and not manual.proposals:
         raise click.UsageError("In manual mode standard input holds the commands, not the legs.")
-
-
-def _draw(analysis: Analysis, path: str) -> None:
-    save(robot_figure(analysis) if analysis.platform else graph_figure(analysis), path)

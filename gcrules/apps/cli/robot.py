@@ -19,7 +19,7 @@ from gcrules.apps.cli.base import (
     search_option,
     seeded,
 )
-from gcrules.apps.cli.files import OutputCommand, OutputFile, working
+from gcrules.apps.cli.files import OutputCommand, OutputFile, figure_option, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
 from gcrules.core.budget import checkpoint
@@ -41,6 +41,8 @@ __all__ = ["robot"]
 _home_remark = deferred("gcrules.poses.limbs.remark:home_remark")  # numpy, for numbers only
 _pose = deferred("gcrules.poses.pose:pose")
 _singular = deferred("gcrules.poses.pose:singular")
+_figure = deferred("gcrules.views.figure:figure")
+_save = deferred("gcrules.views.drawing.drawing_files:save")
 
 _OWNERS = {"robot": "a robot", "class": "a class of the catalog", "example": "an example"}
 
@@ -161,20 +163,24 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
 @_name
 @_plugins
 @search_option(SECONDS)
+@figure_option
 @time_limit(plus="search")
 @output_options()
-def analyze_command(name: str, folders: tuple[str, ...], search: float, out: Output) -> None:
+def analyze_command(name: str, folders: tuple[str, ...], search: float, figure: str | None, out: Output) -> None:
     """Tell when and why a robot is singular: wrenches of its limbs, equivalent lines, condition, sentence.
 
     \b
     gcrules robot analyze 3-rps
     gcrules robot analyze my-robot/robot.yaml --json
+    gcrules robot analyze delta --figure delta.svg
     """
     with working("analysing"):
         found = analyze_robot(read_robot(name, folders), search=search)
         remark = _home_remark(found)
     if remark:
         click.echo(f"warning: {remark}", err=True)
+    if figure:
+        _save(_figure(found), figure)
     out.show(found)
 
 
