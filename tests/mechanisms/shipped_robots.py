@@ -33,7 +33,6 @@ OTHERS = {  # robots from the literature's families, and what is said of them
     "3-rrs": "the planes of leg 1 (r1B1S1), leg 2 (r2B2S2) and leg 3 (r3B3S3) and the platform plane S1S2S3 meet",
     "3-ruu": "the moments u1 × v1, u2 × v2 and u3 × v3 of the couples are parallel to one plane (constraint",
     "3-upu-wrist": "the planes A1B1O, A2B2O and A3B3O, which pass through O, have a common line (constraint",
-    "4-upu": "Without the wrenches along A3B3 and A4B4 the platform can turn",
     "4-upu-pairs": "Without the wrenches along A3B3 and A4B4 the platform can turn",
     "5-ups-prpu": "the lines A1B1, A2B2, A3B3, A4B4, A5B5 and rs belong to one linear complex",
     "6-pss": "the lines A1B1, A2B2, A3B3, A4B4, A5B5 and A6B6 belong to one linear complex",

@@ -159,7 +159,7 @@ def random_targets(m: Linkage, seed: int) -> list[Target]:
     return [coordinates_target(m, amounts), actuators_target(m, driven)]
 
 
-@pytest.mark.parametrize("name", [*IDS, "agile-eye", "5-rpur", "4-ruu-opposite"])
+@pytest.mark.parametrize("name", [*IDS, "4-ruu-opposite"])
 def test_ways_against_fine_steps(name: str) -> None:
     m = machine(name)
     for wanted in random_targets(m, 3):
@@ -275,7 +275,11 @@ def test_factors_by_cofactors_vanish_with_the_wrenches_alone(name: str) -> None:
 
 # --- homes that are singular ------------------------------------------------------------------------------------------
 
-SINGULAR_HOMES = {"3-prr": "the lines B1C1, B2C2 and B3C3 meet", "4-upu": "actuation", "3-upu-snu": "parallel to one"}
+SINGULAR_HOMES = {
+    "3-prr-singular": "the lines B1C1, B2C2 and B3C3 meet",
+    "4-upu-singular": "actuation",
+    "3-upu-snu": "parallel to one",
+}
 
 
 @pytest.mark.parametrize("name", SINGULAR_HOMES)

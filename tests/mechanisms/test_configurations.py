@@ -78,6 +78,8 @@ def names_the_frame(r: gc.Robot) -> bool:
     return bool(used & {"x", "y", "z"}) or any(d.relation.kind == "sum" for d in r.family.definitions)
 
 
+NO_LENGTH = ("3-rrr-spherical", "agile-eye")
+"""All their axes go through one point."""
 FREE = [n for n in IDS if not names_the_frame(read_robot(n))]
 """Robots that do not name directions of the frame."""
 
@@ -86,9 +88,9 @@ FREE = [n for n in IDS if not names_the_frame(read_robot(n))]
 def test_margin_knows_neither_frame_nor_unit(name: str) -> None:
     m = machine(name)
     other = elsewhere(m, Fraction(1000))
-    assert other.size == pytest.approx(1000 * m.size) or name == "3-rrr-spherical"
+    assert other.size == pytest.approx(1000 * m.size) or name in NO_LENGTH
     assert margin(other, other.home).sigma == pytest.approx(margin(m, m.home).sigma, abs=1e-9)
-    if name != "3-rrr-spherical":  # has no length of its own
+    if name not in NO_LENGTH:
         here, there = (limb_margins(one, Configurations.of([one.home])) for one in (m, other))
         assert here == pytest.approx(there, abs=1e-9)
 

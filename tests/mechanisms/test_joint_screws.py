@@ -64,6 +64,11 @@ def excepted(name: str, values: Values) -> bool:
         assert "coincide" in a.common.chosen.statement
         if robot(name).family.merged(values):
             return True
+    points = a.structure.points(robot(name).family, values)
+    for limb in a.structure.limbs:  # lines that were chosen for one limb may depend on each other
+        rows = [line.row(points) for line in limb.lines or ()]
+        if RESIDUES.rank(rows) < len(rows):
+            return True
     return any(not at(name, values).value(c)[0] for c in a.cofactors)
 
 

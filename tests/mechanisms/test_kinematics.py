@@ -42,6 +42,7 @@ PARTS = (0.6,)
 # What each kind of joint has on the link before it and on that after it.
 SIDES: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "R": (("point", "axis"), ("point", "axis")),
+    "C": (("axis",), ("axis",)),
     "P": (("direction",), ("direction",)),
     "U": (("point", "first"), ("point", "second")),
     "S": (("point",), ("point",)),
@@ -61,8 +62,9 @@ def geometry(joint: Any, values: Mapping[str, Any]) -> dict[str, tuple[str, Any]
         for end in ("first", "second"):
             found[f"{end} far"] = ("point", found[end][1] + found["bars"][1])
     if joint.kind == "Pa":
-        near, far = (values[joint.args[0][k][1]] for k in (1, 0))
-        found |= {"near": ("point", near), "far": ("point", far)}
+        bars = joint.args[0]  # two points, or a direction, which is on no other link
+        ends = (values[bars[k][1]] for k in (1, 0)) if len(bars) > 1 else ()
+        found |= {end: ("point", v) for end, v in zip(("near", "far"), ends, strict=len(bars) > 1)}
     return found
 
 
@@ -72,10 +74,10 @@ def bodies(m: Linkage, values: Mapping[str, Any]) -> Iterator[tuple[str, list[tu
     platform: list[tuple[str, Any]] = []
     for limb in m.robot.limbs:
         parts = [geometry(j, values) for j in limb.joints]
-        base += [parts[0][p] for p in SIDES[limb.joints[0].kind][0]]
+        base += [parts[0][p] for p in SIDES[limb.joints[0].kind][0] if p in parts[0]]
         platform += [parts[-1][p] for p in SIDES[limb.joints[-1].kind][1]]
         for k, (a, b) in enumerate(zip(limb.joints, limb.joints[1:], strict=False)):
-            own = [parts[k][p] for p in SIDES[a.kind][1]] + [parts[k + 1][p] for p in SIDES[b.kind][0]]
+            own = [parts[k][p] for p in SIDES[a.kind][1] if p in parts[k]] + [parts[k + 1][p] for p in SIDES[b.kind][0]]
             yield f"{limb.name}, link {k + 1}", own
         for k, j in enumerate(limb.joints):
             if j.kind == "U":

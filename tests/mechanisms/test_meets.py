@@ -40,13 +40,13 @@ ROBOTS = {
     "meets/3-rhrpa": ("n1", "(C1D1 × e1) × (u1 × C1B1 − u1)", "the directions n1, n2 and n3 are parallel to one plane"),
     "meets/c-2ups-flat": ("n1", "w × x", "is singular exactly when (n1n1' ∧ A1S1)(wO ∧ A2S2) − "),
     "meets/c1s-flat": ("n1", "u1 × x", "leg 3 (n3n3'S3) and the platform plane S1S2S3 meet in a point"),
-    "moved/5-rpur": ("n1", "(z × A1B1) × (e2 × B1C1)", "belong to one linear complex"),
+    "5-rpur": ("n1", "(z × A1B1) × (e × B1C1)", "belong to one linear complex"),
 }
 
 
 @cache
 def analysis(name: str) -> RobotAnalysis:
-    return analyze_robot(read_robot(DATA / f"{name}.yaml"))
+    return analyze_robot(read_robot(DATA / f"{name}.yaml" if "/" in name else name))
 
 
 @pytest.mark.parametrize("name", ROBOTS)

@@ -73,7 +73,7 @@ def test_numbers_are_those_of_pose(name: str) -> None:
         assert found["actuators"][k] == pytest.approx(amounts, abs=1e-9 * value.mechanism.linkage.size)
         assert found["coordinates"][k] == pytest.approx(list(expected.coordinates.values()), abs=1e-8)
         assert found["proved"][k] <= (expected.assembly.doubt is None)
-    assert reached or name == "3-rrr-spherical"
+    assert reached or name in ("3-rrr-spherical", "agile-eye")
 
 
 @pytest.mark.parametrize("name", ["delta", "3-rps", "3-prs", "exechon"])
@@ -93,8 +93,12 @@ def test_back_from_actuators(name: str) -> None:
     assert turned.actuator_values(there["actuators"][:, ::-1]) == pytest.approx(there["actuators"], abs=1e-8)
 
 
-OPEN = {"3-pprs", "exechon", "gallardo-4dof", "tricept"}
-"""The robots of which something has no closed form of the kinds that are known."""
+OPEN = {
+    *("2-upr-rpu", "3-pprs", "4-ups-sp", "5-rpur", "5r", "capaman", "exechon", "gallardo-4dof", "tricept", "trivariant")
+}
+"""The robots of which nothing has a closed form of the kinds that are known."""
+WITHOUT_ACTUATORS = {"3-uru", "3-crr", "3-cpu"}
+"""Those of which the actuators have none."""
 
 
 @pytest.mark.parametrize("name", [*IDS, *OF_FILES])
@@ -102,8 +106,8 @@ def test_closed_forms_are_what_joints_give(name: str) -> None:
     """Two roads: programs, and Newton's method; where the second one leads somewhere, far from home too."""
     value = of(name)
     programs = (value.programs.factors, value.programs.wrenches, value.programs.actuators)
-    assert [p is None for p in programs] == [name in OPEN] * 3
-    if name in OPEN:
+    assert [p is None for p in programs] == [name in OPEN, name in OPEN, name in OPEN | WITHOUT_ACTUATORS]
+    if programs[-1] is None:
         return
     poses = np.concatenate([drawn(value, 20), drawn(value, 20, reach=0.03, seed=6)])
     solved = value.numbers(poses, "factors, margins, actuators, proved")

@@ -283,6 +283,7 @@ def _imaginary(limbs: Sequence[LimbSpec], structure: Equivalent, values: Values)
     vectors = [combined(t, values, RESIDUES) for limb in limbs for j in limb.joints for t in j.directions]
     rows = with_derived(structure.derived, values, RESIDUES)
     vectors += [(x, y, z) for x, y, z, w in rows.values() if not w]
+    vectors += [values[n] for n in structure.ideal if n in values]
     return any(RESIDUES.dot(v, v) == 0 for v in vectors)
 
 

@@ -1,7 +1,7 @@
 r"""What the actuators do, in closed form on the tape: how far each has turned or slid from home.
 
-A turn is seen on what a limb's first joint carries, a slide on the distance of two points, or on a point that the first
-joint carries. Which of them move so is seen in configurations that were solved by Newton's method, and what is made of
+A turn is seen on what a limb's first joint carries, a slide on the distance of two points, or on a point that it carries
+along a fixed direction. Which of them move so is seen in configurations that were solved by Newton's method, and what is made of
 it is compared with others (`limb_programs`).
 """
 
@@ -58,10 +58,11 @@ def _turn(places: LimbPlaces, a: Actuator) -> tuple[Ring, Ring]:
 def _slide(places: LimbPlaces, a: Actuator) -> Ring:
     screw, home = places.m.home.chains[a.place].screws, places.m.home.values
     wanted = places.solved.amounts[a.place][:, a.coordinate]
-    if not a.coordinate:
+    way = screw[a.coordinate][3:]
+    if not np.cross(screw[: a.coordinate, :3], way).any():  # only turns about its own direction come before it
         for name in _carried(places, a):
             if places.sorts[name] == "point":
-                along = screw[0][3:] / (screw[0][3:] @ screw[0][3:])
+                along = way / (way @ way)
                 return dot(exact(along), sub(places.at(name), exact(home[name])))
     for one, other in permutations((n for n, sort in places.sorts.items() if sort == "point"), 2):
         length = np.linalg.norm(home[other] - home[one])
