@@ -73,6 +73,10 @@ class Limbs:
     def actuators(self) -> tuple[str, ...]:
         return tuple(a.name for a in self.linkage.actuators)
 
+    @property
+    def pulls(self) -> tuple[bool, ...]:
+        return self.linkage.pulls
+
     def wrenches(self, at: Pose | str | Mapping[str, Any] | None = None) -> WrenchJacobian:
         """Actuations and constraints of all limbs, with moments about the moved centre."""
         m = self.linkage

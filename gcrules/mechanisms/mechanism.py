@@ -45,6 +45,10 @@ class Mechanism(Protocol):
         """What is driven, by name."""
 
     @property
+    def pulls(self) -> tuple[bool, ...]:
+        """Of each actuator whether it is a cable, which only pulls."""
+
+    @property
     def analysis(self) -> Analysis | RobotAnalysis:
         """When and why it is singular."""
 

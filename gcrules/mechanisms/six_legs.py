@@ -63,6 +63,10 @@ class SixLegs:
     def actuators(self) -> tuple[str, ...]:
         return self.rig.names
 
+    @property
+    def pulls(self) -> tuple[bool, ...]:
+        return (False,) * len(self.actuators)
+
     def pose(self, at: Pose | str | Mapping[str, Any] | None) -> Pose:
         """The pose that is written or given by coordinates."""
         if at is None or isinstance(at, Pose):

@@ -19,7 +19,7 @@ from gcrules.mechanisms.load import read_robot
 
 __all__ = ["AS_MANY", "GIVEN_BY_LINES", "GOOD", "OTHERS", "REDUNDANT", "analysis", "robot", "singular_members"]
 FILES = DATA / "robots"
-REDUNDANT = ("4-rpr",)
+REDUNDANT = ("4-rpr", "8-cables")
 """Shipped robots with more actuators than freedoms."""
 AS_MANY = tuple(one.id for one in robots() if one.id not in REDUNDANT)
 """The others."""

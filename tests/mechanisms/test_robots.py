@@ -60,6 +60,7 @@ FOUND: dict[str, tuple[int, int, str, tuple[str, ...]]] = {
     "exechon": (3, 2, "A1B1 A1v A2B2 A2v A3B3 A3s", ("actuation",)),
     "orthoglide": (3, 3, "xy xz yz A1B1 A2B2 A3B3", ("actuation",)),
     "4-rpr": (3, 0, "A1B1 A2B2 A3B3", ("choice",)),
+    "8-cables": (6, 0, "A1B1 A2B2 A3B3 A4B4 A5B5 A6B6", ("choice",)),
     "3-prr": (3, 0, "B1C1 B2C2 B3C3", ("actuation",)),
     "5r": (2, 0, "B1C A2B2 B2A1", ("choice", "actuation")),
     "3-crr": (3, 3, "xy xz yz A1u1 A2u2 A3u3", ("never", "never", "actuation")),
@@ -76,9 +77,10 @@ FOUND: dict[str, tuple[int, int, str, tuple[str, ...]]] = {
     "3-sps-s": (3, 0, "A1B1 A2B2 A3B3 Ox Oy Oz", ("never", "actuation")),
 }
 
-IDLE = {"3-sps-s": 3}  # legs that spin
+IDLE = {"3-sps-s": 3, "8-cables": 8}  # legs that spin
 
 STATEMENTS = {
+    "8-cables": "A7B7 and A8B8 all belong to one linear complex, which takes two to three conditions at once: it has 8",
     "3-prr": "the lines B1C1, B2C2 and B3C3 meet in a point or are parallel",
     "5r": "the points B1, B2 and C are on a line",
     "3-crr": "the directions u1, u2 and u3 are parallel to one plane, and then in every pose: that is a matter of its",

@@ -86,7 +86,7 @@ def _measures(subject: Subject) -> list[MeasureView]:
     """The margin, and what actuators of these kinds have."""
     limbs = subject.limbs
     angles = [a.angle for a in limbs.linkage.actuators] if limbs else [False] * 6
-    names = index_names(angles, limbs.mobility if limbs else 6)
+    names = index_names(angles, limbs.mobility if limbs else 6, limbs.pulls if limbs else ())
     units = {name: INDICES[name].unit(subject.unit, angles) for name in names}
     margin: MeasureView = {"name": "margin", "meaning": "margin σ, 0 where singular", "unit": ""}
     others: list[MeasureView] = [{"name": n, "meaning": INDICES[n].meaning, "unit": u} for n, u in units.items()]

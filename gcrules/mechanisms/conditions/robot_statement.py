@@ -33,7 +33,19 @@ def robot_statement(
         said = _redundant(structure, common, parts, f"{outside}, the" if outside else "the")
     else:
         said = _meaning(structure, condition, cofactors, parts, outside)
-    return _with_derived(said, structure, parts)
+    return _with_derived(say("{}{}", said, _cables(structure)), structure, parts)
+
+
+def _cables(structure: Equivalent) -> str:
+    """What is to be said beside the rank where actuators only pull; nothing else."""
+    if not any(limb.limb.cable for limb in structure.limbs):
+        return ""
+    if not structure.redundant:
+        return " Its cables only pull, and are too few to balance each other: they need a load, such as its weight."
+    return (
+        " Its cables only pull: elsewhere they hold the platform where tensions that are all positive balance each"
+        " other (wrench closure), which is told for each pose."
+    )
 
 
 _MARKS: Mapping[str, str] = {
@@ -132,7 +144,8 @@ def _either(parts: Sequence[FactorCause]) -> Statement:
 
 def _actuators(structure: Equivalent) -> str:
     number = structure.mobility + structure.redundant
-    return f"{number} actuators for {structure.mobility} freedoms"
+    what = "cables" if all(limb.limb.cable for limb in structure.limbs) else "actuators"
+    return f"{number} {what} for {structure.mobility} freedoms"
 
 
 def _dependent(structure: Equivalent) -> Statement:

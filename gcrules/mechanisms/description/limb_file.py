@@ -19,7 +19,7 @@ from gcrules.core.hints import near
 from gcrules.mechanisms.description.relations import Term, Values, combined, pair_or_name
 from gcrules.screws import JOINTS, Field, Joint, Limb
 
-__all__ = ["JointSpec", "LimbSpec", "read_joints"]
+__all__ = ["JointSpec", "LimbSpec", "cable_joints", "read_joints"]
 
 _JOINT = re.compile(r"\s*,?\s*([0-9A-Za-z]+)\s*(\*\d?)?\s*\(([^()]*)\)\s*")
 _NAMES = re.compile(r"[A-Za-z][\w']*(?:\s+[A-Za-z][\w']*)?")
@@ -70,15 +70,20 @@ class JointSpec:
 
 @dataclass(frozen=True)
 class LimbSpec:
-    """A limb; `through` are points that lines of its wrenches may go through beside those of its joints."""
+    """A limb; `through` are points that lines of its wrenches may go through beside those of its joints. A `cable` has
+    the joints of a leg with ball ends, and only pulls.
+    """
 
     name: str
     joints: tuple[JointSpec, ...]
     through: tuple[str, ...] = ()
+    cable: bool = False
 
     @property
     def chain(self) -> str:
         """The symbols of its joints, those with an actuator starred: UP*S."""
+        if self.cable:
+            return "cable"
         return "".join(j.kind + "*" * bool(j.actuated) for j in self.joints)
 
     @property
@@ -94,6 +99,12 @@ class LimbSpec:
     def at(self, values: Values, field: Field) -> Limb:
         """The limb at a member."""
         return Limb(tuple(j.at(values, field) for j in self.joints), self.name)
+
+
+def cable_joints(base: str, end: str, *, plane: bool) -> str:
+    """The joints of a cable between two points, as they are written of a limb."""
+    first, last = (f"R({base}, z)", f"R({end}, z)") if plane else (f"S({base})", f"S({end})")
+    return f"{first} P*({base} {end}) {last}"
 
 
 def read_joints(text: str) -> tuple[JointSpec, ...]:

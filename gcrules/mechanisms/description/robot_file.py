@@ -40,7 +40,7 @@ from gcrules.mechanisms.description.file_parts import (
     read_lines,
     read_platform,
 )
-from gcrules.mechanisms.description.limb_file import LimbSpec, read_joints
+from gcrules.mechanisms.description.limb_file import LimbSpec, cable_joints, read_joints
 from gcrules.mechanisms.description.point_pairs import numbered
 from gcrules.mechanisms.description.relations import AXES, RELATIONS, relation
 from gcrules.mechanisms.robot import Robot
@@ -218,8 +218,9 @@ class _Reader:
         if node.kind == "sequence" and not items:
             node.fault("there are no limbs")
         for place, item in enumerate(items):
-            top = item.mapping(("joints",), ("name", "through"))
-            joints = top.get("joints")
+            cable = item.kind == "mapping" and any(key.text == "cable" for key, _ in item.entries())
+            top = item.mapping(("cable",) if cable else ("joints",), ("name", "through"))
+            joints = top.get("cable" if cable else "joints")
             if joints is None:
                 continue
             text = joints.string() or "" if joints.kind == "scalar" else " ".join(
@@ -228,7 +229,7 @@ class _Reader:
             name = top["name"].string() or "" if "name" in top else f"leg {'%' if '%' in text else place + 1}"
             through = top["through"].string() or "" if "through" in top else ""
             for own, written, points in numbered(joints, self.copies, name, text, through):
-                limb = self._limb(own, written, points, joints, family)
+                limb = self._limb(own, written, points, joints, family, cable)
                 if limb and own in seen:
                     item.fault(f"two limbs bear the name {own!r}")
                 elif limb and len(seen) >= MAX_LIMBS:
@@ -240,7 +241,13 @@ class _Reader:
                 else:
                     break  # the other copies have the same fault
 
-    def _limb(self, name: str, text: str, through: str, node: Node, family: Family) -> LimbSpec | None:
+    def _limb(self, name: str, text: str, through: str, node: Node, family: Family, cable: bool) -> LimbSpec | None:
+        if cable:
+            ends = text.split()
+            if len(ends) != 2 or any(family.sorts.get(n) != "point" for n in ends):
+                node.fault("a cable joins two points", "write cable: A1 B1, from the base to the platform")
+                return None
+            text = cable_joints(*ends, plane=family.plane)
         if len(text) > 4 * MAX_TEXT:
             node.fault(f"a limb of more than {4 * MAX_TEXT} characters")
             return None
@@ -264,7 +271,7 @@ class _Reader:
                         continue
                     good = False
                     self._inside(node, text, InputError(message, span=joint.place, hint=hint))
-        limb = LimbSpec(name, joints, tuple(through.split()))
+        limb = LimbSpec(name, joints, tuple(through.split()), cable)
         for word in limb.through:
             if family.sorts.get(word) is None:
                 node.fault(f"{word} is not defined", near(word, family.sorts))

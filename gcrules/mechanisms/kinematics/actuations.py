@@ -24,7 +24,7 @@ def amplified(m: Linkage, here: Configurations) -> Amplifications:
     """What the actuators make of their rates, about the moved centre, with the robot's size as characteristic
     length.
     """
-    return amplifications(*actuations(m, here), [a.angle for a in m.actuators], m.robot.mobility, m.size)
+    return amplifications(*actuations(m, here), [a.angle for a in m.actuators], m.robot.mobility, m.size, m.pulls)
 
 
 def amplified_by_legs(base: Floats, ends: Floats, centres: Floats) -> Amplifications:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any
 
@@ -21,11 +22,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.frozen import HoldsArrays
+from gcrules.mechanisms.kinematics.closure import closure, closures
 
 __all__ = [
     "INDICES",
     "Amplification",
     "Amplifications",
+    "CableTensions",
     "Index",
     "amplification",
     "amplifications",
@@ -43,12 +46,15 @@ _ROUNDING = 1e-13
 @dataclass(frozen=True, eq=False)
 class Amplifications(HoldsArrays):
     """Of N configurations all numbers that an `Amplification` has of one: `speeds` and `turns` (N, actuators),
-    `condition_numbers` (N,). The platform has so many `freedoms`.
+    `condition_numbers` (N,). The platform has so many `freedoms`; `rates` (N, actuators, freedoms) are those for unit
+    motions in these, and `pulls` tells which actuators are cables.
     """
 
     angles: tuple[bool, ...]
     freedoms: int
     length: float
+    pulls: tuple[bool, ...]
+    rates: Floats
     speeds: Floats
     turns: Floats
     condition_numbers: Floats
@@ -58,10 +64,15 @@ class Amplifications(HoldsArrays):
         """1 over the condition numbers (N,), 0 where they are infinite."""
         return 1 / self.condition_numbers
 
+    @cached_property
+    def closures(self) -> Floats:
+        """The least tensions of the cables (N,) where the mean one is 1 and all balance each other."""
+        return closures(self.rates, self.pulls)
+
     @property
     def indices(self) -> Mapping[str, Floats]:
         """All of `INDICES` that these actuators have, (N,) each."""
-        return {name: INDICES[name].of(self) for name in index_names(self.angles, self.freedoms)}
+        return {name: INDICES[name].of(self) for name in index_names(self.angles, self.freedoms, self.pulls)}
 
     def to_json(self) -> dict[str, list[float | None]]:
         """Lists of the indices, null where they are infinite or do not exist."""
@@ -70,8 +81,34 @@ class Amplifications(HoldsArrays):
     @classmethod
     def together(cls, parts: Sequence[Amplifications]) -> Amplifications:
         """Those of several stacks of one robot."""
-        arrays = (np.concatenate([getattr(p, n) for p in parts]) for n in ("speeds", "turns", "condition_numbers"))
-        return cls(parts[0].angles, parts[0].freedoms, parts[0].length, *arrays)
+        names = ("rates", "speeds", "turns", "condition_numbers")
+        arrays = (np.concatenate([getattr(p, n) for p in parts]) for n in names)
+        return cls(parts[0].angles, parts[0].freedoms, parts[0].length, parts[0].pulls, *arrays)
+
+
+@dataclass(frozen=True)
+class CableTensions:
+    """Whether cables, which only pull, hold the platform: the `least` tension, for a mean one of 1, where all efforts
+    balance each other. Where it is positive these are the `efforts`, by actuator; else the platform can move along the
+    twist `escape` (v at the centre; ω) without any cable getting longer.
+    """
+
+    least: float
+    efforts: tuple[tuple[str, float], ...] = ()
+    escape: tuple[float, ...] | None = None
+
+    @property
+    def held(self) -> bool:
+        """Whether there is wrench closure."""
+        return not self.escape
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "closure": self.held,
+            "least_tension": self.least,
+            "efforts": dict(self.efforts),
+            "escape": None if self.escape is None else list(self.escape),
+        }
 
 
 @dataclass(frozen=True)
@@ -90,6 +127,7 @@ class Amplification:
     turns: tuple[float, ...]
     condition_number: float
     length: float
+    cables: CableTensions | None = None
 
     @property
     def isotropy(self) -> float:
@@ -110,6 +148,7 @@ class Amplification:
             "condition_number": number(self.condition_number),
             "isotropy": number(self.isotropy),
             "length": self.length,
+            "cables": self.cables.to_json() if self.cables else None,
         }
 
 
@@ -120,30 +159,57 @@ def amplification(
     angles: Sequence[bool],
     freedoms: int,
     length: float,
+    pulls: Sequence[bool] = (),
 ) -> Amplification:
     """From the wrenches (f; m about the centre) of the actuators (n, 6), whose product with a twist is their rate, and
     of the constraints (k, 6), which elsewhere leave so many freedoms; `angles` tells of each actuator whether it turns.
     """
     held = np.reshape(constraints, (1, -1, 6))
-    every = amplifications(np.asarray(actuations)[None], held, angles, freedoms, length)
+    every = amplifications(np.asarray(actuations)[None], held, angles, freedoms, length, pulls)
     speeds, turns = (tuple(map(float, a[0])) for a in (every.speeds, every.turns))
-    return Amplification(tuple(names), tuple(angles), speeds, turns, float(every.condition_numbers[0]), length)
+    condition = float(every.condition_numbers[0])
+    cables = _tensions(every, held, names) if any(pulls) and math.isfinite(condition) else None
+    return Amplification(tuple(names), tuple(angles), speeds, turns, condition, length, cables)
+
+
+def _tensions(a: Amplifications, constraints: Floats, names: Sequence[str]) -> CableTensions:
+    found = closure(a.rates[0], a.pulls)
+    if found.efforts is not None:
+        return CableTensions(found.least, tuple(zip(names, found.efforts.tolist(), strict=True)))
+    assert found.escape is not None
+    twist = found.escape @ _free(constraints, a.length, a.freedoms)[0][0] / _scale(a.length)
+    return CableTensions(found.least, (), tuple(twist.tolist()))
+
+
+def _scale(length: float) -> Floats:
+    return np.array([1.0, 1.0, 1.0, length, length, length])
+
+
+def _free(constraints: Floats, length: float, freedoms: int) -> tuple[Floats, NDArray[np.intp]]:
+    """Orthonormal motions (N, freedoms, 6) that the constraints (N, k, 6) allow, and the ranks of these (N,)."""
+    held = np.zeros((len(constraints), max(6, constraints.shape[1]), 6))  # with rows of zeros there are six values
+    held[:, : constraints.shape[1]] = constraints / _scale(length)
+    _, sizes, right = np.linalg.svd(held, full_matrices=True)
+    rank = (sizes > _RANK * np.where(sizes[:, :1] > 0, sizes[:, :1], 1.0)).sum(axis=1)
+    return np.asarray(right[:, 6 - freedoms :]), rank
 
 
 def amplifications(
-    actuations: Floats, constraints: Floats, angles: Sequence[bool], freedoms: int, length: float
+    actuations: Floats,
+    constraints: Floats,
+    angles: Sequence[bool],
+    freedoms: int,
+    length: float,
+    pulls: Sequence[bool] = (),
 ) -> Amplifications:
     """The same in N configurations: wrenches of the actuators (N, n, 6) and of the constraints (N, k, 6)."""
-    scale, number = np.array([1.0, 1.0, 1.0, length, length, length]), len(angles)
-    held = np.zeros((len(actuations), max(6, constraints.shape[1]), 6))  # with rows of zeros there are six values
-    held[:, : constraints.shape[1]] = constraints / scale
-    _, sizes, right = np.linalg.svd(held, full_matrices=True)
-    rank = (sizes > _RANK * np.where(sizes[:, :1] > 0, sizes[:, :1], 1.0)).sum(axis=1)
-    free = right[:, 6 - freedoms :]
+    scale, number = _scale(length), len(angles)
+    free, rank = _free(constraints, length, freedoms)
     units = np.where(angles, length, 1.0) if mixed(angles) else np.ones(number)
     known: NDArray[np.bool_] = np.asarray(np.isfinite(actuations).all(axis=(1, 2)))
     own = np.where(known[:, None, None], actuations, 0.0) / scale
-    left, sizes, right = np.linalg.svd(units[:, None] * own @ np.swapaxes(free, 1, 2), full_matrices=False)
+    rates = own @ np.swapaxes(free, 1, 2)
+    left, sizes, right = np.linalg.svd(units[:, None] * rates, full_matrices=False)
     lost = np.asarray(sizes <= _RANK * sizes[:, :1])
     twists = units[:, None] * (left / np.where(lost, 1.0, sizes)[:, None] @ right @ free) / scale
     endless = ((np.abs(left) > _RANK) & lost[:, None]).any(axis=2)
@@ -158,7 +224,7 @@ def amplifications(
         array[rank != 6 - freedoms] = np.inf  # the platform has other freedoms here than elsewhere
     if number > freedoms:
         found[:2] = (np.full_like(part, np.nan) for part in found[:2])
-    return Amplifications(tuple(angles), freedoms, length, *found)
+    return Amplifications(tuple(angles), freedoms, length, tuple(pulls), rates, *found)
 
 
 def mixed(angles: Sequence[bool]) -> bool:
@@ -221,10 +287,17 @@ INDICES: Mapping[str, Index] = MappingProxyType(
             ("{}", ""),
             lambda a: _inverse(a.turns.max(axis=1)),
         ),
+        "closure": Index(
+            "least tension of the cables by the mean one, where all balance each other; closure is lost below 0",
+            True,
+            ("", ""),
+            lambda a: a.closures,
+        ),
     }
 )
 """What engineers ask for at many poses. Errors are bounds to first order: actuators whose effects do not point in one
-direction cannot reach them all at once. All but the isotropy need actuators of one kind.
+direction cannot reach them all at once. All but isotropy and closure need actuators of one kind, and no more of them
+than freedoms.
 """
 
 
@@ -233,9 +306,13 @@ def _inverse(a: Floats) -> Floats:
         return np.asarray(1 / a)
 
 
-def index_names(angles: Sequence[bool], freedoms: int) -> tuple[str, ...]:
-    """Those of `INDICES` that actuators have, of which `angles` tells whether they turn, on so many freedoms."""
-    return ("isotropy",) if mixed(angles) or len(angles) > freedoms else tuple(INDICES)
+def index_names(angles: Sequence[bool], freedoms: int, pulls: Sequence[bool] = ()) -> tuple[str, ...]:
+    """Those of `INDICES` that actuators have, of which `angles` tells whether they turn and `pulls` whether they are
+    cables, on so many freedoms.
+    """
+    rigid = tuple(n for n in INDICES if n != "closure")
+    found = ("isotropy",) if mixed(angles) or len(angles) > freedoms else rigid
+    return (*found, "closure") if any(pulls) else found
 
 
 def index_columns(a: Amplifications, unit: str) -> tuple[str, ...]:

@@ -92,6 +92,11 @@ class Linkage:
     origin: Vector = _ORIGIN
 
     @property
+    def pulls(self) -> tuple[bool, ...]:
+        """Of each actuator whether it is a cable, which only pulls."""
+        return tuple(self.robot.limbs[a.place].cable for a in self.actuators)
+
+    @property
     def ranks(self) -> tuple[int, ...]:
         """Those of each limb's twists in the family."""
         return tuple(every for every, _ in self.elsewhere.limbs)

@@ -28,7 +28,7 @@ class WrenchJacobian(HoldsArrays):
     an actuation with a twist (ω; v at the centre) of the platform is the rate of its actuator, that of a constraint 0.
     Where a limb is singular an actuation may not exist: nan there. `actuators` are the names of the first rows'
     actuators, `angles` tells of each whether it turns, and the platform has so many `freedoms`; a `chosen_length`
-    counts in their `amplification` only.
+    counts in their `amplification` only. `pulls` tells which of them are cables.
 
     `smallest_singular_value` and `condition_number` are those of the same wrenches as `LimbMargin.rows` has them, with
     `length` as the characteristic length.
@@ -43,13 +43,16 @@ class WrenchJacobian(HoldsArrays):
     actuators: tuple[str, ...]
     angles: tuple[bool, ...]
     freedoms: int
+    pulls: tuple[bool, ...] = ()
     chosen_length: float | None = None
 
     @property
     def amplification(self) -> Amplification:
         """What the actuators make of their rates, with the chosen length if there is one."""
         n, length = len(self.actuators), self.chosen_length or self.length
-        return amplification(self.rows[:n], self.rows[n:], self.actuators, self.angles, self.freedoms, length)
+        return amplification(
+            self.rows[:n], self.rows[n:], self.actuators, self.angles, self.freedoms, length, self.pulls
+        )
 
     def to_json(self) -> dict[str, Any]:
         number = _finite
@@ -96,6 +99,7 @@ def wrench_jacobian(m: Linkage, here: Configuration, near: LimbMargin) -> Wrench
         tuple(a.name for a in actuators),
         tuple(a.angle for a in actuators),
         m.robot.mobility,
+        tuple(m.pulls[m.actuators.index(a)] for a in actuators),
     )
 
 

@@ -1,8 +1,8 @@
 r"""What the actuators do, in closed form on the tape: how far each has turned or slid from home.
 
-A turn is seen on what a limb's first joint carries, a slide on the distance of two points, or on a point that it carries
-along a fixed direction. Which of them move so is seen in configurations that were solved by Newton's method, and what is made of
-it is compared with others (`limb_programs`).
+A turn is seen on what a limb's first joint carries, a slide on the distance of two points, or on a point that it
+carries along a fixed direction. Which of them move so is seen in configurations that were solved by Newton's method,
+and what is made of it is compared with others (`limb_programs`).
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ from gcrules.mechanisms.kinematics.targets import (
     read_actuators,
     read_pose,
 )
-from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
+from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian, wrench_jacobian
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.assembly_mode import assembly_mode
 from gcrules.poses.limbs.balance import limb_numbers
@@ -176,6 +176,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
     verdict, reason = _verdict(m, near, own, limit)
     motions = _twists(m, near)
     gained = tuple(t for t, s in zip(motions, near.singular_values, strict=True) if s <= SOLVED)
+    jacobian = wrench_jacobian(m, c, near)
     return RobotPose(
         robot=m.robot.id,
         title=m.robot.title,
@@ -196,7 +197,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
         margin=near.sigma,
         turn=turn_of(near.sigma),
         threshold=limit,
-        jacobian=wrench_jacobian(m, c, near),
+        jacobian=jacobian,
         factors=values,
         statement=analysis.statement,
         limbs=limb_numbers(m, near, own),
@@ -207,7 +208,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
             d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
             for d in m.robot.family.definitions
         },
-        notes=(*solution.target.notes, *m.notes, *_far(m), *_notes(m, own)),
+        notes=(*solution.target.notes, *m.notes, *_far(m), *_notes(m, own), *_closure(jacobian)),
     )
 
 
@@ -263,6 +264,13 @@ def _far(m: Linkage) -> tuple[str, ...]:
         f"the robot is {away:.1g} times its size away from the origin: rounding may change σ by about {blur:.1g}; take"
         " an origin near it",
     )
+
+
+def _closure(j: WrenchJacobian) -> tuple[str, ...]:
+    cables = j.amplification.cables
+    if cables is None or cables.held:
+        return ()
+    return ("wrench closure is lost: the cables only pull, and do not hold the platform against every wrench",)
 
 
 def _notes(m: Linkage, own: Sequence[float]) -> tuple[str, ...]:

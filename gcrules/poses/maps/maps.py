@@ -103,7 +103,9 @@ def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold:
         raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
     plan = method(_PLANNED, found, "a map")(over, at, limits, limit, measure)
     angles = plan.task.grid.angles_driven
-    if measure in INDICES and measure not in index_names(angles, found.mobility):
+    if measure == "closure" and not any(found.pulls):
+        raise InputError("the robot has no cables: there is no closure", hint="leave --measure out")
+    if measure in INDICES and measure not in index_names(angles, found.mobility, found.pulls):
         why = (
             "there are more actuators than freedoms, so that none moves alone: there is no"
             if len(angles) > found.mobility

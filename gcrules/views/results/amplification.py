@@ -16,7 +16,7 @@ __all__ = ["amplification_lines", "amplification_rows", "conditioning", "conditi
 
 _NOTHING = 1e-12
 _SINGULAR = 1e-7  # isotropies below, as of a zero that is known up to rounding
-_ALONG = ("isotropy", "speed", "turn")
+_ALONG = ("isotropy", "speed", "turn", "closure")
 
 
 def conditioning(a: Amplification, unit: str) -> str:

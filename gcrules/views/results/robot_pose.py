@@ -3,10 +3,16 @@ r"""A robot's numbers in one configuration as plain text and as LaTeX: the verdi
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+
+import numpy as np
 
 from gcrules.core.english import listed
+from gcrules.mechanisms.kinematics.amplification import CableTensions
+from gcrules.mechanisms.kinematics.linkage import Actuator
+from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
+from gcrules.poses.numbers.motion import twist_of
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex import latex_name
@@ -57,6 +63,8 @@ def _lines(r: RobotPose) -> Iterator[str]:
     yield "Actuators, from home"
     yield from columns([(a.name, _amount(value, a.angle), f"{a.limb}: {a.joint}") for a, value in r.actuators], "  ")
     yield from amplification_lines(j.amplification, "")
+    if j.amplification.cables:
+        yield from _cables(j.amplification.cables, r.actuators, r.jacobian)
     if r.factors:
         yield ""
         yield "Factors of the condition"
@@ -85,6 +93,18 @@ def _lines(r: RobotPose) -> Iterator[str]:
     if r.nearest:
         yield ""
         yield from _nearest(r.nearest)
+
+
+def _cables(c: CableTensions, actuators: Sequence[tuple[Actuator, float]], j: WrenchJacobian) -> Iterator[str]:
+    yield ""
+    if c.escape is None:
+        yield f"Wrench closure: tensions that balance each other, for a mean of 1; the least is {small(c.least)}"
+        limbs = {a.name: a.limb for a, _ in actuators}
+        yield from columns([(name, small(effort), limbs[name]) for name, effort in c.efforts], "  ")
+        return
+    motion = twist_of(np.array(c.escape[:3]), np.array(c.escape[3:]), j.centre, j.length)
+    words = "Wrench closure is lost: no tensions that are all positive balance each other. The platform can"
+    yield from wrapped(f"{words} {motion.text()} without any cable getting longer.")
 
 
 def _nearest(n: NearestConfiguration) -> Iterator[str]:

@@ -64,16 +64,18 @@ def robot_legend(
     motion: DrawnMotion | None = None,
 ) -> list[Entry]:
     entries: list[Entry] = []
+    cables = {limb.name for limb in s.a.robot.limbs if limb.cable}
     for limb, role in s.roles.items():
-        entries.append(([Stroke((-12, 0), (12, 0), role, 4.4)], (Run(limb),)))
+        entries.append(([Stroke((-12, 0), (12, 0), role, 1.5 if limb in cables else 4.4)], (Run(limb),)))
     if pose is None:
-        kinds = dict.fromkeys(j.kind for limb in s.a.robot.limbs for j in limb.joints if j.kind not in _MADE_OF_BARS)
+        rigid = [limb for limb in s.a.robot.limbs if not limb.cable]
+        kinds = dict.fromkeys(j.kind for limb in rigid for j in limb.joints if j.kind not in _MADE_OF_BARS)
         for kind in kinds:
             sample = sign(_sample(kind), _SMALL if kind in ("C", "H", "E") else _FLAT, "muted")
             entries.append((sample, (Run(JOINTS[kind].name),)))
-        entries.append(
-            (sign(DrawnJoint("P", (0.0, 0.0, 0.0), ((1.0, 0.0, 0.0),), True), _FLAT, "ink"), (Run("driven"),))
-        )
+        if rigid:
+            driven = DrawnJoint("P", (0.0, 0.0, 0.0), ((1.0, 0.0, 0.0),), True)
+            entries.append((sign(driven, _FLAT, "ink"), (Run("driven"),)))
     wrenches = [line for limb in s.a.structure.limbs for line in limb.lines or ()]
     if any(not w.couple for w in wrenches):
         entries.append((arrow((-13, 0), (13, 0), "ink", 2.6), (Run("force"),)))

@@ -25,6 +25,7 @@ CONSTRAINT_DASH = (4.0, 2.6)
 
 _AXIS = 27.0  # points
 _LINK = {"link": 4.4, "bar": 2.6, "rail": 2.2}
+_CABLE = 1.5
 
 
 def body_pieces(s: Scene, fill: float = 0.2) -> list[CutPolygon[Look]]:
@@ -62,7 +63,8 @@ def robot_shapes(s: Scene, over: Sequence[Shape] = (), *, words: bool = True) ->
             if stroke.look == "axis":
                 pieces.append(CutPolygon((stroke.start, stroke.end), Look("muted", width=0.9, dash=(5, 3))))
             elif dist(stroke.start, stroke.end) > 1e-9:
-                pieces.append(CutPolygon((stroke.start, stroke.end), Look(role, width=_LINK[stroke.look])))
+                width = _CABLE if c.limb.cable else _LINK[stroke.look]
+                pieces.append(CutPolygon((stroke.start, stroke.end), Look(role, width=width)))
         if len(c.limb.joints) == 1 and len(s.base) > 2:  # a pivot: on a post, and held by the platform
             pieces.append(CutPolygon((center(s.base), c.foot), Look(role, width=4.4)))
             pieces.append(CutPolygon((c.head, s.heart), Look("platform", width=3.0)))
@@ -73,7 +75,8 @@ def robot_shapes(s: Scene, over: Sequence[Shape] = (), *, words: bool = True) ->
     shapes += axes
     named = [s.points[n] for n in joint_names(s.a) if n in s.points]
     shapes += [Circle(frame.place(p), 2.6, "ink", "paper", 1.0) for p in named]
-    placed = [(frame.sight(p.at), k, p, s.roles[c.limb.name]) for k, c in enumerate(s.chains) for p in c.places]
+    jointed = [(k, c) for k, c in enumerate(s.chains) if not c.limb.cable]
+    placed = [(frame.sight(p.at), k, p, s.roles[c.limb.name]) for k, c in jointed for p in c.places]
     for _, _, place, role in sorted(placed, key=lambda one: one[:2]):
         shapes += sign(place, frame, role)
     if not words:
