@@ -125,7 +125,8 @@ def expected(a: Any) -> dict[str, float]:
         "force": 1 / speed if speed else math.inf,
         "couple": 1 / turn if turn else math.inf,
     }
-    return {"isotropy": a.isotropy, **({} if len(set(a.angles)) > 1 or math.isnan(speed) else rest)}
+    cables = {"closure": a.cables.least} if a.cables else {}
+    return {"isotropy": a.isotropy, **cables, **({} if len(set(a.angles)) > 1 or math.isnan(speed) else rest)}
 
 
 @pytest.mark.parametrize("name", IDS)
@@ -171,7 +172,7 @@ def test_indices_of_a_platform_at_many_poses_and_along_a_path() -> None:
     assert "isotropy" in path.text()
 
 
-OF_MAPS = [("3-rpr", "xy", measure) for measure in INDICES]
+OF_MAPS = [("8-cables" if measure == "closure" else "3-rpr", "xy", measure) for measure in INDICES]
 OF_MAPS += [(s, o, m) for s, o in (("delta", "xy"), ("octahedral.yaml", "xz")) for m in ("isotropy", "shift_error")]
 
 
