@@ -14,6 +14,7 @@ import gcrules as gc
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.kinematics.coordinates import principal
+from gcrules.mechanisms.kinematics.rigid_motions import rotations
 from gcrules.poses.compiling.compiled import CompiledCondition
 from gcrules.poses.compiling.compiled_limbs import CompiledLimbs
 
@@ -74,6 +75,25 @@ def test_numbers_are_those_of_pose(name: str) -> None:
         assert found["coordinates"][k] == pytest.approx(list(expected.coordinates.values()), abs=1e-8)
         assert found["proved"][k] <= (expected.assembly.doubt is None)
     assert reached or name in ("3-rrr-spherical", "agile-eye")
+
+
+def test_the_agile_eye_has_no_singular_surface() -> None:
+    """With a, b and c the cosines between u and w of its legs the factor is 1 + 2abc - a² - b² - c² but for sines: of a
+    turned triad this is 0 only where one of them is 1 or -1, that is where a leg is folded. Derived here; Bonev2007
+    finds six curves."""
+    value = of("agile-eye")
+    poses = np.random.default_rng(3).uniform(-1, 1, (200, 3)) * [3, 1.5, 3]
+    found = value.numbers(poses, "factors, proved")
+    x, y, z = (rotations(poses[:, [k]] * np.eye(3)[k]) for k in range(3))
+    home = value.mechanism.linkage.home.values
+    u, w = (np.array([home[f"{letter}{k}"] for k in "123"], float) for letter in "uw")
+    a, b, c = cosines = np.einsum("kd,nde,ke->kn", u, z @ y @ x, w)
+    expected = (1 + 2 * a * b * c - a**2 - b**2 - c**2) / np.sqrt(1 - cosines**2).prod(axis=0)
+    assert (expected > 0).all()
+    assert found["proved"].mean() > 0.9
+    factor = found["factors"][found["proved"].astype(bool), 0]
+    assert np.abs(factor) == pytest.approx(expected[found["proved"].astype(bool)], abs=1e-8)
+    assert len(set(np.sign(factor))) == 1
 
 
 @pytest.mark.parametrize("name", ["delta", "3-rps", "3-prs", "exechon"])
