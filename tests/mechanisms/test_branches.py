@@ -226,17 +226,17 @@ def test_a_crossing_is_told_without_a_condition() -> None:
 
 def test_where_a_crossing_lies() -> None:
     m = machine("5-rpur")
-    here = gc.pose(analysis("5-rpur"), "x=0, y=0, z=-1, roll=0deg, yaw=60deg", nearest=False)
+    here = gc.pose(analysis("5-rpur"), "x=0, y=0, z=0, roll=0deg, yaw=35deg", nearest=False)
     assert len(here.factors) == 1
     assert here.mode.startswith("the way from home crosses a singular configuration")
     (part,) = here.assembly.crossings
-    wanted = coordinates_target(m, {"x": 0, "y": 0, "z": -1, "roll": 0, "yaw": np.radians(60)})
+    wanted = coordinates_target(m, {"x": 0, "y": 0, "z": 0, "roll": 0, "yaw": np.radians(35)})
     sigma = [margin(m, c).sigma for c in finely(m, wanted)]
     assert abs(int(np.argmin(sigma)) / FINE - part) <= 1 / FINE
     at = goal(Course(m, wanted), Solution(m.home, wanted), 0.0, part).configuration
     assert margin(m, at).sigma < 1e-4 * max(sigma)
     assert here.assembly.same is False
-    said = gc.pose(analysis("5-rpur"), "x=0, y=0, z=-1, roll=0deg, yaw=35deg", nearest=False)
+    said = gc.pose(analysis("5-rpur"), "x=0, y=0, z=0, roll=0deg, yaw=-35deg", nearest=False)
     assert said.mode == "that of home, proved: no configuration on the way from there is singular"
 
 
