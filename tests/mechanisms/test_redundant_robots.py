@@ -198,8 +198,8 @@ def test_poses_paths_and_maps_about_a_singular_pose() -> None:
 
 def test_what_cannot_be_had_is_said() -> None:
     for ask, words in (
-        (lambda: gc.pose("4-rpr", actuators={"q1": 0.1}), "4 actuators for 3 freedoms"),
-        (lambda: gc.singular_map("4-rpr", ["q1 -1:1:5", "q2 -1:1:5"]), "4 actuators for 3 freedoms"),
+        (lambda: gc.pose("4-rpr", actuators={"q4": 0.1}), "q4 follows from the other actuators"),
+        (lambda: gc.pose("4-rpr", actuators="q1=0.1, q4=0.1"), "q4 follows from the other actuators"),
         (lambda: gc.locus("4-rpr"), "two conditions at once, not one polynomial"),
         (lambda: gc.singular_map("4-rpr", ["x -1:1:5", "y -1:1:5"], measure="speed"), "none moves alone"),
     ):
@@ -208,6 +208,21 @@ def test_what_cannot_be_had_is_said() -> None:
     text = gc.pose("4-rpr").text()
     assert "not sought: with more actuators than freedoms" in " ".join(text.split())
     assert "proved: on this branch no configuration is singular" in " ".join(text.split())
+
+
+def test_as_many_actuators_as_freedoms_are_driven() -> None:
+    """The fourth leg has the length that its ends are apart, in a pose and in the nodes of a map."""
+    there = gc.pose("4-rpr", actuators={"q1": 0.1, "q2": 0.2, "q3": -0.05}, nearest=False)
+    for k in range(1, 5):
+        home = [(analysis("4-rpr").robot.home or {})[f"{letter}{k}"] for letter in "AB"]
+        before, after = (
+            np.linalg.norm(np.subtract(*(np.array(p, dtype=float) for p in ends)))
+            for ends in (home, (there.points[f"A{k}"], there.points[f"B{k}"]))
+        )
+        assert after - before == pytest.approx(there.actuator_values[f"q{k}"], abs=1e-9)
+    assert [there.actuator_values[f"q{k}"] for k in (1, 2, 3)] == pytest.approx([0.1, 0.2, -0.05])
+    found = gc.singular_map("4-rpr", ["q1 -0.3:0.3:5", "q2 -0.3:0.3:5"], "q3=-0.05")
+    assert found.summary.cells == (16, 0, 0)
 
 
 def test_numbers_of_many_poses() -> None:
