@@ -36,6 +36,7 @@ def linkage_view(robot: Limbs) -> LinkageView:
             {"name": a.name, "text": f"{a.limb}: {a.joint}", "limb": a.place, "coordinate": a.coordinate}
             for a in leading(m)
         ],
+        "follows": [[a.place, a.coordinate] for a in m.actuators if a not in leading(m)],
         "rides": {
             name: [[ride.limb, ride.link] for ride in rides]
             for name, rides in m.attachments.items()
