@@ -244,6 +244,24 @@ def test_isotropy_is_that_of_the_rates() -> None:
     assert j.amplification.condition_number == pytest.approx(np.linalg.cond(rows))
 
 
+def test_a_common_factor_is_the_one_condition_that_suffices() -> None:
+    """The axes u1, u2, u3 and u1 + u2 lie in one plane where the first three do."""
+    a = analysis("4-crr")
+    assert (
+        "One condition suffices for that: the directions u1, u2 and u3 are parallel to one plane; else" in a.statement
+    )
+    assert a.common is not None
+    assert a.common.degree > 0
+    r = a.robot
+    for seed in range(4):
+        values = r.family.member(seed, RATIONALS)
+        assert ranks(r.family, r.limbs, values, RATIONALS).wrenches == 6
+        rng = random.Random(seed)
+        flat = {n: (*some(rng, 2), Fraction(0)) for n in ("u1", "u2", "u3")}
+        flat["u4"] = tuple(x + y for x, y in zip(flat["u1"], flat["u2"], strict=True))
+        assert ranks(r.family, r.limbs, {**values, **flat}, RATIONALS).wrenches == 5
+
+
 def test_the_shipped_ones_are_known() -> None:
     assert tuple(one.id for one in robots() if read_robot(one.id).redundant) == REDUNDANT
 
