@@ -257,7 +257,7 @@ def test_a_common_factor_is_the_one_condition_that_suffices() -> None:
         values = r.family.member(seed, RATIONALS)
         assert ranks(r.family, r.limbs, values, RATIONALS).wrenches == 6
         rng = random.Random(seed)
-        flat = {n: (*some(rng, 2), Fraction(0)) for n in ("u1", "u2", "u3")}
+        flat: dict[str, Any] = {n: (*some(rng, 2), Fraction(0)) for n in ("u1", "u2", "u3")}
         flat["u4"] = tuple(x + y for x, y in zip(flat["u1"], flat["u2"], strict=True))
         assert ranks(r.family, r.limbs, {**values, **flat}, RATIONALS).wrenches == 5
 
