@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from itertools import combinations
@@ -194,6 +195,15 @@ def test_poses_paths_and_maps_about_a_singular_pose() -> None:
     cells = found.summary.cells
     free, crossed, undecided = cells
     assert (free > 100, crossed, undecided > 0) == (True, 0, True)
+
+
+def test_a_singular_home_is_not_driven() -> None:
+    there = singular_pose()
+    at = {n: tuple(c + (i == 0) * (n[0] == "B") for i, c in enumerate(v)) for n, v in (there.home or {}).items()}
+    robot = replace(there, home=at)
+    assert gc.pose(robot, nearest=False).verdict == "singular"
+    with pytest.raises(gc.InputError, match="singular at home: its actuators do not determine the pose"):
+        gc.pose(robot, actuators={"q1": 0.1})
 
 
 def test_what_cannot_be_had_is_said() -> None:

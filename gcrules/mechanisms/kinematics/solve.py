@@ -150,7 +150,7 @@ def check_target(m: Linkage, wanted: Target) -> None:
         told = dict(zip(wanted.names, map(float, wanted.values), strict=True))
         example = written({n: told.get(n, 0.0) for n in free_coordinates(m, wanted.names)})
         check_count(told, m.robot.mobility, "coordinate", f"the others follow from them: {example}")
-    if _told(Course(m, wanted), m.home) > _DEPENDENT:
+    if len(wanted.names) >= m.robot.mobility and _told(Course(m, wanted), m.home) > _DEPENDENT:
         return
     if wanted.driven:
         raise InputError(
