@@ -272,6 +272,20 @@ def test_a_common_factor_is_the_one_condition_that_suffices() -> None:
         assert ranks(r.family, r.limbs, {**values, **flat}, RATIONALS).wrenches == 5
 
 
+def test_a_limb_that_holds_the_platform_alone() -> None:
+    robot = gc.load("""
+title: a limb driven in all its joints, and a strut
+points: {O: free, A: free, C: free, D: free}
+directions: {u: free, v: "perpendicular to u, O A"}
+limbs:
+  - {name: arm, joints: "U*(O, u, v) P*(O A)"}
+  - {name: strut, joints: "S(C) P*(C D) S(D)"}
+platform: A D
+mobility: 3
+""")
+    assert "robot is never singular: arm alone holds the platform." in gc.analyze(robot).statement
+
+
 def test_the_shipped_ones_are_known() -> None:
     assert tuple(one.id for one in robots() if read_robot(one.id).redundant) == REDUNDANT
 

@@ -118,6 +118,11 @@ def _redundant(
     structure: Equivalent, common: CommonFactor | None, parts: Sequence[FactorCause], where: str
 ) -> Statement:
     """Of a robot with more actuators than freedoms: where all wrenches together lose rank."""
+    alone = next(
+        (limb.limb.name for limb in structure.limbs if len(limb.lines or ()) == len(structure.lines or ())), ""
+    )
+    if alone:
+        return say("{} robot is never singular: {} alone holds the platform.", where, alone).capitalised
     live, held = _live(parts), [p for p in parts if p.kind == "held" and p.meaning and not p.chosen]
     said = say("{} robot is singular exactly when {}", where, _dependent(structure))
     if live:
