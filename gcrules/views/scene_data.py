@@ -211,6 +211,8 @@ class LinkageView(TypedDict):
 
     chains: list[ChainView]
     drives: list[DriveView]
+    follows: list[list[int]]
+    """Limbs and coordinates of actuators that follow from the drives, where there are more of them than freedoms."""
     rides: dict[str, list[list[int]]]
     """The limbs and links that carry a name."""
     points: dict[str, Vec3]

@@ -166,6 +166,8 @@ export interface Derived {
 export interface Linkage {
   chains: Chain[];
   drives: Drive[];
+  /** Limbs and coordinates of actuators that follow from the drives, where there are more of them than freedoms. */
+  follows: number[][];
   /** The limbs and links that carry a name. */
   rides: Record<string, number[][]>;
   /** All points at home, and below all directions. */

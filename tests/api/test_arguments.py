@@ -239,6 +239,7 @@ def test_a_wrong_keyword_is_pythons(name: str) -> None:
     [
         (lambda: gc.path(gc, []), "gc.path: `source` must be a source: legs, .* got a module", None),
         (lambda: gc.path(ROBOT, []), "a path needs two poses or more, found 0", None),
+        (lambda: gc.locus("3-rpr", at=3), "takes coordinates by their names", "yaw=30deg"),
         (lambda: gc.locus("tricept", "z"), "tricept has no locus as a polynomial over", "gcrules map"),
         (lambda: gc.pose(LEGS), "legs alone have no coordinates", "give a geometry file"),
         (lambda: gc.analyze(ROBOT, order="2 1 3 4 5 6"), "the robot 3-rps takes no options order", None),

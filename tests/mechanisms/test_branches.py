@@ -22,6 +22,7 @@ from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.configurations import Configurations
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.margin import margin
@@ -155,7 +156,7 @@ def passive_determinant(m: Linkage, here: Configuration) -> float | None:
 def random_targets(m: Linkage, seed: int) -> list[Target]:
     rng = np.random.default_rng(seed)
     amounts = {n: 0.3 * rng.normal() * (m.size if n in "xyz" else 1) for n in free_coordinates(m)}
-    driven = [0.15 * rng.normal() * (1 if a.angle else m.size) for a in m.actuators]
+    driven = [0.15 * rng.normal() * (1 if a.angle else m.size) for a in leading(m)]
     return [coordinates_target(m, amounts), actuators_target(m, driven)]
 
 

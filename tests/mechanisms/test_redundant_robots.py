@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from itertools import combinations
@@ -196,10 +197,19 @@ def test_poses_paths_and_maps_about_a_singular_pose() -> None:
     assert (free > 100, crossed, undecided > 0) == (True, 0, True)
 
 
+def test_a_singular_home_is_not_driven() -> None:
+    there = singular_pose()
+    at = {n: tuple(c + (i == 0) * (n[0] == "B") for i, c in enumerate(v)) for n, v in (there.home or {}).items()}
+    robot = replace(there, home=at)
+    assert gc.pose(robot, nearest=False).verdict == "singular"
+    with pytest.raises(gc.InputError, match="singular at home: its actuators do not determine the pose"):
+        gc.pose(robot, actuators={"q1": 0.1})
+
+
 def test_what_cannot_be_had_is_said() -> None:
     for ask, words in (
-        (lambda: gc.pose("4-rpr", actuators={"q1": 0.1}), "4 actuators for 3 freedoms"),
-        (lambda: gc.singular_map("4-rpr", ["q1 -1:1:5", "q2 -1:1:5"]), "4 actuators for 3 freedoms"),
+        (lambda: gc.pose("4-rpr", actuators={"q4": 0.1}), "q4 follows from the other actuators"),
+        (lambda: gc.pose("4-rpr", actuators="q1=0.1, q4=0.1"), "q4 follows from the other actuators"),
         (lambda: gc.locus("4-rpr"), "two conditions at once, not one polynomial"),
         (lambda: gc.singular_map("4-rpr", ["x -1:1:5", "y -1:1:5"], measure="speed"), "none moves alone"),
     ):
@@ -208,6 +218,21 @@ def test_what_cannot_be_had_is_said() -> None:
     text = gc.pose("4-rpr").text()
     assert "not sought: with more actuators than freedoms" in " ".join(text.split())
     assert "proved: on this branch no configuration is singular" in " ".join(text.split())
+
+
+def test_as_many_actuators_as_freedoms_are_driven() -> None:
+    """The fourth leg has the length that its ends are apart, in a pose and in the nodes of a map."""
+    there = gc.pose("4-rpr", actuators={"q1": 0.1, "q2": 0.2, "q3": -0.05}, nearest=False)
+    for k in range(1, 5):
+        home = [(analysis("4-rpr").robot.home or {})[f"{letter}{k}"] for letter in "AB"]
+        before, after = (
+            np.linalg.norm(np.subtract(*(np.array(p, dtype=float) for p in ends)))
+            for ends in (home, (there.points[f"A{k}"], there.points[f"B{k}"]))
+        )
+        assert after - before == pytest.approx(there.actuator_values[f"q{k}"], abs=1e-9)
+    assert [there.actuator_values[f"q{k}"] for k in (1, 2, 3)] == pytest.approx([0.1, 0.2, -0.05])
+    found = gc.singular_map("4-rpr", ["q1 -0.3:0.3:5", "q2 -0.3:0.3:5"], "q3=-0.05")
+    assert found.summary.cells == (16, 0, 0)
 
 
 def test_numbers_of_many_poses() -> None:
@@ -227,6 +252,38 @@ def test_isotropy_is_that_of_the_rates() -> None:
     j = gc.pose("4-rpr", nearest=False).jacobian
     rows = j.rows[:4, [0, 1, 5]] / [1, 1, j.length]
     assert j.amplification.condition_number == pytest.approx(np.linalg.cond(rows))
+
+
+def test_a_common_factor_is_the_one_condition_that_suffices() -> None:
+    """The axes u1, u2, u3 and u1 + u2 lie in one plane where the first three do."""
+    a = analysis("4-crr")
+    assert (
+        "One condition suffices for that: the directions u1, u2 and u3 are parallel to one plane; else" in a.statement
+    )
+    assert a.common is not None
+    assert a.common.degree > 0
+    r = a.robot
+    for seed in range(4):
+        values = r.family.member(seed, RATIONALS)
+        assert ranks(r.family, r.limbs, values, RATIONALS).wrenches == 6
+        rng = random.Random(seed)
+        flat: dict[str, Any] = {n: (*some(rng, 2), Fraction(0)) for n in ("u1", "u2", "u3")}
+        flat["u4"] = tuple(x + y for x, y in zip(flat["u1"], flat["u2"], strict=True))
+        assert ranks(r.family, r.limbs, {**values, **flat}, RATIONALS).wrenches == 5
+
+
+def test_a_limb_that_holds_the_platform_alone() -> None:
+    robot = gc.load("""
+title: a limb driven in all its joints, and a strut
+points: {O: free, A: free, C: free, D: free}
+directions: {u: free, v: "perpendicular to u, O A"}
+limbs:
+  - {name: arm, joints: "U*(O, u, v) P*(O A)"}
+  - {name: strut, joints: "S(C) P*(C D) S(D)"}
+platform: A D
+mobility: 3
+""")
+    assert "robot is never singular: arm alone holds the platform." in gc.analyze(robot).statement
 
 
 def test_the_shipped_ones_are_known() -> None:

@@ -236,3 +236,11 @@ def test_what_moves_the_platform_not_at_all_is_0() -> None:
     assert not found["turns"].any()
     assert found["speeds"].all()
     assert np.isinf(gc.path("delta", ["home", "z=0.1, x=0, y=0"], samples=3).amplifications.indices["couple"]).all()
+
+
+def test_actuators_that_do_no_work_at_all_have_no_isotropy() -> None:
+    """The platform of 3-RPS in the plane of its base: all six forces lie in it."""
+    found = gc.pose(analysis("3-rps"), {"z": -2.0, "roll": 0.0, "pitch": 0.0}, nearest=False)
+    a = found.jacobian.amplification
+    assert (found.verdict, a.isotropy) == ("singular", 0)
+    assert all(math.isinf(v) for v in a.speeds)

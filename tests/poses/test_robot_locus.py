@@ -141,3 +141,50 @@ def test_results_are_values() -> None:
     assert one == other
     assert hash(one) == hash(other)
     assert one.verdict == "regular"
+
+
+def test_joints_with_equal_radicands_have_signs_of_their_own() -> None:
+    """Arms 2 and 3 of Delta mirror each other over x = y = 0: singular in a mode in which one of their elbows is out
+    and the other one in, at a z that was found by intersecting circles, without any of this.
+    """
+    found = gc.locus("delta", over="z")
+    assert len(found.roots) == 3
+    near = [
+        abs(float(part.form([Fraction(round(z * 10**12), 10**12)]))) for part in found.parts for z in (1.1223498052,)
+    ]
+    away = [abs(float(part.form([Fraction(11, 10)]))) for part in found.parts]
+    assert min(a / b for a, b in zip(near, away, strict=True)) < 1e-6
+
+
+def test_a_mode_that_is_singular_in_every_pose_is_no_locus() -> None:
+    """Two carriages on one rail: where both rods lean to one side they are parallel, wherever the platform is."""
+    text = """
+title: linear Delta with two carriages on one rail
+copies: 3
+points:
+  A%: free
+  B%: free
+directions:
+  d%: free
+  u%: free
+  v%: perpendicular to u%, A% B%
+limbs:
+  - name: leg %
+    joints: P*(d%) U(A%, u%, v%) U(B%, v%, u%)
+mobility: 3
+home:
+  A1: [-3, 0, 0]
+  A2: [3, 0, 0]
+  A3: [2, 3, 0]
+  B1: [-1, 0, 2]
+  B2: [1, 0, 2]
+  B3: [0, 1, 2]
+  d1: [1, 0, 0]
+  d2: [1, 0, 0]
+  d3: [1, 0, 0]
+  u1: [0, 1, 0]
+  u2: [0, 1, 1]
+  u3: [1, 0, 1]
+"""
+    with pytest.raises(gc.InputError, match="in one of the working modes every pose is singular"):
+        gc.locus(gc.load(text))

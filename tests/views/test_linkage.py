@@ -14,6 +14,7 @@ from places import ROOT
 import gcrules as gc
 from gcrules.mechanisms.analyze import analyze
 from gcrules.mechanisms.description.relations import AXES
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.views.report.robot_report import robot_report, robot_scene
 from gcrules.views.robots.limb_views import limb_views
@@ -41,6 +42,8 @@ ROBOTS: dict[str, Any] = {
     "gough-stewart": [[0] * 6, [0.1, 0, 0.05, -0.1, 0.1, 0]],
     "3-rpr": [[0, 0, 0], [0.1, 0.2, -0.1]],
     "3-ups-s": [[0, 0, 0], [0.1, -0.05, 0.1]],
+    "4-rpr": [[0, 0, 0], [0.1, 0.2, -0.05]],
+    "8-cables": [[0] * 6, [0.1, 0, 0.05, -0.1, 0.1, 0]],
 }
 
 
@@ -62,7 +65,7 @@ def test_the_viewer_closes_loops_as_the_engine_does(name: str) -> None:
     robot = Limbs.of(analyze(name))
     view, m = linkage_view(robot), robot.linkage
     amounts: list[list[float]] = ROBOTS[name]
-    wanted = [[v if a.angle else v * m.size for v, a in zip(row, m.actuators, strict=True)] for row in amounts]
+    wanted = [[v if a.angle else v * m.size for v, a in zip(row, leading(m), strict=True)] for row in amounts]
     for goal, found in zip(wanted, viewed({"linkage": view, "wanted": wanted}), strict=True):
         there = gc.pose(name, actuators=goal, nearest=False)
         assert found["reached"]

@@ -12,6 +12,7 @@ from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.core.budget import report
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage, begun_at
 from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.kinematics.targets import actuators_target
@@ -38,7 +39,7 @@ def first_around(limbs: Limbs, pose: PoseJson) -> Nearest:
     if configuration(limbs, pose).margin <= SOLVED:
         return {"found": [], "note": "The robot is singular at this pose: move it away to search from there."}
     m = limbs.linkage
-    now = amounts_at(limbs, pose) or [0.0] * len(m.actuators)
+    now = amounts_at(limbs, pose) or [0.0] * len(leading(m))
     at = begun_at(m, solve(m, actuators_target(m, now)).configuration if any(now) else m.home)
     one = nearest_around(at)
     met = [one] if one else []

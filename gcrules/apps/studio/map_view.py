@@ -24,6 +24,7 @@ from gcrules.core.deferred import deferred
 from gcrules.core.english import as_sentence
 from gcrules.core.errors import LimitReached
 from gcrules.mechanisms.kinematics.amplification import INDICES
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
@@ -86,7 +87,7 @@ def _planned(subject: Subject, over: Sequence[str], pose: PoseJson, limit: Thres
 
 def _rest_of_limbs(m: Limbs, over: Sequence[str], pose: PoseJson) -> dict[str, float]:
     """What the coordinates, or the actuators, are at the pose that no axis stands for."""
-    actuators = {a.name: a.angle for a in m.linkage.actuators}
+    actuators = {a.name: a.angle for a in leading(m.linkage)}
     axes = read_axes(over, m.unit, actuators)
     names = [a.name for a in axes]
     amounts = amounts_at(m, pose)

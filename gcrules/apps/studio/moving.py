@@ -13,6 +13,7 @@ from gcrules.apps.studio.protocol.study_views import Axis
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import close_margin
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.factors import superbracket_value
@@ -42,9 +43,9 @@ _TURN, _SHIFT = 30.0, 0.35
 
 
 def actuator_axes(limbs: Limbs, size: float) -> list[Axis]:
-    """One slider for each actuator, from home; none where the joints cannot be moved."""
+    """One slider for each actuator that leads, from home; none where the joints cannot be moved."""
     try:
-        actuators = limbs.linkage.actuators
+        actuators = leading(limbs.linkage)
     except InputError:
         return []
     return [_axis(f"{a.name}, {a.limb}", a.angle, limbs.unit, size) for a in actuators]
@@ -61,7 +62,7 @@ def coordinate_axes(limbs: Limbs, size: float) -> list[Axis]:
     names = dict.fromkeys((*free, *others))
     return [
         *(_axis(n, n in ANGLES, limbs.unit, size) for n in names),
-        *(_axis(a.name, a.angle, limbs.unit, size) for a in m.actuators),
+        *(_axis(a.name, a.angle, limbs.unit, size) for a in leading(m)),
     ]
 
 
@@ -88,7 +89,7 @@ def configuration(limbs: Limbs, pose: PoseJson, threshold: str | None = None) ->
 
 def amounts_at(limbs: Limbs, pose: PoseJson) -> list[float]:
     """The amounts of the actuators from home, angles in radians; none at home. Raises InputError for another number."""
-    actuators, given = limbs.linkage.actuators, pose.get("coordinates")
+    actuators, given = leading(limbs.linkage), pose.get("coordinates")
     if given is not None and len(given) != len(actuators):
         raise InputError(f"{len(given)} coordinates, and the robot has {len(actuators)} actuators")
     if not given or not any(given):
@@ -98,7 +99,7 @@ def amounts_at(limbs: Limbs, pose: PoseJson) -> list[float]:
 
 def posed(limbs: Limbs, amounts: Sequence[float]) -> PoseJson:
     """The pose of the page in which the actuators have these amounts, angles in radians."""
-    given = [degrees(v) if a.angle else float(v) for a, v in zip(limbs.linkage.actuators, amounts, strict=True)]
+    given = [degrees(v) if a.angle else float(v) for a, v in zip(leading(limbs.linkage), amounts, strict=True)]
     return {"translation": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0], "coordinates": given}
 
 

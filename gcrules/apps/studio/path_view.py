@@ -16,6 +16,7 @@ from gcrules.apps.studio.thresholds import threshold_of
 from gcrules.apps.studio.whereabouts import poses_of_limbs, reached
 from gcrules.core.budget import checkpoint, report
 from gcrules.core.english import as_sentence
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.path_report import RobotPath
@@ -66,7 +67,8 @@ def _of_limbs(
     m: Limbs, start: PoseJson | None, goal: PoseJson, to: str | None
 ) -> tuple[list[Any], Callable[[Any], PosedAt]]:
     def posed(r: RobotPath) -> PosedAt:
-        return lambda k: reached(m, r.actuator_values[k], r.names, r.coordinates[k])
+        lead = [r.actuators.index(a) for a in leading(m.linkage)]
+        return lambda k: reached(m, r.actuator_values[k][lead], r.names, r.coordinates[k])
 
     return poses_of_limbs(m, start, goal, to), posed
 

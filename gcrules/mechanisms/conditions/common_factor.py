@@ -37,6 +37,7 @@ from gcrules.screws import RESIDUES
 __all__ = ["CommonFactor", "Subset", "common_factor", "sees_constraints"]
 
 _MOST = 200  # subsets that are listed
+_COMPARED = 100_000  # and that are looked at
 Pair = tuple[str, str]
 
 
@@ -102,8 +103,8 @@ def common_factor(
     parts: Sequence[FactorCause],
     words: RobotWords,
 ) -> CommonFactor | None:
-    """The subsets of a robot that is over-constrained or has more actuators than freedoms; None for others, and for
-    families of too high a degree.
+    """The subsets of a robot that is over-constrained or has more actuators than freedoms; None for others, for
+    families of too high a degree, and where there are too many subsets.
 
     Raises EngineFault if the factors told apart by ranks at members (`parts`) are not those of the common factor.
     """
@@ -124,6 +125,8 @@ def _common_factor(
     words: RobotWords,
 ) -> CommonFactor:
     along = LineOfLimbs(family, structure)
+    if comb(len(along.group), along.size) > _COMPARED:
+        raise LimitReached(f"more than {_COMPARED:,} subsets of lines")
     words = replace(words, ideal=frozenset(n for n, row in along.points(1).items() if not row[3]))
     group, size = along.group, along.size
     some = [s for s in combinations(group, size) if along.minor(s, 1)]

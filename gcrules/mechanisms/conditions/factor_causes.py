@@ -226,7 +226,7 @@ def tell_apart(
         votes = poll.best(e)
         kinds, kind = votes.kinds, _kind(votes.kinds)
         choice = max(poll.alone[e].kinds["choice"], poll.shared[e].kinds["choice"])
-        chosen = 0 if kind in ASIDE else min(ENOUGH, choice)
+        chosen = 0 if kind in ASIDE and kind != "held" else min(ENOUGH, choice)
         others = sum(kinds.values()) - (kinds["choice"] if chosen else 0)
         parts[e] = FactorCause(e, kind, min(ENOUGH, others) + chosen, chosen=chosen, types=votes.common_types)
     poll.met = min(poll.met, sum(p.members for p in parts.values()))

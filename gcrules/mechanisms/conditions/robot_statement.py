@@ -26,7 +26,7 @@ def robot_statement(
 ) -> Statement:
     """When and why the robot is singular, and what the derived names in it are."""
     aside = ["outside the singularities of its limbs"] * _some(serial)
-    if any(p.chosen for p in parts) and not structure.redundant:
+    if _chosen(parts) and not structure.redundant:
         aside.append("where the lines that were chosen for a limb do not depend on each other")
     outside = " and ".join(aside)
     if structure.redundant:
@@ -34,6 +34,11 @@ def robot_statement(
     else:
         said = _meaning(structure, condition, cofactors, parts, outside)
     return _with_derived(say("{}{}", said, _cables(structure)), structure, parts)
+
+
+def _chosen(parts: Sequence[FactorCause]) -> bool:
+    """Whether a factor vanishes, too, where only the chosen lines depend on each other."""
+    return any(p.chosen for p in parts)
 
 
 def _cables(structure: Equivalent) -> str:
@@ -113,10 +118,17 @@ def _redundant(
     structure: Equivalent, common: CommonFactor | None, parts: Sequence[FactorCause], where: str
 ) -> Statement:
     """Of a robot with more actuators than freedoms: where all wrenches together lose rank."""
-    live, held = _live(parts), [p for p in parts if p.kind == "held" and p.meaning]
+    alone = next(
+        (limb.limb.name for limb in structure.limbs if len(limb.lines or ()) == len(structure.lines or ())), ""
+    )
+    if alone:
+        return say("{} robot is never singular: {} alone holds the platform.", where, alone).capitalised
+    live, held = _live(parts), [p for p in parts if p.kind == "held" and p.meaning and not p.chosen]
     said = say("{} robot is singular exactly when {}", where, _dependent(structure))
     if live:
-        said = say("{}. One condition suffices for that: {}; else it takes two or more", said, _either(live))
+        apart = ", where the lines that were chosen for a limb do not depend on each other" if _chosen(live) else ""
+        words = "{}. One condition suffices for that{}: {}; else it takes two or more"
+        said = say(words, said, apart, _either(live))
     elif common is not None:
         said = say("{}, which takes {} at once", said, _conditions(structure))
     said = say("{}: it has {}.", said, _actuators(structure))

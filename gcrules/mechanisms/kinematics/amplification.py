@@ -210,7 +210,8 @@ def amplifications(
     own = np.where(known[:, None, None], actuations, 0.0) / scale
     rates = own @ np.swapaxes(free, 1, 2)
     left, sizes, right = np.linalg.svd(units[:, None] * rates, full_matrices=False)
-    lost = np.asarray(sizes <= _RANK * sizes[:, :1])
+    largest = np.linalg.norm(units[:, None] * own, axis=2).max(axis=1, initial=0.0, keepdims=True)
+    lost = np.asarray(sizes <= _RANK * largest)  # all of them are where no wrench does work on a free motion
     twists = units[:, None] * (left / np.where(lost, 1.0, sizes)[:, None] @ right @ free) / scale
     endless = ((np.abs(left) > _RANK) & lost[:, None]).any(axis=2)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -264,13 +265,13 @@ INDICES: Mapping[str, Index] = MappingProxyType(
             lambda a: a.turns.max(axis=1),
         ),
         "shift_error": Index(
-            "largest shift of the centre for errors of all actuators up to one unit",
+            "bound of the shift of the centre for errors of all actuators up to one unit",
             False,
             ("", "{}/rad"),
             lambda a: a.speeds.sum(axis=1),
         ),
         "turn_error": Index(
-            "largest turn of the platform for errors of all actuators up to one unit",
+            "bound of the turn of the platform for errors of all actuators up to one unit",
             False,
             ("rad/{}", ""),
             lambda a: a.turns.sum(axis=1),

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates, wrapped
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.loops import Joints
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed, rotations
@@ -103,7 +104,7 @@ def _tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
     """How far the coordinates of each limb are from the straight way at most; infinite where nothing is proved."""
     arms = _arms(m, steps.here, steps.amounts)
     if wanted.driven:
-        return follows(spreads(arms), _passive(m), _passive_idle(m))
+        return follows(spreads(arms), _following(m), _left(_following(m), _following_ranks(m)))
     if not can_be_followed(m, wanted):
         return tuple(np.full(a.amounts.shape, np.inf) for a in arms)
     arm, free = _pose_arm(m, _without_vector(m, wanted), steps)
@@ -130,9 +131,9 @@ class Cells:
         limbs = spreads(arms)
         known = [np.zeros(a.shape) for a in still]
         if wanted.driven:
-            for n, a in enumerate(m.actuators):
+            for n, a in enumerate(leading(m)):
                 known[a.place][:, a.coordinate] = widths[:, n] * _ROOM / (1.0 if a.angle else m.size)
-            tubes = holds(limbs, _passive(m), _passive_idle(m), known)
+            tubes = holds(limbs, _following(m), _left(_following(m), _following_ranks(m)), known)
             reach = [k + t for k, t in zip(known, tubes, strict=True)]
         else:
             wanted = _without_vector(m, wanted)
@@ -171,17 +172,21 @@ def _undriven(m: Linkage) -> list[Choice]:
     return [~d for d in _coordinates(m, ((a.place, a.coordinate) for a in m.actuators))]
 
 
-def _passive(m: Linkage) -> list[Choice]:
-    """The coordinates that may move with the actuators locked."""
-    return [u & d for u, d in zip(_unlocked(m), _undriven(m), strict=True)]
+def _following(m: Linkage) -> list[Choice]:
+    """The coordinates that follow when the robot is driven: they may move, and lead not."""
+    lead = _coordinates(m, ((a.place, a.coordinate) for a in leading(m)))
+    return [u & ~a for u, a in zip(_unlocked(m), lead, strict=True)]
+
+
+def _following_ranks(m: Linkage) -> list[int]:
+    """No less than the ranks of each limb's twists that follow."""
+    lead = leading(m)
+    alone = {a.place for a in m.actuators if a not in lead}
+    return [m.ranks[place] if place in alone else rank for place, rank in enumerate(m.passive_ranks)]
 
 
 def _idle(m: Linkage) -> int:
     return _left(_unlocked(m), m.ranks)
-
-
-def _passive_idle(m: Linkage) -> int:
-    return _left(_passive(m), m.passive_ranks)
 
 
 def _undriven_idle(m: Linkage) -> int:

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates, slopes, wrapped
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import (
     Floats,
@@ -61,7 +62,7 @@ class Course:
         """What is reached less what is wanted, (N, wanted); lengths divided by the robot's size."""
         w, m = self.target, self.m
         if w.driven:
-            reached = np.stack([joint_values[a.place][:, a.coordinate] for a in m.actuators], axis=1)
+            reached = np.stack([joint_values[a.place][:, a.coordinate] for a in leading(m)], axis=1)
             return np.asarray((reached - goal) / self.weights)
         if w.whole is None:
             return wrapped(w.names, coordinates(w.names, platform, m.centre) - goal) / self.weights
@@ -76,7 +77,7 @@ class Course:
         starts = np.cumsum([0, *(t.shape[-1] for t in twists)])
         found = np.zeros((len(platform), len(self.weights), starts[-1]))
         if w.driven:
-            for row, a in enumerate(m.actuators):
+            for row, a in enumerate(leading(m)):
                 found[:, row, starts[a.place] + a.coordinate] = 1
         elif w.whole is None:
             found[..., : starts[1]] = slopes(w.names, platform, m.centre) @ twists[0]
@@ -91,7 +92,7 @@ class Course:
         """What counts as much of each wanted value: 1 rad, and the robot's size."""
         w = self.target
         if w.driven:
-            return np.array([1.0 if a.angle else self.m.size for a in self.m.actuators])
+            return np.array([1.0 if a.angle else self.m.size for a in leading(self.m)])
         return np.array([self.m.size if n in SHIFTS else 1.0 for n in w.names])
 
     @property

@@ -137,8 +137,7 @@ def _configuration(m: Linkage, here: Configuration, joints: Joints) -> Configura
 
 def check_target(m: Linkage, wanted: Target) -> None:
     """Raises InputError where the wanted coordinates are too few or too many or do not determine the pose near home, or
-    where there are more actuators than freedoms or home itself is singular for them, or where it is too far to get
-    there step by step.
+    where home itself is singular for the actuators, or where it is too far to get there step by step.
     """
     if not Course(m, wanted).length <= _FAR:
         raise InputError(
@@ -147,16 +146,11 @@ def check_target(m: Linkage, wanted: Target) -> None:
         )
     if wanted.whole is not None:
         return
-    if wanted.driven and m.robot.redundant:
-        raise InputError(
-            f"{m.robot.id} has {len(m.actuators)} actuators for {m.robot.mobility} freedoms: one depends on the others",
-            hint="ask for coordinates of the pose; the actuators follow from it",
-        )
     if not wanted.driven and len(wanted.names) != m.robot.mobility:
         told = dict(zip(wanted.names, map(float, wanted.values), strict=True))
         example = written({n: told.get(n, 0.0) for n in free_coordinates(m, wanted.names)})
         check_count(told, m.robot.mobility, "coordinate", f"the others follow from them: {example}")
-    if _told(Course(m, wanted), m.home) > _DEPENDENT:
+    if len(wanted.names) >= m.robot.mobility and _told(Course(m, wanted), m.home) > _DEPENDENT:
         return
     if wanted.driven:
         raise InputError(

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Actuator, Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, change_about
 from gcrules.screws.pose import Pose, exact_float
@@ -119,15 +120,24 @@ def check_turn(values: Mapping[str, float]) -> None:
 
 
 def actuators_target(m: Linkage, given: Mapping[str, Any] | Sequence[Any], text: str = "") -> Target:
-    """Amounts of the actuators from home, by name or all in their order. Those that are not named stay at home."""
+    """Amounts of the actuators from home, by name or all in their order. Those that are not named stay at home; of more
+    actuators than freedoms the `leading` ones are given, and the others follow.
+    """
+    leads = leading(m)
+    follows = [a for a in m.actuators if a not in leads and isinstance(given, Mapping) and a.name in given]
+    if follows:
+        raise InputError(
+            f"{follows[0].name} follows from the other actuators: there are more of them than freedoms",
+            hint=f"give {_listed(leads)}",
+        )
     if not isinstance(given, Mapping):
         values = list(given)
-        check_count(values, len(m.actuators), "actuator", f"they are {_listed(m.actuators)}")
-        given = {a.name: v for a, v in zip(m.actuators, values, strict=True)}
-    names = [a.name for a in m.actuators]
-    check_known(given, names, "actuator", _listed(m.actuators))
+        check_count(values, len(leads), "actuator", f"they are {_listed(leads)}")
+        given = {a.name: v for a, v in zip(leads, values, strict=True)}
+    names = [a.name for a in leads]
+    check_known(given, names, "actuator", _listed(leads))
     every = {n: given.get(n, 0.0) for n in names}
-    angles = frozenset(a.name for a in m.actuators if a.angle)
+    angles = frozenset(a.name for a in leads if a.angle)
     return Target(tuple(every), _numbers(every), True, None, text or _shown(every, angles))
 
 

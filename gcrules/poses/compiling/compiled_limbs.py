@@ -24,6 +24,7 @@ from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.factor_causes import ASIDE
 from gcrules.mechanisms.kinematics.coordinates import wrapped
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Actuator, Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.solve import check_target, free_coordinates
@@ -130,7 +131,7 @@ class CompiledLimbs:
             raise InputError(f"there are no numbers {described(unknown[0])}", hint=f"there are {listed(known)}")
         m = self.mechanism.linkage
         wanted = self._wanted(poses)
-        order = tuple(a.name for a in m.actuators) if self.driven else self.coordinates
+        order = tuple(a.name for a in leading(m)) if self.driven else self.coordinates
         target = Target(order, np.zeros(len(order)), self.driven)
         return numbers_at(self.mechanism, target, wanted[:, [self.coordinates.index(n) for n in order]], names)
 
@@ -195,7 +196,7 @@ def _read(m: Linkage, coordinates: str | Sequence[str] | None) -> tuple[tuple[st
     if twice:
         raise InputError(f"the coordinate {twice[0]!r} is named twice", hint="name each once")
     home = dict.fromkeys(names, 0)
-    if set(names) & {a.name for a in m.actuators}:
+    if set(names) & {a.name for a in leading(m)}:
         every = actuators_target(m, home).names
         if len(names) < len(every):
             raise InputError(f"only {listed(names)} of the actuators", hint=f"name all of them: {', '.join(every)}")

@@ -66,7 +66,8 @@ class Controller:
     """A robot's `forms`, all of them known, with the names of what they take and give.
 
     Poses are given by the `coordinates`, in their order: lengths in the `unit` of the file, angles in rad, all 0 at
-    home. `amounts` says what the actuators' numbers are, `mode` of which solutions of the loops they are.
+    home. `amounts` says what the actuators' numbers are, `mode` of which solutions of the loops they are, and `cables`
+    whether there are cables among the actuators.
     """
 
     name: str
@@ -79,6 +80,7 @@ class Controller:
     factors: tuple[Factor, ...]
     forms: ClosedForms
     tests: tuple[Test, ...]
+    cables: bool = False
 
     @property
     def angles(self) -> tuple[bool, ...]:
@@ -179,6 +181,7 @@ def _of_limbs(m: Limbs, coordinates: str | Sequence[str] | None) -> Controller:
             )
             if all(map(isfinite, (*amounts, *row, sigma)))
         ),
+        any(m.pulls),
     )
 
 

@@ -22,6 +22,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.solve import Solution, check_target, free_coordinates, goal
@@ -103,5 +104,5 @@ def nearest_around(m: Linkage) -> SingularAlong | None:
 
 
 def actuator_values(m: Linkage, c: Configuration) -> list[float]:
-    """The amounts of the actuators in a configuration: lengths and radians."""
-    return [float(c.joint_values[a.place][a.coordinate]) for a in m.actuators]
+    """The amounts of the actuators that lead, in a configuration: lengths and radians."""
+    return [float(c.joint_values[a.place][a.coordinate]) for a in leading(m)]

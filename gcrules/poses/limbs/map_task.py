@@ -24,6 +24,7 @@ from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.version import __version__
 from gcrules.mechanisms.kinematics.amplification import INDICES
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
@@ -305,7 +306,7 @@ def limbs_task(m: Limbs, over: Any, at: Any = None, limits: str | None = None, m
     """
     k = m.linkage
     angles = {a.name: a.angle for a in k.actuators}
-    axes = read_axes(over, m.unit, angles)
+    axes = read_axes(over, m.unit, {a.name: a.angle for a in leading(k)})
     if measure == "value":
         raise InputError("a robot of joints has no superbracket of its legs", hint="leave --measure out")
     driven = axes[0].kind == ACTUATOR
@@ -335,14 +336,14 @@ def _coordinates(
     if twice:
         raise InputError(f"{twice[0]} is an axis of the map, and given as well", hint="leave it out of --at")
     if driven:
-        names = tuple(a.name for a in m.actuators)
+        names = tuple(a.name for a in leading(m))
         return names, tuple(given.get(n, 0.0) for n in names)
     foreign = next((n for n in (*over, *given) if n not in (*TRANSLATION, *TURNS)), None)
     if foreign is not None:
         raise InputError(
             f"a robot of joints is not mapped by {foreign}",
             hint="its coordinates are x, y, z, roll, pitch, yaw, or its actuators "
-            + ", ".join(a.name for a in m.actuators),
+            + ", ".join(a.name for a in leading(m)),
         )
     named = [*over, *(n for n in given if n not in over)]
     if len(named) > m.robot.mobility:
@@ -364,10 +365,10 @@ def _coordinates(
 def _given(m: Linkage, at: Any, driven: bool) -> dict[str, float]:
     """The values of those coordinates, or of actuators, that are named: text or a mapping, angles in radians."""
     if isinstance(at, str):
-        known = {a.name: a.angle for a in m.actuators} if driven else {n: n in ANGLES for n in COORDINATES}
+        known = {a.name: a.angle for a in leading(m)} if driven else {n: n in ANGLES for n in COORDINATES}
         return {n: float(v) for n, v in read_named(at, known).items()}
     if isinstance(at, Mapping):
-        known = {a.name: a.angle for a in m.actuators} if driven else {n: n in ANGLES for n in COORDINATES}
+        known = {a.name: a.angle for a in leading(m)} if driven else {n: n in ANGLES for n in COORDINATES}
         check_known(at, tuple(known), "actuator" if driven else "coordinate of a pose")
         return {n: float(v) if isinstance(v, Amount) else exact_float(v, n) for n, v in at.items()}
     raise InputError(

@@ -168,6 +168,8 @@ def _segment(course: Course, analysis: RobotAnalysis, k: int, start: Configurati
         around = next((s for s in left if s[0] <= b and a <= s[1]), (a, b))
         if around in left and sum(around[0] <= y and x <= around[1] for x, y in changes) == 1:
             left.remove(around)
+        else:  # more may lie there: it stays undecided but for the change itself
+            around = (a, b)
         crossings.append(_crossing(way, analysis, k, (a, b), around))
     if unknown is not None and not left and not changes:
         left = [(unknown, unknown)]
@@ -259,7 +261,8 @@ def _verdict(
     open_ = f"; at parameter {listed(places)} it is not decided" if places else ""
     if crossings:
         some = agreeing([f"{c.parameter:.5g}" for c in crossings], "", "").strip()
-        words = f"The path crosses a singular configuration at parameter {some}, and nowhere else, proved{open_}."
+        elsewhere = f"{open_}, and elsewhere nothing is singular, proved" if places else ", and nowhere else, proved"
+        words = f"The path crosses a singular configuration at parameter {some}{elsewhere}."
         return "singular", words
     if "singular" in verdicts:
         first = float(parameters[verdicts == "singular"][0])

@@ -15,6 +15,7 @@ from gcrules.core.floats import without_noise
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, begun_at
 from gcrules.mechanisms.kinematics.margin import LimbMargin, limb_margins, margin
 from gcrules.mechanisms.kinematics.solve import Solution, check_target, solve
@@ -154,12 +155,13 @@ def target_of(m: Linkage, at: Any, actuators: Any, degrees: bool = False) -> Tar
 
 
 def _driven(m: Linkage, given: Any, degrees: bool) -> Target:
-    angles = {a.name for a in m.actuators if a.angle}
+    leads = leading(m)
+    angles = {a.name for a in leads if a.angle}
     if isinstance(given, Mapping):
         return actuators_target(m, {n: _amount(v, n, degrees and n in angles) for n, v in given.items()})
     values = list(given)
-    if len(values) == len(m.actuators):  # else whoever reads them says what is missing
-        values = [_amount(v, a.name, degrees and a.angle) for a, v in zip(m.actuators, values, strict=True)]
+    if len(values) == len(leads):  # else whoever reads them says what is missing
+        values = [_amount(v, a.name, degrees and a.angle) for a, v in zip(leads, values, strict=True)]
     return actuators_target(m, values)
 
 

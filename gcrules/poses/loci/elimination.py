@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from gcrules.core.errors import LimitReached
+from gcrules.core.errors import InputError, LimitReached
 from gcrules.poses.loci.closed_form import ClosedForm
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.known import whole_ring
@@ -107,6 +107,12 @@ def _norm(field: SurdField, value: Surd, over: Surd) -> Norm:
         above = above * above
     for _ in range(len(roots) - len(second)):
         under = under * under
+    if not above or not under:
+        raise InputError(
+            "in one of the working modes every pose is singular there, or none has a definite value: the product over"
+            " the modes is 0",
+            hint="leave another coordinate free; gcrules map, path and pose --nearest keep to home's working mode",
+        )
     found = above * under.inverse()
     (p,) = found.parts.values()
     if max(abs(int(c)).bit_length() for c in p.coeffs()) > _MOST_BITS:

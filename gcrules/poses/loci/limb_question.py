@@ -115,7 +115,7 @@ def _at(at: str | Mapping[str, Any] | Pose | None) -> dict[str, Fraction]:
     if at is None:
         return {}
     names = (*SHIFTS, *TURNS)
-    if isinstance(at, Pose) or (isinstance(at, str) and "=" not in at):
+    if not isinstance(at, str | Mapping) or (isinstance(at, str) and "=" not in at):
         raise InputError(
             "the locus of a robot of joints takes coordinates by their names", hint='write "z=1/2, yaw=30deg"'
         )

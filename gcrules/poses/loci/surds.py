@@ -114,10 +114,9 @@ class SurdField:
         return parts
 
     def root(self, radicand: Parts) -> int:
-        """The number of a root, a new one only where there is none yet."""
-        if radicand not in self.radicands:
-            self.radicands.append(radicand)
-        return self.radicands.index(radicand)
+        """The number of a new root: two joints have signs of their own, also where their radicands are equal."""
+        self.radicands.append(radicand)
+        return len(self.radicands) - 1
 
     def divided_by(self, p: Any) -> tuple[Fraction, dict[int, int]]:
         """What dividing by a polynomial that is not 0 is: the content, and powers of divisors."""

@@ -63,7 +63,7 @@ LANGUAGES: Mapping[str, Language] = FrozenMap(
             tested="python FILE.py",
             comment="# {line}",
             declare="    {n} = {value}",
-            angle="remainder(pose[{k}], TURN)",
+            angle="_angle(pose[{k}])",
             root="_root({x})",
             arctangent="atan2({y}, {x})",
             assign="    {what}[{k}] = {value}",

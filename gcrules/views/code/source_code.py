@@ -94,6 +94,8 @@ def _header(robot: Controller, spelt: Language) -> Iterator[str]:
             why = why.removeprefix("The robot is singular exactly when ")
         yield from _wrapped(f"  {k}: {factor.kind}, {factor.expression}" + (f": {why}." if why else "."))
     yield "margin: sigma, from 0 (singular) to 1; it knows neither unit nor frame."
+    if robot.cables:
+        yield "Cables only pull: whether positive tensions balance each other (wrench closure) is not said here."
     if robot.mode:
         if len(robot.coordinates) < robot.forms.columns:
             yield "The platform's other coordinates follow from the loops, or stay 0."

@@ -21,23 +21,29 @@ _ALONG = ("isotropy", "speed", "turn", "closure")
 
 def conditioning(a: Amplification, unit: str) -> str:
     """ "condition number 1.2, isotropy 0.83; characteristic length 5 mm"."""
-    return (
+    words = (
         f"condition number {_number(a.condition_number)}, isotropy {_number(a.isotropy)}; characteristic length"
         f" {a.length:.4g} {unit}"
     ).rstrip()
+    if a.cables is None:
+        return words
+    closed = f"wrench closure, least tension {_number(a.cables.least)} of the mean one"
+    return f"{words}; {closed if a.cables.held else 'wrench closure is lost'}"
 
 
 def amplification_lines(a: Amplification, unit: str) -> Iterator[str]:
     """For each actuator the speed and the turn of the platform; nothing where there are no such numbers."""
-    if not any(map(math.isfinite, a.speeds)):
+    if not (rows := list(amplification_rows(a, unit))):
         return
     yield ""
     yield "Actuators, one at unit rate and the others locked: speed of the centre, turn of the platform"
-    yield from columns(list(amplification_rows(a, unit)), "  ")
+    yield from columns(rows, "  ")
 
 
 def amplification_rows(a: Amplification, unit: str) -> Iterator[tuple[str, str, str]]:
-    """For each actuator its name, the speed and the turn."""
+    """For each actuator its name, the speed and the turn; nothing where there are no such numbers."""
+    if not any(map(math.isfinite, a.speeds)):
+        return
     length = unit or "length"
     for name, angle, speed, turn in zip(a.actuators, a.angles, a.speeds, a.turns, strict=True):
         units = (f" {length}/rad", "") if angle else ("", f" rad/{length}")

@@ -59,7 +59,7 @@ def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]
         yield FACTORS, factors
     if (a.structure.over or a.structure.redundant) and a.lines is not None and a.structure.limbs:
         title = f"All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines"
-        too_high = ["not compared: their superbrackets have a degree above 63 in the parameters of the family"]
+        too_high = ["not compared: they are too many, or have a degree above 63 in the parameters of the family"]
         yield title, _common(a, a.common, unicode) if a.common else too_high
     if a.structure.limbs:
         yield "Singularities of the limbs by themselves (of codimension one)", [_serial(one) for one in a.limbs]

@@ -8,6 +8,7 @@ from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.limb_file import JointSpec
 from gcrules.mechanisms.description.relations import AXES, Term
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.screws import JOINTS
@@ -33,8 +34,9 @@ def linkage_view(robot: Limbs) -> LinkageView:
         "chains": [_chain(m, place) for place in range(len(m.home.chains))],
         "drives": [
             {"name": a.name, "text": f"{a.limb}: {a.joint}", "limb": a.place, "coordinate": a.coordinate}
-            for a in m.actuators
+            for a in leading(m)
         ],
+        "follows": [[a.place, a.coordinate] for a in m.actuators if a not in leading(m)],
         "rides": {
             name: [[ride.limb, ride.link] for ride in rides]
             for name, rides in m.attachments.items()

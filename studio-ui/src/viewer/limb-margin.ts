@@ -54,7 +54,8 @@ function addSquare(metric: number[][], keep: readonly number[], row: readonly nu
 
 /** A limb's twists at its end for a turn by 1 rad or a slide by ρ in each coordinate, and those that are not driven. */
 function limbTwists(m: Linkage, at: Configuration, limb: number, end: Vec3): { every: number[][]; free: number[][] } {
-  const still = m.drives.flatMap((d) => (d.limb === limb ? [d.coordinate] : []));
+  const actuators = [...m.drives.map((d) => [d.limb, d.coordinate]), ...m.follows];
+  const still = actuators.flatMap(([own, coordinate]) => (own === limb ? [coordinate] : []));
   const every = twists(m, at, limb).map((t, k) => scaled(atPlace(t, end, m.size), m.chains[limb]!.turns[k] ? 1 : m.size));
   return { every, free: every.filter((_, k) => !still.includes(k)) };
 }
