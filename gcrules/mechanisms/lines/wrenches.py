@@ -106,11 +106,10 @@ def limb_wrenches(
     stands: such points are preferred. So are lines that do not depend on each other at `home`.
     """
     every = at if home is None else (*at, home)
-    all_twists = [s.limbs[place].twists(RESIDUES) for s in at]
-    actuated = set(at[0].limbs[place].actuated)
-    passive = [[t for i, t in enumerate(rows) if i not in actuated] for rows in all_twists]
-    system = ScrewSystem.span(passive[0], RESIDUES).reciprocal()
-    constraint = ScrewSystem.span(all_twists[0], RESIDUES).reciprocal()
+    own = [s.limbs[place] for s in at]
+    all_twists = [one.system(RESIDUES).basis for one in own]
+    passive = [one.locked_system(RESIDUES).reciprocal().basis for one in own]
+    system, constraint = own[0].locked_system(RESIDUES), own[0].constraint_system(RESIDUES)
     trivial = PLANAR if family.plane else ()
     wanted = system.dimension - len(trivial)
     held = constraint.dimension - len(trivial)
@@ -129,7 +128,7 @@ def limb_wrenches(
         wanted,
         held,
         limb.freedoms,
-        6 - constraint.dimension,
+        at[0].limbs[place].rank(RESIDUES),
         lines,
         _kind(system, family) if lines is not None else _real_kind(family, limb),
         derived,
