@@ -109,6 +109,14 @@ class Linkage:
         return (f"all places are measured from ({', '.join(map(str, self.origin))}), near the robot",)
 
     @property
+    def applied(self) -> tuple[tuple[int, int], ...]:
+        """The dimensions of each limb's constraints and of its wrenches with locked actuators, in the plane of those
+        in the plane.
+        """
+        known = 3 if self.robot.family.plane else 0
+        return tuple((own - known, every - known) for own, every in self.elsewhere.applied)
+
+    @property
     def passive_ranks(self) -> tuple[int, ...]:
         """Those of the undriven ones."""
         return tuple(passive for _, passive in self.elsewhere.limbs)
@@ -133,7 +141,7 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
     sorts = robot.family.sorts
     values = {n: _floats(_less(v, origin) if sorts.get(n) == "point" else v) for n, v in given.items()}
     chains = tuple(chain_of(limb, values) for limb in robot.limbs)
-    links = tuple(np.broadcast_to(np.eye(4), (len(c.screws) + 1, 4, 4)) for c in chains)
+    links = tuple(np.broadcast_to(np.eye(4), (c.count, 4, 4)) for c in chains)
     home = Configuration(values, links, tuple(np.zeros(len(c.turns)) for c in chains), chains)
     ends = np.array([_end(robot, place, values) for place in range(len(chains))])
     centre = ends.mean(axis=0)

@@ -33,11 +33,13 @@ __all__ = [
     "LimbMargin",
     "LimbMargins",
     "balance",
+    "balanced",
     "kept_axes",
     "limb_margins",
     "limb_twists",
     "margin",
     "margins",
+    "on_platform",
 ]
 
 _PLANE = (0, 1, 5)  # of (v; ω): a planar robot's twists
@@ -166,10 +168,25 @@ def _ends(m: Linkage, here: Configurations) -> Floats:
 def _locked(m: Linkage, place: int, chain: Chain, end: Floats) -> Floats:
     """Orthonormal bases of a limb's wrenches with its actuators locked: rows (f; m/ρ), about the ends (..., 3)."""
     twists = _at(chain, end, m.size)[..., _free(m, place), :]
+    count = m.elsewhere.applied[place][1]
+    return on_platform(balanced(twists, m.passive_ranks[place]), count)[..., [3, 4, 5, 0, 1, 2]]
+
+
+def balanced(twists: Floats, rank: int) -> Floats:
+    """An orthonormal basis (..., n − rank, n) of what is orthogonal to a limb's twists (..., k, n) of this rank."""
     if not twists.shape[-2]:
-        return np.broadcast_to(np.eye(6), (*twists.shape[:-2], 6, 6))
-    _, _, right = np.linalg.svd(twists)
-    return np.asarray(right[..., m.passive_ranks[place] :, :][..., [3, 4, 5, 0, 1, 2]])
+        n = twists.shape[-1]
+        return np.broadcast_to(np.eye(n), (*twists.shape[:-2], n, n))
+    return np.asarray(np.linalg.svd(twists)[2][..., rank:, :])
+
+
+def on_platform(wrenches: Floats, dimension: int, width: int = 6) -> Floats:
+    """Of wrenches on the platform and in a limb's loops together an orthonormal basis of those on the platform, which
+    are the first `width` columns and have this dimension; without loops nothing changes.
+    """
+    if wrenches.shape[-1] == width:
+        return wrenches
+    return np.asarray(np.linalg.svd(wrenches[..., :width])[2][..., :dimension, :])
 
 
 def _free(m: Linkage, place: int) -> list[int]:
@@ -180,17 +197,20 @@ def _free(m: Linkage, place: int) -> list[int]:
 
 def limb_twists(m: Linkage, place: int, here: Configurations, centre: Floats) -> tuple[Floats, list[int]]:
     """A limb's twists (ω; v/ρ) in each configuration, (N, coordinates, 6), v at a centre, for a turn by 1 rad and a
-    slide by ρ in each coordinate, and which of them are not driven.
+    slide by ρ in each coordinate, and which of them are not driven. What they add to the gaps of the limb's own loops
+    follows in further sixes.
     """
     return _at(here.chains[place], centre, m.size), _free(m, place)
 
 
 def _at(chain: Chain, end: Floats, size: float) -> Floats:
-    """Rows (ω; v/ρ), v at the ends (..., 3), for a turn by 1 rad and a slide by ρ in each coordinate."""
-    twists = np.swapaxes(chain.twists(), -1, -2)
+    """Rows (ω; v/ρ), v at the ends (..., 3), for a turn by 1 rad and a slide by ρ in each coordinate; one after the
+    other for the platform and for each loop.
+    """
+    twists = np.moveaxis(chain.shared_twists, -1, -3)
     w = twists[..., :3]
-    rows = np.concatenate([w, (twists[..., 3:] + crossed(w, end[..., None, :])) / size], axis=-1)
-    return np.asarray(rows * np.where(chain.turns, 1.0, size)[:, None])
+    rows = np.concatenate([w, (twists[..., 3:] + crossed(w, end[..., None, None, :])) / size], axis=-1)
+    return np.asarray(rows.reshape(*rows.shape[:-2], 6 * rows.shape[-2]) * np.where(chain.turns, 1.0, size)[:, None])
 
 
 def limb_margins(m: Linkage, here: Configurations) -> Floats:
