@@ -179,6 +179,16 @@ class ChainView(TypedDict):
     rank: int
     """Of its twists; `passive` that of those that are not driven."""
     passive: int
+    applied: int
+    """The dimension of its wrenches with locked actuators."""
+    runs: list[list[int]]
+    """Of a limb with bodies of its own its runs: their first motion, that after their last, the link on which they
+    begin, and that by which an earlier run reaches the same body, −1 where there is none.
+    """
+    platform: int
+    """The link that is the platform, of such a limb."""
+    shares: list[list[int]]
+    """With which sign each coordinate counts in the platform's twist, and in each loop of the limb's own."""
 
 
 class DriveView(TypedDict):
@@ -220,11 +230,17 @@ class LinkageView(TypedDict):
     directions: dict[str, Vec3]
     derived: list[DerivedView]
     joints: list[list[DrawnJoint]]
-    """Those of each limb, as in `limbs` of the scene."""
+    """Those of each of the `limbs` of the scene, and below their ends: a limb or, of one that has bodies of its own, one
+    of its chains.
+    """
+    ends: list[int | None]
+    """The places in `chains` of those that end on the platform."""
+    rods: list[list[Terms]]
+    """What is drawn of the limbs' own bodies, from one end to the other."""
     lines: list[list[LegEnds]]
-    """The ends of the lines of each limb, as there."""
+    """The ends of the lines of each, as there."""
     bars: list[list[list[Terms]]]
-    """The bars of each limb, from one end to the other, and rods between them."""
+    """The bars of each, from one end to the other, and rods between them."""
     locked: list[list[int]]
     """Limbs and coordinates that stay at 0."""
     plane: bool

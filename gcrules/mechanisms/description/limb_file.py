@@ -201,7 +201,9 @@ def read_limb(text: str) -> tuple[tuple[JointSpec, ...], tuple[Subchain, ...]]:
     ends = Counter(b for c in chains for b in (c.start, c.end))
     for head in heads:
         if head[2] != PLATFORM and ends[head[2]] < 2:
-            raise _fault(text, *head.span(2), f"nothing else is joined to {head[2]}", near(head[2], reached - {head[2]}))
+            raise _fault(
+                text, *head.span(2), f"nothing else is joined to {head[2]}", near(head[2], reached - {head[2]})
+            )
     return tuple(joints), tuple(chains)
 
 

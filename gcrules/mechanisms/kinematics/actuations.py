@@ -68,5 +68,3 @@ def actuations(m: Linkage, here: Configurations) -> tuple[Floats, Floats]:
             driven[k] = row
     scale = np.array([1.0, 1.0, 1.0, m.size, m.size, m.size])
     return np.stack(driven, axis=1) * scale, np.concatenate(held, axis=1) * scale
-
-

@@ -72,7 +72,9 @@ class Arm:
         """The arms of chains with amounts in their own units, about a centre (..., 3): first those to the platform, in
         the order of the chains, then two for each loop that a limb has of its own.
         """
-        found = [cls._of(c, a, centre, size, k, c.way(), 0) for k, (c, a) in enumerate(zip(chains, amounts, strict=True))]
+        found = [
+            cls._of(c, a, centre, size, k, c.way(), 0) for k, (c, a) in enumerate(zip(chains, amounts, strict=True))
+        ]
         for k, (chain, own) in enumerate(zip(chains, amounts, strict=True)):
             for ends in chain.loops:
                 reference = len(found) + 1

@@ -26,9 +26,9 @@ export function limbNumbers(m: Linkage, at: Configuration, unit: string): LimbNu
   ends.forEach((end, i) => {
     const arm = scale(sub(end, middle), 1 / m.size);
     const { every, free } = limbTwists(m, at, i, end);
-    const { rank, passive } = m.chains[i]!;
+    const { rank, passive, applied: dimension } = m.chains[i]!;
     lost ||= least(every, rank) <= m.floor || least(free, passive) <= m.floor;
-    for (const [f, moment] of wrenches(free, passive)) rows.push([...f, ...add(moment, cross(arm, f))]);
+    for (const [f, moment] of wrenches(free, passive, dimension)) rows.push([...f, ...add(moment, cross(arm, f))]);
     // rows of the velocity of the end by (v; ω), and of the turn itself unless the limb ends in a ball joint
     for (const e of AXES) addSquare(metric, keep, [...e, ...cross(arm, e)]);
     if (!m.chains[i]!.ball) for (const e of AXES) addSquare(metric, keep, [0, 0, 0, ...e]);
@@ -52,18 +52,25 @@ function addSquare(metric: number[][], keep: readonly number[], row: readonly nu
   keep.forEach((i, a) => keep.forEach((j, b) => (metric[a]![b]! += row[i]! * row[j]!)));
 }
 
-/** A limb's twists at its end for a turn by 1 rad or a slide by ρ in each coordinate, and those that are not driven. */
+/** A limb's twists at its end for a turn by 1 rad or a slide by ρ in each coordinate, for the platform and for each loop
+ * of the limb's own side by side, and those that are not driven. */
 function limbTwists(m: Linkage, at: Configuration, limb: number, end: Vec3): { every: number[][]; free: number[][] } {
   const actuators = [...m.drives.map((d) => [d.limb, d.coordinate]), ...m.follows];
   const still = actuators.flatMap(([own, coordinate]) => (own === limb ? [coordinate] : []));
-  const every = twists(m, at, limb).map((t, k) => scaled(atPlace(t, end, m.size), m.chains[limb]!.turns[k] ? 1 : m.size));
+  const { turns, shares } = m.chains[limb]!;
+  const every = twists(m, at, limb).map((t, k) => {
+    const own = scaled(atPlace(t, end, m.size), turns[k] ? 1 : m.size);
+    return shares[k]!.flatMap((share) => scaled(own, share));
+  });
   return { every, free: every.filter((_, k) => !still.includes(k)) };
 }
 
 const least = (rows: number[][], rank: number): number => (rows.length ? singular(rows).values[rank - 1]! : 1);
 
-/** An orthonormal basis of the wrenches (force, moment by ρ) that do no work on twists of this rank. */
-function wrenches(free: number[][], rank: number): [Vec3, Vec3][] {
-  const basis = singular(free.length ? free : [[0, 0, 0, 0, 0, 0]]).vectors.slice(free.length ? rank : 0);
+/** An orthonormal basis of the wrenches (force, moment by ρ) on the platform that do no work on twists of this rank. */
+function wrenches(free: number[][], rank: number, dimension: number): [Vec3, Vec3][] {
+  const every = singular(free.length ? free : [[0, 0, 0, 0, 0, 0]]).vectors.slice(free.length ? rank : 0);
+  const looped = every.some((v) => v.length > 6);
+  const basis = looped ? singular(every.map((v) => v.slice(0, 6))).vectors.slice(0, dimension) : every;
   return basis.map((v) => [v.slice(3) as Vec3, v.slice(0, 3) as Vec3]);
 }
