@@ -69,6 +69,12 @@ class Limb:
         field = field or self.field
         return field.matrix([row for j in self.joints for row in j.twists(field)])
 
+    def rows(self, field: Field | None = None) -> Matrix:
+        """The twists as the platform and, side by side, each loop of the limb's own have them."""
+        field = field or self.field
+        twists = self.twists(field)
+        return field.spread(twists, self._shares(range(self.freedoms))) if self.shares else twists
+
     def rank(self, field: Field | None = None) -> Any:
         """The number of independent twists. Where it is smaller than in other configurations of the same limb, the
         limb itself is singular (serial singularity): it has more constraint wrenches there.
@@ -90,6 +96,11 @@ class Limb:
     def locked(self, field: Field | None = None) -> Matrix:
         """A basis of the wrenches that the limb applies with locked actuators: reciprocal to the passive twists."""
         return self._applied(self.passive, field or self.field)
+
+    def locked_by(self, actuator: int, field: Field | None = None) -> Matrix:
+        """A basis of the wrenches that it applies with only this one of its `actuated` freedoms locked."""
+        place = self.actuated[actuator]
+        return self._applied([k for k in range(self.freedoms) if k != place], field or self.field)
 
     def _applied(self, places: Sequence[int], field: Field) -> Matrix:
         return reciprocal(field.chosen(self.twists(field), places), field, self._shares(places))

@@ -92,7 +92,7 @@ def _alike(family: Family, limb: LimbSpec) -> str:
         return places.setdefault(match[0], f"<{len(places)}>")
 
     needed = upstream(family, _names(limb))
-    texts = [f"{j.kind}{j.actuated}({j.args})" for j in limb.joints]
+    texts = [str(limb.shares), *(f"{j.kind}{j.actuated}({j.args})" for j in limb.joints)]
     texts += [f"{d.name} {d.sort} {d.relation}" for d in family.definitions if d.name in needed]
     pattern = "|".join(sorted(map(re.escape, needed), key=len, reverse=True))
     return re.sub(rf"(?<=')(?:{pattern})(?=')|\b(?:{pattern})(?= (?:point|direction) )", place, "; ".join(texts))
@@ -117,13 +117,14 @@ def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
     met = unexplained = 0
 
     def twists(values: Values) -> tuple[Row, ...]:
-        return tuple(limb.at(values, RESIDUES).twists(RESIDUES))
+        return tuple(limb.at(values, RESIDUES).rows(RESIDUES))
 
     elsewhere = ranks(family, [limb], family.member("limb"))
     usual = elsewhere.limbs[0][0]
     rng = drawn("combinations")
     left = [[rng.randrange(PRIME) for _ in range(limb.freedoms)] for _ in range(usual)]
-    right = [[rng.randrange(PRIME) for _ in range(6)] for _ in range(usual)]
+    width = 6 * len(limb.shares[0]) if limb.shares else 6
+    right = [[rng.randrange(PRIME) for _ in range(width)] for _ in range(usual)]
 
     def determinant(values: Values) -> int:
         mixed = [RESIDUES.combination(numbers, twists(values)) for numbers in left]
