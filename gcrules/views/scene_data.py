@@ -230,9 +230,7 @@ class LinkageView(TypedDict):
     directions: dict[str, Vec3]
     derived: list[DerivedView]
     joints: list[list[DrawnJoint]]
-    """Those of each of the `limbs` of the scene, and below their ends: a limb or, of one that has bodies of its own, one
-    of its chains.
-    """
+    """Those of each of the `limbs` of the scene: a limb or, of one that has bodies of its own, one of its chains."""
     ends: list[int | None]
     """The places in `chains` of those that end on the platform."""
     rods: list[list[Terms]]

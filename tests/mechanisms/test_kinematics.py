@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -72,12 +73,12 @@ def bodies(m: Linkage, values: Mapping[str, Any]) -> Iterator[tuple[str, list[tu
     """Every rigid body with the points and directions on it."""
     ends: dict[str, list[tuple[str, Any]]] = {"base": [("direction", axis) for axis in np.eye(3)]}
     ends["base"].append(("point", np.zeros(3)))
-    for limb, chain, joints in ((limb, *part) for limb in m.robot.limbs for part in limb.parts):
+    for limb, (chain, joints) in ((one, part) for one in m.robot.limbs for part in one.parts):
         start, end = (n if n in ("base", "platform") else f"{limb.name}, {n}" for n in (chain.start, chain.end))
         parts = [geometry(j, values) for j in joints]
         ends.setdefault(start, []).extend(parts[0][p] for p in SIDES[joints[0].kind][0] if p in parts[0])
         ends.setdefault(end, []).extend(parts[-1][p] for p in SIDES[joints[-1].kind][1] if p in parts[-1])
-        for k, (a, b) in enumerate(zip(joints, joints[1:], strict=False)):
+        for k, (a, b) in enumerate(pairwise(joints)):
             own = [parts[k][p] for p in SIDES[a.kind][1] if p in parts[k]] + [parts[k + 1][p] for p in SIDES[b.kind][0]]
             yield f"{limb.name}, link behind {a.text}", own
         for k, j in enumerate(joints):

@@ -20,8 +20,8 @@ from gcrules.mechanisms.conditions.common_factor import common_factor, sees_cons
 from gcrules.mechanisms.conditions.design import is_of_design, rigid_bodies
 from gcrules.mechanisms.conditions.factor_causes import at_member, causes_left, tell_apart
 from gcrules.mechanisms.conditions.line_conditions import condition_of_lines, factors_at
-from gcrules.mechanisms.conditions.overlaps import of_several_kinds, without_repetition
 from gcrules.mechanisms.conditions.lost_wrenches import lines_that_hold
+from gcrules.mechanisms.conditions.overlaps import of_several_kinds, without_repetition
 from gcrules.mechanisms.conditions.published import MEMBERS, published
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.conditions.robot_statement import robot_statement

@@ -191,7 +191,7 @@ def read_limb(text: str) -> tuple[tuple[JointSpec, ...], tuple[Subchain, ...]]:
         if start not in reached:
             hint = near(start, reached) or f"reached before it: {', '.join(sorted(reached))}"
             raise _fault(text, *head.span(1), f"no chain before this one leads to {start}", hint)
-        if end == start or end == BASE or start == PLATFORM:
+        if end in (start, BASE) or start == PLATFORM:
             raise _fault(text, *head.span(2), f"no chain leads from {start} to {end}", "chains lead from the base on")
         joints += own
         chains.append(Subchain(start, end, len(own)))

@@ -225,6 +225,9 @@ class _Reader:
             if joints is None:
                 continue
             text = joints.string() or "" if joints.kind == "scalar" else " ".join(map(_chain, joints.sequence()))
+            if joints.kind != "scalar" and len({part.kind for part in joints.sequence()}) > 1:
+                joints.fault("a chain does not say between which bodies it leads", "write base to NAME: before it")
+                continue
             name = top["name"].string() or "" if "name" in top else f"leg {'%' if '%' in text else place + 1}"
             through = top["through"].string() or "" if "through" in top else ""
             for own, written, points in numbered(joints, self.copies, name, text, through):

@@ -27,7 +27,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, crossed
 from gcrules.screws import FLOATS, JOINTS, RATIONALS, JointKind
 from gcrules.screws.fields import Row
 
-__all__ = ["Chain", "Run", "ElementaryMotion", "Shape", "chain_of", "geometry_of", "products", "shape_of"]
+__all__ = ["Chain", "ElementaryMotion", "Run", "Shape", "chain_of", "geometry_of", "products", "shape_of"]
 
 Values = Mapping[str, Floats]
 """Places of names, (3,) each; of many configurations at once where there are axes before."""

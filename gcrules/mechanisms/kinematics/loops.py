@@ -198,7 +198,7 @@ def _gaps(chains: Sequence[Chain], links: Sequence[Floats], platform: Floats, m:
 
 
 def loop_rows(twists: Sequence[Floats], platform: Floats, m: Linkage) -> Floats:
-    """The derivatives of the gaps by all amounts, of the limbs' `shared_twists`: (N, 6 (limbs − 1 + loops), amounts)."""
+    """The derivatives of the gaps by all amounts, of the limbs' `shared_twists`: (N, 6 × gaps, amounts)."""
     centre = platform[:, :3, :3] @ m.centre + platform[:, :3, 3]
     starts = np.cumsum([0, *(t.shape[-1] for t in twists)])
     inner = np.cumsum([len(twists) - 1, *(t.shape[1] - 1 for t in twists)])

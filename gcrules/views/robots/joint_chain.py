@@ -98,7 +98,7 @@ def chains(family: Family, limbs: Sequence[LimbSpec], values: Values) -> tuple[U
 
 
 def _join_bodies(parts: Sequence[DrawnLimb]) -> None:
-    """The bodies of a limb between its chains: bars from the middle of their joints to each, drawn with the last one."""
+    """The bodies of a limb between its chains: bars between their joints, drawn with the last one."""
     for body in dict.fromkeys(c.start for c in parts if c.start != BASE):
         last = [c for c in parts if body in (c.start, c.end)][-1]
         last.strokes += [

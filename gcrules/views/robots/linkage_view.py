@@ -27,6 +27,8 @@ def linkage_view(robot: Limbs) -> LinkageView:
     made = [d.name for d in m.robot.family.definitions if d.name not in m.attachments and not d.parameters]
     if made:
         raise InputError(f"no link carries {listed(made)}: relations make them in each configuration")
+    if m.looped:
+        raise InputError("the margin of a robot whose limbs have loops of their own is not computed in a page")
     lines = structure.drawn
     limbs = {limb.limb.name for limb in structure.limbs}
     rest = [list(one.ends) for one in lines if one.limb not in limbs]
