@@ -182,7 +182,7 @@ export interface Linkage {
   points: Record<string, Vec3>;
   directions: Record<string, Vec3>;
   derived: Derived[];
-  /** Those of each of the `limbs` of the scene, and below their ends: a limb or, of one that has bodies of its own, one of its chains. */
+  /** Those of each of the `limbs` of the scene: a limb or, of one that has bodies of its own, one of its chains. */
   joints: DrawnJoint[][];
   /** The places in `chains` of those that end on the platform. */
   ends: (number | null)[];

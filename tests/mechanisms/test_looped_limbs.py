@@ -74,8 +74,8 @@ STATEMENTS = {
     "h4": "the directions z, n1 and n2 are parallel to one plane (constraint singularity), or the planes d1d2p2' and "
     "zp1p2 and the line d3d4 meet in a point",
     "gantry-tau": "the line A1B1 is parallel to the plane of the directions d2 and d3 (actuation singularity), the "
-    "line A2C2 is parallel to the plane of the directions d2 and d3 (constraint singularity), or the plane A3C3D3 contains "
-    "the direction d3 (constraint singularity).",
+    "line A2C2 is parallel to the plane of the directions d2 and d3 (constraint singularity), or the plane A3C3D3 "
+    "contains the direction d3 (constraint singularity).",
     "par4": "the planes d1d2P2, d3d4P2 and zP1P2, which pass through P2, have a common line.",
 }
 
