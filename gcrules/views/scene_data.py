@@ -33,6 +33,7 @@ __all__ = [
     "RecipePoint",
     "RecipeView",
     "SceneData",
+    "SpanView",
     "Terms",
     "Thresholds",
     "Vec3",
@@ -191,6 +192,18 @@ class ChainView(TypedDict):
     """With which sign each coordinate counts in the platform's twist, and in each loop of the limb's own."""
 
 
+class SpanView(TypedDict):
+    """A chain between two bodies, where limbs have loops of their own: its coordinates in its limb that are not driven,
+    the rank of their twists, and the bodies, the platform being 0 and the base −1.
+    """
+
+    limb: int
+    free: list[int]
+    rank: int
+    start: int
+    end: int
+
+
 class DriveView(TypedDict):
     """An actuator, with the places of its limb and of its coordinate there."""
 
@@ -239,6 +252,8 @@ class LinkageView(TypedDict):
     """The ends of the lines of each, as there."""
     bars: list[list[list[Terms]]]
     """The bars of each, from one end to the other, and rods between them."""
+    spans: list[SpanView]
+    """All chains between bodies, where limbs have loops of their own."""
     locked: list[list[int]]
     """Limbs and coordinates that stay at 0."""
     plane: bool

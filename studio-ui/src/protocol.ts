@@ -150,6 +150,15 @@ export interface Chain {
   shares: number[][];
 }
 
+/** A chain between two bodies, where limbs have loops of their own: its coordinates in its limb that are not driven, the rank of their twists, and the bodies, the platform being 0 and the base −1. */
+export interface Span {
+  limb: number;
+  free: number[];
+  rank: number;
+  start: number;
+  end: number;
+}
+
 /** An actuator, with the places of its limb and of its coordinate there. */
 export interface Drive {
   name: string;
@@ -192,6 +201,8 @@ export interface Linkage {
   lines: LegEnds[][];
   /** The bars of each, from one end to the other, and rods between them. */
   bars: Terms[][][];
+  /** All chains between bodies, where limbs have loops of their own. */
+  spans: Span[];
   /** Limbs and coordinates that stay at 0. */
   locked: number[][];
   plane: boolean;

@@ -27,8 +27,6 @@ def linkage_view(robot: Limbs) -> LinkageView:
     made = [d.name for d in m.robot.family.definitions if d.name not in m.attachments and not d.parameters]
     if made:
         raise InputError(f"no link carries {listed(made)}: relations make them in each configuration")
-    if m.looped:
-        raise InputError("the margin of a robot whose limbs have loops of their own is not computed in a page")
     lines = structure.drawn
     limbs = {limb.limb.name for limb in structure.limbs}
     rest = [list(one.ends) for one in lines if one.limb not in limbs]
@@ -54,6 +52,9 @@ def linkage_view(robot: Limbs) -> LinkageView:
         "rods": [rod for limb in m.robot.limbs for rod in _rods(limb)],
         "lines": [*drawn, rest] if rest else drawn,
         "bars": [[bar for j in joints for bar in _bars(j)] for _, _, joints, _ in parts],
+        "spans": [
+            {"limb": s.limb, "free": list(s.free), "rank": s.rank, "start": s.start, "end": s.end} for s in m.spans
+        ],
         "locked": [[place, coordinate] for place, coordinate, _ in m.locked],
         "plane": m.robot.family.plane,
         "centre": _vec(m.centre),
