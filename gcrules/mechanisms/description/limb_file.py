@@ -129,6 +129,13 @@ class LimbSpec:
             start += own.joints
         return tuple(found)
 
+    def ways(self, start: str = BASE) -> Iterator[tuple[JointSpec, ...]]:
+        """The joints of each way from a body to the platform, along its subchains."""
+        for own, joints in self.parts:
+            if own.start == start:
+                further = self.ways(own.end) if own.end != PLATFORM else [()]
+                yield from ((*joints, *rest) for rest in further)
+
     @property
     def shares(self) -> tuple[tuple[int, ...], ...]:
         """For each joint with which sign it counts in the platform's motion, and then in each loop of the limb: the

@@ -150,7 +150,7 @@ def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
                 found[first] = found.get(first, here) & here
     conditions = tuple(
         LimbCondition(*said, tuple(name for name in TYPES if name in found[said]))
-        for said, _ in _tried(family, limb, family.member("limb"))
+        for said in dict.fromkeys(said for said, _ in _tried(family, limb, family.member("limb")))
         if said in found
     )
     return LimbSingularity(limb.name, conditions, min(ENOUGH, met), min(ENOUGH, unexplained))
@@ -166,7 +166,13 @@ def _terms(limb: LimbSpec) -> dict[str, Term]:
 
 
 def _tried(family: Family, limb: LimbSpec, values: Values) -> Iterator[tuple[tuple[str, str], bool]]:
-    """Conditions in words, and whether they hold: flat brackets, right angles, directions parallel to one plane."""
+    """Conditions in words, and whether they hold: flat brackets, right angles, directions parallel to one plane. Of a
+    limb with bodies of its own those of each way through it.
+    """
+    if limb.subchains:
+        for joints in limb.ways():
+            yield from _tried(family, LimbSpec(limb.name, joints), values)
+        return
     points = family.homogeneous(values)
     for four in combinations([n for n in _names(limb) if n in points], 4):
         flat = not RESIDUES.determinant([points[n] for n in four])
