@@ -11,9 +11,8 @@ A limb may have bodies of its own, between which chains of joints lead: then eac
 >>> joints, chains = read_limb(
 ...     "base to hub: R*(A1, r1) 4S(B1, C1, d1) base to hub: R*(A2, r2) 4S(B2, C2, d2) hub to platform: R(E, z)"
 ... )
->>> chains
-(Subchain(start='base', end='hub', joints=2), Subchain(start='base', end='hub', joints=2), Subchain(start='hub', \
-end='platform', joints=1))
+>>> [(c.start, c.end, c.joints) for c in chains]
+[('base', 'hub', 2), ('base', 'hub', 2), ('hub', 'platform', 1)]
 """
 
 from __future__ import annotations
