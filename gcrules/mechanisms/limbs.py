@@ -11,6 +11,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.as_platform import as_platform
+from gcrules.mechanisms.description.limb_file import BASE
 from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
 from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.solve import solve
@@ -62,7 +63,8 @@ class Limbs:
     def bodies(self) -> Mapping[str, tuple[str, ...]]:
         sorts = self.robot.family.sorts
         body = tuple(n for n in self.robot.platform if sorts.get(n) == "point")
-        feet = dict.fromkeys(p for limb in self.robot.limbs for p in limb.joints[0].points if p not in body)
+        chains = (part for limb in self.robot.limbs for part in limb.parts)
+        feet = dict.fromkeys(p for c, own in chains if c.start == BASE for p in own[0].points if p not in body)
         return FrozenMap({"base": tuple(feet), "platform": body})
 
     @property

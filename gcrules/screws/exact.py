@@ -110,6 +110,14 @@ class Exact(Field):
     def joined(self, parts: Sequence[Matrix]) -> Matrix:
         return tuple(row for part in parts for row in part)
 
+    def spread(self, matrix: Matrix, shares: Sequence[Sequence[int]]) -> Matrix:
+        return tuple(
+            tuple(self.number(c * x) for c in own for x in row) for row, own in zip(matrix, shares, strict=True)
+        )
+
+    def cut(self, matrix: Matrix, width: int) -> Matrix:
+        return tuple(row[:width] for row in matrix)
+
     def go_together(self, values: Iterable[Any], what: str) -> None:
         """Exact numbers are of one configuration."""
 

@@ -53,8 +53,8 @@ class Field(ABC):
         """Independent rows with the same span."""
 
     @abstractmethod
-    def kernel(self, matrix: Matrix) -> Matrix:
-        """A basis of the vectors that are orthogonal to all rows."""
+    def kernel(self, matrix: Matrix, width: int = 6) -> Matrix:
+        """A basis of the vectors orthogonal to all rows; `width` counts where there are none."""
 
     @abstractmethod
     def complement(self, matrix: Matrix) -> Matrix:
@@ -83,6 +83,14 @@ class Field(ABC):
     @abstractmethod
     def joined(self, parts: Sequence[Matrix]) -> Matrix:
         """The rows of all parts, one part below the other."""
+
+    @abstractmethod
+    def spread(self, matrix: Matrix, shares: Sequence[Sequence[int]]) -> Matrix:
+        """Each row (k, 6) as often side by side as it has shares, times each of them: (k, 6 n)."""
+
+    @abstractmethod
+    def cut(self, matrix: Matrix, width: int) -> Matrix:
+        """The first columns of a matrix."""
 
     @abstractmethod
     def is_zero(self, x: Any) -> bool:

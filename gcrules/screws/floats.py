@@ -101,9 +101,9 @@ class Floats(Field):
     def complement(self, matrix: Matrix) -> Matrix:
         return self.basis(matrix)
 
-    def kernel(self, matrix: Matrix) -> Matrix:
+    def kernel(self, matrix: Matrix, width: int = 6) -> Matrix:
         """Orthonormal; with many configurations as many rows as the smallest kernel has, those that fit best."""
-        return self._split(matrix)[1]
+        return self._split(np.reshape(matrix, (*matrix.shape[:-2], 0, width)) if not matrix.shape[-2] else matrix)[1]
 
     def _split(self, matrix: Matrix) -> tuple[_Array, _Array]:
         _, sizes, right = np.linalg.svd(np.asarray(matrix, dtype=float), full_matrices=True)
@@ -159,6 +159,13 @@ class Floats(Field):
     def joined(self, parts: Sequence[Matrix]) -> Matrix:
         shape = _common_shape((part.shape[:-2] for part in parts), "the limbs")
         return np.concatenate([np.broadcast_to(part, shape + part.shape[-2:]) for part in parts], axis=-2)
+
+    def spread(self, matrix: Matrix, shares: Sequence[Sequence[int]]) -> Matrix:
+        every = matrix[..., None, :] * np.array(shares, dtype=float)[..., None]
+        return every.reshape(*every.shape[:-2], -1)
+
+    def cut(self, matrix: Matrix, width: int) -> Matrix:
+        return matrix[..., :width]
 
     def is_zero(self, x: Any) -> bool:
         return bool(np.all(np.abs(x) <= self.tolerance))

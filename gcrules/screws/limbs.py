@@ -14,7 +14,7 @@ UP̲S 6 0 [['1/14', '1/7', '3/14', '0', '0', '0']]
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -22,20 +22,23 @@ from typing import Any
 from gcrules.core.errors import InputError
 from gcrules.screws.fields import Field, Matrix, field_of
 from gcrules.screws.joints import Joint
-from gcrules.screws.systems import ScrewSystem, actuation, reciprocal
+from gcrules.screws.systems import ScrewSystem, Shares, actuation, reciprocal
 
 __all__ = ["Limb", "limb"]
 
 
 @dataclass(frozen=True)
 class Limb:
-    """A chain of joints from the base to the platform. With floats everything works for many configurations at once.
+    """Joints from the base to the platform: a chain, or with `shares` a limb that has bodies and loops of its own. With
+    floats everything works for many configurations at once.
 
-    Each method takes the field to compute in; that of the joints' own numbers if there is none.
+    `shares` tells of each joint with which sign it counts in the platform's twist, and then in each of the loops. Each
+    method takes the field to compute in; that of the joints' own numbers if there is none.
     """
 
     joints: tuple[Joint, ...]
     name: str = ""
+    shares: tuple[tuple[int, ...], ...] = ()
 
     @cached_property
     def field(self) -> Field:
@@ -56,27 +59,56 @@ class Limb:
             start += j.freedoms
         return tuple(found)
 
+    @property
+    def passive(self) -> tuple[int, ...]:
+        """The places of the others."""
+        return tuple(k for k in range(self.freedoms) if k not in self.actuated)
+
     def twists(self, field: Field | None = None) -> Matrix:
         """One row (ω; v) for each freedom, from the base to the platform; for floats (..., freedoms, 6)."""
         field = field or self.field
         return field.matrix([row for j in self.joints for row in j.twists(field)])
 
+    def rows(self, field: Field | None = None) -> Matrix:
+        """The twists as the platform and, side by side, each loop of the limb's own have them."""
+        field = field or self.field
+        twists = self.twists(field)
+        return field.spread(twists, self._shares(range(self.freedoms))) if self.shares else twists
+
     def rank(self, field: Field | None = None) -> Any:
         """The number of independent twists. Where it is smaller than in other configurations of the same limb, the
         limb itself is singular (serial singularity): it has more constraint wrenches there.
         """
-        field = field or self.field
-        return field.rank(field.comparable(self.twists(field)))
+        return self._rank(range(self.freedoms), field or self.field)
+
+    def passive_rank(self, field: Field | None = None) -> Any:
+        """The same of the passive twists."""
+        return self._rank(self.passive, field or self.field)
+
+    def _rank(self, places: Sequence[int], field: Field) -> Any:
+        rows = field.comparable(field.chosen(self.twists(field), places))
+        return field.rank(field.spread(rows, self._shares(places)) if self.shares else rows)
 
     def constraints(self, field: Field | None = None) -> Matrix:
         """A basis of the wrenches reciprocal to all twists: those that the limb applies without its actuators."""
-        field = field or self.field
-        return reciprocal(self.twists(field), field)
+        return self._applied(range(self.freedoms), field or self.field)
 
     def locked(self, field: Field | None = None) -> Matrix:
         """A basis of the wrenches that the limb applies with locked actuators: reciprocal to the passive twists."""
-        field = field or self.field
-        return reciprocal(self._without(self.twists(field), self.actuated, field), field)
+        return self._applied(self.passive, field or self.field)
+
+    def locked_by(self, actuator: int, field: Field | None = None) -> Matrix:
+        """A basis of the wrenches that it applies with only this one of its `actuated` freedoms locked."""
+        place = self.actuated[actuator]
+        return self._applied([k for k in range(self.freedoms) if k != place], field or self.field)
+
+    def _applied(self, places: Sequence[int], field: Field) -> Matrix:
+        return reciprocal(field.chosen(self.twists(field), places), field, self._shares(places))
+
+    def _shares(self, places: Iterable[int]) -> Shares:
+        """Those of twists at these places; none of a chain."""
+        every = [own for j, own in zip(self.joints, self.shares, strict=False) for _ in range(j.freedoms)]
+        return [every[k] for k in places] if self.shares else ()
 
     def actuations(self, field: Field | None = None) -> Matrix:
         """One wrench for each actuator: reciprocal to all other twists, with product 1 with its own twist.
@@ -87,7 +119,8 @@ class Limb:
         """
         field = field or self.field
         rows = self.twists(field)
-        found = [actuation(rows, place, field) for place in self.actuated]
+        shares = self._shares(range(self.freedoms))
+        found = [actuation(rows, place, field, shares) for place in self.actuated]
         if not field.floating and None in found:
             place = self.actuated[found.index(None)]
             raise InputError(
@@ -97,21 +130,19 @@ class Limb:
         return field.matrix([row for row in found if row is not None]) if found else field.chosen(rows, ())
 
     def system(self, field: Field | None = None) -> ScrewSystem:
-        """The span of the twists, of one configuration."""
-        return ScrewSystem.span(self.twists(field), field or self.field)
+        """The platform's twists, of one configuration."""
+        field = field or self.field
+        if self.shares:
+            return self.constraint_system(field).reciprocal()
+        return ScrewSystem.span(self.twists(field), field)
 
     def constraint_system(self, field: Field | None = None) -> ScrewSystem:
         """The span of `constraints`."""
-        return self.system(field).reciprocal()
+        return ScrewSystem.span(self.constraints(field), field or self.field)
 
     def locked_system(self, field: Field | None = None) -> ScrewSystem:
         """The span of `locked`."""
-        field = field or self.field
-        return ScrewSystem.span(self._without(self.twists(field), self.actuated, field), field).reciprocal()
-
-    @staticmethod
-    def _without(rows: Matrix, places: Iterable[int], field: Field) -> Matrix:
-        return field.chosen(rows, [i for i in range(field.height(rows)) if i not in set(places)])
+        return ScrewSystem.span(self.locked(field), field or self.field)
 
     def __str__(self) -> str:
         """Symbols of the joints, those with an actuator underlined."""

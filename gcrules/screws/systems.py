@@ -10,48 +10,73 @@ r"""Screw systems: spans of twists or wrenches, and those reciprocal to them.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from gcrules.screws.fields import Field, Matrix, Row, field_of
 from gcrules.screws.kinds import Classification, classify
 
-__all__ = ["ScrewSystem", "actuation", "reciprocal"]
+__all__ = ["ScrewSystem", "Shares", "actuation", "reciprocal"]
 
 
-def reciprocal(screws: Any, field: Field | None = None) -> Matrix:
+Shares = Sequence[Sequence[int]]
+"""For each twist of a limb with which sign it counts in the platform's twist, and then in each of the limb's own loops;
+none for a chain, whose twists add up to the platform's.
+"""
+
+
+def reciprocal(screws: Any, field: Field | None = None, shares: Shares = ()) -> Matrix:
     """A basis of the screws reciprocal to all rows: of the wrenches for twists, of the twists for wrenches.
 
     Rows (..., k, 6) to (..., 6 − rank, 6). For floats of many configurations the largest rank counts, so that all get
-    as many rows; `Field.rank` tells where it is smaller.
+    as many rows; `Field.rank` tells where it is smaller. Of a limb with loops a wrench on the platform is taken if some
+    wrenches in its loops balance it: no twist does work on all of them together.
     """
     field = field or field_of(screws)
     rows = field.comparable(field.read(screws))
-    return field.unscaled(field.kernel(swapped(rows, field)))
+    if not shares:
+        return field.unscaled(field.kernel(swapped(rows, field)))
+    balanced = field.kernel(swapped(field.spread(rows, shares), field), 6 * len(shares[0]))
+    return field.unscaled(field.basis(field.cut(balanced, 6)))
 
 
 def swapped(rows: Matrix, field: Field) -> Matrix:
-    """The rows (m; f) of rows (f; m): the reciprocal product with one is the scalar product with the other."""
+    """The rows (m; f) of rows (f; m), of six numbers or several sixes: the reciprocal product with one is the scalar
+    product with the other.
+    """
     if field.floating:
-        return rows[..., [3, 4, 5, 0, 1, 2]]
-    return tuple((*row[3:], *row[:3]) for row in rows)
+        sixes = rows.reshape(*rows.shape[:-1], rows.shape[-1] // 6, 6)
+        return sixes[..., [3, 4, 5, 0, 1, 2]].reshape(rows.shape)
+    return tuple(
+        tuple(x for k in range(0, len(row), 6) for x in (*row[k + 3 : k + 6], *row[k : k + 3])) for row in rows
+    )
 
 
-def actuation(twists: Matrix, place: int, field: Field) -> Row | None:
+def actuation(twists: Matrix, place: int, field: Field, shares: Shares = ()) -> Row | None:
     """The shortest wrench with product 1 with one twist and 0 with all others; None (floats: nan) where there is none.
 
     With d the twist's (v; ω), it is the projection of d to the screws reciprocal to the others, divided by its scalar
-    product with d: so it is orthogonal to the wrenches that are reciprocal to all twists. Derived here.
+    product with d: so it is orthogonal to the wrenches that are reciprocal to all twists. With loops (see `reciprocal`)
+    that holds of all wrenches together; from that on the platform its part along these wrenches is taken off. Derived
+    here.
     """
-    others = field.chosen(twists, [i for i in range(field.height(twists)) if i != place])
-    free = field.kernel(swapped(field.comparable(others), field))
-    driven = field.row(swapped(field.scaled(twists), field), place)
+    places = [i for i in range(field.height(twists)) if i != place]
+    others, driven_row = field.comparable(field.chosen(twists, places)), field.scaled(twists)
+    if shares:
+        others, driven_row = field.spread(others, [shares[i] for i in places]), field.spread(driven_row, shares)
+    free = field.kernel(swapped(others, field), 6 * len(shares[0]) if shares else 6)
+    driven = field.row(swapped(driven_row, field), place)
     shadow = field.projection(free, driven)
     power = field.dot(shadow, driven)
     lost = field.vanishes(power, field.dot(driven, driven))
     if not field.floating and lost:
         return None
     scale = field.quotient(1, field.choose(lost, field.nothing, power * field.length))
+    if shares:
+        constraints = field.basis(field.scaled(reciprocal(twists, field, shares)))
+        own = shadow[:6]
+        shadow = tuple(x - y for x, y in zip(own, field.projection(constraints, own), strict=True))
     unit = (1, 1, 1, field.length, field.length, field.length)
     return tuple(field.reduced(x * scale * u) for x, u in zip(shadow, unit, strict=True))
 

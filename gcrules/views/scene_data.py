@@ -33,6 +33,7 @@ __all__ = [
     "RecipePoint",
     "RecipeView",
     "SceneData",
+    "SpanView",
     "Terms",
     "Thresholds",
     "Vec3",
@@ -179,6 +180,28 @@ class ChainView(TypedDict):
     rank: int
     """Of its twists; `passive` that of those that are not driven."""
     passive: int
+    applied: int
+    """The dimension of its wrenches with locked actuators."""
+    runs: list[list[int]]
+    """Of a limb with bodies of its own its runs: their first motion, that after their last, the link on which they
+    begin, and that by which an earlier run reaches the same body, −1 where there is none.
+    """
+    platform: int
+    """The link that is the platform, of such a limb."""
+    shares: list[list[int]]
+    """With which sign each coordinate counts in the platform's twist, and in each loop of the limb's own."""
+
+
+class SpanView(TypedDict):
+    """A chain between two bodies, where limbs have loops of their own: its coordinates in its limb that are not driven,
+    the rank of their twists, and the bodies, the platform being 0 and the base −1.
+    """
+
+    limb: int
+    free: list[int]
+    rank: int
+    start: int
+    end: int
 
 
 class DriveView(TypedDict):
@@ -220,11 +243,17 @@ class LinkageView(TypedDict):
     directions: dict[str, Vec3]
     derived: list[DerivedView]
     joints: list[list[DrawnJoint]]
-    """Those of each limb, as in `limbs` of the scene."""
+    """Those of each of the `limbs` of the scene: a limb or, of one that has bodies of its own, one of its chains."""
+    ends: list[int | None]
+    """The places in `chains` of those that end on the platform."""
+    rods: list[list[Terms]]
+    """What is drawn of the limbs' own bodies, from one end to the other."""
     lines: list[list[LegEnds]]
-    """The ends of the lines of each limb, as there."""
+    """The ends of the lines of each, as there."""
     bars: list[list[list[Terms]]]
-    """The bars of each limb, from one end to the other, and rods between them."""
+    """The bars of each, from one end to the other, and rods between them."""
+    spans: list[SpanView]
+    """All chains between bodies, where limbs have loops of their own."""
     locked: list[list[int]]
     """Limbs and coordinates that stay at 0."""
     plane: bool

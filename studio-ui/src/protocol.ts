@@ -140,6 +140,23 @@ export interface Chain {
   /** Of its twists; `passive` that of those that are not driven. */
   rank: number;
   passive: number;
+  /** The dimension of its wrenches with locked actuators. */
+  applied: number;
+  /** Of a limb with bodies of its own its runs: their first motion, that after their last, the link on which they begin, and that by which an earlier run reaches the same body, −1 where there is none. */
+  runs: number[][];
+  /** The link that is the platform, of such a limb. */
+  platform: number;
+  /** With which sign each coordinate counts in the platform's twist, and in each loop of the limb's own. */
+  shares: number[][];
+}
+
+/** A chain between two bodies, where limbs have loops of their own: its coordinates in its limb that are not driven, the rank of their twists, and the bodies, the platform being 0 and the base −1. */
+export interface Span {
+  limb: number;
+  free: number[];
+  rank: number;
+  start: number;
+  end: number;
 }
 
 /** An actuator, with the places of its limb and of its coordinate there. */
@@ -174,12 +191,18 @@ export interface Linkage {
   points: Record<string, Vec3>;
   directions: Record<string, Vec3>;
   derived: Derived[];
-  /** Those of each limb, as in `limbs` of the scene. */
+  /** Those of each of the `limbs` of the scene: a limb or, of one that has bodies of its own, one of its chains. */
   joints: DrawnJoint[][];
-  /** The ends of the lines of each limb, as there. */
+  /** The places in `chains` of those that end on the platform. */
+  ends: (number | null)[];
+  /** What is drawn of the limbs' own bodies, from one end to the other. */
+  rods: Terms[][];
+  /** The ends of the lines of each, as there. */
   lines: LegEnds[][];
-  /** The bars of each limb, from one end to the other, and rods between them. */
+  /** The bars of each, from one end to the other, and rods between them. */
   bars: Terms[][][];
+  /** All chains between bodies, where limbs have loops of their own. */
+  spans: Span[];
   /** Limbs and coordinates that stay at 0. */
   locked: number[][];
   plane: boolean;

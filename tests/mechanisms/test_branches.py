@@ -329,7 +329,7 @@ def random_arm(rng: np.random.Generator, count: int) -> Arm:
         np.concatenate([np.zeros_like(axes), axes], axis=1),
     )
     chain = Chain(screws, tuple(range(count)), np.ones(count), tuple(map(bool, turns)))
-    return Arm.of(chain, 0.2 * rng.normal(size=count), np.zeros(3), 1.0)
+    return Arm.several([chain], [0.2 * rng.normal(size=count)], np.zeros(3), 1.0)[0]
 
 
 def motion(arm: Arm, amounts: np.ndarray) -> np.ndarray:
@@ -377,7 +377,7 @@ def four_bar(open_by: float) -> list[Arm]:
     elbow = np.array([1.0, open_by, 0])
     rows = [[0, 0, 1, *np.cross(p, [0, 0, 1])] for p in ([2, 0, 0], elbow, [0.0, 0, 0])]
     first = Arm(crank, (0,), np.ones(1), np.array([0.02]))
-    second = Arm(np.array(rows), (0, 1, 2), np.ones(3), np.zeros(3))
+    second = Arm(np.array(rows), (0, 1, 2), np.ones(3), np.zeros(3), block=1)
     return [first, second]
 
 

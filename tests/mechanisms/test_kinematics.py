@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -70,22 +71,22 @@ def geometry(joint: Any, values: Mapping[str, Any]) -> dict[str, tuple[str, Any]
 
 def bodies(m: Linkage, values: Mapping[str, Any]) -> Iterator[tuple[str, list[tuple[str, Any]]]]:
     """Every rigid body with the points and directions on it."""
-    base: list[tuple[str, Any]] = [("direction", axis) for axis in np.eye(3)] + [("point", np.zeros(3))]
-    platform: list[tuple[str, Any]] = []
-    for limb in m.robot.limbs:
-        parts = [geometry(j, values) for j in limb.joints]
-        base += [parts[0][p] for p in SIDES[limb.joints[0].kind][0] if p in parts[0]]
-        platform += [parts[-1][p] for p in SIDES[limb.joints[-1].kind][1]]
-        for k, (a, b) in enumerate(zip(limb.joints, limb.joints[1:], strict=False)):
+    ends: dict[str, list[tuple[str, Any]]] = {"base": [("direction", axis) for axis in np.eye(3)]}
+    ends["base"].append(("point", np.zeros(3)))
+    for limb, (chain, joints) in ((one, part) for one in m.robot.limbs for part in one.parts):
+        start, end = (n if n in ("base", "platform") else f"{limb.name}, {n}" for n in (chain.start, chain.end))
+        parts = [geometry(j, values) for j in joints]
+        ends.setdefault(start, []).extend(parts[0][p] for p in SIDES[joints[0].kind][0] if p in parts[0])
+        ends.setdefault(end, []).extend(parts[-1][p] for p in SIDES[joints[-1].kind][1] if p in parts[-1])
+        for k, (a, b) in enumerate(pairwise(joints)):
             own = [parts[k][p] for p in SIDES[a.kind][1] if p in parts[k]] + [parts[k + 1][p] for p in SIDES[b.kind][0]]
-            yield f"{limb.name}, link {k + 1}", own
-        for k, j in enumerate(limb.joints):
+            yield f"{limb.name}, link behind {a.text}", own
+        for k, j in enumerate(joints):
             if j.kind == "U":
-                yield f"{limb.name}, cross {k}", [parts[k]["first"], parts[k]["second"]]
+                yield f"{limb.name}, cross {j.text}", [parts[k]["first"], parts[k]["second"]]
             if j.kind in ("Pa", "4S"):
-                yield f"{limb.name}, bar {k}", [("point", np.zeros(3)), ("point", parts[k]["bars"][1])]
-    yield "base", base
-    yield "platform", platform
+                yield f"{limb.name}, bar {j.text}", [("point", np.zeros(3)), ("point", parts[k]["bars"][1])]
+    yield from ends.items()
 
 
 def shape(body: list[tuple[str, Any]]) -> np.ndarray:

@@ -141,6 +141,27 @@ def test_an_interrupted_run_goes_on(robots: dict[str, Analysis], tmp_path: Path,
     assert not work.exists()
 
 
+def test_a_chunk_without_cells_is_looked_at_again(
+    robots: dict[str, Analysis], tmp_path: Path, counted: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The last chunk may hold poses, and no cells: they lie between it and the one before."""
+
+    class Last:
+        def choice(self, kept: list[int]) -> int:
+            return kept[-1]
+
+    monkeypatch.setattr("gcrules.poses.maps.maps.drawn", lambda *_: Last())
+    work = tmp_path / "map.part"
+    counted.append(-1)
+    with pytest.raises(KeyboardInterrupt):
+        singular_map(robots["octahedral"], SMALL, work=work)
+    task = singular_map(robots["octahedral"], SMALL).task
+    last = task.compute(task.number - 1)
+    assert any(a.size == 0 for a in last.values())
+    np.savez(work / f"chunk-{task.number - 1:06d}.npz", **last)
+    assert singular_map(robots["octahedral"], SMALL, work=work).summary.poses == 240
+
+
 @pytest.mark.parametrize(
     "change", [{"at": "1 0 0"}, {"measure": "value"}, {"limits": "legs 1.."}, {"about": "origin"}], ids=str
 )

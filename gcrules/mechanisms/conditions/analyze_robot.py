@@ -20,6 +20,7 @@ from gcrules.mechanisms.conditions.common_factor import common_factor, sees_cons
 from gcrules.mechanisms.conditions.design import is_of_design, rigid_bodies
 from gcrules.mechanisms.conditions.factor_causes import at_member, causes_left, tell_apart
 from gcrules.mechanisms.conditions.line_conditions import condition_of_lines, factors_at
+from gcrules.mechanisms.conditions.lost_wrenches import lines_that_hold
 from gcrules.mechanisms.conditions.overlaps import of_several_kinds, without_repetition
 from gcrules.mechanisms.conditions.published import MEMBERS, published
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
@@ -43,10 +44,11 @@ def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
     """Analyse a robot; `search` as for `gcrules.analyze`. Raises InputError for six lines that are no legs."""
     home = robot.values_at() if robot.home is not None else None
     structure = equivalent(robot.family, robot.limbs, home) if robot.limbs else _given_lines(robot)
+    if structure.over and structure.lines is not None and not sees_constraints(robot.family, structure):
+        structure = equivalent(robot.family, robot.limbs, home, frame=False)
+    structure = lines_that_hold(robot.family, structure, home)
     if structure.lines is None:
         return _without_lines(robot, structure)
-    if structure.over and not sees_constraints(robot.family, structure):
-        structure = equivalent(robot.family, robot.limbs, home, frame=False)
     found, condition = condition_of_lines(robot, structure, search)
     family = robot.family
     cofactors, factors = factors_at(robot, structure, condition)

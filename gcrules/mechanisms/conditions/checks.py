@@ -10,7 +10,7 @@ from typing import Any
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.yaml_file import Node
 from gcrules.mechanisms.description.family import Definition
-from gcrules.mechanisms.description.limb_file import LimbSpec
+from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
 from gcrules.mechanisms.description.relations import Values, combined
 from gcrules.mechanisms.robot import Consequence, Robot
 from gcrules.screws import RATIONALS, RESIDUES, Limb
@@ -110,12 +110,21 @@ def check_limbs(robot: Robot, nodes: Sequence[Node], mobility: Node) -> None:
 
 def _check_limb(robot: Robot, text: LimbSpec, limb: Limb, node: Node) -> None:
     rank = limb.rank(RESIDUES)
-    if text.freedoms > 6 and text.freedoms - rank > 1:
+    idle = len(limb.passive) - limb.passive_rank(RESIDUES)
+    if text.subchains:
+        spins = sum(pair == ("S", "S") for _, joints in text.parts for pair in _neighbours(joints))
+        if idle > spins:
+            node.fault(
+                f"{text.name}: with its actuators and the platform locked its joints have {idle} freedoms left",
+                "a body of the limb is not held; drive or leave out a joint, or write ball joints as U where a link"
+                " would only spin",
+            )
+    elif text.freedoms > 6 and text.freedoms - rank > 1:
         node.fault(
             f"{text.name} has {text.freedoms} freedoms, of which only {rank} are independent",
             "a limb has at most six freedoms, and one more if a link spins between two ball joints",
         )
-    elif text.freedoms > 6 and ("S", "S") not in _neighbours(text):
+    elif text.freedoms > 6 and ("S", "S") not in _neighbours(text.joints):
         node.fault(
             f"{text.name} has mobility {text.freedoms}: its actuators do not determine it",
             "leave a joint out, or write ball joints as U where a link would only spin",
@@ -164,9 +173,9 @@ def notes(robot: Robot) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _neighbours(text: LimbSpec) -> list[tuple[str, str]]:
+def _neighbours(joints: Sequence[JointSpec]) -> list[tuple[str, str]]:
     """Kinds of neighbouring joints, prismatic and cylindrical ones between them left out."""
-    return list(pairwise(j.kind for j in text.joints if j.kind not in ("P", "C")))
+    return list(pairwise(j.kind for j in joints if j.kind not in ("P", "C")))
 
 
 def home_values(robot: Robot) -> dict[str, Any]:

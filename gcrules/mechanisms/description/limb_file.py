@@ -5,11 +5,20 @@ r"""Limbs of a robot as they are written: joints from the base to the platform, 
 U(A1, u1, v1) P*(A1 B1) S(B1)
 >>> [j.kind for j in joints], [j.actuated for j in joints]
 (['U', 'P', 'S'], [(), (0,), ()])
+
+A limb may have bodies of its own, between which chains of joints lead: then each chain names where it begins and ends.
+
+>>> joints, chains = read_limb(
+...     "base to hub: R*(A1, r1) 4S(B1, C1, d1) base to hub: R*(A2, r2) 4S(B2, C2, d2) hub to platform: R(E, z)"
+... )
+>>> [(c.start, c.end, c.joints) for c in chains]
+[('base', 'hub', 2), ('base', 'hub', 2), ('hub', 'platform', 1)]
 """
 
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -19,12 +28,15 @@ from gcrules.core.hints import near
 from gcrules.mechanisms.description.relations import Term, Values, combined, pair_or_name
 from gcrules.screws import JOINTS, Field, Joint, Limb
 
-__all__ = ["JointSpec", "LimbSpec", "cable_joints", "read_joints"]
+__all__ = ["BASE", "PLATFORM", "JointSpec", "LimbSpec", "Subchain", "cable_joints", "read_joints", "read_limb"]
 
 _JOINT = re.compile(r"\s*,?\s*([0-9A-Za-z]+)\s*(\*\d?)?\s*\(([^()]*)\)\s*")
+_HEAD = re.compile(r"\s*([A-Za-z]\w*)\s+to\s+([A-Za-z]\w*)\s*:")
 _NAMES = re.compile(r"[A-Za-z][\w']*(?:\s+[A-Za-z][\w']*)?")
 _EXAMPLE = "a limb is written U(A1, u1, v1) P*(A1 B1) S(B1), with a star at what is actuated"
 _NOWHERE = Span(0, 0)
+
+BASE, PLATFORM = "base", "platform"
 
 
 @dataclass(frozen=True)
@@ -36,6 +48,11 @@ class JointSpec:
     actuated: tuple[int, ...] = ()
     text: str = ""
     place: Span = _NOWHERE
+
+    @property
+    def symbol(self) -> str:
+        """The kind, starred where it is driven."""
+        return self.kind + "*" * bool(self.actuated)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -69,22 +86,73 @@ class JointSpec:
 
 
 @dataclass(frozen=True)
+class Subchain:
+    """A chain of so many joints from one body of a limb to another; the `base` and the `platform` are such bodies."""
+
+    start: str
+    end: str
+    joints: int
+
+
+@dataclass(frozen=True)
 class LimbSpec:
     """A limb; `through` are points that lines of its wrenches may go through beside those of its joints. A `cable` has
-    the joints of a leg with ball ends, and only pulls.
+    the joints of a leg with ball ends, and only pulls. A limb with bodies of its own has `subchains`, each from a body
+    that those before it reach, with its joints in their order; a plain chain has none.
     """
 
     name: str
     joints: tuple[JointSpec, ...]
     through: tuple[str, ...] = ()
     cable: bool = False
+    subchains: tuple[Subchain, ...] = ()
 
     @property
     def chain(self) -> str:
-        """The symbols of its joints, those with an actuator starred: UP*S."""
+        """The symbols of its joints, those with an actuator starred: UP*S, (R*4S | R*4S) R."""
         if self.cable:
             return "cable"
-        return "".join(j.kind + "*" * bool(j.actuated) for j in self.joints)
+        if not self.subchains:
+            return "".join(j.symbol for j in self.joints)
+        between: dict[tuple[str, str], list[str]] = {}
+        for own, joints in self.parts:
+            between.setdefault((own.start, own.end), []).append("".join(j.symbol for j in joints))
+        return " ".join(several[0] if len(several) == 1 else f"({' | '.join(several)})" for several in between.values())
+
+    @property
+    def parts(self) -> tuple[tuple[Subchain, tuple[JointSpec, ...]], ...]:
+        """Its subchains with their joints; of a plain chain that from the base to the platform."""
+        found, start = [], 0
+        for own in self.subchains or (Subchain(BASE, PLATFORM, len(self.joints)),):
+            found.append((own, self.joints[start : start + own.joints]))
+            start += own.joints
+        return tuple(found)
+
+    def ways(self, start: str = BASE) -> Iterator[tuple[JointSpec, ...]]:
+        """The joints of each way from a body to the platform, along its subchains."""
+        for own, joints in self.parts:
+            if own.start == start:
+                further = self.ways(own.end) if own.end != PLATFORM else [()]
+                yield from ((*joints, *rest) for rest in further)
+
+    @property
+    def shares(self) -> tuple[tuple[int, ...], ...]:
+        """For each joint with which sign it counts in the platform's motion, and then in each loop of the limb: the
+        motion of a body by a later subchain, less that by the first one that reaches it. None of a plain chain.
+        """
+        if not self.subchains:
+            return ()
+        count = len(self.subchains)
+        reached = {BASE: [0] * count}
+        loops: list[list[int]] = []
+        for k, own in enumerate(self.subchains):
+            way = [n + (i == k) for i, n in enumerate(reached[own.start])]
+            if own.end in reached:
+                loops.append([a - b for a, b in zip(way, reached[own.end], strict=True)])
+            else:
+                reached[own.end] = way
+        each = zip(reached[PLATFORM], *loops, strict=True)
+        return tuple(n for n, own in zip(each, self.subchains, strict=True) for _ in range(own.joints))
 
     @property
     def freedoms(self) -> int:
@@ -98,7 +166,7 @@ class LimbSpec:
 
     def at(self, values: Values, field: Field) -> Limb:
         """The limb at a member."""
-        return Limb(tuple(j.at(values, field) for j in self.joints), self.name)
+        return Limb(tuple(j.at(values, field) for j in self.joints), self.name, self.shares)
 
 
 def cable_joints(base: str, end: str, *, plane: bool) -> str:
@@ -112,16 +180,49 @@ def read_joints(text: str) -> tuple[JointSpec, ...]:
     return tuple(_joints(text))
 
 
-def _joints(text: str) -> Iterator[JointSpec]:
-    at = 0
-    while at < len(text):
-        match = _JOINT.match(text, at)
+def read_limb(text: str) -> tuple[tuple[JointSpec, ...], tuple[Subchain, ...]]:
+    """Read a limb: its joints and, where it has bodies of its own, its subchains. Raises InputError with its place."""
+    heads = list(_HEAD.finditer(text))
+    if not heads:
+        return read_joints(text), ()
+    if text[: heads[0].start()].strip():
+        message = f"the joints before '{heads[0][0].strip()}' belong to no chain"
+        raise _fault(text, 0, heads[0].start(), message, "write base to NAME: before them")
+    joints: list[JointSpec] = []
+    chains: list[Subchain] = []
+    reached = {BASE}
+    for head, following in zip(heads, [*heads[1:], None], strict=True):
+        own = tuple(_joints(text, head.end(), following.start() if following else len(text)))
+        start, end = head.groups()
+        if start not in reached:
+            hint = near(start, reached) or f"reached before it: {', '.join(sorted(reached))}"
+            raise _fault(text, *head.span(1), f"no chain before this one leads to {start}", hint)
+        if end in (start, BASE) or start == PLATFORM:
+            raise _fault(text, *head.span(2), f"no chain leads from {start} to {end}", "chains lead from the base on")
+        joints += own
+        chains.append(Subchain(start, end, len(own)))
+        reached.add(end)
+    if PLATFORM not in reached:
+        raise _fault(text, *heads[-1].span(2), "no chain leads to the platform", "the last one: … to platform: …")
+    ends = Counter(b for c in chains for b in (c.start, c.end))
+    for head in heads:
+        if head[2] != PLATFORM and ends[head[2]] < 2:
+            raise _fault(
+                text, *head.span(2), f"nothing else is joined to {head[2]}", near(head[2], reached - {head[2]})
+            )
+    return tuple(joints), tuple(chains)
+
+
+def _joints(text: str, at: int = 0, end: int | None = None) -> Iterator[JointSpec]:
+    first, end = at, len(text) if end is None else end
+    while text[at:end].strip():
+        match = _JOINT.match(text, at, end)
         if not match:
-            raise _fault(text, at, len(text), f"{text[at : at + 30].strip()!r} is no joint", _EXAMPLE)
+            raise _fault(text, at, end, f"{text[at:end][:30].strip()!r} is no joint", _EXAMPLE)
         yield _joint(text, match)
         at = match.end()
-    if not at:
-        raise _fault(text, 0, 1, "there are no joints", _EXAMPLE)
+    if at == first:
+        raise _fault(text, max(0, first - 1), max(1, first), "there are no joints", _EXAMPLE)
 
 
 def _joint(text: str, match: re.Match[str]) -> JointSpec:

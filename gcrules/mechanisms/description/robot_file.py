@@ -11,7 +11,7 @@ directions:
   r%: free
 limbs:                          # joints from the base to the platform, a star at what is actuated
   - name: leg %
-    joints: R(A%, r%) P*(A% S%) S(S%)
+    joints: R(A%, r%) P*(A% S%) S(S%)   # or chains between bodies: [base to hub: …, base to hub: …, hub to platform: …]
 platform: S1 S2 S3              # optional: the points that move with the platform
 mobility: 3                     # expected, and checked
 facts: []                       # optional: relations that follow, checked: "u1 perpendicular to v1"
@@ -40,7 +40,7 @@ from gcrules.mechanisms.description.file_parts import (
     read_lines,
     read_platform,
 )
-from gcrules.mechanisms.description.limb_file import LimbSpec, cable_joints, read_joints
+from gcrules.mechanisms.description.limb_file import LimbSpec, cable_joints, read_limb
 from gcrules.mechanisms.description.point_pairs import numbered
 from gcrules.mechanisms.description.relations import AXES, RELATIONS, relation
 from gcrules.mechanisms.robot import Robot
@@ -56,6 +56,7 @@ MAX_COPIES = 12
 MAX_NAMES = 120
 MAX_LIMBS = 12
 MAX_FREEDOMS = 12
+MAX_SUBCHAINS = 8
 
 
 def load_robot(path: str | PathLike[str], owner: str = "") -> Robot:
@@ -223,9 +224,10 @@ class _Reader:
             joints = top.get("cable" if cable else "joints")
             if joints is None:
                 continue
-            text = joints.string() or "" if joints.kind == "scalar" else " ".join(
-                n.string() or "" for n in joints.sequence()
-            )  # fmt: skip
+            text = joints.string() or "" if joints.kind == "scalar" else " ".join(map(_chain, joints.sequence()))
+            if joints.kind != "scalar" and len({part.kind for part in joints.sequence()}) > 1:
+                joints.fault("a chain does not say between which bodies it leads", "write base to NAME: before it")
+                continue
             name = top["name"].string() or "" if "name" in top else f"leg {'%' if '%' in text else place + 1}"
             through = top["through"].string() or "" if "through" in top else ""
             for own, written, points in numbered(joints, self.copies, name, text, through):
@@ -252,7 +254,7 @@ class _Reader:
             node.fault(f"a limb of more than {4 * MAX_TEXT} characters")
             return None
         try:
-            joints = read_joints(text)
+            joints, subchains = read_limb(text)
         except InputError as fault:
             self._inside(node, text, fault)
             return None
@@ -271,12 +273,13 @@ class _Reader:
                         continue
                     good = False
                     self._inside(node, text, InputError(message, span=joint.place, hint=hint))
-        limb = LimbSpec(name, joints, tuple(through.split()), cable)
+        limb = LimbSpec(name, joints, tuple(through.split()), cable, subchains)
         for word in limb.through:
             if family.sorts.get(word) is None:
                 node.fault(f"{word} is not defined", near(word, family.sorts))
-        if limb.freedoms > MAX_FREEDOMS:
-            node.fault(f"{name} has {limb.freedoms} freedoms; more than {MAX_FREEDOMS} are not read")
+        most = MAX_FREEDOMS * (MAX_SUBCHAINS if subchains else 1)
+        if limb.freedoms > most or len(subchains) > MAX_SUBCHAINS:
+            node.fault(f"{name} has {limb.freedoms} freedoms in {len(subchains)} chains; more than {most} are not read")
             return None
         return limb if good else None
 
@@ -289,6 +292,13 @@ class _Reader:
             self.document.faults.append(self.document.error(span, fault.message, fault.hint))
         else:
             node.fault(fault.message, fault.hint)
+
+
+def _chain(node: Node) -> str:
+    """A part of a limb as it stands in a list: joints, or `base to NAME: joints`, which YAML reads as a mapping."""
+    if node.kind == "scalar":
+        return node.string() or ""
+    return " ".join(f"{key.text}: {value.string() or ''}" for key, value in node.entries())
 
 
 def _wanted(d: Definition) -> tuple[str, ...]:

@@ -2,7 +2,8 @@ r"""What actuators do in many configurations at once: their wrenches, and the co
 
 Of a limb with locked actuators let S be an orthonormal basis of the wrenches, and P the products of its rows with the
 unit twists of the actuators. The rows of P⁺ S are wrenches of the limb with product 1 with the twist of one actuator
-each, and 0 with those of the others: what they are beside that lies in the limb's constraints, and does not count.
+each, and 0 with those of the others: what they are beside that lies in the limb's constraints, and does not count. In a
+limb with loops of its own they are the wrenches on the platform and in its loops together.
 """
 
 from __future__ import annotations
@@ -12,12 +13,13 @@ import numpy as np
 from gcrules.mechanisms.kinematics.amplification import Amplifications, amplifications
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import Linkage
-from gcrules.mechanisms.kinematics.margin import limb_twists
+from gcrules.mechanisms.kinematics.margin import balanced, limb_twists, on_platform
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
 __all__ = ["actuations", "amplified", "amplified_by_legs"]
 
 _RANK = 1e-9
+_SWAPPED = [3, 4, 5, 0, 1, 2]  # what is orthogonal to twists (ω; v/ρ) are wrenches (m/ρ; f)
 
 
 def amplified(m: Linkage, here: Configurations) -> Amplifications:
@@ -49,27 +51,20 @@ def actuations(m: Linkage, here: Configurations) -> tuple[Floats, Floats]:
     held = []
     for place, chain in enumerate(here.chains):
         twists, free = limb_twists(m, place, here, centre)
-        held.append(_reciprocal(twists, m.ranks[place]))
+        own_wrenches = on_platform(balanced(twists, m.ranks[place]), m.elsewhere.applied[place][0])
+        held.append(own_wrenches[..., _SWAPPED])
         own = [k for k, a in enumerate(m.actuators) if a.place == place]
         if not own:
             continue
-        locked = _reciprocal(twists[:, free], m.passive_ranks[place])
+        locked = balanced(twists[:, free], m.passive_ranks[place])
         coordinates = [m.actuators[k].coordinate for k in own]
         units = np.where(np.array(chain.turns)[coordinates], m.size, 1.0)
-        rates = units[:, None] * twists[:, coordinates][..., [3, 4, 5, 0, 1, 2]]  # (v; ρ ω) for unit rates
+        rates = units[:, None] * twists[:, coordinates]  # (ρ ω; v) for unit rates
         products = rates @ np.swapaxes(locked, 1, 2)
         none = np.linalg.svd(products, compute_uv=False)[:, -1] <= _RANK * m.size
-        rows = np.swapaxes(np.linalg.pinv(products), 1, 2) @ locked
+        rows = (np.swapaxes(np.linalg.pinv(products), 1, 2) @ locked)[..., _SWAPPED]
         rows[none] = np.nan
         for k, row in zip(own, np.moveaxis(rows, 1, 0), strict=True):
             driven[k] = row
     scale = np.array([1.0, 1.0, 1.0, m.size, m.size, m.size])
     return np.stack(driven, axis=1) * scale, np.concatenate(held, axis=1) * scale
-
-
-def _reciprocal(twists: Floats, rank: int) -> Floats:
-    """Orthonormal wrenches (f; m/ρ) reciprocal to twists (ω; v/ρ)."""
-    if not twists.shape[1]:
-        return np.broadcast_to(np.eye(6), (len(twists), 6, 6))
-    right = np.linalg.svd(twists)[2]
-    return np.asarray(right[:, rank:][..., [3, 4, 5, 0, 1, 2]])

@@ -210,7 +210,7 @@ def amplifications(
     own = np.where(known[:, None, None], actuations, 0.0) / scale
     rates = own @ np.swapaxes(free, 1, 2)
     left, sizes, right = np.linalg.svd(units[:, None] * rates, full_matrices=False)
-    largest = np.linalg.norm(units[:, None] * own, axis=2).max(axis=1, initial=0.0, keepdims=True)
+    largest = np.abs(units[:, None] * own).max(axis=(1, 2), initial=0.0)[:, None]
     lost = np.asarray(sizes <= _RANK * largest)  # all of them are where no wrench does work on a free motion
     twists = units[:, None] * (left / np.where(lost, 1.0, sizes)[:, None] @ right @ free) / scale
     endless = ((np.abs(left) > _RANK) & lost[:, None]).any(axis=2)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from gcrules.mechanisms.description.limb_file import JointSpec
+from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.kinematics.chains import shape_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed
@@ -36,29 +36,45 @@ def attachments(robot: Robot) -> dict[str, tuple[Attachment, ...]]:
     made from others or stay where they are.
     """
     found: dict[str, dict[Attachment, None]] = {}
-    last = 0
     for place, limb in enumerate(robot.limbs):
-        start = 0
-        for joint in limb.joints:
+        for start, joint in _starts(limb):
             for name, link, loose in _of_joint(joint):
                 found.setdefault(name, {})[Attachment(place, start + link, loose)] = None
-            start += len(shape_of(joint.kind).motions)
-        last = start if place == 0 else last
     for name in robot.platform:
-        found.setdefault(name, {Attachment(0, last): None})
+        found.setdefault(name, {Attachment(0, -1): None})
     return {name: _firm(tuple(own)) for name, own in found.items()}
+
+
+def _starts(limb: LimbSpec) -> Iterator[tuple[int, JointSpec]]:
+    """The link on which each joint begins, as `Chain.links` counts them, with the joint."""
+    start = 0
+    for _, joints in limb.parts:
+        for joint in joints:
+            yield start, joint
+            start += len(shape_of(joint.kind).motions)
+        start += 1  # the next chain begins on a link of its own
 
 
 def carrier(robot: Robot, own: Attachment) -> str:
     """The link in words: the base, the platform, or what lies behind a joint of a limb."""
-    limb, end = robot.limbs[own.limb], 0
-    if not own.link:
-        return "the base"
-    for joint in limb.joints:
-        end += len(shape_of(joint.kind).motions)
-        if own.link <= end:
-            break
-    return "the platform" if joint is limb.joints[-1] and own.link == end else f"what {joint.text} of {limb.name} moves"
+    limb = robot.limbs[own.limb]
+    if own.link == -1:
+        return "the platform"
+    for chain, joints in limb.parts:
+        for start, joint in _starts(limb):
+            end = start + len(shape_of(joint.kind).motions)
+            if joint in joints and start <= own.link <= end:
+                if own.link == start and joint is joints[0]:
+                    return _body(chain.start)
+                if own.link == start:
+                    continue
+                last = joint is joints[-1] and own.link == end
+                return _body(chain.end) if last else f"what {joint.text} of {limb.name} moves"
+    raise AssertionError(f"{limb.name} has no link {own.link}")
+
+
+def _body(name: str) -> str:
+    return f"the {name}" if name in (BASE, PLATFORM) else name
 
 
 def _firm(own: tuple[Attachment, ...]) -> tuple[Attachment, ...]:

@@ -96,19 +96,20 @@ def follow_and_are_regular(m: Linkage, wanted: Target, steps: Steps) -> tuple[Tr
     tubes = _tubes(m, wanted, steps)
     follow = np.asarray(np.isfinite(tubes[0]).all(axis=-1))
     arms = _arms(m, steps.here, steps.amounts)
-    reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, tubes, strict=True)]
+    reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, tubes, strict=False)]
     return follow, follow & keeps_rank(spreads(arms), _undriven(m), _undriven_idle(m), reach)
 
 
 def _tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
     """How far the coordinates of each limb are from the straight way at most; infinite where nothing is proved."""
-    arms = _arms(m, steps.here, steps.amounts)
     if wanted.driven:
+        arms = _arms(m, steps.here, steps.amounts)
         return follows(spreads(arms), _following(m), _left(_following(m), _following_ranks(m)))
     if not can_be_followed(m, wanted):
-        return tuple(np.full(a.amounts.shape, np.inf) for a in arms)
-    arm, free = _pose_arm(m, _without_vector(m, wanted), steps)
-    return follows(spreads([arm, *arms]), [free, *_unlocked(m)], _idle(m))[1:]
+        return tuple(np.full(a.shape, np.inf) for a in steps.amounts)
+    pose, grown, free = _pose_chain(m, _without_vector(m, wanted), steps)
+    arms = _arms(m, steps.here, steps.amounts, (pose, grown))
+    return follows(spreads(arms), [free, *_unlocked(m)], _idle(m))[1:]
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,12 +139,12 @@ class Cells:
         else:
             wanted = _without_vector(m, wanted)
             places = Steps(here, tuple(still), here.platform, np.zeros(widths.shape))
-            arm, free = _pose_arm(m, wanted, places)
+            pose, grown, free = _pose_chain(m, wanted, places)
             order = _order(wanted)
-            far = np.zeros(arm.amounts.shape)
+            far = np.zeros(grown.shape)
             for n, name in enumerate(wanted.names):
                 far[:, order.index(name)] = widths[:, n] * _ROOM / (m.size if name in SHIFTS else 1.0)
-            chains = (*spreads([arm]), *limbs)  # in the middle all of them have the platform at one place
+            chains = spreads(_arms(m, here, still, (pose, grown)))
             reach = list(holds(chains, [free, *_unlocked(m)], _idle(m), [far, *known])[1:])
         return cls(tuple(reach), keeps_rank(limbs, _undriven(m), _undriven_idle(m), reach))
 
@@ -153,9 +154,13 @@ class Cells:
         return np.asarray(np.isfinite(self.reach[0]).all(axis=-1))
 
 
-def _arms(m: Linkage, here: Configurations, amounts: Sequence[Floats]) -> list[Arm]:
-    centre = _centre(m, here)
-    return [Arm.of(c, a, centre, m.size) for c, a in zip(here.chains, amounts, strict=True)]
+def _arms(
+    m: Linkage, here: Configurations, amounts: Sequence[Floats], pose: tuple[Chain, Floats] | None = None
+) -> list[Arm]:
+    """The arms of all limbs, after that of the wanted pose, if there is one."""
+    first = [pose] if pose else []
+    chains, every = zip(*first, *zip(here.chains, amounts, strict=True), strict=True)
+    return Arm.several(chains, every, _centre(m, here), m.size)
 
 
 def _centre(m: Linkage, here: Configurations) -> Floats:
@@ -212,8 +217,8 @@ def _order(w: Target) -> tuple[str, ...]:
     return SHIFTS if any(n in VECTOR for n in w.names) else (*SHIFTS, *reversed(TURNS))
 
 
-def _pose_arm(m: Linkage, w: Target, steps: Steps) -> tuple[Arm, Choice]:
-    """The wanted pose as a chain, and which of its coordinates are free."""
+def _pose_chain(m: Linkage, w: Target, steps: Steps) -> tuple[Chain, Floats, Choice]:
+    """The wanted pose as a chain, how much its coordinates grow, and which of them are free."""
     here, centre, number = steps.here, _centre(m, steps.here), len(steps.here)
     known = dict(zip(w.names, steps.grown.T, strict=True))
     order = _order(w)
@@ -240,4 +245,4 @@ def _pose_arm(m: Linkage, w: Target, steps: Steps) -> tuple[Arm, Choice]:
     screws[:, 3:, :3] = about
     screws[:, 3:, 3:] = crossed(centre[:, None], about)
     chain = Chain(screws, tuple(range(count)), np.ones(count), tuple(k > 2 for k in range(count)))
-    return Arm.of(chain, amounts, centre, m.size), free
+    return chain, amounts, free

@@ -22,12 +22,12 @@ import numpy as np
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
-from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
+from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, crossed, exponential
 from gcrules.screws import FLOATS, JOINTS, RATIONALS, JointKind
 from gcrules.screws.fields import Row
 
-__all__ = ["Chain", "ElementaryMotion", "Shape", "chain_of", "geometry_of", "products", "shape_of"]
+__all__ = ["Chain", "ElementaryMotion", "Run", "Shape", "chain_of", "geometry_of", "products", "shape_of"]
 
 Values = Mapping[str, Floats]
 """Places of names, (3,) each; of many configurations at once where there are axes before."""
@@ -211,30 +211,95 @@ def geometry_of(joint: JointSpec, values: Values) -> dict[str, Any]:
     return found
 
 
+@dataclass(frozen=True)
+class Run:
+    """Motions of a limb, from the `first` to the one before `stop`, one after the other: they begin on the link `base`
+    and end on a body. `reached` is the link by which an earlier run reaches the same body, -1 where there is none.
+    """
+
+    first: int
+    stop: int
+    base: int
+    reached: int = -1
+
+
 @dataclass(frozen=True, eq=False)
 class Chain:
     """The motions of one limb where it is now: `screws` (..., K, 6), of many configurations at once where there are
     further axes, `uses` the coordinate that each takes, with `signs`; `turns` tells of each coordinate whether it is an
     angle.
+
+    A limb with bodies of its own has several `runs`; its links are those of all runs one after the other, each with the
+    one on which it begins, and last the platform. `shares` (coordinates, 1 + loops) tells with which sign a coordinate
+    counts in the platform's twist and in each loop, a run that leads to a body that is `reached` already.
     """
 
     screws: Floats
     uses: tuple[int, ...]
     signs: Floats
     turns: tuple[bool, ...]
+    runs: tuple[Run, ...] = ()
+    platform: int = -1
+    shares: Floats | None = None
 
     def links(self, amounts: Floats) -> Floats:
-        """Where each link goes from here, (..., K + 1, 4, 4): first the base, last the platform."""
-        return products(exponential(self.screws, self.signs * amounts[..., list(self.uses)]))
+        """Where each link goes from here, (..., K + 1, 4, 4), of several runs (..., K + runs + 1, 4, 4): first the
+        base, last the platform.
+        """
+        steps = exponential(self.screws, self.signs * amounts[..., list(self.uses)])
+        if not self.runs:
+            return products(steps)
+        made: list[Floats] = []
+        for run in self.runs:
+            own = products(steps[..., run.first : run.stop, :, :])
+            placed = made[run.base][..., None, :, :] @ own if made and run.base else own
+            made += [placed[..., k, :, :] for k in range(placed.shape[-3])]
+        return np.stack([*made, made[self.platform]], axis=-3)
+
+    @property
+    def count(self) -> int:
+        """How many links it has."""
+        return int(self.screws.shape[-2]) + 1 + len(self.runs)
+
+    @property
+    def before(self) -> Sequence[int]:
+        """The link on which each motion begins."""
+        if not self.runs:
+            return range(self.screws.shape[-2])
+        return [k + n for n, run in enumerate(self.runs) for k in range(run.first, run.stop)]
+
+    def way(self, link: int = -1) -> tuple[int, ...]:
+        """The motions from the base to a link, one after the other; to the platform, if none is named."""
+        if not self.runs:
+            return tuple(range(self.screws.shape[-2]))[: link if link >= 0 else None]
+        at = link if link >= 0 else self.platform
+        n, run = next((n, r) for n, r in enumerate(self.runs) if r.first + n <= at <= r.stop + n)
+        return (*(self.way(run.base) if run.base else ()), *range(run.first, at - n))
+
+    @property
+    def loops(self) -> tuple[tuple[int, int], ...]:
+        """The links that are one in each loop: of the run that closes it, and of the body that is reached already."""
+        return tuple((run.stop + n, run.reached) for n, run in enumerate(self.runs) if run.reached >= 0)
 
     def twists(self, links: Floats | None = None) -> Floats:
-        """The twists of the platform for each coordinate, (..., 6, coordinates), where the links are, else here."""
-        rows = self.screws if links is None else carried(links[..., :-1, :, :], self.screws)
+        """The twist of each coordinate, (..., 6, coordinates), where the links are, else here."""
+        rows = self.screws if links is None else self._carried(links)
         return np.swapaxes(rows, -1, -2) @ self.parts
+
+    @property
+    def shared_twists(self) -> Floats:
+        """What each coordinate adds here to the platform's twist and to the gap of each loop, (..., 1 + loops, 6,
+        coordinates).
+        """
+        every = self.twists()[..., None, :, :]
+        return every if self.shares is None else every * self.shares.T[:, None]
 
     def after(self, links: Floats) -> Chain:
         """The chain as it stands where the links have gone."""
-        return replace(self, screws=carried(links[..., :-1, :, :], self.screws))
+        return replace(self, screws=self._carried(links))
+
+    def _carried(self, links: Floats) -> Floats:
+        return carried(links[..., :-1, :, :] if not self.runs else links[..., self.before, :, :], self.screws)
 
     @cached_property
     def parts(self) -> Floats:
@@ -271,4 +336,18 @@ def chain_of(limb: LimbSpec, values: Values) -> Chain:
             signs.append(m.sign)
     shape = np.broadcast_shapes(*(s.shape for s in screws))
     every = np.stack([np.broadcast_to(s, shape) for s in screws], axis=-2)
-    return Chain(every, tuple(uses), np.array(signs, dtype=float), tuple(turns))
+    chain = Chain(every, tuple(uses), np.array(signs, dtype=float), tuple(turns))
+    return _with_runs(chain, limb) if limb.subchains else chain
+
+
+def _with_runs(chain: Chain, limb: LimbSpec) -> Chain:
+    """The chain of a limb with bodies of its own."""
+    runs: list[Run] = []
+    reached = {BASE: 0}
+    for own, joints in limb.parts:
+        first = runs[-1].stop if runs else 0
+        stop = first + sum(len(shape_of(j.kind).motions) for j in joints)
+        runs.append(Run(first, stop, reached[own.start], reached.get(own.end, -1)))
+        reached.setdefault(own.end, stop + len(runs) - 1)
+    shares = [own for j, own in zip(limb.joints, limb.shares, strict=True) for _ in JOINTS[j.kind].freedoms]
+    return replace(chain, runs=tuple(runs), platform=reached[PLATFORM], shares=np.array(shares, dtype=float))

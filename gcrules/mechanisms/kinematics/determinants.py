@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import Linkage
-from gcrules.mechanisms.kinematics.margin import limb_twists
+from gcrules.mechanisms.kinematics.margin import limb_twists, on_platform
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
 __all__ = ["Frames", "frames", "relative_sign"]
@@ -72,8 +72,11 @@ def frames(m: Linkage, here: Configurations, centre: Floats) -> Frames:
     whole = np.ones(len(here), dtype=bool)
     for place in range(len(here.chains)):
         twists, free = limb_twists(m, place, here, centre)
-        own, sound = _reciprocal(twists[..., keep], m.ranks[place])
-        locked, steady = _reciprocal(twists[:, free][..., keep], m.passive_ranks[place])
+        kept = [6 * n + k for n in range(twists.shape[-1] // 6) for k in keep]
+        applied = m.applied[place]
+        own, sound = _reciprocal(twists[..., kept], m.ranks[place])
+        locked, steady = _reciprocal(twists[:, free][..., kept], m.passive_ranks[place])
+        own, locked = (on_platform(w, d, len(keep)) for w, d in zip((own, locked), applied, strict=True))
         constraints.append(own)
         rest = locked - locked @ np.swapaxes(own, 1, 2) @ own
         added.append(_span(rest, locked.shape[1] - own.shape[1]))

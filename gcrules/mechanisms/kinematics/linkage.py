@@ -11,16 +11,17 @@ import numpy as np
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
+from gcrules.mechanisms.description.limb_file import BASE, PLATFORM
 from gcrules.mechanisms.kinematics.attachments import Attachment, attachments
 from gcrules.mechanisms.kinematics.chains import Chain, chain_of, geometry_of, shape_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.lines.ranks import Ranks, ranks
 from gcrules.mechanisms.robot import Robot
-from gcrules.screws import JOINTS
+from gcrules.screws import JOINTS, RESIDUES, Limb
 from gcrules.screws.pose_text import read_centre
 from gcrules.screws.rotations import Vector
 
-__all__ = ["Actuator", "Configuration", "Linkage", "begun_at", "linkage"]
+__all__ = ["Actuator", "Configuration", "Linkage", "Span", "begun_at", "linkage"]
 
 
 _FAR = 1e12
@@ -68,6 +69,20 @@ class Configuration:
         return np.asarray(self.links[0][-1])
 
 
+@dataclass(frozen=True)
+class Span:
+    """A chain between two bodies of a robot whose limbs have loops of their own: the place of its limb, its coordinates
+    there that are not driven, the rank of their twists in the family, and the places of the bodies among all that move,
+    the platform first; −1 is the base.
+    """
+
+    limb: int
+    free: tuple[int, ...]
+    rank: int
+    start: int
+    end: int
+
+
 @dataclass(frozen=True, eq=False)
 class Linkage:
     """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `ball_ended` tells of each whether the
@@ -76,7 +91,8 @@ class Linkage:
     is the root mean square of the ends' distances from their mean (of all points, where it is 0). `elsewhere` are
     the ranks at a member of the family in general position. `locked` are coordinates that have to stay at 0: the places
     of limb and coordinate, and the joint as written. All places are measured from `origin`, which is near the robot
-    where its file's own is far away, so that floats keep their digits.
+    where its file's own is far away, so that floats keep their digits. `spans` are all chains between bodies, where
+    limbs have loops of their own.
     """
 
     robot: Robot
@@ -90,6 +106,12 @@ class Linkage:
     elsewhere: Ranks
     locked: tuple[tuple[int, int, str], ...]
     origin: Vector = _ORIGIN
+    spans: tuple[Span, ...] = ()
+
+    @property
+    def looped(self) -> bool:
+        """Whether a limb has loops of its own."""
+        return bool(self.spans)
 
     @property
     def pulls(self) -> tuple[bool, ...]:
@@ -107,6 +129,14 @@ class Linkage:
         if not any(self.origin):
             return ()
         return (f"all places are measured from ({', '.join(map(str, self.origin))}), near the robot",)
+
+    @property
+    def applied(self) -> tuple[tuple[int, int], ...]:
+        """The dimensions of each limb's constraints and of its wrenches with locked actuators, in the plane of those
+        in the plane.
+        """
+        known = 3 if self.robot.family.plane else 0
+        return tuple((own - known, every - known) for own, every in self.elsewhere.applied)
 
     @property
     def passive_ranks(self) -> tuple[int, ...]:
@@ -133,7 +163,7 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
     sorts = robot.family.sorts
     values = {n: _floats(_less(v, origin) if sorts.get(n) == "point" else v) for n, v in given.items()}
     chains = tuple(chain_of(limb, values) for limb in robot.limbs)
-    links = tuple(np.broadcast_to(np.eye(4), (len(c.screws) + 1, 4, 4)) for c in chains)
+    links = tuple(np.broadcast_to(np.eye(4), (c.count, 4, 4)) for c in chains)
     home = Configuration(values, links, tuple(np.zeros(len(c.turns)) for c in chains), chains)
     ends = np.array([_end(robot, place, values) for place in range(len(chains))])
     centre = ends.mean(axis=0)
@@ -160,6 +190,7 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
         ranks(robot.family, robot.limbs, robot.family.member("kinematics")),
         tuple(_still(robot)),
         origin,
+        tuple(_spans(robot)) if any(limb.subchains for limb in robot.limbs) else (),
     )
 
 
@@ -221,6 +252,21 @@ def _still(robot: Robot) -> Iterator[tuple[int, int, str]]:
         for joint in limb.joints:
             yield from ((place, start + n, joint.text) for n in shape_of(joint.kind).locked)
             start += len(JOINTS[joint.kind].freedoms)
+
+
+def _spans(robot: Robot) -> Iterator[Span]:
+    """All chains between bodies."""
+    values = robot.family.member("kinematics")
+    bodies = {PLATFORM: 0, BASE: -1}
+    for place, limb in enumerate(robot.limbs):
+        first = 0
+        for part, joints in limb.parts:
+            names = (n if n in bodies else f"{place}:{n}" for n in (part.start, part.end))
+            start, end = (bodies.setdefault(n, len(bodies) - 1) for n in names)
+            one = Limb(tuple(j.at(values, RESIDUES) for j in joints))
+            free = tuple(first + k for k in one.passive)
+            yield Span(place, free, one.passive_rank(RESIDUES), start, end)
+            first += one.freedoms
 
 
 def _actuators(robot: Robot) -> Iterator[Actuator]:

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates, slopes, wrapped
 from gcrules.mechanisms.kinematics.leading import leading
@@ -72,7 +73,7 @@ class Course:
         return np.concatenate([shift / m.size, turn], axis=1)
 
     def rows(self, platform: Floats, twists: Sequence[Floats]) -> Floats:
-        """Its derivatives by all amounts, (N, wanted, amounts)."""
+        """Its derivatives by all amounts, (N, wanted, amounts), of the limbs' `shared_twists`."""
         w, m = self.target, self.m
         starts = np.cumsum([0, *(t.shape[-1] for t in twists)])
         found = np.zeros((len(platform), len(self.weights), starts[-1]))
@@ -80,11 +81,12 @@ class Course:
             for row, a in enumerate(leading(m)):
                 found[:, row, starts[a.place] + a.coordinate] = 1
         elif w.whole is None:
-            found[..., : starts[1]] = slopes(w.names, platform, m.centre) @ twists[0]
+            found[..., : starts[1]] = slopes(w.names, platform, m.centre) @ twists[0][:, 0]
         else:
             centre = platform[:, :3, :3] @ m.centre + platform[:, :3, 3]
-            found[:, :3, : starts[1]] = twists[0][:, 3:] - cross_matrix(centre) @ twists[0][:, :3]
-            found[:, 3:, : starts[1]] = twists[0][:, :3]
+            own = twists[0][:, 0]
+            found[:, :3, : starts[1]] = own[:, 3:] - cross_matrix(centre) @ own[:, :3]
+            found[:, 3:, : starts[1]] = own[:, :3]
         return found / self.weights[:, None]
 
     @property
@@ -129,7 +131,7 @@ def close_loops(course: Course, start: Configurations, goal: Floats) -> Joints:
     whole = np.zeros((number, len(units)))
     best, residual = np.full(number, np.inf), np.zeros(number)
     closed, far = np.zeros(number, dtype=bool), np.zeros(number, dtype=bool)
-    ends = tuple(np.broadcast_to(np.eye(4), (number, c.screws.shape[-2] + 1, 4, 4)).copy() for c in start.chains)
+    ends = tuple(np.broadcast_to(np.eye(4), (number, c.count, 4, 4)).copy() for c in start.chains)
     active, iterations = np.arange(number), -1
     while len(active) and iterations < _ITERATIONS:
         checkpoint()
@@ -138,7 +140,7 @@ def close_loops(course: Course, start: Configurations, goal: Floats) -> Joints:
         amounts = np.split(whole[active], cuts, axis=1)
         links = [c.links(a) for c, a in zip(here.chains, amounts, strict=True)]
         there = here.after(amounts, links)
-        gaps = _gaps(links, here.platform, m)
+        gaps = _gaps(here.chains, links, here.platform, m)
         r = np.concatenate([gaps, course.error(goal[active], there.platform, there.joint_values)], axis=1)
         size = np.sqrt((r * r).sum(axis=1))
         done = (size <= _ENOUGH) | ((size <= _ACCURACY / 100) & (size >= best[active] / 4))
@@ -151,7 +153,7 @@ def close_loops(course: Course, start: Configurations, goal: Floats) -> Joints:
         if not on.any():
             break
         there, active, r, size = there[on], active[on], r[on], size[on]
-        twists = [c.twists() for c in there.chains]
+        twists = [c.shared_twists for c in there.chains]
         rows = np.concatenate([loop_rows(twists, here.platform[on], m), course.rows(there.platform, twists)], axis=1)
         sound = np.isfinite(rows).all(axis=(1, 2))
         change = _steps(rows[sound] * units, r[sound], size[sound])
@@ -178,13 +180,16 @@ def _steps(rows: Floats, r: Floats, size: Floats) -> Floats:
     return np.asarray(found)
 
 
-def _gaps(links: Sequence[Floats], platform: Floats, m: Linkage) -> Floats:
-    """How the other limbs' platforms lie off that of the first one: the twists that would bring them there."""
+def _gaps(chains: Sequence[Chain], links: Sequence[Floats], platform: Floats, m: Linkage) -> Floats:
+    """How the other limbs' platforms lie off that of the first one, and then a limb's bodies off themselves where its
+    own loops close: the twists that would bring them there.
+    """
     centre = platform[:, :3, :3] @ m.centre + platform[:, :3, 3]
     back = inverse(links[0][:, -1])
     found = [np.zeros((len(platform), 0))]
-    for own in links[1:]:
-        motion = own[:, -1] @ back
+    motions = [own[:, -1] @ back for own in links[1:]]
+    motions += [own[:, a] @ inverse(own[:, b]) for c, own in zip(chains, links, strict=True) for a, b in c.loops]
+    for motion in motions:
         motion[:, :3, 3] += (motion[:, :3, :3] @ centre[..., None])[..., 0] - centre
         twist = logarithm(motion)
         twist[:, 3:] /= m.size
@@ -193,17 +198,19 @@ def _gaps(links: Sequence[Floats], platform: Floats, m: Linkage) -> Floats:
 
 
 def loop_rows(twists: Sequence[Floats], platform: Floats, m: Linkage) -> Floats:
-    """The derivatives of the gaps by all amounts: (N, 6 (limbs − 1), amounts)."""
+    """The derivatives of the gaps by all amounts, of the limbs' `shared_twists`: (N, 6 × gaps, amounts)."""
     centre = platform[:, :3, :3] @ m.centre + platform[:, :3, 3]
     starts = np.cumsum([0, *(t.shape[-1] for t in twists)])
-    found = np.zeros((len(platform), 6 * (len(twists) - 1), starts[-1]))
+    inner = np.cumsum([len(twists) - 1, *(t.shape[1] - 1 for t in twists)])
+    found = np.zeros((len(platform), inner[-1], 6, starts[-1]))
     for k, own in enumerate(twists):
-        w, v = np.swapaxes(own[:, :3], -1, -2), np.swapaxes(own[:, 3:], -1, -2)
-        local = np.concatenate([w, (v + crossed(w, centre[:, None])) / m.size], axis=2)
-        block = np.swapaxes(local, -1, -2)
+        columns = slice(starts[k], starts[k + 1])
+        w, v = np.swapaxes(own[..., :3, :], -1, -2), np.swapaxes(own[..., 3:, :], -1, -2)
+        local = np.concatenate([w, (v + crossed(w, centre[:, None, None])) / m.size], axis=-1)
+        blocks = np.swapaxes(local, -1, -2)
         if k:
-            found[:, 6 * k - 6 : 6 * k, starts[k] : starts[k + 1]] = block
+            found[:, k - 1, :, columns] = blocks[:, 0]
         else:
-            for n in range(len(twists) - 1):
-                found[:, 6 * n : 6 * n + 6, : starts[1]] = -block
-    return found
+            found[:, : len(twists) - 1, :, columns] = -blocks[:, :1]
+        found[:, inner[k] : inner[k + 1], :, columns] = blocks[:, 1:]
+    return found.reshape(len(platform), 6 * inner[-1], starts[-1])

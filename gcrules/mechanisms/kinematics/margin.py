@@ -14,6 +14,11 @@ In a singular configuration some ξ has P′_i ξ = 0 for all i, all seen from t
 Σ |(P_i − P′_i) ξ|² ≤ sin² θ Σ (…), θ the largest angle between W_i and W′_i, also where a singular limb has more
 wrenches there: no such configuration before the wrenches of some limb have turned by asin σ relative to the
 platform. A limb may be singular by itself sooner: then the platform is held, but an actuator is not felt. Derived here.
+
+A limb that has loops of its own may lose wrenches, and then it has fewer than near by. So where limbs have such loops σ
+is the least of this and of the same value over the twists of all bodies, each chain between two bodies taken for a limb
+and ξ for the difference of its bodies' twists. It is 0 exactly where a body can move with the actuators locked; it
+bounds no way to such a configuration.
 """
 
 from __future__ import annotations
@@ -33,11 +38,13 @@ __all__ = [
     "LimbMargin",
     "LimbMargins",
     "balance",
+    "balanced",
     "kept_axes",
     "limb_margins",
     "limb_twists",
     "margin",
     "margins",
+    "on_platform",
 ]
 
 _PLANE = (0, 1, 5)  # of (v; ω): a planar robot's twists
@@ -127,12 +134,49 @@ def margins(m: Linkage, here: Configurations) -> LimbMargins:
     left, sizes, right = np.linalg.svd(every[..., keep] @ scale)
     motions = np.zeros((len(here), len(keep), 6))
     motions[..., keep] = np.swapaxes(scale @ np.swapaxes(right, 1, 2), 1, 2)
+    sizes = sizes[:, : len(keep)]
+    if m.looped:
+        held, motion = _of_all_bodies(m, here, ends, arms, keep)
+        softer = held < sizes[:, -1]
+        sizes[softer, -1] = held[softer]
+        moves = softer & (np.linalg.norm(motion, axis=1) > _ROUNDING)
+        motions[np.ix_(moves, [len(keep) - 1], keep)] = motion[moves][:, None]
     largest = np.take_along_axis(motions, np.abs(motions).argmax(axis=2)[..., None], axis=2)
     motions *= np.where(largest < 0, -1.0, 1.0)  # the sign of a motion is free
     motions[..., 3:] /= m.size
-    return LimbMargins(
-        every[..., keep], sizes[:, : len(keep)], motions, left[..., len(keep) - 1], tuple(owners), centre
-    )
+    return LimbMargins(every[..., keep], sizes, motions, left[..., len(keep) - 1], tuple(owners), centre)
+
+
+def _of_all_bodies(
+    m: Linkage, here: Configurations, ends: Floats, arms: Floats, keep: Sequence[int]
+) -> tuple[Floats, Floats]:
+    """The least singular value for the twists of all bodies, (N,), and the platform's part (N, k) of those that take
+    it.
+    """
+    bodies = 1 + max(b for span in m.spans for b in (span.start, span.end))
+    number, width = len(here), len(keep)
+    metric = np.zeros((number, bodies * width, bodies * width))
+    rows = []
+    for span in m.spans:
+        arm, chain = arms[:, span.limb], here.chains[span.limb]
+        twists = _rows(chain.twists(), chain, ends[:, span.limb], m.size)
+        wrenches = balanced(twists[:, list(span.free)], span.rank)[..., [3, 4, 5, 0, 1, 2]]
+        f, moment = wrenches[..., :3], wrenches[..., 3:]
+        own = np.concatenate([f, moment + crossed(arm[:, None], f)], axis=2)[..., keep]
+        power = _metric(arm, ball=False)[:, keep][:, :, keep]
+        signed = [(b, s) for b, s in ((span.end, 1), (span.start, -1)) if b >= 0]
+        row = np.zeros((number, own.shape[1], bodies * width))
+        for b, s in signed:
+            at = slice(b * width, (b + 1) * width)
+            row[..., at] += s * own
+            for c, t in signed:
+                metric[:, at, c * width : (c + 1) * width] += s * t * power
+        rows.append(row)
+    scale = _unit_scale(metric)
+    _, sizes, right = np.linalg.svd(np.concatenate(rows, axis=1) @ scale)
+    motion = (scale @ right[:, bodies * width - 1, :, None])[:, :width, 0]
+    least = sizes[:, bodies * width - 1] if sizes.shape[1] >= bodies * width else np.zeros(number)
+    return least, motion
 
 
 def kept_axes(m: Linkage) -> list[int]:
@@ -146,13 +190,22 @@ def balance(arms: Floats, ball_ended: Sequence[bool], keep: Sequence[int] = rang
     """
     metric = np.zeros((len(arms), 6, 6))
     for place, loose in enumerate(ball_ended):
-        velocity = np.concatenate(
-            [np.broadcast_to(np.eye(3), (len(arms), 3, 3)), -cross_matrix(arms[:, place])], axis=2
-        )
-        metric += np.swapaxes(velocity, 1, 2) @ velocity
-        if not loose:
-            metric[:, 3:, 3:] += np.eye(3)
-    values, vectors = np.linalg.eigh(metric[:, list(keep)][:, :, list(keep)])
+        metric += _metric(arms[:, place], ball=loose)
+    return _unit_scale(metric[:, list(keep)][:, :, list(keep)])
+
+
+def _metric(arm: Floats, *, ball: bool) -> Floats:
+    """|v_i|² + ε_i ρ²|ω|² of twists at the end of an arm (N, 3), as matrices (N, 6, 6)."""
+    velocity = np.concatenate([np.broadcast_to(np.eye(3), (len(arm), 3, 3)), -cross_matrix(arm)], axis=2)
+    found = np.swapaxes(velocity, 1, 2) @ velocity
+    if not ball:
+        found[:, 3:, 3:] += np.eye(3)
+    return np.asarray(found)
+
+
+def _unit_scale(metric: Floats) -> Floats:
+    """Columns that are orthonormal in a metric (N, k, k)."""
+    values, vectors = np.linalg.eigh(metric)
     # a turn about a line through all ends, ball joints each, moves none of them; no limb's wrench notices it either
     found: Floats = vectors / np.sqrt(np.where(values > _ROUNDING * values[:, -1:], values, 1.0))[:, None]
     return found
@@ -166,10 +219,25 @@ def _ends(m: Linkage, here: Configurations) -> Floats:
 def _locked(m: Linkage, place: int, chain: Chain, end: Floats) -> Floats:
     """Orthonormal bases of a limb's wrenches with its actuators locked: rows (f; m/ρ), about the ends (..., 3)."""
     twists = _at(chain, end, m.size)[..., _free(m, place), :]
+    count = m.elsewhere.applied[place][1]
+    return on_platform(balanced(twists, m.passive_ranks[place]), count)[..., [3, 4, 5, 0, 1, 2]]
+
+
+def balanced(twists: Floats, rank: int) -> Floats:
+    """An orthonormal basis (..., n − rank, n) of what is orthogonal to a limb's twists (..., k, n) of this rank."""
     if not twists.shape[-2]:
-        return np.broadcast_to(np.eye(6), (*twists.shape[:-2], 6, 6))
-    _, _, right = np.linalg.svd(twists)
-    return np.asarray(right[..., m.passive_ranks[place] :, :][..., [3, 4, 5, 0, 1, 2]])
+        n = twists.shape[-1]
+        return np.broadcast_to(np.eye(n), (*twists.shape[:-2], n, n))
+    return np.asarray(np.linalg.svd(twists)[2][..., rank:, :])
+
+
+def on_platform(wrenches: Floats, dimension: int, width: int = 6) -> Floats:
+    """Of wrenches on the platform and in a limb's loops together an orthonormal basis of those on the platform, which
+    are the first `width` columns and have this dimension; without loops nothing changes.
+    """
+    if wrenches.shape[-1] == width:
+        return wrenches
+    return np.asarray(np.linalg.svd(wrenches[..., :width])[2][..., :dimension, :])
 
 
 def _free(m: Linkage, place: int) -> list[int]:
@@ -180,17 +248,26 @@ def _free(m: Linkage, place: int) -> list[int]:
 
 def limb_twists(m: Linkage, place: int, here: Configurations, centre: Floats) -> tuple[Floats, list[int]]:
     """A limb's twists (ω; v/ρ) in each configuration, (N, coordinates, 6), v at a centre, for a turn by 1 rad and a
-    slide by ρ in each coordinate, and which of them are not driven.
+    slide by ρ in each coordinate, and which of them are not driven. What they add to the gaps of the limb's own loops
+    follows in further sixes.
     """
     return _at(here.chains[place], centre, m.size), _free(m, place)
 
 
 def _at(chain: Chain, end: Floats, size: float) -> Floats:
-    """Rows (ω; v/ρ), v at the ends (..., 3), for a turn by 1 rad and a slide by ρ in each coordinate."""
-    twists = np.swapaxes(chain.twists(), -1, -2)
-    w = twists[..., :3]
-    rows = np.concatenate([w, (twists[..., 3:] + crossed(w, end[..., None, :])) / size], axis=-1)
-    return np.asarray(rows * np.where(chain.turns, 1.0, size)[:, None])
+    """Rows (ω; v/ρ), v at the ends (..., 3), for a turn by 1 rad and a slide by ρ in each coordinate; one after the
+    other for the platform and for each loop.
+    """
+    shared = chain.shared_twists
+    return np.concatenate([_rows(shared[..., k, :, :], chain, end, size) for k in range(shared.shape[-3])], axis=-1)
+
+
+def _rows(twists: Floats, chain: Chain, end: Floats, size: float) -> Floats:
+    """Twists (..., 6, coordinates) as such rows."""
+    rows = np.swapaxes(twists, -1, -2)
+    w = rows[..., :3]
+    moved = np.concatenate([w, (rows[..., 3:] + crossed(w, end[..., None, :])) / size], axis=-1)
+    return np.asarray(moved * np.where(chain.turns, 1.0, size)[:, None])
 
 
 def limb_margins(m: Linkage, here: Configurations) -> Floats:

@@ -193,7 +193,7 @@ def _told(course: Course, here: Configuration) -> float:
 def _rates(course: Course, here: Configuration) -> Floats:
     """The derivatives of the wanted values by the ways to move in a configuration (in units of all amounts)."""
     m, only = course.m, Configurations.of([here])
-    twists = [c.twists() for c in only.chains]
+    twists = [c.shared_twists for c in only.chains]
     rows = course.rows(only.platform, twists)[0] * units_of(m)
     if len(twists) == 1:
         return np.asarray(rows)

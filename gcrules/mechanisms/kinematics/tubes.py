@@ -2,7 +2,8 @@ r"""Bounds that prove where the solutions of loop equations are: derivatives of 
 
 Several chains lead to one platform; chain 0 is the one that the others are compared with. Λ(X) ∈ R⁶ takes the axial
 vector of the antisymmetric part and the shift of a motion X from the place where chain 0 has the platform. The
-equations are F(q) = (Λ(X_i(q)) − Λ(X_0(q)))_i = 0; every configuration in which the loops close satisfies them. A
+equations are F(q) = (Λ(X_i(q)) − Λ(X_0(q)))_i = 0; every configuration in which the loops close satisfies them. Where a
+limb has loops of its own, they are compared likewise: two ways to one of its bodies, which may share coordinates. A
 chain is a product of exponentials, so its derivatives are products of the twists' matrices in the order of the chain:
 
     ∂X/∂q_k = Ĵ_k X,   ∂²X/∂q_j∂q_k = Ĵ_j Ĵ_k X,   ∂³X/∂q_h∂q_j∂q_k = Ĵ_h Ĵ_j Ĵ_k X   for h ≤ j ≤ k,
@@ -54,22 +55,41 @@ _INFLATED = 1.1
 
 @dataclass(frozen=True, eq=False)
 class Arm:
-    """A chain on its way, or several at once: `screws` (..., K, 6) about the platform's centre with lengths in sizes,
-    the coordinate that each motion `uses` with its sign, and the amounts (..., n) that the coordinates grow by.
+    """A chain to a body on its way, or several at once: `screws` (..., K, 6) about the platform's centre with lengths
+    in sizes, the coordinate that each motion `uses` with its sign, and the amounts (..., n) that the coordinates grow
+    by. They are those of one limb, its `block`; `reference` is the place of the arm that is compared with this one.
     """
 
     screws: Floats
     uses: tuple[int, ...]
     signs: Floats
     amounts: Floats
+    block: int = 0
+    reference: int = 0
 
     @classmethod
-    def of(cls, chain: Chain, amounts: Floats, centre: Floats, size: float) -> Arm:
-        """The arm of a chain with amounts in its own units, about a centre (..., 3)."""
+    def several(cls, chains: Sequence[Chain], amounts: Sequence[Floats], centre: Floats, size: float) -> list[Arm]:
+        """The arms of chains with amounts in their own units, about a centre (..., 3): first those to the platform, in
+        the order of the chains, then two for each loop that a limb has of its own.
+        """
+        found = [
+            cls._of(c, a, centre, size, k, c.way(), 0) for k, (c, a) in enumerate(zip(chains, amounts, strict=True))
+        ]
+        for k, (chain, own) in enumerate(zip(chains, amounts, strict=True)):
+            for ends in chain.loops:
+                reference = len(found) + 1
+                found += [cls._of(chain, own, centre, size, k, chain.way(end), reference) for end in ends]
+        return found
+
+    @classmethod
+    def _of(
+        cls, chain: Chain, amounts: Floats, centre: Floats, size: float, block: int, way: Sequence[int], reference: int
+    ) -> Arm:
         units = np.where(chain.turns, 1.0, size)
-        w, v = chain.screws[..., :3], chain.screws[..., 3:]
+        places, uses = list(way), tuple(chain.uses[k] for k in way)
+        w, v = chain.screws[..., places, :3], chain.screws[..., places, 3:]
         moved = np.concatenate([w, (v + crossed(w, centre[..., None, :])) / size], axis=-1)
-        return cls(moved * units[list(chain.uses), None], chain.uses, chain.signs, amounts / units)
+        return cls(moved * units[list(uses), None], uses, chain.signs[places], amounts / units, block, reference)
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +105,8 @@ class Spread:
     turns: Floats
     speeds: Floats
     parts: Floats  # (K, n), the absolute values of the signs
+    block: int = 0
+    reference: int = 0
 
     def third(self, reach: Floats) -> tuple[Floats, Floats]:
         """For each coordinate bounds of Σ |∂³Λ| reach reach in the turn and in the shift, over the box in which the
@@ -109,10 +131,12 @@ def _sorted(number: int) -> tuple[Places, Places, Places]:
 
 
 def spreads(arms: Sequence[Arm]) -> tuple[Spread, ...]:
-    """The arms in the middle of their ways, seen from the place where the first one has the platform."""
+    """The arms in the middle of their ways, seen from the place where their reference has the body."""
     links = [products(exponential(a.screws, a.signs * a.amounts[..., list(a.uses)] / 2)) for a in arms]
-    back = inverse(links[0][..., -1, :, :])
-    return tuple(_spread(arm, own, own[..., -1, :, :] @ back) for arm, own in zip(arms, links, strict=True))
+    back = {n: inverse(links[n][..., -1, :, :]) for n in {a.reference for a in arms}}
+    return tuple(
+        _spread(arm, own, own[..., -1, :, :] @ back[arm.reference]) for arm, own in zip(arms, links, strict=True)
+    )
 
 
 def _spread(arm: Arm, links: Floats, motion: Floats) -> Spread:
@@ -136,6 +160,8 @@ def _spread(arm: Arm, links: Floats, motion: Floats) -> Spread:
         np.linalg.norm(w, axis=-1),
         np.linalg.norm(v, axis=-1),
         np.abs(parts),
+        arm.block,
+        arm.reference,
     )
 
 
@@ -148,7 +174,7 @@ def _axial(matrices: Floats) -> Floats:
 @dataclass(frozen=True, eq=False)
 class _Equations:
     """The loops of several chains linearised in the middle: `back` (..., r, 6 loops) is an inverse of the derivatives
-    by the r chosen coordinates; `columns` are those of each chain.
+    by the r chosen coordinates; `columns` are those of each block.
     """
 
     chains: tuple[Spread, ...]
@@ -159,8 +185,12 @@ class _Equations:
     @cached_property
     def blocks(self) -> tuple[Floats, ...]:
         """What Λ of each chain counts in B F: (..., r, 6)."""
-        parts = self.back.reshape(*self.back.shape[:-1], -1, 6)
-        return (-parts.sum(axis=-2), *(parts[..., k, :] for k in range(len(self.chains) - 1)))
+        parts = self.back.reshape(*self.back.shape[:-1], self.back.shape[-1] // 6, 6)
+        found = [np.zeros((*self.back.shape[:-1], 6)) for _ in self.chains]
+        for n, (k, other) in enumerate(_loops(self.chains)):
+            found[k] += parts[..., n, :]
+            found[other] -= parts[..., n, :]
+        return tuple(found)
 
     @cached_property
     def curvatures(self) -> tuple[Floats, ...]:
@@ -172,10 +202,11 @@ class _Equations:
 
     def bent(self, reach: Sequence[Floats]) -> Floats:
         """K (..., r, r) ≥ |1 − B M(q)| over the box of this reach."""
-        found = []
-        for k, (chain, own) in enumerate(zip(self.chains, self.columns, strict=True)):
-            slope = (np.abs(self.curvatures[k]) * reach[k][..., None, :, None]).sum(axis=-2)
-            found.append((slope + _sized(self.blocks[k], chain.third(reach[k])) / 2)[..., own])
+        found = [np.zeros((*self.back.shape[:-1], len(own))) for own in self.columns]
+        for k, chain in enumerate(self.chains):
+            far, own = reach[chain.block], self.columns[chain.block]
+            slope = (np.abs(self.curvatures[k]) * far[..., None, :, None]).sum(axis=-2)
+            found[chain.block] = found[chain.block] + (slope + _sized(self.blocks[k], chain.third(far)) / 2)[..., own]
         return np.asarray(np.concatenate(found, axis=-1) + self.rest)
 
     def gap(self, reach: Sequence[Floats]) -> Floats:
@@ -185,7 +216,7 @@ class _Equations:
         for k, chain in enumerate(self.chains):
             a = chain.amounts
             curved += _applied(_applied(self.curvatures[k], a[..., None, :]), a)
-            far = np.maximum(reach[k], np.abs(a) / 2)
+            far = np.maximum(reach[chain.block], np.abs(a) / 2)
             more += 4 * _applied(_sized(self.blocks[k], chain.third(far)), far)  # |a| ≤ 2 far
         return np.asarray((np.abs(curved) + more) / 8 + _CLOSED * np.abs(self.back).sum(axis=-1))
 
@@ -195,7 +226,7 @@ class _Equations:
         """
         found = _CLOSED * np.abs(self.back).sum(axis=-1)
         for k, chain in enumerate(self.chains):
-            far = reach[k]
+            far = reach[chain.block]
             curved = (np.abs(self.curvatures[k]) * far[..., None, :, None]).sum(axis=-2) / 2
             slope = np.abs(self.blocks[k] @ chain.first) + curved + _sized(self.blocks[k], chain.third(far)) / 6
             found = found + _applied(slope, far)
@@ -214,16 +245,16 @@ def _sized(block: Floats, bounds: tuple[Floats, Floats]) -> Floats:
 
 def _equations(chains: Sequence[Spread], free: Sequence[Choice], idle: int) -> _Equations | None:
     """The loops by the free coordinates, of which `idle` may be held at what they are; None where more would have to
-    be. `free` (n,) tells of each chain's coordinates whether they are free. Of several at once those are held that are
+    be. `free` (n,) tells of each block's coordinates whether they are free. Of several at once those are held that are
     right for the first one: nothing is proved where others would have to be.
     """
-    loops = len(chains) - 1
-    starts = np.cumsum([0, *(c.amounts.shape[-1] for c in chains)])
-    matrix = np.zeros((*chains[0].first.shape[:-2], 6 * loops, starts[-1]))
-    for n in range(loops):
-        rows = slice(6 * n, 6 * n + 6)
-        matrix[..., rows, : starts[1]] = -chains[0].first
-        matrix[..., rows, starts[n + 1] : starts[n + 2]] = chains[n + 1].first
+    loops = _loops(chains)
+    starts = np.cumsum([0, *map(len, free)])
+    matrix = np.zeros((*chains[0].first.shape[:-2], 6 * len(loops), starts[-1]))
+    for n, pair in enumerate(loops):
+        for k, sign in zip(pair, (1, -1), strict=True):
+            block = chains[k].block
+            matrix[..., 6 * n : 6 * n + 6, starts[block] : starts[block + 1]] += sign * chains[k].first
     if not matrix.size:
         return None
     chosen = np.flatnonzero(np.concatenate(free))
@@ -241,6 +272,11 @@ def _equations(chains: Sequence[Spread], free: Sequence[Choice], idle: int) -> _
     rest = np.abs(np.eye(len(chosen)) - back @ own)
     columns = tuple(chosen[(chosen >= a) & (chosen < b)] - a for a, b in pairwise(starts))
     return _Equations(tuple(chains), columns, back, np.asarray(rest + _ROUNDING))
+
+
+def _loops(chains: Sequence[Spread]) -> list[tuple[int, int]]:
+    """Each chain that is compared, with its reference."""
+    return [(k, c.reference) for k, c in enumerate(chains) if c.reference != k]
 
 
 def _inverted(matrices: Floats) -> Floats:
@@ -265,10 +301,10 @@ def _pivots(kernel: Floats) -> list[int]:
 
 
 def follows(chains: Sequence[Spread], free: Sequence[Choice], idle: int) -> tuple[Floats, ...]:
-    """How far (..., n) each chain's coordinates may be from the straight way in a tube that holds one branch of
+    """How far (..., n) each block's coordinates may be from the straight way in a tube that holds one branch of
     solutions, from one end to the other; infinite where that is not proved.
     """
-    return _tubes(chains, free, idle, [np.abs(c.amounts) / 2 for c in chains], _Equations.gap)
+    return _tubes(chains, free, idle, [np.abs(c.amounts) / 2 for c in chains[: len(free)]], _Equations.gap)
 
 
 def holds(chains: Sequence[Spread], free: Sequence[Choice], idle: int, reach: Sequence[Floats]) -> tuple[Floats, ...]:
@@ -287,8 +323,8 @@ def _tubes(
 ) -> tuple[Floats, ...]:
     """The tube around coordinates that go as far as `known` by themselves; `off` bounds how far B F is from 0 there."""
     if not any(f.any() for f in free):  # nothing is unknown
-        return tuple(np.zeros(c.amounts.shape) for c in chains)
-    nowhere = tuple(np.full(c.amounts.shape, np.inf) for c in chains)
+        return tuple(np.zeros(a.shape) for a in known)
+    nowhere = tuple(np.full(a.shape, np.inf) for a in known)
     e = _equations(chains, free, idle)
     if e is None:
         return nowhere
@@ -299,7 +335,7 @@ def _tubes(
     done = np.zeros_like(proved)
     for _ in range(_TRIALS):
         radius = np.where(proved[..., None], radius, 0.0)
-        tube = _in_place(e, radius)
+        tube = _in_place(e, radius, known)
         reach = [h + r for h, r in zip(known, tube, strict=True)]
         needed = (off(e, reach) if along else start) + _applied(e.bent(reach), radius)
         done = proved & (needed <= radius * (1 - _ROUNDING)).all(axis=-1)
@@ -307,14 +343,14 @@ def _tubes(
         if (done | ~proved).all():
             break
         radius = np.where(done[..., None], radius, needed * _INFLATED)
-    return tuple(np.where(done[..., None], t, np.inf) for t in _in_place(e, radius))
+    return tuple(np.where(done[..., None], t, np.inf) for t in _in_place(e, radius, known))
 
 
-def _in_place(e: _Equations, radius: Floats) -> list[Floats]:
+def _in_place(e: _Equations, radius: Floats, known: Sequence[Floats]) -> list[Floats]:
     starts = np.cumsum([0, *map(len, e.columns)])
     found = []
-    for chain, own, a, b in zip(e.chains, e.columns, starts, starts[1:], strict=False):
-        every = np.zeros(chain.amounts.shape)
+    for amounts, own, a, b in zip(known, e.columns, starts, starts[1:], strict=False):
+        every = np.zeros(amounts.shape)
         every[..., own] = radius[..., a:b]
         found.append(every)
     return found

@@ -13,7 +13,7 @@ from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import AXES, Values
 from gcrules.mechanisms.lines.derived import Derived, in_words, needed, with_derived
-from gcrules.mechanisms.lines.names import Sample, directions, home_sample, key, samples
+from gcrules.mechanisms.lines.names import Sample, directions, home_sample, key, sample, samples
 from gcrules.mechanisms.lines.wrenches import PLANAR, LimbWrenches, WrenchLine, limb_wrenches, reciprocal_to
 from gcrules.screws import RESIDUES, Field
 from gcrules.screws.field import Row
@@ -91,19 +91,31 @@ class Equivalent:
 
 
 def equivalent(
-    family: Family, limbs: Sequence[LimbSpec], home: Mapping[str, Any] | None = None, *, frame: bool = True
+    family: Family,
+    limbs: Sequence[LimbSpec],
+    home: Mapping[str, Any] | None = None,
+    *,
+    frame: bool = True,
+    lost: Mapping[str, Sequence[Values]] | None = None,
 ) -> Equivalent:
     """Choose the equivalent structure of a robot on exact random members of its family.
 
     Where lines can be chosen, those are that do not depend on each other at `home` (coordinates of all points and
     directions), so that the condition holds near it. With `frame` constraints that limbs have in common may be replaced
-    by lines that all limbs together hold.
+    by lines that all limbs together hold. `lost` are members at which a limb, by its name, has fewer wrenches than
+    elsewhere: lines of it are chosen that depend on each other there.
     """
     at, here = samples(family, limbs), home_sample(family, limbs, home)
     one = directions(family, at)
     name = {n: one[key(s.values[n] for s in at)] if sort == "direction" else n for n, sort in family.sorts.items()}
     shared = Counter(n for limb in limbs for n in {name[n] for j in limb.joints for n in j.names} | set(limb.through))
-    found = _alike([limb_wrenches(family, limb, place, at, one, shared, here) for place, limb in enumerate(limbs)])
+    fewer = {n: tuple(sample(family, limbs, v) for v in own) for n, own in (lost or {}).items()}
+    found = _alike(
+        [
+            limb_wrenches(family, limb, place, at, one, shared, here, fewer.get(limb.name, ()))
+            for place, limb in enumerate(limbs)
+        ]
+    )
     trivial = PLANAR if family.plane else ()
     full = 6 - len(trivial)
     held = [row for limb in at[0].limbs for row in limb.constraints(RESIDUES)]
@@ -173,7 +185,7 @@ def _over_constrained(
         line = WrenchLine((a, b), FRAME, a in AXES, "constraint")
         rows = [line.row(s.points) for s in at]
         if all(map(reciprocal_to, twists, rows)):
-            every = [[limb.twists(RESIDUES) for limb in s.limbs] for s in at]
+            every = [[limb.system(RESIDUES).basis for limb in s.limbs] for s in at]
             own = (n for n, *alike in zip(names, *every, strict=True) if all(map(reciprocal_to, alike, rows)))
             frame.append(replace(line, limb=next(own, FRAME)))
     fixed = {*AXES, *finite}

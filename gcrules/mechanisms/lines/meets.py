@@ -3,7 +3,9 @@ r"""Lines that meet all passive axes of a limb: directions and points of theirs 
 A force through a point P is reciprocal to a twist if it is perpendicular to the velocity of P, and to a turn where its
 line meets the turn's axis. So one line through P meets two axes: the meet of the planes of P with each of them. Two
 axes that meet, or are parallel, lie in a plane; a line in it meets both. So lines in two such planes are the planes'
-meet, and those in one plane that meet a further axis go through the point in which this axis meets the plane. Geometry:
+meet, and those in one plane that meet a further axis go through the point in which this axis meets the plane. Two
+parallel bars with ball ends pass on a force in their plane, along them, and a couple normal to it; what is joined to
+them by a further hinge passes on the force that goes through the point in which the hinge meets the plane. Geometry:
 Pottmann and Wallner, Computational Line Geometry, chapter 2; what is taken is tested (see `wrenches`).
 """
 
@@ -46,9 +48,12 @@ def meets(family: Family, limb: LimbSpec, at: Sequence[Sample], one: Mapping[Key
         if centres <= {p}:
             across = [n for q, w in turns if q != p for n in made.cross(w, _difference(p, q))]
             _through([*slides, *across, *(n for j in screws for n in _velocity(p, j, made))], made)
-    planes = list(_planes(turns, made))
+    pairs = [(j.points[0], n) for j in limb.joints if j.kind == "4S" for n in made.cross(j.directions[0], _side(j))]
+    planes = [*_planes(turns, made), *pairs]
     for (_, m), (_, n) in combinations(planes, 2):
-        made.cross(m, n)
+        for both in made.cross(m, n):
+            for _, w in turns if pairs else ():
+                made.cross(both, w)
     for plane in planes:
         for axis in turns:
             made.meet(axis, plane)
@@ -74,6 +79,12 @@ def _part(j: JointSpec, name: str) -> Term:
 
 def _difference(p: str, q: str) -> Term:
     return ((Fraction(1), q), (Fraction(-1), p))
+
+
+def _side(j: JointSpec) -> Term:
+    """From one of two parallel bars to the other: with these it spans the plane in which both lie."""
+    first, second = j.points
+    return _difference(first, second)
 
 
 def _velocity(p: str, screw: JointSpec, made: _Made) -> list[Term]:

@@ -28,6 +28,7 @@ __all__ = [
     "key",
     "names_of_limb",
     "names_of_others",
+    "sample",
     "samples",
 ]
 

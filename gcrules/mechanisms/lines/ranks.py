@@ -8,7 +8,9 @@ joints, P_i those of its passive joints, f_i and p_i how many joints (freedoms) 
     s = Σ (f_i − dim U_i)                            rates with the platform at rest
     r = Σ (p_i − dim P_i)                            of these, those of passive joints alone
 
-so the whole space has dimension t + s, and the rates of the actuators in it t + s − g − r. Compared with the same
+so the whole space has dimension t + s, and the rates of the actuators in it t + s − g − r. In a limb with loops of its
+own f_i − dim U_i counts the rates with which its loops stay closed too: dim U_i is then the rank of its twists as the
+platform and its loops together have them (`Limb.rank`), and likewise dim P_i. Compared with the same
 numbers elsewhere in the family they are the six types of Zlatanov, Fenton and Benhabib. The formulas are derived here.
 """
 
@@ -45,27 +47,34 @@ everywhere, do not count. The names are those of Zlatanov, Fenton and Benhabib.
 
 @dataclass(frozen=True)
 class Ranks:
-    """At one member: rank of the constraints, of all wrenches, and of each limb's twists, passive ones apart."""
+    """At one member: rank of the constraints, of all wrenches, and of each limb's twists, passive ones apart; `applied`
+    are the dimensions of each limb's constraints and of its wrenches.
+    """
 
     constraints: int
     wrenches: int
     limbs: tuple[tuple[int, int], ...]
+    applied: tuple[tuple[int, int], ...] = ()
 
 
 def ranks(family: Family, limbs: Sequence[LimbSpec], values: Values, field: Field = RESIDUES) -> Ranks:
     """The ranks at a member in this field, from the joint screws alone. Raises InputError where a joint is none."""
     trivial = [field.read(PLANAR)] if family.plane else []
-    held, locked, dimensions = list(trivial), list(trivial), []
+    held, locked = list(trivial), list(trivial)
+    dimensions, applied = [], []
     for text in limbs:
         limb = text.at(values, field)
         own = limb.constraints(field)
         every = limb.locked(field) if limb.actuated else own
         held.append(own)
         locked.append(every)
-        dimensions.append((6 - field.height(own), 6 - field.height(every)))
+        applied.append((field.height(own), field.height(every)))
+        rank = limb.rank(field) if limb.shares else 6 - field.height(own)
+        passive = limb.passive_rank(field) if limb.shares else 6 - field.height(every)
+        dimensions.append((rank, passive))
     constraints, wrenches = (field.rank(field.comparable(field.joined(parts))) for parts in (held, locked))
     known = len(PLANAR) if family.plane else 0
-    return Ranks(constraints - known, wrenches - known, tuple(dimensions))
+    return Ranks(constraints - known, wrenches - known, tuple(dimensions), tuple(applied))
 
 
 def types_of(here: Ranks, elsewhere: Ranks) -> tuple[str, ...]:

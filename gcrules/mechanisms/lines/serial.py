@@ -92,7 +92,7 @@ def _alike(family: Family, limb: LimbSpec) -> str:
         return places.setdefault(match[0], f"<{len(places)}>")
 
     needed = upstream(family, _names(limb))
-    texts = [f"{j.kind}{j.actuated}({j.args})" for j in limb.joints]
+    texts = [str(limb.shares), *(f"{j.kind}{j.actuated}({j.args})" for j in limb.joints)]
     texts += [f"{d.name} {d.sort} {d.relation}" for d in family.definitions if d.name in needed]
     pattern = "|".join(sorted(map(re.escape, needed), key=len, reverse=True))
     return re.sub(rf"(?<=')(?:{pattern})(?=')|\b(?:{pattern})(?= (?:point|direction) )", place, "; ".join(texts))
@@ -117,13 +117,14 @@ def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
     met = unexplained = 0
 
     def twists(values: Values) -> tuple[Row, ...]:
-        return tuple(limb.at(values, RESIDUES).twists(RESIDUES))
+        return tuple(limb.at(values, RESIDUES).rows(RESIDUES))
 
     elsewhere = ranks(family, [limb], family.member("limb"))
     usual = elsewhere.limbs[0][0]
     rng = drawn("combinations")
     left = [[rng.randrange(PRIME) for _ in range(limb.freedoms)] for _ in range(usual)]
-    right = [[rng.randrange(PRIME) for _ in range(6)] for _ in range(usual)]
+    width = 6 * len(limb.shares[0]) if limb.shares else 6
+    right = [[rng.randrange(PRIME) for _ in range(width)] for _ in range(usual)]
 
     def determinant(values: Values) -> int:
         mixed = [RESIDUES.combination(numbers, twists(values)) for numbers in left]
@@ -149,7 +150,7 @@ def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
                 found[first] = found.get(first, here) & here
     conditions = tuple(
         LimbCondition(*said, tuple(name for name in TYPES if name in found[said]))
-        for said, _ in _tried(family, limb, family.member("limb"))
+        for said in dict.fromkeys(said for said, _ in _tried(family, limb, family.member("limb")))
         if said in found
     )
     return LimbSingularity(limb.name, conditions, min(ENOUGH, met), min(ENOUGH, unexplained))
@@ -165,7 +166,13 @@ def _terms(limb: LimbSpec) -> dict[str, Term]:
 
 
 def _tried(family: Family, limb: LimbSpec, values: Values) -> Iterator[tuple[tuple[str, str], bool]]:
-    """Conditions in words, and whether they hold: flat brackets, right angles, directions parallel to one plane."""
+    """Conditions in words, and whether they hold: flat brackets, right angles, directions parallel to one plane. Of a
+    limb with bodies of its own those of each way through it.
+    """
+    if limb.subchains:
+        for joints in limb.ways():
+            yield from _tried(family, LimbSpec(limb.name, joints), values)
+        return
     points = family.homogeneous(values)
     for four in combinations([n for n in _names(limb) if n in points], 4):
         flat = not RESIDUES.determinant([points[n] for n in four])

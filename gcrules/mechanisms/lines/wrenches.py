@@ -29,7 +29,7 @@ from gcrules.mechanisms.lines.names import (
 from gcrules.screws import RATIONALS, RESIDUES
 from gcrules.screws.field import Row
 from gcrules.screws.screw import join_of
-from gcrules.screws.systems import ScrewSystem
+from gcrules.screws.systems import ScrewSystem, reciprocal
 
 __all__ = ["PLANAR", "LimbWrenches", "WrenchLine", "limb_wrenches", "reciprocal_to"]
 
@@ -101,24 +101,28 @@ def limb_wrenches(
     one: Mapping[Key, str],
     shared: Mapping[str, int],
     home: Sample | None,
+    lost: Sequence[Sample] = (),
 ) -> LimbWrenches:
     """The wrenches of one limb. `one` names each direction (see `directions`); `shared` says in how many limbs a name
-    stands: such points are preferred. So are lines that do not depend on each other at `home`.
+    stands: such points are preferred. So are lines that do not depend on each other at `home`. Where wrenches are
+    `lost` only lines are taken that depend on each other there.
     """
     every = at if home is None else (*at, home)
-    all_twists = [s.limbs[place].twists(RESIDUES) for s in at]
-    actuated = set(at[0].limbs[place].actuated)
-    passive = [[t for i, t in enumerate(rows) if i not in actuated] for rows in all_twists]
-    system = ScrewSystem.span(passive[0], RESIDUES).reciprocal()
-    constraint = ScrewSystem.span(all_twists[0], RESIDUES).reciprocal()
+    own = [s.limbs[place] for s in at]
+    all_twists = [one.system(RESIDUES).basis for one in own]
+    passive = [[one.locked_system(RESIDUES).reciprocal().basis for one in own]]
+    if limb.subchains:  # each line with the one actuator that it belongs to
+        passive = [[reciprocal(one.locked_by(k, RESIDUES), RESIDUES) for one in own] for k in range(limb.actuators)]
+    system, constraint = own[0].locked_system(RESIDUES), own[0].constraint_system(RESIDUES)
     trivial = PLANAR if family.plane else ()
     wanted = system.dimension - len(trivial)
     held = constraint.dimension - len(trivial)
     found: tuple[WrenchLine, ...] | None = None
     made: list[Derived] = []
-    for names in _names(family, limb, at, one, made, every):
+    for names in _names(family, limb, at, one, made, (*every, *lost)):
         candidates = _candidates(limb, names, at, all_twists, passive, shared)
-        found = _basis(candidates, [s.points for s in every[:: len(at)]], wanted, held, trivial)
+        fewer = [s.points for s in lost]
+        found = _basis(candidates, [s.points for s in every[:: len(at)]], wanted, held, trivial, fewer)
         if found is not None:
             break
     lines, derived = (None, ()) if found is None else _named(family, place, every, found, made)
@@ -129,7 +133,7 @@ def limb_wrenches(
         wanted,
         held,
         limb.freedoms,
-        6 - constraint.dimension,
+        at[0].limbs[place].rank(RESIDUES),
         lines,
         _kind(system, family) if lines is not None else _real_kind(family, limb),
         derived,
@@ -208,14 +212,16 @@ def _candidates(
     names: Sequence[Named],
     at: Sequence[Sample],
     twists: Sequence[Sequence[Row]],
-    passive: Sequence[Sequence[Row]],
+    passive: Sequence[Sequence[Sequence[Row]]],
     shared: Mapping[str, int],
 ) -> list[tuple[float, WrenchLine]]:
-    """Lines through two of the points that are wrenches of the limb at all members, cheapest first."""
+    """Lines through two of the points that are wrenches of the limb at all members, cheapest first: reciprocal to all
+    its passive twists, one of several such systems.
+    """
     found: list[tuple[float, WrenchLine]] = []
     for (a, cost_a, _), (b, cost_b, _) in combinations(names, 2):
         rows = [join_of(RESIDUES, s.points[a], s.points[b]) for s in at]
-        if all(map(any, rows)) and all(map(reciprocal_to, passive, rows)):
+        if all(map(any, rows)) and any(all(map(reciprocal_to, own, rows)) for own in passive):
             couple = at[0].points[a][3] == at[0].points[b][3] == 0
             role = "constraint" if all(map(reciprocal_to, twists, rows)) else "actuation"
             cost = cost_a + cost_b - 0.4 * sum(shared.get(n, 0) > 1 for n in (a, b))
@@ -239,9 +245,10 @@ def _basis(
     size: int,
     constraints: int,
     trivial: tuple[Row, ...],
+    fewer: Sequence[Mapping[str, Row]] = (),
 ) -> tuple[WrenchLine, ...] | None:
     """Lines that span the system at the first sample: constraints told apart, if possible so that they span it at the
-    other ones too, with as few points as possible, and of least cost.
+    other ones too, with as few points as possible, and of least cost; where there are `fewer` they do not.
     """
     kept: list[tuple[float, WrenchLine]] = []
     spanned = len(trivial)
@@ -267,6 +274,10 @@ def _basis(
             continue
         ranks = [RESIDUES.rank([*trivial, *(line.row(points) for line in lines)]) for points in at]
         score = (-held, -min(ranks), *score[2:])
-        if ranks[0] == size + len(trivial) and (best is None or score < best[0]):
+        if ranks[0] < size + len(trivial) or (best is not None and score >= best[0]):
+            continue
+        if all(
+            RESIDUES.rank([*trivial, *(line.row(points) for line in lines)]) < size + len(trivial) for points in fewer
+        ):
             best = score, lines
-    return best[1] if best else ()
+    return best[1] if best else None if fewer else ()

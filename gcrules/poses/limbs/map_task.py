@@ -249,6 +249,8 @@ class LimbsTask(HoldsArrays):
     @property
     def guard(self) -> str:
         """What a margin guarantees."""
+        if self.linkage.looped:
+            return "where sigma is not 0 no body of the robot can move with the actuators locked"
         return (
             "no pose is singular before the wrenches of some limb have turned by asin(sigma) relative to the platform"
         )

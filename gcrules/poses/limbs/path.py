@@ -220,7 +220,7 @@ def _report(
     verdicts = np.array([
         "singular" if c <= SOLVED else decide(s, SOLVED, close=close) for s, c in zip(sigma, own, strict=True)
     ])  # fmt: skip
-    verdict, reason = _verdict(parameters, sigma, verdicts, crossings, undecided, limit)
+    verdict, reason = _verdict(parameters, sigma, verdicts, crossings, undecided, limit, looped=m.looped)
     names = targets[0].names
     return RobotPath(
         robot=m.robot.id,
@@ -256,6 +256,8 @@ def _verdict(
     crossings: Sequence[Crossing],
     undecided: Sequence[Stretch],
     limit: Threshold,
+    *,
+    looped: bool,
 ) -> tuple[str, str]:
     places = [f"{a:.5g} to {b:.5g}" if b > a else f"{a:.5g}" for a, b in undecided]
     open_ = f"; at parameter {listed(places)} it is not decided" if places else ""
@@ -270,6 +272,8 @@ def _verdict(
     least = float(sigma.min())
     where = f"σ = {least:.4g} at parameter {float(parameters[int(sigma.argmin())]):.4g} is the least of all samples"
     turn = f"from there the wrenches of some limb have to turn by {degrees(turn_of(least))} (threshold {limit.text})"
+    if looped:
+        turn = f"as its limbs have loops of their own, σ bounds no way from there (threshold {limit.text})"
     if places:
         return "close", f"No singular configuration was found{open_}. {where}."
     word = "close" if "close" in verdicts else "regular"

@@ -226,6 +226,11 @@ def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshol
         return "singular", f"{agreeing(lost, *verbs)} depend on each other."
     words = "the limbs' own singularities apart, there is no singular configuration before the wrenches of some limb"
     words += f" have turned by {degrees(turn)} relative to the platform"
+    if m.looped:
+        words = (
+            "no body of the robot can move with the actuators locked; as its limbs have loops of their own, σ does not"
+        )
+        words += " bound how far a singular configuration is"
     if word == "regular":
         return word, f"{_capital(words)} (threshold {limit.text})."
     return word, f"It is only certain that, {words}; the threshold is {limit.text}."

@@ -116,7 +116,7 @@ class _Rates:
     def __init__(self, m: Linkage, c: Configuration, here: Ranks) -> None:
         only = Configurations.of([c])
         self.m, self.c, self.here = m, c, here
-        self.twists = [chain.twists() for chain in only.chains]
+        self.twists = [chain.shared_twists for chain in only.chains]
         self.units = units_of(m)
         self.freedoms = _freedoms(m, here)
         rows = loop_rows(self.twists, only.platform, m)[0] * self.units
@@ -137,7 +137,7 @@ class _Rates:
         names = _coordinates(m)
         weights = np.array([m.size if n in SHIFTS else 1.0 for n in names])
         own = self.twists[0].shape[-1]
-        moved = slopes(names, self.c.platform[None], m.centre)[0] @ self.twists[0][0] * self.units[:own]
+        moved = slopes(names, self.c.platform[None], m.centre)[0] @ self.twists[0][0, 0] * self.units[:own]
         free = self._full - self.here.constraints
         reached = moved @ self.basis[:own] / weights[:, None]
         if np.linalg.matrix_rank(reached, _RANK) == free:
@@ -147,7 +147,7 @@ class _Rates:
         """The actuators that can move with the platform at rest."""
         for place, (own, _) in enumerate(self.here.limbs):
             start, end = self._starts[place : place + 2]
-            columns = self.twists[place][0] * self.units[start:end]
+            columns = np.concatenate(self.twists[place][0]) * self.units[start:end]
             still = np.linalg.svd(columns)[2][own:]
             for a in self.m.actuators:
                 if a.place == place and np.abs(still[:, a.coordinate]).max(initial=0.0) > _NOTHING:

@@ -113,7 +113,7 @@ def _colour(a: RobotAnalysis, e: DrawnFlat, number: int) -> int:
 def _far_plane(a: RobotAnalysis, e: DrawnFlat, colour: int, size: float) -> PlaneView | None:
     """A plane through finite points along directions, which are points at infinity; None for other entities."""
     places = lines_at(a.robot.family, a.structure, a.robot.values_at())
-    finite = [[float(c) for c in places[n][:3]] for n in e.points if places[n][3]]
+    finite = [[float(c / places[n][3]) for c in places[n][:3]] for n in e.points if places[n][3]]
     along = [unit_vector(_xyz(places[n])) for n in e.points if not places[n][3]]
     if e.kind != "plane" or not along or not finite:
         return None

@@ -13,7 +13,7 @@ from math import atan2, cos, dist, sin
 from typing import SupportsFloat
 
 from gcrules.mechanisms.description.family import Family
-from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
+from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec, Subchain
 from gcrules.mechanisms.description.relations import Term, Values
 from gcrules.views.drawing.bsp import XYZ, cross, dot, minus
 from gcrules.views.drawing.frame import Unit
@@ -48,9 +48,14 @@ class Rod:
 
 @dataclass
 class DrawnLimb:
-    """A limb in space: its joints, its strokes, and its first and last place."""
+    """A limb in space, or one of its chains: its joints, its strokes, and its first and last place; from which body it
+    leads to which.
+    """
 
     limb: LimbSpec
+    joints: tuple[JointSpec, ...]
+    start: str = BASE
+    end: str = PLATFORM
     places: list[DrawnJoint] = field(default_factory=list)
     strokes: list[Rod] = field(default_factory=list)
     foot: XYZ = (0.0, 0.0, 0.0)
@@ -81,7 +86,35 @@ def chains(family: Family, limbs: Sequence[LimbSpec], values: Values) -> tuple[U
         unit = Unit(points[0] if points else (0.0, 0.0, 0.0), 1.0)
     firsts = [limb.joints[0].points for limb in limbs if len(limb.joints) > 1]
     ground = [unit.place(values[names[0]]) for names in firsts if names]
-    return unit, [_Builder(unit, family, values, limb, center(ground) if ground else None).chain() for limb in limbs]
+    found: list[DrawnLimb] = []
+    for limb in limbs:
+        own = [
+            _Builder(unit, family, values, limb, part, joints, center(ground) if ground else None).chain()
+            for part, joints in limb.parts
+        ]
+        _join_bodies(own)
+        found += own
+    return unit, found
+
+
+def _join_bodies(parts: Sequence[DrawnLimb]) -> None:
+    """The bodies of a limb between its chains: bars between their joints, drawn with the last one."""
+    for body in dict.fromkeys(c.start for c in parts if c.start != BASE):
+        last = [c for c in parts if body in (c.start, c.end)][-1]
+        last.strokes += [
+            Rod(a, b)
+            for a, b in bars_of_body(
+                [c.head for c in parts if c.end == body] + [c.foot for c in parts if c.start == body]
+            )
+        ]
+
+
+def bars_of_body(places: Sequence[XYZ]) -> list[tuple[XYZ, XYZ]]:
+    """What joins places of one body in a picture: one bar, or of more than two bars from the middle to each."""
+    if len(places) == 2:
+        return [(places[0], places[1])]
+    middle = center(places)
+    return [(middle, p) for p in places if dist(middle, p) > 1e-9]
 
 
 def _xyz(v: Sequence[SupportsFloat]) -> XYZ:
@@ -102,11 +135,13 @@ class _Builder:
     family: Family
     values: Values
     limb: LimbSpec
+    part: Subchain
+    joints: tuple[JointSpec, ...]
     ground: XYZ | None  # the middle of the first joints of other limbs
 
     def chain(self) -> DrawnLimb:
-        joints = self.limb.joints
-        made = DrawnLimb(self.limb)
+        joints = self.joints
+        made = DrawnLimb(self.limb, joints, self.part.start, self.part.end)
         if len(joints) > 1 and all(j.kind == "R" for j in joints) and len({j.points for j in joints}) == 1:
             return self._on_sphere(made)
         at: XYZ | None = None
@@ -140,7 +175,7 @@ class _Builder:
 
     def _away(self, j: JointSpec, anchor: XYZ) -> XYZ | None:
         """The direction from a joint to the next one that has a place."""
-        rest = self.limb.joints[self.limb.joints.index(j) + 1 :]
+        rest = self.joints[self.joints.index(j) + 1 :]
         following = next((p for k in rest if (p := self._anchor(k)) and dist(p, anchor) > 1e-9), None)
         return unit_vector(minus(following, anchor)) if following else None
 
@@ -239,9 +274,9 @@ class _Builder:
         return at
 
     def _on_sphere(self, made: DrawnLimb) -> DrawnLimb:
-        o = self._anchor(self.limb.joints[0]) or (0.0, 0.0, 0.0)
+        o = self._anchor(self.joints[0]) or (0.0, 0.0, 0.0)
         before: XYZ | None = None
-        for j in self.limb.joints:
+        for j in self.joints:
             axis = self._direction(j.directions[0])
             if before is not None:
                 axis = axis if dot(axis, before) >= 0 else (-axis[0], -axis[1], -axis[2])

@@ -2,7 +2,7 @@ r"""Limbs of a robot as plain data for a 3D view: joints and wrenches in space, 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal
 
 import numpy as np
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gcrules.algebra.language.legs_text import leg_text
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.description.limb_file import JointSpec
+from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec, Subchain
 from gcrules.mechanisms.description.relations import Term
 from gcrules.mechanisms.lines.derived import with_derived
 from gcrules.mechanisms.lines.equivalent import FRAME
@@ -18,7 +18,7 @@ from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.screws import FLOATS, JOINTS
 from gcrules.views.scene_data import JointView, LimbView, LineView, Vec3
 
-__all__ = ["Values", "all_places", "directions", "limb_views", "wrench_words"]
+__all__ = ["Values", "all_places", "directions", "drawn_parts", "limb_views", "wrench_words"]
 
 Floats = NDArray[np.float64]
 Values = Mapping[str, Sequence[float] | Floats]
@@ -33,11 +33,12 @@ def limb_views(robot: RobotAnalysis, values: Values) -> list[LimbView]:
         {
             "name": limb.limb.name,
             "colour": i,
-            "wrenches": wrench_words(limb),
-            "joints": [_joint(j, places) for j in limb.limb.joints],
-            "lines": [_line(one, places, ideal) for one in lines if one.limb == limb.limb.name],
+            "wrenches": wrench_words(limb) if last else [],
+            "joints": [_joint(j, places) for j in joints],
+            "lines": [_line(one, places, ideal) for one in lines if last and one.limb == limb.limb.name],
         }
         for i, limb in enumerate(robot.structure.limbs)
+        for _, _, joints, last in drawn_parts([limb.limb])
     ]
     own = {view["name"] for view in views}
     rest = [_line(one, places, ideal) for one in lines if one.limb not in own]
@@ -45,6 +46,17 @@ def limb_views(robot: RobotAnalysis, values: Values) -> list[LimbView]:
         words = [line["text"] for line in rest]
         views.append({"name": FRAME, "colour": len(views), "wrenches": words, "joints": [], "lines": rest})
     return views
+
+
+def drawn_parts(
+    limbs: Sequence[LimbSpec],
+) -> Iterator[tuple[LimbSpec, Subchain, tuple[JointSpec, ...], bool]]:
+    """What is drawn one by one: each limb or, of one that has bodies of its own, each of its chains, with its joints;
+    and whether it is the last one of its limb, with which the limb's wrenches are drawn.
+    """
+    for limb in limbs:
+        for n, (part, joints) in enumerate(limb.parts, 1):
+            yield limb, part, joints, n == len(limb.parts)
 
 
 def all_places(robot: RobotAnalysis, values: Values) -> dict[str, Floats]:

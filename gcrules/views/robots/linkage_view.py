@@ -6,13 +6,14 @@ from typing import Any
 
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.description.limb_file import JointSpec
+from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec
 from gcrules.mechanisms.description.relations import AXES, Term
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.screws import JOINTS
 from gcrules.screws.verdict import CLOSE, SOLVED
+from gcrules.views.robots.limb_views import drawn_parts
 from gcrules.views.scene_data import ChainView, DrawnJoint, LinkageView, Terms, Vec3
 
 __all__ = ["linkage_view"]
@@ -29,7 +30,8 @@ def linkage_view(robot: Limbs) -> LinkageView:
     lines = structure.drawn
     limbs = {limb.limb.name for limb in structure.limbs}
     rest = [list(one.ends) for one in lines if one.limb not in limbs]
-    drawn = [[list(one.ends) for one in lines if one.limb == limb.limb.name] for limb in structure.limbs]
+    parts = list(drawn_parts(m.robot.limbs))
+    drawn = [[list(one.ends) for one in lines if last and one.limb == limb.name] for limb, _, _, last in parts]
     return {
         "chains": [_chain(m, place) for place in range(len(m.home.chains))],
         "drives": [
@@ -45,9 +47,14 @@ def linkage_view(robot: Limbs) -> LinkageView:
         "points": _places(m, "point"),
         "directions": _places(m, "direction"),
         "derived": [{"name": d.name, "args": [_terms(term) for term in d.args]} for d in structure.derived],
-        "joints": [[_joint(j) for j in limb.limb.joints] for limb in structure.limbs],
+        "joints": [[_joint(j) for j in joints] for _, _, joints, _ in parts],
+        "ends": [m.robot.limbs.index(limb) if part.end == PLATFORM else None for limb, part, _, _ in parts],
+        "rods": [rod for limb in m.robot.limbs for rod in _rods(limb)],
         "lines": [*drawn, rest] if rest else drawn,
-        "bars": [[bar for j in limb.limb.joints for bar in _bars(j)] for limb in structure.limbs],
+        "bars": [[bar for j in joints for bar in _bars(j)] for _, _, joints, _ in parts],
+        "spans": [
+            {"limb": s.limb, "free": list(s.free), "rank": s.rank, "start": s.start, "end": s.end} for s in m.spans
+        ],
         "locked": [[place, coordinate] for place, coordinate, _ in m.locked],
         "plane": m.robot.family.plane,
         "centre": _vec(m.centre),
@@ -72,7 +79,30 @@ def _chain(m: Linkage, place: int) -> ChainView:
         "ball": m.ball_ended[place],
         "rank": m.ranks[place],
         "passive": m.passive_ranks[place],
+        "applied": m.elsewhere.applied[place][1],
+        "runs": [[run.first, run.stop, run.base, run.reached] for run in chain.runs],
+        "platform": chain.platform,
+        "shares": [[1] if chain.shares is None else [int(s) for s in chain.shares[k]] for k in range(len(chain.turns))],
     }
+
+
+def _rods(limb: LimbSpec) -> list[list[Terms]]:
+    """The bodies of a limb between its chains: from the middle of their joints to each, or between two of them."""
+    found: list[list[Terms]] = []
+    for body in dict.fromkeys(part.start for part, _ in limb.parts if part.start != BASE):
+        places = [_far_end(joints[-1]) for part, joints in limb.parts if part.end == body]
+        places += [_joint(joints[0])["point"] for part, joints in limb.parts if part.start == body]
+        places = [p for p in places if p]
+        found += [places] if len(places) == 2 else [[_mean(places), p] for p in places]
+    return found
+
+
+def _far_end(joint: JointSpec) -> Terms:
+    """Where the last joint of a chain stands."""
+    if joint.kind != "4S":
+        return _joint(joint)["point"]
+    first, second, bars = (arg for arg in joint.args if isinstance(arg, tuple))
+    return _mean([_terms((*first, *bars)), _terms((*second, *bars))])
 
 
 def _joint(joint: JointSpec) -> DrawnJoint:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import dist
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.limb_file import PLATFORM
 from gcrules.mechanisms.lines.equivalent import FRAME
 from gcrules.mechanisms.lines.wrenches import WrenchLine as Wrench
 from gcrules.views.drawing.bsp import XYZ, CutPolygon, cross, dot, minus, painted
@@ -68,7 +69,7 @@ def robot_shapes(s: Scene, over: Sequence[Shape] = (), *, words: bool = True) ->
         if len(c.limb.joints) == 1 and len(s.base) > 2:  # a pivot: on a post, and held by the platform
             pieces.append(CutPolygon((center(s.base), c.foot), Look(role, width=4.4)))
             pieces.append(CutPolygon((c.head, s.heart), Look("platform", width=3.0)))
-        elif c.head not in s.plate and min(dist(c.head, p) for p in s.plate) > 1e-6:
+        elif c.end == PLATFORM and c.head not in s.plate and min(dist(c.head, p) for p in s.plate) > 1e-6:
             pieces.append(CutPolygon((c.head, s.heart), Look("platform", width=3.0)))
     shapes = piece_shapes(pieces, frame)
     axes, tips = _axes(s) if words else ([], [])
@@ -111,7 +112,7 @@ def _axes(s: Scene) -> tuple[list[Shape], list[Label]]:
         placed = iter(p for p in c.places if p.kind != "pin")
         round_about = any(one.look == "axis" for one in c.strokes) and len({p.kind for p in c.places}) == 1
         by_kind = {(p.kind, tuple(round(x, 9) for x in p.at)): p for p in placed}
-        for j in c.limb.joints:
+        for j in c.joints:
             for place in by_kind.values():
                 if place.kind != j.kind:
                     continue
@@ -174,7 +175,7 @@ def _couple_place(s: Scene, limbs: Sequence[str]) -> XYZ:
     if len(limbs) > 1:
         out = minus(s.heart, center(s.base))
         return plus(s.heart, unit_vector(out), 0.42) if dot(out, out) > 1e-9 else s.heart
-    chain = next(c for c in s.chains if c.limb.name == limbs[0])
+    chain = [c for c in s.chains if c.limb.name == limbs[0]][-1]
     links = [one for one in chain.strokes if one.look in ("link", "bar")]
     if not links:
         return chain.head

@@ -8,6 +8,7 @@ from itertools import combinations
 from math import dist
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.limb_file import BASE, PLATFORM
 from gcrules.poses.limbs.exact_values import Values, lines_at
 from gcrules.views.drawing.bsp import XYZ, minus
 from gcrules.views.drawing.frame import Frame, Unit, framed
@@ -66,12 +67,12 @@ def scene(a: RobotAnalysis, values: Values, normals: Sequence[XYZ] = ()) -> Scen
     ideal: dict[str, XYZ] = {}
     for name, p in lines_at(robot.family, a.structure, values).items():
         if p[3]:
-            points[name] = unit.place(p[:3])
+            points[name] = unit.place([c / p[3] for c in p[:3]])
         elif any(p):
             ideal[name] = unit_vector((float(p[0]), float(p[1]), float(p[2])))
     several = [c for c in made if len(c.limb.joints) > 1]
-    plate = _corners(c.head for c in several or made)
-    base = _corners(c.foot for c in several or made)
+    plate = _corners(c.head for c in several or made if c.end == PLATFORM)
+    base = _corners(c.foot for c in several or made if c.start == BASE)
     joints = {f"{i}/{k}": p.at for i, c in enumerate(made) for k, p in enumerate(c.places) if p.kind != "pin"}
     shown = {**joints, **{n: points[n] for n in _used(a) if n in points}}
     strokes = [(f"{i}/{k}:", f":{i}/{k}") for i, c in enumerate(made) for k, _ in enumerate(c.strokes)]

@@ -83,13 +83,16 @@ export function moved(scene: Scene, m: Linkage, at: Configuration): Partial<Scen
   const limbs = (scene.limbs ?? []).map((limb, i) => movedLimb(limb, m, i, all, free));
   const platform = at.links[0]!.at(-1)!;
   const plate = m.chains.map((c) => applied(platform, c.end));
+  const between = ([a, b]: Terms[]): [Vec3, Vec3] => [sum(a!, all), sum(b!, all)];
   const bars = limbs.flatMap((limb, i): [Vec3, Vec3][] => {
-    const own = m.bars[i]?.map(([a, b]): [Vec3, Vec3] => [sum(a!, all), sum(b!, all)]) ?? [];
+    const own = m.bars[i]?.map(between) ?? [];
+    const end = plate[m.ends[i] ?? -1];
     const last = limb.joints.filter((j) => j.point).at(-1)?.point;
     const near = own[0] && limb.joints.find((j) => j.point)?.point; // from the arm to the middle of its bars
     if (own.length > 2) return near ? [...own, [near, mix(own[2]![0], own[2]![1], 0.5)]] : own;
-    return last && plate[i] && !own.length ? [[last, plate[i]]] : own;
+    return last && end && !own.length ? [[last, end]] : own;
   });
+  bars.push(...m.rods.map(between));
   return { points, limbs, bars, plate, planes: (scene.planes ?? []).map((p) => movedPlane(p, all, free, scene.size)) };
 }
 

@@ -170,7 +170,7 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
       }),
       ...(scene.planes ?? []).flatMap((p) => (p.colour === undefined ? [] : [entry(p.colour, "plane ", named(p.label))])),
       ...(scene.recipe?.lines ?? []).map((line) => entry(line.colour, "line ", named(line.label))),
-      ...(scene.limbs ?? []).map((limb) => entry(limb.colour, `${limb.name}: ${limb.wrenches.join(", ")}`)),
+      ...(scene.limbs ?? []).filter((limb, i, all) => all[i + 1]?.name !== limb.name).map((limb) => entry(limb.colour, `${limb.name}: ${limb.wrenches.join(", ")}`)),
     );
   }
 

@@ -7,11 +7,14 @@ import { applied, between, exponential, logarithm, product, STILL, turned, twist
 import type { Vec3 } from "./types";
 import { add, cross, distance, length, scale } from "./vectors";
 
-/** The amounts of all coordinates of each limb from home, and where its links go, first the base, last the platform. */
+/** The amounts of all coordinates of each limb from home, and where its links go, first the base, last the platform; of a
+ * limb with bodies of its own those of all its runs. */
 export interface Configuration {
   amounts: number[][];
   links: Motion[][];
 }
+
+type Chain = Linkage["chains"][number];
 
 const ACCURACY = 1e-11;
 const ITERATIONS = 20;
@@ -92,16 +95,20 @@ function equations(m: Linkage, at: Configuration, goal: readonly number[]): { ga
   const width = starts.at(-1)! + m.chains.at(-1)!.turns.length;
   const local = m.chains.map((_, i) => twists(m, at, i).map((t) => atPlace(t, middle, m.size)));
   const [gaps, rows]: [number[], number[][]] = [[], []];
-  for (let i = 1; i < m.chains.length; i++) {
-    const twist = atPlace(logarithm(between(platform, at.links[i]!.at(-1)!)), middle, m.size);
+  const loop = (from: Motion, to: Motion, parts: [number, number, number][]) => {
+    const twist = atPlace(logarithm(between(from, to)), middle, m.size);
     for (let k = 0; k < 6; k++) {
       const row = new Array<number>(width).fill(0);
-      local[i]!.forEach((t, j) => (row[starts[i]! + j] = t[k]!));
-      local[0]!.forEach((t, j) => (row[j] = -t[k]!));
+      for (const [i, share, sign] of parts)
+        local[i]!.forEach((t, j) => (row[starts[i]! + j] = sign * m.chains[i]!.shares[j]![share]! * t[k]!));
       gaps.push(twist[k]!);
       rows.push(row);
     }
-  }
+  };
+  for (let i = 1; i < m.chains.length; i++) loop(platform, at.links[i]!.at(-1)!, [[i, 0, 1], [0, 0, -1]]);
+  m.chains.forEach((c, i) =>
+    loops(c).forEach(([closing, reached], n) => loop(at.links[i]![reached]!, at.links[i]![closing]!, [[i, n + 1, 1]])),
+  );
   m.drives.forEach((d, i) => {
     const row = new Array<number>(width).fill(0);
     row[starts[d.limb]! + d.coordinate] = 1 / unitOf(m, i);
@@ -111,12 +118,17 @@ function equations(m: Linkage, at: Configuration, goal: readonly number[]): { ga
   return { gaps, rows };
 }
 
-/** The twists of the platform for each coordinate of a limb. */
+/** The links that are one in each loop of a limb's own. */
+const loops = (c: Chain): [number, number][] =>
+  c.runs.flatMap(([, stop, , reached], n): [number, number][] => (reached! >= 0 ? [[stop! + n, reached!]] : []));
+
+/** The twist of each coordinate of a limb; its shares tell what it counts in. */
 export function twists(m: Linkage, at: Configuration, limb: number): number[][] {
   const c = m.chains[limb]!;
   const found = c.turns.map(() => [0, 0, 0, 0, 0, 0]);
+  const before = (k: number) => k + Math.max(0, c.runs.findIndex(([, stop]) => k < stop!));
   c.screws.forEach((screw, k) =>
-    twistAfter(at.links[limb]![k]!, screw).forEach((x, i) => (found[c.uses[k]!]![i]! += c.signs[k]! * x)),
+    twistAfter(at.links[limb]![before(k)]!, screw).forEach((x, i) => (found[c.uses[k]!]![i]! += c.signs[k]! * x)),
   );
   return found;
 }
@@ -129,9 +141,13 @@ export function atPlace(twist: readonly number[], place: Vec3, size: number): nu
 
 function placed(m: Linkage, amounts: number[][]): Configuration {
   const links = m.chains.map((c, i) => {
-    const found = [STILL];
-    c.screws.forEach((screw, k) => found.push(product(found[k]!, exponential(screw, c.signs[k]! * amounts[i]![c.uses[k]!]!))));
-    return found;
+    const found: Motion[] = [];
+    for (const [first, stop, base] of c.runs.length ? c.runs : [[0, c.screws.length, 0]]) {
+      found.push(found[base!] ?? STILL);
+      for (let k = first!; k < stop!; k++)
+        found.push(product(found.at(-1)!, exponential(c.screws[k]!, c.signs[k]! * amounts[i]![c.uses[k]!]!)));
+    }
+    return c.runs.length ? [...found, found[c.platform]!] : found;
   });
   return { amounts, links };
 }
@@ -146,7 +162,7 @@ function holds(m: Linkage, at: Configuration): boolean {
   if (m.locked.some(([limb, coordinate]) => Math.abs(at.amounts[limb!]![coordinate!]!) > 1e-7)) return false;
   const places = m.points;
   return Object.entries(m.rides).every(([name, rides]) => {
-    const motions = rides.map(([limb, link]) => at.links[limb!]![link!]!);
+    const motions = rides.map(([limb, link]) => at.links[limb!]!.at(link!)!);
     const [point, direction] = [places[name], m.directions[name]];
     if (point) return motions.every((k) => distance(applied(k, point), applied(motions[0]!, point)) <= APART * m.size);
     if (!direction) return true;
@@ -158,7 +174,7 @@ function holds(m: Linkage, at: Configuration): boolean {
 /** Where all points and directions are. */
 export function named(m: Linkage, at: Configuration): Record<string, Vec3> {
   const found: Record<string, Vec3> = {};
-  const link = (name: string) => m.rides[name]?.[0] && at.links[m.rides[name][0][0]!]![m.rides[name][0][1]!];
+  const link = (name: string) => m.rides[name]?.[0] && at.links[m.rides[name][0][0]!]!.at(m.rides[name][0][1]!);
   for (const [name, p] of Object.entries(m.points)) found[name] = link(name) ? applied(link(name)!, p) : p;
   for (const [name, u] of Object.entries(m.directions)) found[name] = link(name) ? turned(link(name)!, u) : u;
   return found;

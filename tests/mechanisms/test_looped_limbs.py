@@ -1,0 +1,154 @@
+"""Limbs with bodies and loops of their own, against the equilibrium of all bodies taken one by one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from places import DATA
+
+import gcrules as gc
+from gcrules.core.errors import FileError
+from gcrules.mechanisms.conditions.lost_wrenches import lines_that_hold
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.kinematics.configurations import Configurations
+from gcrules.mechanisms.kinematics.linkage import linkage
+from gcrules.mechanisms.kinematics.margin import margins
+from gcrules.mechanisms.kinematics.solve import solve
+from gcrules.mechanisms.kinematics.targets import read_pose
+from gcrules.mechanisms.lines.equivalent import equivalent
+from gcrules.mechanisms.lines.ranks import ranks
+from gcrules.screws import RESIDUES, Limb
+
+FILES = DATA / "looped"
+NAMES = ("h4", "gantry-tau", "par4")
+
+
+@cache
+def analysis(name: str) -> RobotAnalysis:
+    found = gc.analyze(FILES / f"{name}.yaml")
+    assert isinstance(found, RobotAnalysis)
+    return found
+
+
+def freedoms(name: str, values: Mapping[str, Any], *, locked: bool) -> int:
+    """Of the platform: the twists of all bodies that no chain between two of them resists."""
+    robot = analysis(name).robot
+    blocks = {"platform": 0}
+    chains = []
+    for limb in robot.limbs:
+        for part, joints in limb.parts:
+            own = Limb(tuple(j.at(values, RESIDUES) for j in joints))
+            ends = [n if n in ("base", "platform") else f"{limb.name} {n}" for n in (part.start, part.end)]
+            for n in ends:
+                blocks.setdefault(n, len(blocks)) if n != "base" else None
+            chains.append((ends, own.locked(RESIDUES) if locked else own.constraints(RESIDUES)))
+    rows = []
+    for (start, end), wrenches in chains:
+        for w in wrenches:
+            row = [0] * (6 * len(blocks))
+            for body, sign in ((start, -1), (end, 1)):
+                if body != "base":
+                    at = 6 * blocks[body]
+                    row[at : at + 6] = [sign * c for c in (*w[3:], *w[:3])]
+            rows.append(row)
+    still = [[int(i == k) for i in range(6 * len(blocks))] for k in range(6)]
+    return RESIDUES.rank([*rows, *still]) - RESIDUES.rank(rows)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_ranks_are_those_of_all_bodies(name: str) -> None:
+    robot = analysis(name).robot
+    for seed in range(4):
+        values = robot.family.member(("bodies", seed))
+        found = ranks(robot.family, robot.limbs, values)
+        assert 6 - found.constraints == freedoms(name, values, locked=False) == robot.mobility
+        assert 6 - found.wrenches == freedoms(name, values, locked=True) == 0
+
+
+STATEMENTS = {
+    "h4": "the directions z, n1 and n2 are parallel to one plane (constraint singularity), or the planes d1d2p2' and "
+    "zp1p2 and the line d3d4 meet in a point",
+    "gantry-tau": "the line A1B1 is parallel to the plane of the directions d2 and d3 (actuation singularity), the "
+    "line A2C2 is parallel to the plane of the directions d2 and d3 (constraint singularity), or the plane A3C3D3 "
+    "contains the direction d3 (constraint singularity).",
+    "par4": "the planes d1d2P2, d3d4P2 and zP1P2, which pass through P2, have a common line.",
+}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_statements(name: str) -> None:
+    assert STATEMENTS[name] in str(analysis(name).statement)
+
+
+def test_gantry_tau_is_singular_where_its_three_rods_lie_in_a_plane() -> None:
+    """Three parallel rods in one plane hold one turn less, though the limb's couples have names there."""
+    robot = analysis("gantry-tau").robot
+    values = dict(robot.family.member("flat"))
+    moved = {n: values[n] for n in ("A1", "B1", "A2", "C2", "A3", "C3", "d2", "d3")}
+    moved["D3"] = tuple(2 * a - c + 3 * d for a, c, d in zip(values["A3"], values["C3"], values["d3"], strict=True))
+    every = {n: RESIDUES.vector(v) for n, v in robot.values_at(moved).items()}
+    assert ranks(robot.family, robot.limbs, every).wrenches == 5
+    assert freedoms("gantry-tau", every, locked=True) == 1
+
+
+def test_lines_that_hide_a_lost_wrench_are_replaced() -> None:
+    robot = analysis("gantry-tau").robot
+    first = equivalent(robot.family, robot.limbs, robot.values_at())
+    assert any(line.couple for line in first.lines or ())
+    found = lines_that_hold(robot.family, first, robot.values_at())
+    assert found.lines is not None
+    assert not any(line.couple for line in found.lines)
+
+
+@pytest.mark.parametrize(
+    ("name", "pose"),
+    [("h4", "x=0.1, y=-0.2, z=0.5, yaw=20deg"), ("par4", "x=0.1, y=-0.2, z=0.4, yaw=9deg")],
+)
+def test_a_pose_is_reached_and_its_branch_proved(name: str, pose: str) -> None:
+    m = linkage(analysis(name).robot)
+    solution = solve(m, read_pose(m, pose))
+    assert solution.doubt is None
+    for chain, own in zip(m.home.chains, solution.configuration.links, strict=True):
+        for a, b in chain.loops:
+            assert own[a] == pytest.approx(own[b], abs=1e-9 * m.size)
+    said = gc.pose(FILES / f"{name}.yaml", pose)
+    assert "no body of the robot can move with the actuators locked" in str(said.reason).lower()
+
+
+def test_par4_has_no_margin_where_it_is_singular() -> None:
+    """Its one limb applies all wrenches elsewhere; a body moves where they lose rank."""
+    m = linkage(analysis("par4").robot)
+    found = margins(m, Configurations.of([m.home]))
+    assert found.rows.shape[1] == 6
+    assert 0 < found.sigma[0] < np.linalg.svd(found.rows[0], compute_uv=False)[-1]
+
+
+LEGS = """title: test
+copies: 2
+points: {A%: free, B%: free}
+limbs:
+  - joints:
+      - base to hub: U(A1, x, y) P*(A1 B1) S(B1)
+      - FIRST
+      - hub to platform: R(B2, z)
+mobility: 1
+"""
+
+
+@pytest.mark.parametrize(
+    ("chain", "message"),
+    [
+        ("hup to platform: S(A2)", "no chain before this one leads to hup"),
+        ("base to base: S(A2)", "no chain leads from base to base"),
+        ("base to hup: S(A2)", "nothing else is joined to hup"),
+        ("S(A2)", "a chain does not say between which bodies it leads"),
+    ],
+)
+def test_faults(chain: str, message: str) -> None:
+    with pytest.raises(FileError, match=message):
+        parse_robot(LEGS.replace("FIRST", chain))
