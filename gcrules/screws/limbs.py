@@ -79,13 +79,15 @@ class Limb:
         """The number of independent twists. Where it is smaller than in other configurations of the same limb, the
         limb itself is singular (serial singularity): it has more constraint wrenches there.
         """
-        return self._rank(range(self.freedoms), field or self.field)
+        return self.rank_of(range(self.freedoms), field)
 
     def passive_rank(self, field: Field | None = None) -> Any:
         """The same of the passive twists."""
-        return self._rank(self.passive, field or self.field)
+        return self.rank_of(self.passive, field)
 
-    def _rank(self, places: Sequence[int], field: Field) -> Any:
+    def rank_of(self, places: Sequence[int], field: Field | None = None) -> Any:
+        """The same of the twists at these places."""
+        field = field or self.field
         rows = field.comparable(field.chosen(self.twists(field), places))
         return field.rank(field.spread(rows, self._shares(places)) if self.shares else rows)
 

@@ -60,7 +60,7 @@ def limb_stages(robot: RobotAnalysis) -> Iterator[tuple[str, list[Item]]]:
     numbers = [
         fact("limbs", robot.robot.chain),
         fact("mobility of the platform", str(s.mobility)),
-        *([fact("overconstraints", str(s.over))] if s.over else []),
+        *([fact("overconstraints", str(s.overconstraints))] if s.overconstraints else []),
         *([fact("idle freedoms", str(s.idle))] if s.idle else []),
         *([fact("actuators beyond the freedoms", str(s.redundant))] if s.redundant else []),
     ]

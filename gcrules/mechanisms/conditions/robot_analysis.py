@@ -65,7 +65,7 @@ class RobotAnalysis(Shown):
             "robot": self.robot.id,
             "title": self.robot.title,
             "mobility": self.structure.mobility,
-            "overconstraints": self.structure.over,
+            "overconstraints": self.structure.overconstraints,
             "redundant_actuators": self.structure.redundant,
             "idle": self.structure.idle,
             "limbs": [limb.to_json() for limb in self.structure.limbs],

@@ -155,6 +155,11 @@ class LimbSpec:
         return tuple(n for n, own in zip(each, self.subchains, strict=True) for _ in range(own.joints))
 
     @property
+    def loops(self) -> int:
+        """The number of loops of its own."""
+        return len(self.shares[0]) - 1 if self.subchains else 0
+
+    @property
     def freedoms(self) -> int:
         """How many twists it has."""
         return sum(len(JOINTS[j.kind].freedoms) for j in self.joints)

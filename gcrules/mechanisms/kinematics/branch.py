@@ -25,6 +25,7 @@ from gcrules.mechanisms.kinematics.loops import Joints
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed, rotations
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.kinematics.tubes import Arm, Choice, follows, holds, keeps_rank, spreads
+from gcrules.screws import RESIDUES
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
 __all__ = ["Cells", "Steps", "are_regular", "can_be_followed", "follow_and_are_regular", "follow_branch"]
@@ -97,19 +98,19 @@ def follow_and_are_regular(m: Linkage, wanted: Target, steps: Steps) -> tuple[Tr
     follow = np.asarray(np.isfinite(tubes[0]).all(axis=-1))
     arms = _arms(m, steps.here, steps.amounts)
     reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, tubes, strict=False)]
-    return follow, follow & keeps_rank(spreads(arms), _undriven(m), _undriven_idle(m), reach)
+    return follow, follow & keeps_rank(spreads(arms), _undriven(m), _left(m, _undriven(m)), reach)
 
 
 def _tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
     """How far the coordinates of each limb are from the straight way at most; infinite where nothing is proved."""
     if wanted.driven:
         arms = _arms(m, steps.here, steps.amounts)
-        return follows(spreads(arms), _following(m), _left(_following(m), _following_ranks(m)))
+        return follows(spreads(arms), _following(m), _left(m, _following(m)))
     if not can_be_followed(m, wanted):
         return tuple(np.full(a.shape, np.inf) for a in steps.amounts)
     pose, grown, free = _pose_chain(m, _without_vector(m, wanted), steps)
     arms = _arms(m, steps.here, steps.amounts, (pose, grown))
-    return follows(spreads(arms), [free, *_unlocked(m)], _idle(m))[1:]
+    return follows(spreads(arms), [free, *_unlocked(m)], _left(m, _unlocked(m)))[1:]
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,7 +135,7 @@ class Cells:
         if wanted.driven:
             for n, a in enumerate(leading(m)):
                 known[a.place][:, a.coordinate] = widths[:, n] * _ROOM / (1.0 if a.angle else m.size)
-            tubes = holds(limbs, _following(m), _left(_following(m), _following_ranks(m)), known)
+            tubes = holds(limbs, _following(m), _left(m, _following(m)), known)
             reach = [k + t for k, t in zip(known, tubes, strict=True)]
         else:
             wanted = _without_vector(m, wanted)
@@ -145,8 +146,8 @@ class Cells:
             for n, name in enumerate(wanted.names):
                 far[:, order.index(name)] = widths[:, n] * _ROOM / (m.size if name in SHIFTS else 1.0)
             chains = spreads(_arms(m, here, still, (pose, grown)))
-            reach = list(holds(chains, [free, *_unlocked(m)], _idle(m), [far, *known])[1:])
-        return cls(tuple(reach), keeps_rank(limbs, _undriven(m), _undriven_idle(m), reach))
+            reach = list(holds(chains, [free, *_unlocked(m)], _left(m, _unlocked(m)), [far, *known])[1:])
+        return cls(tuple(reach), keeps_rank(limbs, _undriven(m), _left(m, _undriven(m)), reach))
 
     @property
     def one_branch(self) -> Truths:
@@ -183,26 +184,10 @@ def _following(m: Linkage) -> list[Choice]:
     return [u & ~a for u, a in zip(_unlocked(m), lead, strict=True)]
 
 
-def _following_ranks(m: Linkage) -> list[int]:
-    """No less than the ranks of each limb's twists that follow."""
-    lead = leading(m)
-    alone = {a.place for a in m.actuators if a not in lead}
-    return [m.ranks[place] if place in alone else rank for place, rank in enumerate(m.passive_ranks)]
-
-
-def _idle(m: Linkage) -> int:
-    return _left(_unlocked(m), m.ranks)
-
-
-def _undriven_idle(m: Linkage) -> int:
-    return _left(_undriven(m), m.passive_ranks)
-
-
-def _left(moving: Sequence[Choice], ranks: Sequence[int]) -> int:
-    """How many motions inside the limbs always leave the platform at rest; never too many, but of limbs with
-    coordinates that stay at 0 perhaps too few.
-    """
-    return sum(max(0, int(n.sum()) - rank) for n, rank in zip(moving, ranks, strict=True))
+def _left(m: Linkage, moving: Sequence[Choice]) -> int:
+    """How many motions of these coordinates inside the limbs leave the platform at rest in the whole family."""
+    places = [np.flatnonzero(own).tolist() for own in moving]
+    return sum(len(own) - limb.rank_of(own, RESIDUES) for own, limb in zip(places, m.generic, strict=True))
 
 
 def _coordinates(m: Linkage, places: Iterator[tuple[int, int]]) -> list[Choice]:

@@ -1,11 +1,13 @@
 r"""The determinant of the wrenches of all limbs along a way, with frames that turn continuously, and its sign.
 
 Each limb's wrenches with the actuators locked have a frame: first an orthonormal basis of its constraints, then of what
-is left of its wrenches. From one configuration to the next the frames keep their orientation where the determinants of
-their overlaps are positive; then the sign of the determinant of all wrenches means the same in both. In an
-over-constrained robot one basis of the constraints of all limbs together stands for theirs. The determinant is 0 where
-the robot is singular, so a change of its sign is a crossing, whether the robot has a condition or not. A robot with
-more actuators than freedoms has no such determinant. Derived here.
+is left of its wrenches. Of a limb that has bodies of its own each chain between two of them has one, and the wrenches
+act on all bodies: such a limb may lose wrenches on the platform, a chain does not. From one configuration to the next
+the frames keep their orientation where the determinants of their overlaps are positive; then the sign of the
+determinant of all wrenches means the same in both. In an over-constrained robot one basis of the constraints of all
+limbs together stands for theirs. The determinant is 0 where the robot is singular, so a change of its sign is a
+crossing, whether the robot has a condition or not. A robot with more actuators than freedoms has no such determinant.
+Derived here.
 """
 
 from __future__ import annotations
@@ -18,8 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.mechanisms.kinematics.configurations import Configurations
-from gcrules.mechanisms.kinematics.linkage import Linkage
-from gcrules.mechanisms.kinematics.margin import limb_twists, on_platform
+from gcrules.mechanisms.kinematics.linkage import Linkage, Span
+from gcrules.mechanisms.kinematics.margin import span_twists
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
 __all__ = ["Frames", "frames", "relative_sign"]
@@ -70,18 +72,15 @@ def frames(m: Linkage, here: Configurations, centre: Floats) -> Frames:
     constraints: list[Floats] = []
     added: list[Floats] = []
     whole = np.ones(len(here), dtype=bool)
-    for place in range(len(here.chains)):
-        twists, free = limb_twists(m, place, here, centre)
-        kept = [6 * n + k for n in range(twists.shape[-1] // 6) for k in keep]
-        applied = m.applied[place]
-        own, sound = _reciprocal(twists[..., kept], m.ranks[place])
-        locked, steady = _reciprocal(twists[:, free][..., kept], m.passive_ranks[place])
-        own, locked = (on_platform(w, d, len(keep)) for w, d in zip((own, locked), applied, strict=True))
-        constraints.append(own)
+    for span in m.spans:
+        twists = span_twists(m, span, here, centre)[..., keep]
+        own, sound = _reciprocal(twists, span.rank)
+        locked, steady = _reciprocal(twists[:, [span.every.index(k) for k in span.free]], span.passive_rank)
         rest = locked - locked @ np.swapaxes(own, 1, 2) @ own
-        added.append(_span(rest, locked.shape[1] - own.shape[1]))
+        constraints.append(_on_bodies(m, span, own))
+        added.append(_on_bodies(m, span, _span(rest, locked.shape[1] - own.shape[1])))
         whole &= sound & steady
-    bound = len(keep) - m.robot.mobility
+    bound = m.bodies * len(keep) - m.body_freedoms
     together = np.concatenate(constraints, axis=1)
     if together.shape[1] > bound:
         _, sizes, right = np.linalg.svd(together)
@@ -90,6 +89,15 @@ def frames(m: Linkage, here: Configurations, centre: Floats) -> Frames:
     rows = np.concatenate([*constraints, *added], axis=1)
     square = rows.shape[1] == rows.shape[2]
     return Frames((*constraints, *added), np.where(whole, np.linalg.det(rows) if square else np.nan, np.nan))
+
+
+def _on_bodies(m: Linkage, span: Span, rows: Floats) -> Floats:
+    """Wrenches of a chain on the bodies at its ends, one after the other; unit ones as before."""
+    width = rows.shape[2]
+    found = np.zeros((*rows.shape[:2], m.bodies * width))
+    for body, sign in span.signs:
+        found[..., body * width : (body + 1) * width] = sign * rows / np.sqrt(len(span.signs))
+    return found
 
 
 def _reciprocal(twists: Floats, rank: int) -> tuple[Floats, NDArray[np.bool_]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,7 @@ __all__ = ["Actuator", "Configuration", "Linkage", "Span", "begun_at", "linkage"
 
 
 _FAR = 1e12
+_GENERIC = "kinematics"  # the seed of a member in general position
 _ORIGIN: Vector = (Fraction(0), Fraction(0), Fraction(0))
 _NEAR = 1000  # sizes of the robot: nearer to the origin coordinates are taken as they are
 
@@ -71,16 +73,23 @@ class Configuration:
 
 @dataclass(frozen=True)
 class Span:
-    """A chain between two bodies of a robot whose limbs have loops of their own: the place of its limb, its coordinates
-    there that are not driven, the rank of their twists in the family, and the places of the bodies among all that move,
-    the platform first; −1 is the base.
+    """A chain between two bodies: a limb, or a part of one that has bodies of its own. The place of the limb, the
+    chain's coordinates there and which of them are not driven, the ranks in the family of all its twists and of these,
+    and the places of the bodies among all that move, the platform first; −1 is the base.
     """
 
     limb: int
+    every: tuple[int, ...]
     free: tuple[int, ...]
     rank: int
+    passive_rank: int
     start: int
     end: int
+
+    @property
+    def signs(self) -> tuple[tuple[int, int], ...]:
+        """The bodies that move, with the sign with which their twists count in the chain's."""
+        return tuple((b, s) for b, s in ((self.end, 1), (self.start, -1)) if b >= 0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,8 +100,7 @@ class Linkage:
     is the root mean square of the ends' distances from their mean (of all points, where it is 0). `elsewhere` are
     the ranks at a member of the family in general position. `locked` are coordinates that have to stay at 0: the places
     of limb and coordinate, and the joint as written. All places are measured from `origin`, which is near the robot
-    where its file's own is far away, so that floats keep their digits. `spans` are all chains between bodies, where
-    limbs have loops of their own.
+    where its file's own is far away, so that floats keep their digits. `spans` are all chains between bodies.
     """
 
     robot: Robot
@@ -111,7 +119,18 @@ class Linkage:
     @property
     def looped(self) -> bool:
         """Whether a limb has loops of its own."""
-        return bool(self.spans)
+        return any(limb.subchains for limb in self.robot.limbs)
+
+    @property
+    def bodies(self) -> int:
+        """How many of them move, the platform among them; links within chains do not count."""
+        return 1 + max(b for span in self.spans for b in (span.start, span.end))
+
+    @property
+    def body_freedoms(self) -> int:
+        """The dimension of the twists of all bodies together, in the family."""
+        idle = sum(len(c.turns) - rank for c, rank in zip(self.home.chains, self.ranks, strict=True))
+        return self.robot.mobility + idle - sum(len(span.every) - span.rank for span in self.spans)
 
     @property
     def pulls(self) -> tuple[bool, ...]:
@@ -137,6 +156,12 @@ class Linkage:
         """
         known = 3 if self.robot.family.plane else 0
         return tuple((own - known, every - known) for own, every in self.elsewhere.applied)
+
+    @cached_property
+    def generic(self) -> tuple[Limb, ...]:
+        """The limbs at a member of the family in general position, modulo a prime."""
+        values = self.robot.family.member(_GENERIC)
+        return tuple(limb.at(values, RESIDUES) for limb in self.robot.limbs)
 
     @property
     def passive_ranks(self) -> tuple[int, ...]:
@@ -187,10 +212,10 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
         firm,
         turning,
         size,
-        ranks(robot.family, robot.limbs, robot.family.member("kinematics")),
+        ranks(robot.family, robot.limbs, robot.family.member(_GENERIC)),
         tuple(_still(robot)),
         origin,
-        tuple(_spans(robot)) if any(limb.subchains for limb in robot.limbs) else (),
+        tuple(_spans(robot)),
     )
 
 
@@ -256,7 +281,7 @@ def _still(robot: Robot) -> Iterator[tuple[int, int, str]]:
 
 def _spans(robot: Robot) -> Iterator[Span]:
     """All chains between bodies."""
-    values = robot.family.member("kinematics")
+    values = robot.family.member(_GENERIC)
     bodies = {PLATFORM: 0, BASE: -1}
     for place, limb in enumerate(robot.limbs):
         first = 0
@@ -264,8 +289,8 @@ def _spans(robot: Robot) -> Iterator[Span]:
             names = (n if n in bodies else f"{place}:{n}" for n in (part.start, part.end))
             start, end = (bodies.setdefault(n, len(bodies) - 1) for n in names)
             one = Limb(tuple(j.at(values, RESIDUES) for j in joints))
-            free = tuple(first + k for k in one.passive)
-            yield Span(place, free, one.passive_rank(RESIDUES), start, end)
+            every, free = (tuple(first + k for k in own) for own in (range(one.freedoms), one.passive))
+            yield Span(place, every, free, one.rank(RESIDUES), one.passive_rank(RESIDUES), start, end)
             first += one.freedoms
 
 

@@ -31,7 +31,7 @@ import numpy as np
 
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.configurations import Configurations
-from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, Span
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix, crossed
 
 __all__ = [
@@ -45,6 +45,7 @@ __all__ = [
     "margin",
     "margins",
     "on_platform",
+    "span_twists",
 ]
 
 _PLANE = (0, 1, 5)  # of (v; ω): a planar robot's twists
@@ -153,23 +154,21 @@ def _of_all_bodies(
     """The least singular value for the twists of all bodies, (N,), and the platform's part (N, k) of those that take
     it.
     """
-    bodies = 1 + max(b for span in m.spans for b in (span.start, span.end))
-    number, width = len(here), len(keep)
+    bodies, number, width = m.bodies, len(here), len(keep)
     metric = np.zeros((number, bodies * width, bodies * width))
     rows = []
     for span in m.spans:
         arm, chain = arms[:, span.limb], here.chains[span.limb]
         twists = _rows(chain.twists(), chain, ends[:, span.limb], m.size)
-        wrenches = balanced(twists[:, list(span.free)], span.rank)[..., [3, 4, 5, 0, 1, 2]]
+        wrenches = balanced(twists[:, list(span.free)], span.passive_rank)[..., [3, 4, 5, 0, 1, 2]]
         f, moment = wrenches[..., :3], wrenches[..., 3:]
         own = np.concatenate([f, moment + crossed(arm[:, None], f)], axis=2)[..., keep]
         power = _metric(arm, ball=False)[:, keep][:, :, keep]
-        signed = [(b, s) for b, s in ((span.end, 1), (span.start, -1)) if b >= 0]
         row = np.zeros((number, own.shape[1], bodies * width))
-        for b, s in signed:
+        for b, s in span.signs:
             at = slice(b * width, (b + 1) * width)
             row[..., at] += s * own
-            for c, t in signed:
+            for c, t in span.signs:
                 metric[:, at, c * width : (c + 1) * width] += s * t * power
         rows.append(row)
     scale = _unit_scale(metric)
@@ -268,6 +267,12 @@ def _rows(twists: Floats, chain: Chain, end: Floats, size: float) -> Floats:
     w = rows[..., :3]
     moved = np.concatenate([w, (rows[..., 3:] + crossed(w, end[..., None, :])) / size], axis=-1)
     return np.asarray(moved * np.where(chain.turns, 1.0, size)[:, None])
+
+
+def span_twists(m: Linkage, span: Span, here: Configurations, centre: Floats) -> Floats:
+    """The twists of a chain's coordinates in each configuration, (N, coordinates, 6), as those of a limb."""
+    chain = here.chains[span.limb]
+    return _rows(chain.twists(), chain, centre, m.size)[:, list(span.every)]
 
 
 def limb_margins(m: Linkage, here: Configurations) -> Floats:

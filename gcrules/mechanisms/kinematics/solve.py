@@ -195,7 +195,8 @@ def _rates(course: Course, here: Configuration) -> Floats:
     m, only = course.m, Configurations.of([here])
     twists = [c.shared_twists for c in only.chains]
     rows = course.rows(only.platform, twists)[0] * units_of(m)
-    if len(twists) == 1:
+    closing = loop_rows(twists, only.platform, m)[0] * units_of(m)
+    if not len(closing):
         return np.asarray(rows)
-    _, s, v = np.linalg.svd(loop_rows(twists, only.platform, m)[0] * units_of(m))
+    _, s, v = np.linalg.svd(closing)
     return np.asarray(rows @ v[int((s > _DEPENDENT * max(s[0], 1.0)).sum()) :].T)

@@ -31,8 +31,9 @@ class Equivalent:
 
     `ideal` are the points at infinity, `given` brackets of points that vanish in the whole family, `derived` directions
     and points made from those of the file. `mobility` = 6 − rank of the constraints (3 − in the plane), `over` the
-    number of constraints that are there twice, `idle` the motions inside limbs that leave the platform at rest, `rank`
-    that of all wrenches, `redundant` the number of actuators beyond the freedoms.
+    number of constraints of the platform that are there twice, `inner` of those that close the loops within limbs,
+    `idle` the motions inside limbs that leave the platform at rest, `rank` that of all wrenches, `redundant` the number
+    of actuators beyond the freedoms.
     """
 
     limbs: tuple[LimbWrenches, ...]
@@ -45,6 +46,14 @@ class Equivalent:
     given: tuple[tuple[str, ...], ...] = ()
     derived: tuple[Derived, ...] = ()
     redundant: int = 0
+    inner: int = 0
+
+    @property
+    def overconstraints(self) -> int:
+        """All constraints that are there twice: 6 (3 in the plane) for each independent loop, less the freedoms of the
+        joints, and those of the robot with its idle ones again.
+        """
+        return self.over + self.inner
 
     @property
     def legs(self) -> tuple[tuple[str, str], ...]:
@@ -129,6 +138,7 @@ def equivalent(
         idle=sum(limb.freedoms - limb.rank for limb in found),
         rank=RESIDUES.rank([*trivial, *every]) - len(trivial),
         redundant=sum(limb.actuators for limb in limbs) - mobility,
+        inner=sum(full * (1 + limb.loops) - own.rank - own.constraints for limb, own in zip(limbs, found, strict=True)),
     )
     if any(limb.lines is None for limb in found) or result.rank < full:
         return result

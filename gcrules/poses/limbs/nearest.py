@@ -41,6 +41,7 @@ _SLOPE = 1e-3  # of the differences that make a gradient
 _GAIN = 1e-6  # of the distance
 _ALIKE = 1e-3  # rad: between a way and the normal at its end; the distance then changes by a millionth
 _LEAST = 0.01  # of the turn of a way towards the normal
+_ZERO = 1e-4  # of a margin: a sign that changes elsewhere was lost
 _HALVINGS = 10  # of the box that is proved
 
 
@@ -79,6 +80,8 @@ def nearest_singular(m: Linkage) -> NearestSingular | None:
     way, distance = _bent(bundle, directions, ends)
     changes = None if way is None else distance * way * bundle.weights
     found = None if changes is None else _reached(bundle, changes)
+    if found is not None and margins(m, Configurations.of([found.configuration])).sigma[0] > _ZERO:
+        changes, distance, found = None, float("inf"), None
     report("proving that a box around the configuration is free")
     limit = min(distance, reach)
     stopped = int(((ends.followed < limit * (1 - _GAIN)) & np.isinf(ends.distance)).sum())

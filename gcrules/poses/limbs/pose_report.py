@@ -233,7 +233,8 @@ def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshol
         words += " bound how far a singular configuration is"
     if word == "regular":
         return word, f"{_capital(words)} (threshold {limit.text})."
-    return word, f"It is only certain that, {words}; the threshold is {limit.text}."
+    certain = "It is only certain that" if m.looped else "It is only certain that,"
+    return word, f"{certain} {words}; the threshold is {limit.text}."
 
 
 def _causes(values: Sequence[ConditionFactor], verdict: str) -> tuple[str, ...]:

@@ -28,7 +28,9 @@ Truths = NDArray[np.bool_]
 _STEP = 0.2  # in parts of the robot's size, or rad
 _SHORTEST = 1e-4
 _LOCATED = 1e-10
-_ROUNDS = 40
+_ALIKE = 1e-8
+_ZERO = 1e-4  # of a margin
+_ROUNDS = 60
 _MOST = 400  # steps
 _GOLDEN = (5**0.5 - 1) / 2
 
@@ -82,7 +84,10 @@ class Bundle:
             on, crossed = sign > 0, sign < 0
             if crossed.any():
                 k = active[crossed]
-                end[k] = self._located(here[k], signs[k], directions[k], at[k], far[crossed])
+                found = self._located(here[k], signs[k], directions[k], at[k], far[crossed])
+                end[k] = np.where(np.isnan(found), np.inf, found)
+                sign[crossed] = np.where(np.isnan(found), 0, sign[crossed])
+                crossed = sign < 0
             moved = active[on]
             here = here.replaced(moved, there[on])
             signs = signs.replaced(moved, new[on[good]])
@@ -95,30 +100,39 @@ class Bundle:
 
     def _located(self, here: Configurations, signs: Frames, directions: Floats, low: Floats, high: Floats) -> Floats:
         """Where the determinant is 0, within rounding, between two places of each way: the Illinois variant of the rule
-        of false position, after one halving.
+        of false position, after one halving. Steps from the near side are shorter where the loops do not close after
+        them, which they may not just before a zero of the constraints. Not a number where there is none: a long step
+        had led to another branch.
         """
-        low, high = low.copy(), high.copy()
+        low, high, step = low.copy(), high.copy(), high - low
         zero = np.zeros(len(low), dtype=bool)
         value_low, value_high = np.abs(signs.determinant), np.full(len(low), np.nan)
         last = np.zeros(len(low), dtype=bool)
         for _ in range(_ROUNDS):
             checkpoint()
             part = np.where(np.isnan(value_high), 0.5, value_low / (value_low + value_high))
-            middle = low + part * (high - low)
+            middle = low + np.minimum(part * (high - low), step)
             there, good = self.moved(here, middle[:, None] * directions)
             new = self.frames(there)
-            size = np.where(good, np.abs(new.determinant), np.nan)
-            zero |= good & ~new.signed
-            before = good & (relative_sign(signs, new) > 0)
-            again = before == last  # the same end stays: count it less
-            value_high = np.where(before, np.where(again, value_high / 2, value_high), size)
+            size, sign = np.abs(new.determinant), np.where(good, relative_sign(signs, new), 0)
+            zero |= good & ~new.signed & ~np.isnan(size)
+            before, after = sign > 0, sign < 0
+            on = before | after | zero
+            again = on & (before == last)  # the same end stays: count it less
+            value_high = np.where(before, np.where(again, value_high / 2, value_high), np.where(on, size, value_high))
             value_low = np.where(before, size, np.where(again, value_low / 2, value_low))
-            last = before
-            moved = np.where(before, middle - low, high - middle)
-            low, high = np.where(before | zero, middle, low), np.where(before & ~zero, high, middle)
-            if ((high - low <= _LOCATED) | (moved <= _LOCATED)).all():
+            last = np.where(on, before, last)
+            moved = np.where(before, middle - low, np.where(on, high - middle, step))
+            step = np.where(before, 2 * step, np.where(on, step, (middle - low) / 2))
+            low, high = np.where(before | zero, middle, low), np.where(after, middle, high)
+            at = np.flatnonzero(before)
+            here, signs = here.replaced(at, there[at]), signs.replaced(at, new[at])
+            if (zero | (high - low <= _LOCATED) | (moved <= _LOCATED) | (step <= _LOCATED)).all():
                 break
-        return np.where(value_low < value_high, low, high)
+        there, good = self.moved(here, high[:, None] * directions)
+        across = good & (relative_sign(signs, self.frames(there)) < 0) & (high - low <= _ALIKE)
+        certain = zero | across | (margins(self.m, here).sigma <= _ZERO)
+        return np.where(certain, np.where((value_high <= value_low) & across, high, low), np.nan)
 
     def least(self, here: Configurations, directions: Floats, low: Floats, high: Floats) -> Floats:
         """Where the margin is least between two places of each way, by golden section from configurations near by."""

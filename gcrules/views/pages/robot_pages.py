@@ -119,7 +119,7 @@ def _facts(a: RobotAnalysis) -> Iterator[str]:
     if robot.limbs:
         yield f"* Limbs: {inline(robot.chain)} (a star at what is driven)"
         more = f", actuators beyond the freedoms {s.redundant}" if s.redundant else ""
-        numbers = f"overconstraints {s.over}, idle freedoms in limbs {s.idle}{more}"
+        numbers = f"overconstraints {s.overconstraints}, idle freedoms in limbs {s.idle}{more}"
         yield f"* Mobility of the platform {s.mobility}, {numbers}"
     if robot.source:
         yield f"* Source: {_source(robot.source)}"

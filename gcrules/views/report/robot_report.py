@@ -143,7 +143,7 @@ def _header(a: RobotAnalysis) -> str:
     words = [a.robot.id, a.robot.chain]
     if a.structure.limbs:
         words.append(f"mobility of the platform {a.structure.mobility}")
-        words += [f"overconstraints {a.structure.over}"] if a.structure.over else []
+        words += [f"overconstraints {a.structure.overconstraints}"] if a.structure.overconstraints else []
         words += [f"actuators beyond the freedoms {a.structure.redundant}"] if a.structure.redundant else []
         words += [f"idle freedoms {a.structure.idle}"] if a.structure.idle else []
     sub = f'<p class="sub">{escape(" · ".join(filter(None, words)))}</p>'

@@ -127,7 +127,8 @@ def _head(a: RobotAnalysis) -> Iterator[str]:
     if a.robot.limbs:
         s = a.structure
         more = f", actuators beyond the freedoms {s.redundant}" if s.redundant else ""
-        yield f"mobility of the platform {s.mobility}, overconstraints {s.over}, idle freedoms {s.idle}{more}"
+        numbers = f"mobility of the platform {s.mobility}, overconstraints {s.overconstraints}"
+        yield f"{numbers}, idle freedoms {s.idle}{more}"
     for key, value in (("source", a.robot.source), ("note", a.robot.note)):
         if value:
             yield from _wrapped(f"{key}: {value}")

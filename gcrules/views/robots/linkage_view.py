@@ -53,7 +53,8 @@ def linkage_view(robot: Limbs) -> LinkageView:
         "lines": [*drawn, rest] if rest else drawn,
         "bars": [[bar for j in joints for bar in _bars(j)] for _, _, joints, _ in parts],
         "spans": [
-            {"limb": s.limb, "free": list(s.free), "rank": s.rank, "start": s.start, "end": s.end} for s in m.spans
+            {"limb": s.limb, "free": list(s.free), "rank": s.passive_rank, "start": s.start, "end": s.end}
+            for s in (m.spans if m.looped else ())
         ],
         "locked": [[place, coordinate] for place, coordinate, _ in m.locked],
         "plane": m.robot.family.plane,
