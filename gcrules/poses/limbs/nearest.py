@@ -42,6 +42,7 @@ _GAIN = 1e-6  # of the distance
 _ALIKE = 1e-3  # rad: between a way and the normal at its end; the distance then changes by a millionth
 _LEAST = 0.01  # of the turn of a way towards the normal
 _ZERO = 1e-4  # of a margin: a sign that changes elsewhere was lost
+_PARTS = (1.0, 1 - 1e-6, 1 - 1e-4)  # of the way
 _HALVINGS = 10  # of the box that is proved
 
 
@@ -177,8 +178,12 @@ def _free(bundle: Bundle, limit: float) -> float:
 
 
 def _reached(bundle: Bundle, changes: Floats) -> Solution | None:
-    """The configuration after these changes, None where the loops do not close there."""
-    try:
-        return solve(bundle.m, Target(bundle.names, changes))
-    except InputError:
-        return None
+    """The configuration after these changes, or just before where the loops do not close there, as at a zero of the
+    constraints they may not; None where they do not close either.
+    """
+    for part in _PARTS:
+        try:
+            return solve(bundle.m, Target(bundle.names, part * changes))
+        except InputError:
+            continue
+    return None
