@@ -108,7 +108,12 @@ def _shown(r: Robot) -> Iterator[str]:
         yield from (f"  {d.name}: {d.text}" for d in sorted(made, key=_by_number))
     if r.limbs:
         yield "limbs:"
-        yield from (f"  {limb.name}: {' '.join(j.text for j in limb.joints)}" for limb in r.limbs)
+        for limb in r.limbs:
+            if limb.subchains:
+                yield f"  {limb.name}:"
+                yield from (f"    {line}" for line in limb.lines)
+            else:
+                yield from (f"  {limb.name}: {line}" for line in limb.lines)
     if r.lines:
         yield f"lines: {' '.join(''.join(line) for line in r.lines)}"
     if r.platform:

@@ -120,6 +120,14 @@ class LimbSpec:
         return " ".join(several[0] if len(several) == 1 else f"({' | '.join(several)})" for several in between.values())
 
     @property
+    def lines(self) -> tuple[str, ...]:
+        """Its joints as written; of a limb with bodies of its own one line for each chain between two of them."""
+        texts = (" ".join(j.text for j in joints) for _, joints in self.parts)
+        if not self.subchains:
+            return tuple(texts)
+        return tuple(f"{c.start} to {c.end}: {text}" for c, text in zip(self.subchains, texts, strict=True))
+
+    @property
     def parts(self) -> tuple[tuple[Subchain, tuple[JointSpec, ...]], ...]:
         """Its subchains with their joints; of a plain chain that from the base to the platform."""
         found, start = [], 0

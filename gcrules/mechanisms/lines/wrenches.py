@@ -79,7 +79,7 @@ class LimbWrenches:
     def to_json(self) -> dict[str, object]:
         return {
             "name": self.limb.name,
-            "joints": [j.text for j in self.limb.joints],
+            "joints": list(self.limb.lines if self.limb.subchains else (j.text for j in self.limb.joints)),
             "freedoms": self.freedoms,
             "constraints": self.constraints,
             "system": self.kind,

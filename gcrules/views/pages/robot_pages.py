@@ -139,7 +139,7 @@ def _limbs(limbs: Sequence[LimbWrenches]) -> Iterator[str]:
     yield "| limb | joints, from base to platform | with the actuators locked it applies | lines |"
     yield "|---|---|---|---|"
     for limb in limbs:
-        joints = " ".join(j.text for j in limb.limb.joints)
+        joints = "; ".join(limb.limb.lines)
         lines = ", ".join(map(_wrench, limb.lines)) if limb.lines is not None else "none of the robot's points"
         yield f"| {inline(limb.limb.name)} | {inline(joints)} | {inline(limb.kind)} | {inline(lines)} |"
     yield ""
