@@ -108,7 +108,7 @@ def test_page(committed: Path, analyses: dict[str, RobotAnalysis], name: str) ->
     wanted += ["Singular configurations"] * bool(live_parts(a)) + ["Certificate", "The file to start from"]
     assert [h for h in headings if h in wanted] == wanted
     for limb in a.structure.limbs:
-        assert f"| {inline(limb.limb.name)} | {inline(' '.join(j.text for j in limb.limb.joints))} |" in page
+        assert f"| {inline(limb.limb.name)} | {inline('; '.join(limb.limb.lines))} |" in page
     assert page.count("$$") % 2 == 0
     assert f"{name}-robot.svg" in page
     shown = page.count(f"({name}-singular-")
