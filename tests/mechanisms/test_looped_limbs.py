@@ -14,6 +14,7 @@ import gcrules as gc
 from gcrules.core.errors import FileError
 from gcrules.mechanisms.conditions.lost_wrenches import lines_that_hold
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.limb_file import LimbSpec, read_limb
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import linkage
@@ -142,6 +143,21 @@ def test_a_limb_that_loses_a_wrench_is_crossed() -> None:
     nearest = gc.pose(FILES / "gantry-tau.yaml").nearest
     assert nearest is not None
     assert nearest.margin < 1e-4
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_of_no_motion_more_is_noticed_than_there_is(name: str) -> None:
+    """The trio of rods ends in a ball joint on the platform, but passes on more than forces through that."""
+    m = linkage(analysis(name).robot)
+    found = margins(m, Configurations.of([m.home]))
+    assert 0 < found.sigma[0] <= found.singular_values[0].max() <= 1 + 1e-12
+
+
+def test_ways_through_a_limb_meet_no_body_twice() -> None:
+    text = "base to a: R(A, x) a to b: R(B, x) b to a: R(C, x) a to platform: R(D, x) b to platform: R(E, x)"
+    joints, chains = read_limb(text)
+    limb = LimbSpec("test", joints, subchains=chains)
+    assert [[j.names[0] for j in way] for way in limb.ways()] == [["A", "B", "E"], ["A", "D"]]
 
 
 def test_par4_has_no_margin_where_it_is_singular() -> None:

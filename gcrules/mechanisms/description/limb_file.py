@@ -136,11 +136,11 @@ class LimbSpec:
             start += own.joints
         return tuple(found)
 
-    def ways(self, start: str = BASE) -> Iterator[tuple[JointSpec, ...]]:
-        """The joints of each way from a body to the platform, along its subchains."""
+    def ways(self, start: str = BASE, before: tuple[str, ...] = ()) -> Iterator[tuple[JointSpec, ...]]:
+        """The joints of each way from a body to the platform, along its subchains, by no body twice."""
         for own, joints in self.parts:
-            if own.start == start:
-                further = self.ways(own.end) if own.end != PLATFORM else [()]
+            if own.start == start and own.end not in before:
+                further = self.ways(own.end, (*before, start)) if own.end != PLATFORM else [()]
                 yield from ((*joints, *rest) for rest in further)
 
     @property

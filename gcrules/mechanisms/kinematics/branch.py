@@ -98,19 +98,19 @@ def follow_and_are_regular(m: Linkage, wanted: Target, steps: Steps) -> tuple[Tr
     follow = np.asarray(np.isfinite(tubes[0]).all(axis=-1))
     arms = _arms(m, steps.here, steps.amounts)
     reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, tubes, strict=False)]
-    return follow, follow & keeps_rank(spreads(arms), _undriven(m), _left(m, _undriven(m)), reach)
+    return follow, follow & keeps_rank(spreads(arms), _undriven(m), _idle(m, _undriven(m)), reach)
 
 
 def _tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
     """How far the coordinates of each limb are from the straight way at most; infinite where nothing is proved."""
     if wanted.driven:
         arms = _arms(m, steps.here, steps.amounts)
-        return follows(spreads(arms), _following(m), _left(m, _following(m)))
+        return follows(spreads(arms), _following(m), _idle(m, _following(m)))
     if not can_be_followed(m, wanted):
         return tuple(np.full(a.shape, np.inf) for a in steps.amounts)
     pose, grown, free = _pose_chain(m, _without_vector(m, wanted), steps)
     arms = _arms(m, steps.here, steps.amounts, (pose, grown))
-    return follows(spreads(arms), [free, *_unlocked(m)], _left(m, _unlocked(m)))[1:]
+    return follows(spreads(arms), [free, *_unlocked(m)], _idle(m, _unlocked(m)))[1:]
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +135,7 @@ class Cells:
         if wanted.driven:
             for n, a in enumerate(leading(m)):
                 known[a.place][:, a.coordinate] = widths[:, n] * _ROOM / (1.0 if a.angle else m.size)
-            tubes = holds(limbs, _following(m), _left(m, _following(m)), known)
+            tubes = holds(limbs, _following(m), _idle(m, _following(m)), known)
             reach = [k + t for k, t in zip(known, tubes, strict=True)]
         else:
             wanted = _without_vector(m, wanted)
@@ -146,8 +146,8 @@ class Cells:
             for n, name in enumerate(wanted.names):
                 far[:, order.index(name)] = widths[:, n] * _ROOM / (m.size if name in SHIFTS else 1.0)
             chains = spreads(_arms(m, here, still, (pose, grown)))
-            reach = list(holds(chains, [free, *_unlocked(m)], _left(m, _unlocked(m)), [far, *known])[1:])
-        return cls(tuple(reach), keeps_rank(limbs, _undriven(m), _left(m, _undriven(m)), reach))
+            reach = list(holds(chains, [free, *_unlocked(m)], _idle(m, _unlocked(m)), [far, *known])[1:])
+        return cls(tuple(reach), keeps_rank(limbs, _undriven(m), _idle(m, _undriven(m)), reach))
 
     @property
     def one_branch(self) -> Truths:
@@ -184,7 +184,7 @@ def _following(m: Linkage) -> list[Choice]:
     return [u & ~a for u, a in zip(_unlocked(m), lead, strict=True)]
 
 
-def _left(m: Linkage, moving: Sequence[Choice]) -> int:
+def _idle(m: Linkage, moving: Sequence[Choice]) -> int:
     """How many motions of these coordinates inside the limbs leave the platform at rest in the whole family."""
     places = [np.flatnonzero(own).tolist() for own in moving]
     return sum(len(own) - limb.rank_of(own, RESIDUES) for own, limb in zip(places, m.generic, strict=True))

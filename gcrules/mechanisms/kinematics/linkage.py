@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ import numpy as np
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM
+from gcrules.mechanisms.description.relations import Values
 from gcrules.mechanisms.kinematics.attachments import Attachment, attachments
 from gcrules.mechanisms.kinematics.chains import Chain, chain_of, geometry_of, shape_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
@@ -26,7 +26,6 @@ __all__ = ["Actuator", "Configuration", "Linkage", "Span", "begun_at", "linkage"
 
 
 _FAR = 1e12
-_GENERIC = "kinematics"  # the seed of a member in general position
 _ORIGIN: Vector = (Fraction(0), Fraction(0), Fraction(0))
 _NEAR = 1000  # sizes of the robot: nearer to the origin coordinates are taken as they are
 
@@ -95,12 +94,13 @@ class Span:
 @dataclass(frozen=True, eq=False)
 class Linkage:
     """`ends` (limbs, 3) are the limbs' joint points on the platform at home, `ball_ended` tells of each whether the
-    limb ends in a passive ball joint there (a hinge, in the plane), so that it passes on forces through that point
-    alone. `centre` is what poses turn about, the centroid of the places of the ends if nothing else is chosen; `size`
-    is the root mean square of the ends' distances from their mean (of all points, where it is 0). `elsewhere` are
-    the ranks at a member of the family in general position. `locked` are coordinates that have to stay at 0: the places
-    of limb and coordinate, and the joint as written. All places are measured from `origin`, which is near the robot
-    where its file's own is far away, so that floats keep their digits. `spans` are all chains between bodies.
+    limb is a chain that ends in a passive ball joint there (a hinge, in the plane), so that it passes on forces through
+    that point alone. `centre` is what poses turn about, the centroid of the places of the ends if nothing else is
+    chosen; `size` is the root mean square of the ends' distances from their mean (of all points, where it is 0).
+    `elsewhere` are the ranks at a member of the family in general position. `locked` are coordinates that have to stay
+    at 0: the places of limb and coordinate, and the joint as written. All places are measured from `origin`, which is
+    near the robot where its file's own is far away, so that floats keep their digits. `spans` are all chains between
+    bodies; `generic` are the limbs at that member of the family, modulo a prime.
     """
 
     robot: Robot
@@ -115,6 +115,7 @@ class Linkage:
     locked: tuple[tuple[int, int, str], ...]
     origin: Vector = _ORIGIN
     spans: tuple[Span, ...] = ()
+    generic: tuple[Limb, ...] = ()
 
     @property
     def looped(self) -> bool:
@@ -157,12 +158,6 @@ class Linkage:
         known = 3 if self.robot.family.plane else 0
         return tuple((own - known, every - known) for own, every in self.elsewhere.applied)
 
-    @cached_property
-    def generic(self) -> tuple[Limb, ...]:
-        """The limbs at a member of the family in general position, modulo a prime."""
-        values = self.robot.family.member(_GENERIC)
-        return tuple(limb.at(values, RESIDUES) for limb in self.robot.limbs)
-
     @property
     def passive_ranks(self) -> tuple[int, ...]:
         """Those of the undriven ones."""
@@ -202,7 +197,8 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
     if np.abs(turning - centre).max() > _FAR * size:
         raise InputError(f"the centre is more than {_FAR:g} times the robot's size away", hint="check the unit")
     ball = "R" if robot.family.plane else "S"
-    firm = tuple(limb.joints[-1].kind == ball and not limb.joints[-1].actuated for limb in robot.limbs)
+    firm = tuple(not one.subchains and one.joints[-1].symbol == ball for one in robot.limbs)
+    generic = robot.family.member("kinematics")
     return Linkage(
         robot,
         attachments(robot),
@@ -212,10 +208,11 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
         firm,
         turning,
         size,
-        ranks(robot.family, robot.limbs, robot.family.member(_GENERIC)),
+        ranks(robot.family, robot.limbs, generic),
         tuple(_still(robot)),
         origin,
-        tuple(_spans(robot)),
+        tuple(_spans(robot, generic)),
+        tuple(limb.at(generic, RESIDUES) for limb in robot.limbs),
     )
 
 
@@ -279,9 +276,8 @@ def _still(robot: Robot) -> Iterator[tuple[int, int, str]]:
             start += len(JOINTS[joint.kind].freedoms)
 
 
-def _spans(robot: Robot) -> Iterator[Span]:
-    """All chains between bodies."""
-    values = robot.family.member(_GENERIC)
+def _spans(robot: Robot, values: Values) -> Iterator[Span]:
+    """All chains between bodies, with their ranks at a member of the family."""
     bodies = {PLATFORM: 0, BASE: -1}
     for place, limb in enumerate(robot.limbs):
         first = 0

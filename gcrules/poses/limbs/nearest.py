@@ -28,7 +28,7 @@ from gcrules.mechanisms.kinematics.margin import margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.solve import Solution, free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import Target
-from gcrules.poses.limbs.rays import Bundle, Ends
+from gcrules.poses.limbs.rays import ZERO, Bundle, Ends
 from gcrules.screws.verdict import SOLVED
 
 __all__ = ["NearestSingular", "directions_around", "nearest_singular"]
@@ -41,7 +41,6 @@ _SLOPE = 1e-3  # of the differences that make a gradient
 _GAIN = 1e-6  # of the distance
 _ALIKE = 1e-3  # rad: between a way and the normal at its end; the distance then changes by a millionth
 _LEAST = 0.01  # of the turn of a way towards the normal
-_ZERO = 1e-4  # of a margin: a sign that changes elsewhere was lost
 _PARTS = (1.0, 1 - 1e-6, 1 - 1e-4)  # of the way
 _HALVINGS = 10  # of the box that is proved
 
@@ -81,7 +80,7 @@ def nearest_singular(m: Linkage) -> NearestSingular | None:
     way, distance = _bent(bundle, directions, ends)
     changes = None if way is None else distance * way * bundle.weights
     found = None if changes is None else _reached(bundle, changes)
-    if found is not None and margins(m, Configurations.of([found.configuration])).sigma[0] > _ZERO:
+    if found is not None and margins(m, Configurations.of([found.configuration])).sigma[0] > ZERO:
         changes, distance, found = None, float("inf"), None
     report("proving that a box around the configuration is free")
     limit = min(distance, reach)

@@ -224,16 +224,16 @@ def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshol
     if lost:
         verbs = "is singular by itself: its own twists", "are singular by themselves: the twists of each"
         return "singular", f"{agreeing(lost, *verbs)} depend on each other."
-    words = "the limbs' own singularities apart, there is no singular configuration before the wrenches of some limb"
-    words += f" have turned by {degrees(turn)} relative to the platform"
     if m.looped:
-        words = (
-            "no body of the robot can move with the actuators locked; as its limbs have loops of their own, σ does not"
-        )
-        words += " bound how far a singular configuration is"
+        certain = "It is only certain that"
+        words = "no body of the robot can move with the actuators locked; as its limbs have loops of their own, σ does"
+        words += " not bound how far a singular configuration is"
+    else:
+        certain = "It is only certain that,"
+        words = "the limbs' own singularities apart, there is no singular configuration before the wrenches of some"
+        words += f" limb have turned by {degrees(turn)} relative to the platform"
     if word == "regular":
         return word, f"{_capital(words)} (threshold {limit.text})."
-    certain = "It is only certain that" if m.looped else "It is only certain that,"
     return word, f"{certain} {words}; the threshold is {limit.text}."
 
 

@@ -21,15 +21,16 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.soundness import stays_still
 from gcrules.mechanisms.kinematics.targets import Target
 
-__all__ = ["Bundle", "Ends"]
+__all__ = ["ZERO", "Bundle", "Ends"]
 
 Truths = NDArray[np.bool_]
+
+ZERO = 1e-4
+"""Of a margin: a sign of the determinant that changes where it is greater was lost, by a step to another branch."""
 
 _STEP = 0.2  # in parts of the robot's size, or rad
 _SHORTEST = 1e-4
 _LOCATED = 1e-10
-_ALIKE = 1e-8
-_ZERO = 1e-4  # of a margin
 _ROUNDS = 60
 _MOST = 400  # steps
 _GOLDEN = (5**0.5 - 1) / 2
@@ -115,24 +116,25 @@ class Bundle:
             there, good = self.moved(here, middle[:, None] * directions)
             new = self.frames(there)
             size, sign = np.abs(new.determinant), np.where(good, relative_sign(signs, new), 0)
-            zero |= good & ~new.signed & ~np.isnan(size)
-            before, after = sign > 0, sign < 0
-            on = before | after | zero
+            there_zero = good & ~new.signed & ~np.isnan(size)
+            before, after = (sign > 0) & ~zero, (sign < 0) & ~zero
+            on = before | after | there_zero
             again = on & (before == last)  # the same end stays: count it less
             value_high = np.where(before, np.where(again, value_high / 2, value_high), np.where(on, size, value_high))
             value_low = np.where(before, size, np.where(again, value_low / 2, value_low))
             last = np.where(on, before, last)
             moved = np.where(before, middle - low, np.where(on, high - middle, step))
             step = np.where(before, 2 * step, np.where(on, step, (middle - low) / 2))
-            low, high = np.where(before | zero, middle, low), np.where(after, middle, high)
+            low, high = np.where(before | there_zero, middle, low), np.where(after | there_zero, middle, high)
+            zero |= there_zero
             at = np.flatnonzero(before)
             here, signs = here.replaced(at, there[at]), signs.replaced(at, new[at])
             if (zero | (high - low <= _LOCATED) | (moved <= _LOCATED) | (step <= _LOCATED)).all():
                 break
-        there, good = self.moved(here, high[:, None] * directions)
-        across = good & (relative_sign(signs, self.frames(there)) < 0) & (high - low <= _ALIKE)
-        certain = zero | across | (margins(self.m, here).sigma <= _ZERO)
-        return np.where(certain, np.where((value_high <= value_low) & across, high, low), np.nan)
+        nearest = np.where(value_high < value_low, high, low)
+        there, good = self.moved(here, nearest[:, None] * directions)
+        sigma = np.where(good, margins(self.m, there).sigma, margins(self.m, here).sigma)
+        return np.where(zero | (sigma <= ZERO), nearest, np.nan)
 
     def least(self, here: Configurations, directions: Floats, low: Floats, high: Floats) -> Floats:
         """Where the margin is least between two places of each way, by golden section from configurations near by."""
