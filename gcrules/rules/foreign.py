@@ -1,7 +1,7 @@
 r"""Code that is not gcrules' own: every call of it goes through here, and what it does wrong is told as its own fault.
 
 It may not end the program, nor write to standard output, which belongs to the answer, nor leave threads behind, nor
-take longer than `SECONDS`; what it gives is checked. This keeps mistakes apart from answers, it does not keep out
+take longer than `SECONDS`, or wait longer than `WAITING`; what it gives is checked. This keeps mistakes apart from answers, it does not keep out
 malice: plugins are code that the user trusts.
 """
 
@@ -17,17 +17,24 @@ from contextlib import ExitStack, contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NoReturn
+from time import monotonic, thread_time
+from typing import Any
 
 from gcrules.core import files, interrupts
 from gcrules.core.alarm import ringing
 from gcrules.core.budget import seconds_left, within
 from gcrules.core.errors import FileError, GcrulesError, LimitReached
 
-__all__ = ["SECONDS", "Guarded", "Misfit", "PluginFault", "foreign", "is_foreign", "place_of"]
+__all__ = ["SECONDS", "WAITING", "Guarded", "Misfit", "PluginFault", "foreign", "is_foreign", "place_of"]
 
 SECONDS = 20.0
-"""For one call. Seconds of real time, on the main thread; elsewhere only what calls the engine is stopped."""
+"""Seconds that one call may compute: its own, not those in which a busy machine runs something else. On the main thread
+and where the system has timers.
+"""
+WAITING = 120.0
+"""Seconds of real time that one call may take with all that it waits for. Off the main thread only what calls the engine
+is stopped.
+"""
 
 _AGAIN = 0.2  # seconds after which code that swallows the exception is stopped again
 _LAST = 25  # times that it is; then the program ends
@@ -45,7 +52,7 @@ class Misfit(Exception):
 
 
 class _TooLong(BaseException):
-    """Time is up. No Exception, so that a plugin that catches those does not catch it."""
+    """So many seconds are up. No Exception, so that a plugin that catches those does not catch it."""
 
 
 _inside: ContextVar[bool] = ContextVar("gcrules foreign code", default=False)
@@ -68,7 +75,7 @@ def foreign(what: str, place: str) -> Iterator[None]:
             around.enter_context(_without_threads())
             around.enter_context(_stdout_elsewhere())
             around.enter_context(_timed(what, place))
-            around.enter_context(within(SECONDS))
+            around.enter_context(within(WAITING))
             yield
     finally:
         _inside.reset(token)
@@ -99,7 +106,7 @@ def _fault(fault: BaseException, what: str, place: str) -> PluginFault:
 
 def _words(fault: BaseException) -> str:
     if isinstance(fault, _TooLong):
-        return f"it does not end within {SECONDS:g} seconds"
+        return f"it does not end within {fault.args[0]:g} seconds"
     if isinstance(fault, Misfit):
         return str(fault)
     try:
@@ -172,20 +179,25 @@ def _stdout_elsewhere() -> Iterator[None]:
 
 @contextmanager
 def _timed(what: str, place: str) -> Iterator[None]:
-    """Raise _TooLong inside after `SECONDS`, and again until it is left."""
+    """Raise _TooLong inside when its time is up, and again until it is left."""
     rung = 0
+    computed, began = thread_time(), monotonic()
 
-    def ring(frame: Any) -> NoReturn:
+    def ring(frame: Any) -> None:
         nonlocal rung
+        late = monotonic() - began >= WAITING
+        if not late and thread_time() - computed < SECONDS:
+            return
         rung += 1
+        over = _TooLong(WAITING if late else SECONDS)
         if rung > _LAST and interrupts.in_program():
-            fault = _fault(_TooLong(), what, f"{frame.f_code.co_filename}:{frame.f_lineno}")
+            fault = _fault(over, what, f"{frame.f_code.co_filename}:{frame.f_lineno}")
             os.write(2, f"{fault.render()}\n".encode("utf-8", "replace"))
             files.remove_unfinished()
             os._exit(fault.exit_code)
-        raise _TooLong
+        raise over
 
-    with ringing(ring, SECONDS, _AGAIN):
+    with ringing(ring, min(SECONDS, WAITING), _AGAIN):
         yield
 
 

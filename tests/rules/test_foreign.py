@@ -244,18 +244,31 @@ def test_what_a_plugin_prints_is_no_part_of_the_answer(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs a timer signal")
 @pytest.mark.parametrize(
-    "body",
+    ("body", "limit"),
     [
-        "while True: pass",
-        "import time; time.sleep(3600)",
-        "import itertools; return [None for _ in itertools.count()]",
-        "while True: bracket(*points('abcd'))",
+        ("while True: pass", "0.2"),
+        ("import time; time.sleep(3600)", "0.7"),
+        ("import itertools; return [None for _ in itertools.count()]", "0.2"),
+        ("while True: bracket(*points('abcd'))", "0.2"),
     ],
 )
-def test_a_plugin_that_does_not_end_is_stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, body: str) -> None:
+def test_a_plugin_that_does_not_end_is_stopped(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, body: str, limit: str
+) -> None:
     monkeypatch.setattr(foreign, "SECONDS", 0.2)
+    monkeypatch.setattr(foreign, "WAITING", 0.7 if "sleep" in body else 1000.0)
     done = CliRunner().invoke(cli, ["analyze", LEGS, "--plugins", write(tmp_path, rule(body=body))])
-    assert_named(done.exit_code, done.stdout, done.stderr, "rules.py:6", "it does not end within 0.2 seconds")
+    assert_named(done.exit_code, done.stdout, done.stderr, "rules.py:6", f"it does not end within {limit} seconds")
+
+
+def test_a_machine_that_runs_something_else_meanwhile_is_no_fault_of_the_plugin(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Asleep as the whole process is where it is not given the machine: time passes in which the plugin does nothing."""
+    monkeypatch.setattr(foreign, "SECONDS", 0.2)
+    asleep = rule(body="import time; time.sleep(0.5); return whole(s)")
+    done = CliRunner().invoke(cli, ["analyze", LEGS, "--json", "--plugins", write(tmp_path, asleep)])
+    assert json.loads(done.stdout)["condition"]["kind"] == "three-tetrahedra", done.stderr
 
 
 def test_a_limit_of_the_caller_is_no_fault_of_the_plugin() -> None:
@@ -286,7 +299,7 @@ PROCESS = {
     ),
 }
 SHORT = (
-    "import gcrules.rules.foreign as f; f.SECONDS, f._AGAIN, f._LAST = 0.3, 0.05, 3\n"
+    "import gcrules.rules.foreign as f; f.WAITING, f._AGAIN, f._LAST = 0.3, 0.05, 3\n"
     "from gcrules.apps.main import main; main()"
 )
 
