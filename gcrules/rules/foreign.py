@@ -1,8 +1,8 @@
 r"""Code that is not gcrules' own: every call of it goes through here, and what it does wrong is told as its own fault.
 
 It may not end the program, nor write to standard output, which belongs to the answer, nor leave threads behind, nor
-take longer than `SECONDS`, or wait longer than `WAITING`; what it gives is checked. This keeps mistakes apart from answers, it does not keep out
-malice: plugins are code that the user trusts.
+take longer than `SECONDS`, or wait longer than `WAITING`; what it gives is checked. This keeps mistakes apart from
+answers, it does not keep out malice: plugins are code that the user trusts.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ SECONDS = 20.0
 and where the system has timers.
 """
 WAITING = 120.0
-"""Seconds of real time that one call may take with all that it waits for. Off the main thread only what calls the engine
-is stopped.
+"""Seconds of real time that one call may take with all that it waits for. Off the main thread only what calls the
+engine is stopped.
 """
 
 _AGAIN = 0.2  # seconds after which code that swallows the exception is stopped again

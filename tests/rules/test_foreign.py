@@ -264,7 +264,7 @@ def test_a_plugin_that_does_not_end_is_stopped(
 def test_a_machine_that_runs_something_else_meanwhile_is_no_fault_of_the_plugin(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Asleep as the whole process is where it is not given the machine: time passes in which the plugin does nothing."""
+    """Asleep, as the whole process is where it is not given the machine: time passes, and nothing is computed."""
     monkeypatch.setattr(foreign, "SECONDS", 0.2)
     asleep = rule(body="import time; time.sleep(0.5); return whole(s)")
     done = CliRunner().invoke(cli, ["analyze", LEGS, "--json", "--plugins", write(tmp_path, asleep)])
