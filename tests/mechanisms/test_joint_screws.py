@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import pytest
+from mechanisms.bodies import chains, equations
 from mechanisms.shipped_robots import AS_MANY, OTHERS, analysis, robot, singular_members
 from places import DATA
 
@@ -35,7 +36,8 @@ def locked(name: str, values: Values) -> list[Row]:
 
 
 def passive_ranks(name: str, values: Values) -> list[int]:
-    return [6 - len(limb.at(values, RESIDUES).locked(RESIDUES)) for limb in robot(name).limbs]
+    """Of each chain between two bodies."""
+    return [6 - len(chain.locked(RESIDUES)) for *_, chain in chains(robot(name), values, RESIDUES)]
 
 
 def at(name: str, values: Values) -> Evaluator:
@@ -65,10 +67,10 @@ def excepted(name: str, values: Values) -> bool:
         if robot(name).family.merged(values):
             return True
     points = a.structure.points(robot(name).family, values)
-    for limb in a.structure.limbs:  # lines that were chosen for one limb may depend on each other
-        rows = [line.row(points) for line in limb.lines or ()]
-        if RESIDUES.rank(rows) < len(rows):
-            return True
+    for limb, own in zip(robot(name).limbs, a.structure.limbs, strict=True):
+        rows = [line.row(points) for line in own.lines or ()]
+        if RESIDUES.rank(rows) < min(len(rows), len(limb.at(values, RESIDUES).locked(RESIDUES))):
+            return True  # lines that were chosen for one limb depend on each other, its wrenches do not
     return any(not at(name, values).value(c)[0] for c in a.cofactors)
 
 
@@ -131,24 +133,12 @@ def test_joint_screws_against_the_condition(name: str) -> None:
 def stacked(name: str, values: Values) -> int:
     """A determinant that vanishes where the platform can move with locked actuators, and where passive twists depend.
 
-    Unknown are the twist of the platform and the rates of all passive freedoms; each limb says that the twist is the
-    sum of its rates. Where there are more equations than unknowns, fixed random combinations of them are taken.
+    Unknown are the twists of all bodies and the rates of all passive freedoms. Where there are more equations than
+    unknowns, fixed random combinations of them are taken.
     """
-    r = robot(name)
-    passive = []
-    for limb in r.limbs:
-        made = limb.at(values, RESIDUES)
-        driven = made.actuated
-        passive.append([row for i, row in enumerate(made.twists(RESIDUES)) if i not in driven])
-    size = 6 + sum(map(len, passive))
-    rows = []
-    start = 6
-    for twists in passive:
-        for c in range(6):
-            row = [int(i == c) for i in range(6)] + [0] * (size - 6)
-            row[start : start + len(twists)] = [-t[c] for t in twists]
-            rows.append(row)
-        start += len(twists)
+    every, driven, _ = equations(robot(name), values, RESIDUES)
+    rows = [[c for k, c in enumerate(row) if k not in driven] for row in every]
+    size = len(rows[0])
     if len(rows) > size:
         rng = random.Random("combinations")
         mixed = [[rng.randrange(PRIME) for _ in rows] for _ in range(size)]

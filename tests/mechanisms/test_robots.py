@@ -75,9 +75,12 @@ FOUND: dict[str, tuple[int, int, str, tuple[str, ...]]] = {
     "2-upr-rpu": (3, 3, "A1v A1B1 A2v A2B2 B3u A3B3", ("actuation",)),
     "capaman": (3, 0, "S1b1 S1z S2b2 S2z S3b3 S3z", ("actuation", "actuation")),
     "3-sps-s": (3, 0, "A1B1 A2B2 A3B3 Ox Oy Oz", ("never", "actuation")),
+    "h4": (4, 0, "d1p1 d2p1' zn1 d3p2 d4p2' zn2", ("constraint", "actuation")),
+    "par4": (4, 4, "P1d1 P1d2 P2d3 P2d4 d1z d2z", ("choice", "actuation")),
+    "gantry-tau": (3, 0, "A1B1 A2d2 C2d2 A3d3 C3d3 D3d3", ("actuation", "constraint", "constraint")),
 }
 
-IDLE = {"3-sps-s": 3, "8-cables": 8}  # legs that spin
+IDLE = {"3-sps-s": 3, "8-cables": 8, "gantry-tau": 2}  # legs that spin
 
 STATEMENTS = {
     "8-cables": "A7B7 and A8B8 all belong to one linear complex, which takes two to three conditions at once: it has 8",
@@ -95,6 +98,12 @@ STATEMENTS = {
     "2-upr-rpu": "the planes of leg 1 (vA1B1), leg 2 (vA2B2) and leg 3 (uA3B3) and the plane A1A2B3 meet in a point",
     "capaman": "the plane S1S2S3 contains the direction z, or the planes b1S1z, b2S2z and b3S3z, which are parallel",
     "3-sps-s": "the planes A1B1O, A2B2O and A3B3O, which pass through O, have a common line",
+    "h4": "the directions z, n1 and n2 are parallel to one plane (constraint singularity), or the planes d1d2p2' and "
+    "zp1p2 and the line d3d4 meet in a point",
+    "gantry-tau": "the line A1B1 is parallel to the plane of the directions d2 and d3 (actuation singularity), the "
+    "line A2C2 is parallel to the plane of the directions d2 and d3 (constraint singularity), or the plane A3C3D3 "
+    "contains the direction d3 (constraint singularity).",
+    "par4": "the planes d1d2P2, d3d4P2 and zP1P2, which pass through P2, have a common line.",
     "3-rps": "planes of leg 1 (r1A1S1), leg 2 (r2A2S2) and leg 3 (r3A3S3) and the platform plane S1S2S3 meet",
     "octahedral": "legs 1 and 2 (A1B1B3), legs 3 and 4 (A2B1B2) and legs 5 and 6 (A3B2B3) and the base plane",
     "gallardo-4dof": "the points A2, S1, S2 and S3 lie in one plane, or the point S1 lies in the plane A3B3S3 of leg 3",

@@ -114,7 +114,19 @@ def test_back_from_actuators(name: str) -> None:
 
 
 OPEN = {
-    *("2-upr-rpu", "3-pprs", "4-ups-sp", "5-rpur", "5r", "capaman", "exechon", "gallardo-4dof", "tricept", "trivariant")
+    *(
+        "2-upr-rpu",
+        "3-pprs",
+        "4-ups-sp",
+        "5-rpur",
+        "5r",
+        "capaman",
+        "exechon",
+        "gallardo-4dof",
+        "tricept",
+        "trivariant",
+    ),
+    *("gantry-tau", "h4", "par4"),
 }
 """The robots of which nothing has a closed form of the kinds that are known."""
 WITHOUT_ACTUATORS = {"3-uru", "3-crr", "3-cpu"}

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from mechanisms.bodies import equations
 
 import gcrules as gc
 from gcrules.mechanisms.analyze import analyze_robot
@@ -35,22 +36,15 @@ def symbols(r: RobotPose) -> tuple[str, ...]:
 
 
 def rates(robot: gc.Robot) -> tuple[np.ndarray, np.ndarray, list[int]]:
-    """A basis of the joints' rates with which the loops are closed at home, the twist of the platform for each, and the
+    """Independent motions of all bodies at home: the rates of the joints and the twist of the platform in each, and the
     places of the actuators; from the joint screws alone.
     """
     values = {n: tuple(map(float, v)) for n, v in home_values(robot).items()}
-    limbs = [limb.at(values, FLOATS) for limb in robot.limbs]
-    twists = [np.asarray(limb.twists(FLOATS)) for limb in limbs]
-    number, starts = sum(map(len, twists)), np.cumsum([0, *map(len, twists)])
-    loops = np.zeros((6 * (len(limbs) - 1), number))
-    for k in range(1, len(limbs)):
-        loops[6 * k - 6 : 6 * k, : starts[1]] = -twists[0].T
-        loops[6 * k - 6 : 6 * k, starts[k] : starts[k + 1]] = twists[k].T
-    _, sizes, right = np.linalg.svd(loops)
+    rows, driven, passive = equations(robot, values, FLOATS)
+    _, sizes, right = np.linalg.svd(np.array(rows, dtype=float))
     basis = right[int((sizes > 1e-9 * sizes[0]).sum()) :]
-    platform = basis[:, : starts[1]] @ twists[0]
-    driven = [int(starts[k]) + place for k, limb in enumerate(limbs) for place in limb.actuated]
-    return basis, platform, driven
+    order = sorted([*driven, *passive])
+    return basis[:, order], basis[:, :6], [order.index(c) for c in driven]
 
 
 def by_definition(robot: gc.Robot, idle: int) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from places import DATA, ROOT
+from places import ROOT
 
 import gcrules as gc
 from gcrules.mechanisms.analyze import analyze
@@ -65,14 +65,12 @@ def viewed(data: dict[str, Any]) -> Any:
 @pytest.mark.needs("node")
 @pytest.mark.parametrize("name", ROBOTS)
 def test_the_viewer_closes_loops_as_the_engine_does(name: str) -> None:
-    file = DATA / "looped" / f"{name}.yaml"
-    source = file if file.exists() else name
-    robot = Limbs.of(analyze(source))
+    robot = Limbs.of(analyze(name))
     view, m = linkage_view(robot), robot.linkage
     amounts: list[list[float]] = ROBOTS[name]
     wanted = [[v if a.angle else v * m.size for v, a in zip(row, leading(m), strict=True)] for row in amounts]
     for goal, found in zip(wanted, viewed({"linkage": view, "wanted": wanted}), strict=True):
-        there = gc.pose(source, actuators=goal, nearest=False)
+        there = gc.pose(name, actuators=goal, nearest=False)
         assert found["reached"]
         assert found["margin"] == pytest.approx(there.margin, abs=1e-6)
         assert found["verdict"] == there.verdict
