@@ -12,6 +12,8 @@ from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.limb_file import BASE
+from gcrules.mechanisms.kinematics.actuations import drives
+from gcrules.mechanisms.kinematics.amplification import Drives
 from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
 from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.solve import solve
@@ -76,8 +78,8 @@ class Limbs:
         return tuple(a.name for a in self.linkage.actuators)
 
     @property
-    def pulls(self) -> tuple[bool, ...]:
-        return self.linkage.pulls
+    def drives(self) -> Drives:
+        return drives(self.linkage)
 
     def wrenches(self, at: Pose | str | Mapping[str, Any] | None = None) -> WrenchJacobian:
         """Actuations and constraints of all limbs, with moments about the moved centre."""

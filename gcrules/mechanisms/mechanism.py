@@ -13,6 +13,7 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.kinematics.amplification import Drives
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source, load
@@ -45,8 +46,8 @@ class Mechanism(Protocol):
         """What is driven, by name."""
 
     @property
-    def pulls(self) -> tuple[bool, ...]:
-        """Of each actuator whether it is a cable, which only pulls."""
+    def drives(self) -> Drives:
+        """What its actuators drive, which tells what numbers they have."""
 
     @property
     def analysis(self) -> Analysis | RobotAnalysis:

@@ -12,6 +12,8 @@ import numpy as np
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.kinematics.actuations import LEGS, amplified_by_legs
+from gcrules.mechanisms.kinematics.amplification import Drives
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.mechanisms.moving_platform import MovingPlatform, rig
 from gcrules.mechanisms.platform_analysis import analyze_legs
@@ -64,8 +66,8 @@ class SixLegs:
         return self.rig.names
 
     @property
-    def pulls(self) -> tuple[bool, ...]:
-        return (False,) * len(self.actuators)
+    def drives(self) -> Drives:
+        return LEGS
 
     def pose(self, at: Pose | str | Mapping[str, Any] | None) -> Pose:
         """The pose that is written or given by coordinates."""
@@ -85,7 +87,8 @@ class SixLegs:
         rows = np.concatenate([forces, np.cross(ends - centre, forces)], axis=1)
         least, condition = float(j.singular_values[0, 5]), float(j.condition_number[0])
         names = self.actuators
-        return WrenchJacobian(names, rows, centre, j.radius, least, condition, names, (False,) * len(names), 6)
+        passing = amplified_by_legs(moving.base, ends[None], centre[None]).passing
+        return WrenchJacobian(names, rows, centre, j.radius, least, condition, names, LEGS, passing.one(0))
 
     def six_legs(self) -> SixLegs:
         return self

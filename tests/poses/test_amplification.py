@@ -126,7 +126,17 @@ def expected(a: Any) -> dict[str, float]:
         "couple": 1 / turn if turn else math.inf,
     }
     cables = {"closure": a.cables.least} if a.cables else {}
-    return {"isotropy": a.isotropy, **cables, **({} if len(set(a.angles)) > 1 or math.isnan(speed) else rest)}
+    own = {"isotropy": a.isotropy, **cables, **({} if len(set(a.angles)) > 1 or math.isnan(speed) else rest)}
+    return own if a.transmission is None else own | passed(a.transmission)
+
+
+def passed(t: Any) -> dict[str, float]:
+    """The indices of the limbs; there are no outputs where no actuator moves alone."""
+    found = {"input_transmission": min(t.inputs), "clearance_shift": t.clearance_shift}
+    found |= {"clearance_turn": t.clearance_turn}
+    if not math.isnan(t.outputs[0]):
+        found |= {"output_transmission": min(t.outputs), "transmission": min(*t.inputs, *t.outputs)}
+    return found | ({"constraint_transmission": min(t.constraints)} if t.constraints else {})
 
 
 @pytest.mark.parametrize("name", IDS)
@@ -172,7 +182,8 @@ def test_indices_of_a_platform_at_many_poses_and_along_a_path() -> None:
     assert "isotropy" in path.text()
 
 
-OF_MAPS = [("8-cables" if measure == "closure" else "3-rpr", "xy", measure) for measure in INDICES]
+HAVE = {"closure": "8-cables", "constraint_transmission": "delta"}
+OF_MAPS = [(HAVE.get(measure, "3-rpr"), "xy", measure) for measure in INDICES]
 OF_MAPS += [(s, o, m) for s, o in (("delta", "xy"), ("octahedral.yaml", "xz")) for m in ("isotropy", "shift_error")]
 
 
@@ -219,15 +230,16 @@ home: {A1: [0, 0, 0], A2: [10, 0, 0], A3: [5, 9, 0], B1: [4, 2, 0], B2: [7, 3, 0
 """
 
 
-def test_actuators_of_two_kinds_have_the_isotropy_only(tmp_path: Path) -> None:
+def test_actuators_of_two_kinds_have_no_unit_in_common(tmp_path: Path) -> None:
     file = tmp_path / "robot.yaml"
     file.write_text(MIXED, encoding="utf-8")
     asked = ["map", str(file), "--over", "x -0.1:0.1:3", "--over", "y -0.1:0.1:3", "--measure"]
     done = CliRunner().invoke(cli, [*asked, "speed"])
-    assert_refused(done, 2, "some actuators turn and others slide: there is no common speed")
+    assert_refused(done, 2, "some actuators turn and others slide: there is no speed")
     assert CliRunner().invoke(cli, [*asked, "isotropy"]).exit_code == 0
     header = gc.path(str(file), ["home", "x=0.1, y=0, yaw=0rad"]).csv().splitlines()[0]
-    assert header.endswith(",isotropy,verdict")
+    assert "speed" not in header
+    assert ",isotropy,input transmission," in header
 
 
 def test_what_moves_the_platform_not_at_all_is_0() -> None:

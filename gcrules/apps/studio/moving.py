@@ -22,7 +22,7 @@ from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import DEFAULT
-from gcrules.views.results.amplification import conditioning
+from gcrules.views.results.amplification import actuator_notes
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.robots.limb_views import limb_views
 from gcrules.views.scene_data import MotionView
@@ -150,7 +150,7 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
         "limbs": limb_views(robot, values),
         "notes": [
             *(f"{t.symbol}, {in_words(t)}." for t in found.types),
-            f"Actuators: {conditioning(found.jacobian.amplification, subject.unit)}.",
+            *actuator_notes(found.jacobian.amplification, subject.unit),
             *found.notes,
             f"Assembly mode: {found.mode}.",
             *([] if found.assembly.doubt is None else [f"Branch: {found.assembly.branch}."]),

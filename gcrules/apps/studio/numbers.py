@@ -34,7 +34,7 @@ from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold
 from gcrules.screws.verdict import CLOSE
-from gcrules.views.results.amplification import conditioning
+from gcrules.views.results.amplification import actuator_notes
 from gcrules.views.robots.limb_views import limb_views
 
 __all__ = ["arrays", "exact_pose", "margins", "numbers"]
@@ -83,7 +83,7 @@ def _of_legs(m: SixLegs, subject: Subject, pose: PoseJson, threshold: str | None
         "motion": motion_view(found.softest, tuple(j.centroid[0].tolist()), m.unit) if near else None,
         "stress": list(found.stress) if near else [],
         "limbs": limb_views(subject.robot, {**subject.home, **places}) if subject.robot else [],
-        "notes": [f"Actuators: {conditioning(found.jacobian.amplification, m.unit)}."],
+        "notes": list(actuator_notes(found.jacobian.amplification, m.unit)),
     }
 
 

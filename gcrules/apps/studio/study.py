@@ -16,7 +16,8 @@ from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.subject import Subject
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import report
-from gcrules.mechanisms.kinematics.amplification import INDICES, index_names
+from gcrules.mechanisms.kinematics.actuations import LEGS
+from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import Methods, method
@@ -85,9 +86,8 @@ _RANGES: Methods[list[Axis]] = {
 def _measures(subject: Subject) -> list[MeasureView]:
     """The margin, and what actuators of these kinds have."""
     limbs = subject.limbs
-    angles = [a.angle for a in limbs.linkage.actuators] if limbs else [False] * 6
-    names = index_names(angles, limbs.mobility if limbs else 6, limbs.pulls if limbs else ())
-    units = {name: INDICES[name].unit(subject.unit, angles) for name in names}
+    own = limbs.drives if limbs else LEGS
+    units = {name: INDICES[name].unit(subject.unit, own.angles) for name in own.indices}
     margin: MeasureView = {"name": "margin", "meaning": "margin σ, 0 where singular", "unit": ""}
     others: list[MeasureView] = [{"name": n, "meaning": INDICES[n].meaning, "unit": u} for n, u in units.items()]
     return [margin, *others]

@@ -22,19 +22,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.frozen import HoldsArrays
-from gcrules.mechanisms.kinematics.closure import closure, closures
+from gcrules.mechanisms.kinematics.closure import CableTensions, closure, closures
+from gcrules.mechanisms.kinematics.transmission import Transmission, Transmissions
 
 __all__ = [
     "INDICES",
     "Amplification",
     "Amplifications",
-    "CableTensions",
+    "Drives",
     "Index",
     "amplification",
     "amplifications",
     "index_columns",
-    "index_names",
-    "mixed",
 ]
 
 Floats = NDArray[np.float64]
@@ -43,36 +42,75 @@ _RANK = 1e-9
 _ROUNDING = 1e-13
 
 
-@dataclass(frozen=True, eq=False)
-class Amplifications(HoldsArrays):
-    """Of N configurations all numbers that an `Amplification` has of one: `speeds` and `turns` (N, actuators),
-    `condition_numbers` (N,). The platform has so many `freedoms`; `rates` (N, actuators, freedoms) are those for unit
-    motions in these, and `pulls` tells which actuators are cables.
+@dataclass(frozen=True)
+class Drives:
+    """What actuators drive: `angles` tells of each whether it turns, `pulls` whether it is a cable; the platform has so
+    many `freedoms`. The limbs are `plain` if none has loops of its own; `constraints` is the number of all their
+    constraints where none depends on the others, else 0.
     """
 
     angles: tuple[bool, ...]
     freedoms: int
-    length: float
     pulls: tuple[bool, ...]
+    plain: bool
+    constraints: int
+
+    @property
+    def redundant(self) -> bool:
+        """Whether there are more actuators than freedoms, so that none moves alone."""
+        return len(self.angles) > self.freedoms
+
+    @property
+    def mixed(self) -> bool:
+        """Whether some actuators turn and others slide: their rates have no unit in common."""
+        return any(self.angles) and not all(self.angles)
+
+    @property
+    def indices(self) -> tuple[str, ...]:
+        """Those of `INDICES` that there are."""
+        return tuple(name for name in INDICES if not self.missing(name))
+
+    def missing(self, name: str) -> str:
+        """Why there is no such index, "" if there is one."""
+        return next((why for why, names, fails in _MISSING if name in names and fails(self)), "")
+
+
+@dataclass(frozen=True, eq=False)
+class Amplifications(HoldsArrays):
+    """Of N configurations all numbers that an `Amplification` has of one: `speeds` and `turns` (N, actuators),
+    `condition_numbers` (N,). `rates` (N, actuators, freedoms) are those for unit motions in the freedoms, `twists`
+    (N, actuators, 6) those (v at the centre; ω) to which the actuators lead one by one.
+    """
+
+    drives: Drives
+    length: float
     rates: Floats
+    twists: Floats
     speeds: Floats
     turns: Floats
     condition_numbers: Floats
+    transmissions: Transmissions | None = None
 
     @property
     def isotropy(self) -> Floats:
         """1 over the condition numbers (N,), 0 where they are infinite."""
         return 1 / self.condition_numbers
 
+    @property
+    def passing(self) -> Transmissions:
+        """What the limbs pass on. Only of limbs without loops of their own."""
+        assert self.transmissions is not None, "drives.missing tells where there are none"
+        return self.transmissions
+
     @cached_property
     def closures(self) -> Floats:
         """The least tensions of the cables (N,) where the mean one is 1 and all balance each other."""
-        return closures(self.rates, self.pulls)
+        return closures(self.rates, self.drives.pulls)
 
     @property
     def indices(self) -> Mapping[str, Floats]:
         """All of `INDICES` that these actuators have, (N,) each."""
-        return {name: INDICES[name].of(self) for name in index_names(self.angles, self.freedoms, self.pulls)}
+        return {name: INDICES[name].of(self) for name in self.drives.indices}
 
     def to_json(self) -> dict[str, list[float | None]]:
         """Lists of the indices, null where they are infinite or do not exist."""
@@ -81,34 +119,11 @@ class Amplifications(HoldsArrays):
     @classmethod
     def together(cls, parts: Sequence[Amplifications]) -> Amplifications:
         """Those of several stacks of one robot."""
-        names = ("rates", "speeds", "turns", "condition_numbers")
-        arrays = (np.concatenate([getattr(p, n) for p in parts]) for n in names)
-        return cls(parts[0].angles, parts[0].freedoms, parts[0].length, parts[0].pulls, *arrays)
-
-
-@dataclass(frozen=True)
-class CableTensions:
-    """Whether cables, which only pull, hold the platform: the `least` tension, for a mean one of 1, where all efforts
-    balance each other. Where it is positive these are the `efforts`, by actuator; else the platform can move along the
-    twist `escape` (v at the centre; ω) without any cable getting longer.
-    """
-
-    least: float
-    efforts: tuple[tuple[str, float], ...] = ()
-    escape: tuple[float, ...] | None = None
-
-    @property
-    def held(self) -> bool:
-        """Whether there is wrench closure."""
-        return not self.escape
-
-    def to_json(self) -> dict[str, Any]:
-        return {
-            "closure": self.held,
-            "least_tension": self.least,
-            "efforts": dict(self.efforts),
-            "escape": None if self.escape is None else list(self.escape),
-        }
+        names = ("rates", "twists", "speeds", "turns", "condition_numbers")
+        arrays: dict[str, Any] = {n: np.concatenate([getattr(p, n) for p in parts]) for n in names}
+        passing = [p.transmissions for p in parts if p.transmissions is not None]
+        together = Transmissions.together(passing) if passing else None
+        return cls(parts[0].drives, parts[0].length, **arrays, transmissions=together)
 
 
 @dataclass(frozen=True)
@@ -118,7 +133,7 @@ class Amplification:
     robot is singular, not a number where an actuator applies no wrench, or where there are more actuators than
     freedoms, so that none moves alone. `condition_number` is that of the twists, turns weighed with `length` against
     shifts and the rates of angles likewise against those of lengths, where the robot has
-    both kinds of actuators.
+    both kinds of actuators. The `transmission` is that of the limbs, none where one of them has loops of its own.
     """
 
     actuators: tuple[str, ...]
@@ -128,6 +143,7 @@ class Amplification:
     condition_number: float
     length: float
     cables: CableTensions | None = None
+    transmission: Transmission | None = None
 
     @property
     def isotropy(self) -> float:
@@ -149,6 +165,7 @@ class Amplification:
             "isotropy": number(self.isotropy),
             "length": self.length,
             "cables": self.cables.to_json() if self.cables else None,
+            "transmission": self.transmission.to_json() if self.transmission else None,
         }
 
 
@@ -156,28 +173,27 @@ def amplification(
     actuations: Floats,
     constraints: Floats,
     names: Sequence[str],
-    angles: Sequence[bool],
-    freedoms: int,
+    drives: Drives,
     length: float,
-    pulls: Sequence[bool] = (),
+    transmission: Transmission | None = None,
 ) -> Amplification:
     """From the wrenches (f; m about the centre) of the actuators (n, 6), whose product with a twist is their rate, and
-    of the constraints (k, 6), which elsewhere leave so many freedoms; `angles` tells of each actuator whether it turns.
+    of the constraints (k, 6), which elsewhere leave so many freedoms as there are.
     """
     held = np.reshape(constraints, (1, -1, 6))
-    every = amplifications(np.asarray(actuations)[None], held, angles, freedoms, length, pulls)
+    every = amplifications(np.asarray(actuations)[None], held, drives, length)
     speeds, turns = (tuple(map(float, a[0])) for a in (every.speeds, every.turns))
     condition = float(every.condition_numbers[0])
-    cables = _tensions(every, held, names) if any(pulls) and math.isfinite(condition) else None
-    return Amplification(tuple(names), tuple(angles), speeds, turns, condition, length, cables)
+    cables = _tensions(every, held, names) if any(drives.pulls) and math.isfinite(condition) else None
+    return Amplification(tuple(names), drives.angles, speeds, turns, condition, length, cables, transmission)
 
 
 def _tensions(a: Amplifications, constraints: Floats, names: Sequence[str]) -> CableTensions:
-    found = closure(a.rates[0], a.pulls)
+    found = closure(a.rates[0], a.drives.pulls)
     if found.efforts is not None:
         return CableTensions(found.least, tuple(zip(names, found.efforts.tolist(), strict=True)))
     assert found.escape is not None
-    twist = found.escape @ _free(constraints, a.length, a.freedoms)[0][0] / _scale(a.length)
+    twist = found.escape @ _free(constraints, a.length, a.drives.freedoms)[0][0] / _scale(a.length)
     return CableTensions(found.least, (), tuple(twist.tolist()))
 
 
@@ -194,18 +210,11 @@ def _free(constraints: Floats, length: float, freedoms: int) -> tuple[Floats, ND
     return np.asarray(right[:, 6 - freedoms :]), rank
 
 
-def amplifications(
-    actuations: Floats,
-    constraints: Floats,
-    angles: Sequence[bool],
-    freedoms: int,
-    length: float,
-    pulls: Sequence[bool] = (),
-) -> Amplifications:
+def amplifications(actuations: Floats, constraints: Floats, drives: Drives, length: float) -> Amplifications:
     """The same in N configurations: wrenches of the actuators (N, n, 6) and of the constraints (N, k, 6)."""
-    scale, number = _scale(length), len(angles)
+    scale, freedoms = _scale(length), drives.freedoms
     free, rank = _free(constraints, length, freedoms)
-    units = np.where(angles, length, 1.0) if mixed(angles) else np.ones(number)
+    units = np.where(drives.angles, length, 1.0) if drives.mixed else np.ones(len(drives.angles))
     known: NDArray[np.bool_] = np.asarray(np.isfinite(actuations).all(axis=(1, 2)))
     own = np.where(known[:, None, None], actuations, 0.0) / scale
     rates = own @ np.swapaxes(free, 1, 2)
@@ -220,17 +229,15 @@ def amplifications(
     parts[parts <= _ROUNDING * parts.max(axis=(0, 2), keepdims=True)] = 0.0  # a platform that only shifts, or turns
     found = [np.where(endless, np.inf, part) for part in (parts[0], parts[1] / length)]
     found.append(condition)
+    others = rank != 6 - freedoms  # the platform has other freedoms here than elsewhere
     for array in found:
         array[~known] = np.nan  # an actuator applies no wrench
-        array[rank != 6 - freedoms] = np.inf  # the platform has other freedoms here than elsewhere
-    if number > freedoms:
+        array[others] = np.inf
+    twists[endless | (~known | others)[:, None]] = np.nan
+    if drives.redundant:
         found[:2] = (np.full_like(part, np.nan) for part in found[:2])
-    return Amplifications(tuple(angles), freedoms, length, tuple(pulls), rates, *found)
-
-
-def mixed(angles: Sequence[bool]) -> bool:
-    """Whether some actuators turn and others slide: their rates have no unit in common."""
-    return any(angles) and not all(angles)
+    speeds, turns, conditions = found
+    return Amplifications(drives, length, rates, twists, speeds, turns, conditions)
 
 
 @dataclass(frozen=True)
@@ -288,6 +295,42 @@ INDICES: Mapping[str, Index] = MappingProxyType(
             ("{}", ""),
             lambda a: _inverse(a.turns.max(axis=1)),
         ),
+        "input_transmission": Index(
+            "least transmission from an actuator to its wrench",
+            True,
+            ("", ""),
+            lambda a: a.passing.inputs.min(axis=1),
+        ),
+        "output_transmission": Index(
+            "least transmission from the wrench of an actuator to the platform",
+            True,
+            ("", ""),
+            lambda a: a.passing.outputs.min(axis=1),
+        ),
+        "transmission": Index(
+            "least transmission of an actuator, input or output",
+            True,
+            ("", ""),
+            lambda a: np.minimum(a.passing.inputs, a.passing.outputs).min(axis=1),
+        ),
+        "constraint_transmission": Index(
+            "least transmission from a constraint to the platform that lacks it",
+            True,
+            ("", ""),
+            lambda a: a.passing.constraints.min(axis=1),
+        ),
+        "clearance_shift": Index(
+            "bound of the shift of the centre for joints with clearances of one unit, and no tilts",
+            False,
+            ("", ""),
+            lambda a: a.passing.clearance_shifts,
+        ),
+        "clearance_turn": Index(
+            "bound of the turn of the platform for joints with clearances of one unit, and no tilts",
+            False,
+            ("rad/{}", "rad/{}"),
+            lambda a: a.passing.clearance_turns,
+        ),
         "closure": Index(
             "least tension of the cables by the mean one, where all balance each other; closure is lost below 0",
             True,
@@ -296,10 +339,32 @@ INDICES: Mapping[str, Index] = MappingProxyType(
         ),
     }
 )
-"""What engineers ask for at many poses. Errors are bounds to first order: actuators whose effects do not point in one
-direction cannot reach them all at once. All but isotropy and closure need actuators of one kind, and no more of them
-than freedoms.
+"""What engineers ask for at many poses. Errors and clearances are bounds to first order: what does not point in one
+direction cannot reach them all at once.
 """
+
+_OF_ONE = ("speed", "turn", "shift_error", "turn_error", "force", "couple")  # actuator that moves alone
+_OF_LIMBS = ("input_transmission", "output_transmission", "transmission", "constraint_transmission")
+_MISSING: tuple[tuple[str, tuple[str, ...], Callable[[Drives], bool]], ...] = (
+    ("the robot has no cables", ("closure",), lambda d: not any(d.pulls)),
+    (
+        "there are more actuators than freedoms, so that none moves alone",
+        (*_OF_ONE, *_OF_LIMBS[1:]),
+        lambda d: d.redundant,
+    ),
+    ("some actuators turn and others slide", _OF_ONE, lambda d: d.mixed),
+    (
+        "a limb has loops of its own",
+        (*_OF_LIMBS, "clearance_shift", "clearance_turn"),
+        lambda d: not d.plain,
+    ),
+    (
+        "there are no constraints, or some depend on the others",
+        ("constraint_transmission",),
+        lambda d: not d.constraints,
+    ),
+)
+"""Why there is no index: the reason, of which indices, and when."""
 
 
 def _inverse(a: Floats) -> Floats:
@@ -307,16 +372,7 @@ def _inverse(a: Floats) -> Floats:
         return np.asarray(1 / a)
 
 
-def index_names(angles: Sequence[bool], freedoms: int, pulls: Sequence[bool] = ()) -> tuple[str, ...]:
-    """Those of `INDICES` that actuators have, of which `angles` tells whether they turn and `pulls` whether they are
-    cables, on so many freedoms.
-    """
-    rigid = tuple(n for n in INDICES if n != "closure")
-    found = ("isotropy",) if mixed(angles) or len(angles) > freedoms else rigid
-    return (*found, "closure") if any(pulls) else found
-
-
 def index_columns(a: Amplifications, unit: str) -> tuple[str, ...]:
     """The heads of columns with the indices: "speed [mm/rad]"."""
-    units = {name: INDICES[name].unit(unit, a.angles) for name in a.indices}
+    units = {name: INDICES[name].unit(unit, a.drives.angles) for name in a.indices}
     return tuple(f"{name.replace('_', ' ')}{f' [{u}]' if u else ''}" for name, u in units.items())

@@ -17,17 +17,43 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 
-__all__ = ["Closure", "closure", "closures"]
+__all__ = ["CableTensions", "Closure", "closure", "closures"]
 
 Floats = NDArray[np.float64]
 
 _NOTHING = 1e-9
+
+
+@dataclass(frozen=True)
+class CableTensions:
+    """Whether cables, which only pull, hold the platform: the `least` tension, for a mean one of 1, where all efforts
+    balance each other. Where it is positive these are the `efforts`, by actuator; else the platform can move along the
+    twist `escape` (v at the centre; ω) without any cable getting longer.
+    """
+
+    least: float
+    efforts: tuple[tuple[str, float], ...] = ()
+    escape: tuple[float, ...] | None = None
+
+    @property
+    def held(self) -> bool:
+        """Whether there is wrench closure."""
+        return not self.escape
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "closure": self.held,
+            "least_tension": self.least,
+            "efforts": dict(self.efforts),
+            "escape": None if self.escape is None else list(self.escape),
+        }
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,10 +26,10 @@ def leading(m: Linkage) -> tuple[Actuator, ...]:
 @lru_cache(maxsize=64)
 def _independent(m: Linkage) -> tuple[Actuator, ...]:
     scale = np.array([1.0, 1.0, 1.0, m.size, m.size, m.size])
-    driven, held = (rows[0] / scale for rows in actuations(m, Configurations.of([m.home])))
+    own = actuations(m, Configurations.of([m.home]))
     chosen: list[Actuator] = []
-    rows = held
-    for actuator, row in zip(m.actuators, driven, strict=True):
+    rows = np.concatenate(own.held, axis=1)[0] / scale
+    for actuator, row in zip(m.actuators, own.driven[0] / scale, strict=True):
         more = np.vstack([rows, row / np.linalg.norm(row)])
         if len(chosen) < m.robot.mobility and _rank(more) > _rank(rows):
             chosen.append(actuator)

@@ -10,11 +10,14 @@ import numpy as np
 
 from gcrules.core.floats import without_noise
 from gcrules.core.frozen import HoldsArrays
-from gcrules.mechanisms.kinematics.amplification import Amplification, amplification
+from gcrules.mechanisms.kinematics.actuations import amplified, drives
+from gcrules.mechanisms.kinematics.amplification import Amplification, Drives, amplification
 from gcrules.mechanisms.kinematics.chains import geometry_of
+from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import Actuator, Configuration, Linkage
 from gcrules.mechanisms.kinematics.margin import LimbMargin
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.transmission import Transmission
 from gcrules.screws import JOINTS, Joint, Limb, jacobian
 from gcrules.screws.floats import Floats as FloatField
 
@@ -27,8 +30,8 @@ class WrenchJacobian(HoldsArrays):
     own joint's twist, then the constraints of all limbs, orthonormal with moments divided by `length`. The product of
     an actuation with a twist (ω; v at the centre) of the platform is the rate of its actuator, that of a constraint 0.
     Where a limb is singular an actuation may not exist: nan there. `actuators` are the names of the first rows'
-    actuators, `angles` tells of each whether it turns, and the platform has so many `freedoms`; a `chosen_length`
-    counts in their `amplification` only. `pulls` tells which of them are cables.
+    actuators, `drives` tells what they drive, `transmission` how well; a `chosen_length` counts in their
+    `amplification` only.
 
     `smallest_singular_value` and `condition_number` are those of the same wrenches as `LimbMargin.rows` has them, with
     `length` as the characteristic length.
@@ -41,18 +44,15 @@ class WrenchJacobian(HoldsArrays):
     smallest_singular_value: float
     condition_number: float
     actuators: tuple[str, ...]
-    angles: tuple[bool, ...]
-    freedoms: int
-    pulls: tuple[bool, ...] = ()
+    drives: Drives
+    transmission: Transmission | None = None
     chosen_length: float | None = None
 
     @property
     def amplification(self) -> Amplification:
         """What the actuators make of their rates, with the chosen length if there is one."""
         n, length = len(self.actuators), self.chosen_length or self.length
-        return amplification(
-            self.rows[:n], self.rows[n:], self.actuators, self.angles, self.freedoms, length, self.pulls
-        )
+        return amplification(self.rows[:n], self.rows[n:], self.actuators, self.drives, length, self.transmission)
 
     def to_json(self) -> dict[str, Any]:
         number = _finite
@@ -80,6 +80,7 @@ def wrench_jacobian(m: Linkage, here: Configuration, near: LimbMargin) -> Wrench
     field = FloatField(length=m.size)
     found = jacobian((_limb(m, place, shifted) for place in range(len(here.chains))), field)
     rows = np.asarray(found.matrix)
+    passing = amplified(m, Configurations.of([here])).transmissions
     labels: list[str] = []
     actuators: list[Actuator] = []
     for label in found.labels:
@@ -97,9 +98,8 @@ def wrench_jacobian(m: Linkage, here: Configuration, near: LimbMargin) -> Wrench
         near.smallest_singular_value,
         near.condition_number,
         tuple(a.name for a in actuators),
-        tuple(a.angle for a in actuators),
-        m.robot.mobility,
-        tuple(m.pulls[m.actuators.index(a)] for a in actuators),
+        drives(m),
+        passing.one(0) if passing else None,
     )
 
 

@@ -181,7 +181,7 @@ def _of_limbs(m: Limbs, coordinates: str | Sequence[str] | None) -> Controller:
             )
             if all(map(isfinite, (*amounts, *row, sigma)))
         ),
-        any(m.pulls),
+        any(m.drives.pulls),
     )
 
 

@@ -27,7 +27,7 @@ from gcrules.core.budget import checkpoint, report
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import drawn
-from gcrules.mechanisms.kinematics.amplification import INDICES, index_names
+from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
@@ -102,17 +102,9 @@ def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold:
     if measure not in MEASURES:
         raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
     plan = method(_PLANNED, found, "a map")(over, at, limits, limit, measure)
-    angles = plan.task.grid.angles_driven
-    if measure == "closure" and not any(found.pulls):
-        raise InputError("the robot has no cables: there is no closure", hint="leave --measure out")
-    if measure in INDICES and measure not in index_names(angles, found.mobility, found.pulls):
-        why = (
-            "there are more actuators than freedoms, so that none moves alone: there is no"
-            if len(angles) > found.mobility
-            else "some actuators turn and others slide: there is no common"
-        )
-        hint = "take --measure isotropy, which weighs them with the robot's size"
-        raise InputError(f"{why} {measure.replace('_', ' ')}", hint=hint)
+    if why := found.drives.missing(measure):
+        there = ", ".join(found.drives.indices)
+        raise InputError(f"{why}: there is no {measure.replace('_', ' ')}", hint=f"indices of this robot are {there}")
     return plan
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from html import escape
 
 from gcrules.poses.limbs.report import RobotPose
-from gcrules.views.results.amplification import amplification_rows, conditioning
+from gcrules.views.results.amplification import amplification_rows, clearances, conditioning, transmission_rows
 from gcrules.views.results.robot_pose import meaning, motions, signed, small
 from gcrules.views.results.singularity_types import in_words
 
@@ -32,6 +32,14 @@ def _rows(r: RobotPose) -> Iterator[tuple[str, str, str]]:
     yield "actuators", "", conditioning(actuators, "")
     for name, speed, turn in amplification_rows(actuators, ""):
         yield name, speed, f"speed of the centre at unit rate, the others locked; turn of the platform: {turn}"
+    for name, first, last in transmission_rows(actuators):
+        yield (
+            f"transmission of {name}",
+            last,
+            "from its wrench to the platform" + f"; to its wrench: {first}" * bool(first),
+        )
+    if actuators.transmission:
+        yield "clearances", "", clearances(actuators.transmission, "")
     for f in r.factors:
         below = f"; divided by the cofactor {signed(f.cofactor)}, {small(f.cofactor_value)} here" if f.cofactor else ""
         yield signed(f.expression), small(f.value), f"{meaning(f.kind, f.statement)}{below}"

@@ -9,14 +9,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.mechanisms.kinematics.amplification import INDICES, Amplification, Amplifications
+from gcrules.mechanisms.kinematics.transmission import Transmission
 from gcrules.views.formulas.latex_text import latex_quantity
-from gcrules.views.text_tables import columns
+from gcrules.views.text_tables import columns, wrapped
 
-__all__ = ["amplification_lines", "amplification_rows", "conditioning", "conditioning_rows", "index_ranges"]
+__all__ = [
+    "actuator_notes",
+    "amplification_lines",
+    "amplification_rows",
+    "clearances",
+    "conditioning",
+    "conditioning_rows",
+    "index_ranges",
+    "transmission_lines",
+    "transmission_rows",
+]
 
 _NOTHING = 1e-12
 _SINGULAR = 1e-7  # isotropies below, as of a zero that is known up to rounding
-_ALONG = ("isotropy", "speed", "turn", "closure")
+_ALONG = ("isotropy", "speed", "turn", "transmission", "constraint_transmission", "closure")
 
 
 def conditioning(a: Amplification, unit: str) -> str:
@@ -51,6 +62,53 @@ def amplification_rows(a: Amplification, unit: str) -> Iterator[tuple[str, str, 
         yield name, speeds, turns
 
 
+def transmission_lines(a: Amplification, unit: str) -> Iterator[str]:
+    """What the limbs pass on, actuator by actuator, and what clearances do; nothing where a limb has loops of its
+    own.
+    """
+    if a.transmission is None:
+        return
+    yield ""
+    yield "Transmission, from 0 to 1: from the actuator to its wrench, from that to the platform"
+    yield from columns(list(transmission_rows(a)), "  ")
+    yield from wrapped(f"{clearances(a.transmission, unit)}.", "", "  ")
+
+
+def transmission_rows(a: Amplification) -> Iterator[tuple[str, str, str]]:
+    """For each actuator its name, what it passes on to its wrench, and what this passes on to the platform; at last the
+    least of the constraints.
+    """
+    t = a.transmission
+    if t is None:
+        return
+    for name, first, last in zip(a.actuators, t.inputs, t.outputs, strict=True):
+        yield name, _number(first), _number(last)
+    if t.constraints:
+        yield "constraints", "", f"{_number(min(t.constraints))}, the least of {len(t.constraints)}"
+
+
+def actuator_notes(a: Amplification, unit: str) -> Iterator[str]:
+    """ "Actuators: condition number 1.2, …." and "Transmission: 0.8299 at least (q2, to its wrench), …."."""
+    yield f"Actuators: {conditioning(a, unit)}."
+    if a.transmission is None:
+        return
+    ways = (("to its wrench", a.transmission.inputs), ("to the platform", a.transmission.outputs))
+    each = [(x, f"{name}, {way}") for way, passed in ways for name, x in zip(a.actuators, passed, strict=True)]
+    least, where = min(pair for pair in each if not math.isnan(pair[0]))
+    held = a.transmission.constraints
+    of_constraints = f", {_number(min(held))} of the constraints" if held else ""
+    yield f"Transmission: {_number(least)} at least ({where}){of_constraints}."
+
+
+def clearances(t: Transmission, unit: str) -> str:
+    """ "Joints with clearances c, and no tilts, shift the centre by at most 17 c and turn the platform by …"."""
+    shift, turn = t.clearance_shift, t.clearance_turn
+    if math.isinf(shift):
+        return "Clearances of the joints, however small, have no bound here"
+    turned = f" and turn the platform by at most {_number(turn)} rad/{unit or 'length'} · c" if turn else ""
+    return f"Joints with clearances c, and no tilts, shift the centre by at most {_number(shift)} c{turned}"
+
+
 def index_ranges(a: Amplifications, parameters: NDArray[np.float64], unit: str) -> Iterator[tuple[str, str]]:
     """The worst isotropy, speed and turn of the samples, and at which parameter; nothing where one is singular."""
     if not a.isotropy.min(initial=1.0) > _SINGULAR:
@@ -59,9 +117,9 @@ def index_ranges(a: Amplifications, parameters: NDArray[np.float64], unit: str) 
         index, values = INDICES[name], a.indices[name]
         worst = int(values.argmin() if index.small else values.argmax())
         if values[worst]:
-            number = f"{_number(float(values[worst]))} {index.unit(unit, a.angles)}".rstrip()
+            number = f"{_number(float(values[worst]))} {index.unit(unit, a.drives.angles)}".rstrip()
             end = "least" if index.small else "largest"
-            yield name, f"{number} at parameter {parameters[worst]:.4g}, the {end} of the samples"
+            yield name.replace("_", " "), f"{number} at parameter {parameters[worst]:.4g}, the {end} of the samples"
 
 
 def conditioning_rows(a: Amplification, unit: str) -> Iterator[tuple[str, str]]:

@@ -12,7 +12,7 @@ from gcrules.poses.numbers.report import PoseReport
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
-from gcrules.views.results.amplification import amplification_lines, conditioning, conditioning_rows
+from gcrules.views.results.amplification import amplification_lines, conditioning, conditioning_rows, transmission_lines
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
 __all__ = ["as_latex", "as_text"]
@@ -53,6 +53,7 @@ def _lines(r: PoseReport) -> Iterator[str]:
         ]
     )
     yield from amplification_lines(r.jacobian.amplification, u)
+    yield from transmission_lines(r.jacobian.amplification, u)
     if r.readings:
         yield ""
         yield "Readings of the condition"

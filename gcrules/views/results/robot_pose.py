@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from gcrules.core.english import listed
-from gcrules.mechanisms.kinematics.amplification import CableTensions
+from gcrules.mechanisms.kinematics.closure import CableTensions
 from gcrules.mechanisms.kinematics.linkage import Actuator
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
@@ -17,7 +17,7 @@ from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
-from gcrules.views.results.amplification import amplification_lines, conditioning, conditioning_rows
+from gcrules.views.results.amplification import amplification_lines, conditioning, conditioning_rows, transmission_lines
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
@@ -63,6 +63,7 @@ def _lines(r: RobotPose) -> Iterator[str]:
     yield "Actuators, from home"
     yield from columns([(a.name, _amount(value, a.angle), f"{a.limb}: {a.joint}") for a, value in r.actuators], "  ")
     yield from amplification_lines(j.amplification, "")
+    yield from transmission_lines(j.amplification, "")
     if j.amplification.cables:
         yield from _cables(j.amplification.cables, r.actuators, r.jacobian)
     if r.factors:
