@@ -16,7 +16,6 @@ from hypothesis import strategies as st
 from mechanisms.bodies import chains
 from mechanisms.moved_robots import analysed, machine, robot, there
 from places import EXAMPLES
-from scipy.linalg import eigh
 
 import gcrules as gc
 from gcrules.apps.cli import cli
@@ -169,7 +168,8 @@ def at_end(arm: np.ndarray, size: float) -> np.ndarray:
 
 def smallest(above: np.ndarray, below: np.ndarray) -> float:
     """The least √(x'Ax / x'Bx)."""
-    return float(max(0.0, eigh(above, below, eigvals_only=True)[0]) ** 0.5)
+    inverse = np.linalg.inv(np.linalg.cholesky(below))
+    return float(max(0.0, np.linalg.eigvalsh(inverse @ above @ inverse.T)[0]) ** 0.5)
 
 
 def largest_turn(m: Linkage, a: Configuration, b: Configuration) -> float:

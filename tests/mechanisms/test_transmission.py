@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,7 @@ def unit(v: Any) -> np.ndarray:
     return np.asarray(v) / np.linalg.norm(v)
 
 
-def places(name: str) -> dict[str, np.ndarray]:
+def places(name: str) -> Mapping[str, np.ndarray]:
     return machine(name).home.values
 
 
@@ -144,7 +145,7 @@ def test_couples_that_are_taken_away() -> None:
     held = [np.cross(p[f"u{k}"], p[f"v{k}"]) for k in (1, 2, 3)]
     for k in range(3):
         others = [h for n, h in enumerate(held) if n != k]
-        turn = unit(np.cross(*others))
+        turn = unit(np.cross(others[0], others[1]))
         assert found[k] == pytest.approx(abs(turn @ unit(held[k])))
 
 
@@ -172,8 +173,8 @@ def shifted(r: gc.Robot, values: Any, centre: np.ndarray, *, plane: bool = False
             moved = inverse[:, 6 * place + 3 : 6 * place + (5 if plane else 6)]
             turns = moved[:3]
             shifts = moved[3:] + np.cross(turns.T, centre).T
-            shift += np.linalg.norm(shifts, 2)
-            turn += np.linalg.norm(turns, 2)
+            shift += float(np.linalg.norm(shifts, 2))
+            turn += float(np.linalg.norm(turns, 2))
     return shift, turn
 
 
