@@ -38,7 +38,7 @@ def _rows(r: RobotPose) -> Iterator[tuple[str, str, str]]:
             last,
             "from its wrench to the platform" + f"; to its wrench: {first}" * bool(first),
         )
-    if actuators.transmission:
+    if actuators.transmission and actuators.transmission.clearance_shift:
         yield "clearances", "", clearances(actuators.transmission, "")
     for f in r.factors:
         below = f"; divided by the cofactor {signed(f.cofactor)}, {small(f.cofactor_value)} here" if f.cofactor else ""

@@ -69,20 +69,22 @@ def transmission_lines(a: Amplification, unit: str) -> Iterator[str]:
     if a.transmission is None:
         return
     yield ""
-    yield "Transmission, from 0 to 1: from the actuator to its wrench, from that to the platform"
-    yield from columns(list(transmission_rows(a)), "  ")
-    yield from wrapped(f"{clearances(a.transmission, unit)}.", "", "  ")
+    if rows := list(transmission_rows(a)):
+        yield "Transmission, from 0 to 1: from the actuator to its wrench, from that to the platform"
+        yield from columns(rows, "  ")
+    if a.transmission.clearance_shift:  # cables have no joints
+        yield from wrapped(f"{clearances(a.transmission, unit)}.", "", "  ")
 
 
 def transmission_rows(a: Amplification) -> Iterator[tuple[str, str, str]]:
-    """For each actuator its name, what it passes on to its wrench, and what this passes on to the platform; at last the
-    least of the constraints.
+    """For each actuator that moves alone its name, what it passes on to its wrench, and what this passes on to the
+    platform; at last the least of the constraints.
     """
     t = a.transmission
     if t is None:
         return
-    for name, first, last in zip(a.actuators, t.inputs, t.outputs, strict=True):
-        yield name, _number(first), _number(last)
+    passed = [row for row in zip(a.actuators, t.inputs, t.outputs, strict=True) if not math.isnan(row[2])]
+    yield from ((name, _number(first), _number(last)) for name, first, last in passed)
     if t.constraints:
         yield "constraints", "", f"{_number(min(t.constraints))}, the least of {len(t.constraints)}"
 
