@@ -41,6 +41,7 @@ export function MapResult({ asked, result, measures }: Props) {
 
   function key(event: KeyboardEvent): void {
     const by = STEPS[event.key];
+    hovered.value = null;
     if (by) choose(stepped(mark ?? [0.5, 0.5], by, result.margin));
     else if (event.key === "Enter" && mark) void go(mark);
     else return;

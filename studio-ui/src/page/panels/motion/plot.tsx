@@ -43,6 +43,7 @@ export function Plot({ frame, picture, children, testid, label, onHover, onPress
           onPress?.(spot(event));
         }}
         onPointerMove={(event) => {
+          if (!event.movementX && !event.movementY) return; // the page moved under a pointer that rests
           onHover?.(spot(event));
           if (event.buttons & 1) onPress?.(spot(event));
         }}
