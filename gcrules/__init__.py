@@ -63,7 +63,7 @@ if TYPE_CHECKING:
         transversals,
         within,
     )
-    from gcrules.api.poses import compiled, export, locus, path, pose, singular, singular_map
+    from gcrules.api.poses import compiled, export, locus, path, pose, singular, singular_map, working_modes
     from gcrules.apps.notebook.view import view
 
 __all__ = [
@@ -115,11 +115,15 @@ __all__ = [
     "transversals",
     "view",
     "within",
+    "working_modes",
 ]
 
 
 _ELSEWHERE = {
-    **dict.fromkeys(("compiled", "export", "locus", "path", "pose", "singular", "singular_map"), "gcrules.api.poses"),
+    **dict.fromkeys(
+        ("compiled", "export", "locus", "path", "pose", "singular", "singular_map", "working_modes"),
+        "gcrules.api.poses",
+    ),
     "view": "gcrules.apps.notebook.view",  # it shows a robot in an app, the notebook
 }
 

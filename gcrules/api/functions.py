@@ -95,6 +95,7 @@ __all__ = [
 ]
 
 map_of = deferred("gcrules.poses.maps.maps:singular_map")
+_in_mode = deferred("gcrules.poses.modes.choose:in_mode")
 path_of = deferred("gcrules.poses.path_report:path")
 decided = deferred("gcrules.algebra.factoring.factorize:factor")
 shortened = deferred("gcrules.algebra.shortening.shorten:shorten")
@@ -275,7 +276,7 @@ def evaluate(e: str | Expr, points: dict[str, Any], *, rank: int | None = None, 
 
 @public
 def load(
-    source: Source, *, plugins: Folders = (), points: Names = (), ideal: Names = ()
+    source: Source, *, plugins: Folders = (), points: Names = (), ideal: Names = (), mode: str | None = None
 ) -> Structure | Platform | Robot | Analysis | RobotAnalysis:
     """What a source says: a `Structure` of legs, a `Platform` with coordinates, or a `Robot` of joints.
 
@@ -283,9 +284,14 @@ def load(
     the text of a geometry file or robot file, the id of a robot (shipped, or of `plugins`, folders of your own), of a
     class of the catalog or of an example, a mapping with the data of a file, or what was loaded or analysed before,
     which is given back. `analyze`, `report`, `view`, `pose`, `singular`, `path`, `locus`, `compiled` and `singular_map`
-    take the same. Raises InputError for what is none of these, FileError with all faults of a file.
+    take the same. With a `mode` a robot's home is in that working mode, "+-+" (`working_modes` names them). Raises
+    InputError for what is none of these, FileError with all faults of a file.
     """
-    return _load(source, plugins=plugins, points=points, ideal=ideal)
+    found = _load(source, plugins=plugins, points=points, ideal=ideal)
+    if mode is None:
+        return found
+    chosen: Structure | Platform | Robot | Analysis | RobotAnalysis = _in_mode(found, mode)
+    return chosen
 
 
 @public

@@ -133,7 +133,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
     "expand": {"e": _EXPR, **_LIMITED},
     "export": {"source": _SOURCE, "language": TEXT, "coordinates": optional(_VARIABLES), "about": _ABOUT},
     "factor": {"e": _SCALAR, **_LIMITED, "all": FLAG, "cofactor": FLAG, "seconds": DURATION},
-    "load": {"source": _SOURCE, "plugins": _FOLDERS, "points": NAMES, "ideal": NAMES},
+    "load": {"source": _SOURCE, "plugins": _FOLDERS, "points": NAMES, "ideal": NAMES, "mode": optional(TEXT)},
     "load_rules": {"files": _FILES, "folders": _FILES, "identities": FLAG},
     "locus": {
         "source": _SOURCE,
@@ -206,6 +206,13 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
     "superbracket": {"legs": _LEGS, "order": optional(_ORDER), "form": WHOLE, "points": NAMES, "ideal": NAMES},
     "transversals": {"legs": _LINES, "every": FLAG, "points": NAMES, "ideal": NAMES, "given": TEXTS},
     "view": {"source": _SOURCE, "pose": ANYTHING, "plugins": _FOLDERS},
+    "working_modes": {
+        "source": _SOURCE,
+        "at": optional(_POSE),
+        "about": _ABOUT,
+        "threshold": _THRESHOLD,
+        "plugins": _FOLDERS,
+    },
     "within": {
         "seconds": optional(_LIMIT),
         "memory": optional(_LIMIT),

@@ -21,6 +21,7 @@ COMMANDS = {
     "pose": ("gcrules.apps.cli.pose:pose", "Tell how close a robot is to a singularity in a pose."),
     "path": ("gcrules.apps.cli.path:path", "Find every singular pose on a path of a robot."),
     "locus": ("gcrules.apps.cli.locus:locus", "Compute the polynomial whose zeros are a robot's singular poses."),
+    "modes": ("gcrules.apps.cli.modes:modes", "List the ways in which the limbs of a robot hold its platform."),
     "map": ("gcrules.apps.cli.map:map_", "Map the singular poses over two or three coordinates."),
     "export": ("gcrules.apps.cli.export:export", "Write the condition as source code for a controller."),
     "report": ("gcrules.apps.cli.legs:report", "Write the analysis as a self-contained HTML page."),

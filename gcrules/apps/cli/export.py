@@ -9,7 +9,7 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.sources import read_source, warn
+from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.compiling.controller import controller
 from gcrules.views.code.languages import LANGUAGES
 from gcrules.views.code.source_code import source_code
@@ -21,6 +21,7 @@ _SUFFIXES = {language.suffix: name for name, language in LANGUAGES.items()}
 
 @click.command(cls=ExpressionCommand)
 @click.argument("file", metavar="FILE.yaml|ID")
+@mode_option
 @click.option("--language", type=click.Choice(list(LANGUAGES)), help="By default that of the FILE's name, or c.")
 @click.option(
     "--coordinates", metavar="NAMES", help='Those of the pose, "z, roll, pitch"; by default those that are free.'
@@ -28,7 +29,9 @@ _SUFFIXES = {language.suffix: name for name, language in LANGUAGES.items()}
 @about_option
 @click.option("-o", "--output", "path", type=OutputFile(), metavar="FILE", help="Write to a file.")
 @time_limit()
-def export(file: str, language: str | None, coordinates: str | None, about: str, path: str | None) -> None:
+def export(
+    file: str, mode: str | None, language: str | None, coordinates: str | None, about: str, path: str | None
+) -> None:
     """Write the condition's factors, the margin and the inverse kinematics as source code that needs nothing else.
 
     \b
@@ -42,7 +45,7 @@ def export(file: str, language: str | None, coordinates: str | None, about: str,
     named = _SUFFIXES.get(suffix)
     if language and named and named != language:
         raise click.UsageError(f"{path} is a name for {LANGUAGES[named].title}, and --language is {language}.")
-    loaded = warn(read_source(file))
+    loaded = warn(read_source(file, mode=mode))
     with working("computing"):
         text = source_code(controller(loaded, coordinates=coordinates, about=about), language or named or "c")
     out = Output(path=path)

@@ -24,7 +24,7 @@ from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual_options import ManualOptions, manual_options
 from gcrules.apps.cli.motion_options import MotionOptions, motion_options
 from gcrules.apps.cli.rule_options import Choice, rules_options
-from gcrules.apps.cli.sources import read_source
+from gcrules.apps.cli.sources import mode_option, read_source
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
@@ -53,6 +53,7 @@ _SPACE = SpaceOptions(4, (), ())  # where no option says otherwise
 
 @click.command(cls=ExpressionCommand)
 @click.argument("legs", nargs=-1, metavar=_LEGS)
+@mode_option
 @_order
 @_recheck
 @manual_options
@@ -67,6 +68,7 @@ _SPACE = SpaceOptions(4, (), ())  # where no option says otherwise
 @output_options()
 def analyze(
     legs: tuple[str, ...],
+    mode: str | None,
     order: str | None,
     recheck: bool,
     manual: ManualOptions,
@@ -107,14 +109,16 @@ def analyze(
     """
     special = assumptions or space.rank != 4 or search != SECONDS
     if manual.requested:
-        refused = recheck or full or catalogs or figure or choice.words or choice.without or out.latex or special
+        refused = (
+            mode or recheck or full or catalogs or figure or choice.words or choice.without or out.latex or special
+        )
         _check_manual(legs, refused, manual)
         run_manual(_six_legs(legs, space, choice) if legs else None, order, manual, space, out, seconds)
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
     others = order or recheck or full or assumptions or catalogs or space != _SPACE
     with limited(seconds, beside(search)):
-        loaded = _loaded(legs, assumptions, space, choice)
+        loaded = _loaded(legs, assumptions, space, choice, mode)
         analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others)
         if figure:
             save(figure_of(analysis), figure)
@@ -123,6 +127,7 @@ def analyze(
 
 @click.command(cls=ExpressionCommand)
 @click.argument("legs", nargs=-1, required=True, metavar=_LEGS)
+@mode_option
 @click.option("-o", "--output", "path", type=OutputFile(), default="-", metavar="FILE.html", help="Write to a file.")
 @_order
 @_recheck
@@ -136,6 +141,7 @@ def analyze(
 @motion_options
 def report(
     legs: tuple[str, ...],
+    mode: str | None,
     path: str,
     order: str | None,
     recheck: bool,
@@ -165,17 +171,29 @@ def report(
     _check_page(path)
     motion.check()
     others = order or recheck or assumptions or catalogs or space != _SPACE
-    loaded = _loaded(legs, assumptions, space, choice)
+    loaded = _loaded(legs, assumptions, space, choice, mode)
     analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others)
     with working("computing"):
         along, mapped = motion.along(analysis), motion.mapped(analysis)
     write_file(path, rendered(analysis, interactive=interactive, path=along, singular_map=mapped))
 
 
-def _loaded(words: tuple[str, ...], assumptions: tuple[str, ...], space: SpaceOptions, choice: Choice) -> Loaded:
+def _loaded(
+    words: tuple[str, ...],
+    assumptions: tuple[str, ...],
+    space: SpaceOptions,
+    choice: Choice,
+    mode: str | None = None,
+) -> Loaded:
     """What the words say. Raises InputError for assumptions about what has coordinates."""
     loaded = read_source(
-        words, plugins=choice.folders, points=space.points, ideal=space.ideal, given=assumptions, rank=space.rank
+        words,
+        mode=mode,
+        plugins=choice.folders,
+        points=space.points,
+        ideal=space.ideal,
+        given=assumptions,
+        rank=space.rank,
     )
     if isinstance(loaded, Platform) and assumptions:
         raise InputError(f"{loaded.filename} gives coordinates: assumptions are for legs without")

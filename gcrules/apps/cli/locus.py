@@ -7,7 +7,7 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, limit_option, output_options
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.sources import read_source, warn
+from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.loci.factors import MAX_TERMS
 from gcrules.poses.loci.form import FORMATS
 from gcrules.poses.loci.locus import locus as computed
@@ -17,6 +17,7 @@ __all__ = ["locus"]
 
 @click.command(cls=ExpressionCommand)
 @click.argument("file", metavar="FILE.yaml|ID")
+@mode_option
 @click.option("--over", metavar="VARIABLES", help="The free variables: x,y,e3, or translation, rotation, all.")
 @click.option("--fix", metavar="VALUES", help='Values of variables, "x=0, e1=1/2"; without --over the others are free.')
 @click.option("--at", metavar="POSE", help="Where the variables that are neither free nor fixed come from.")
@@ -34,6 +35,7 @@ __all__ = ["locus"]
 @output_options()
 def locus(
     file: str,
+    mode: str | None,
     over: str | None,
     fix: str | None,
     at: str | None,
@@ -59,7 +61,7 @@ def locus(
     """
     if export is not None and (out.json or out.latex):
         raise click.UsageError("--export excludes --json and --latex.")
-    loaded = warn(read_source(file))
+    loaded = warn(read_source(file, mode=mode))
     with working("computing"):
         found = computed(loaded, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
         text = found.text(unicode=out.unicode) if export is None else found.written(export)

@@ -11,7 +11,7 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.sources import read_source, warn
+from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.budget import report
 from gcrules.core.errors import InputError
 from gcrules.core.files import after_writing
@@ -26,6 +26,7 @@ __all__ = ["map_"]
 
 @click.command("map", cls=ExpressionCommand)
 @click.argument("file", metavar="FILE.yaml|ID")
+@mode_option
 @click.option(
     "--over",
     multiple=True,
@@ -66,6 +67,7 @@ __all__ = ["map_"]
 )
 def map_(
     file: str,
+    mode: str | None,
     over: tuple[str, ...],
     at: str | None,
     about: str,
@@ -95,7 +97,7 @@ def map_(
     work = _folder(outputs)
     if work is None and restart:
         raise InputError("--restart without -o", hint="chunks are kept only where -o names a file")
-    plan = planned(mechanism(warn(read_source(file)), about=about), over, at, limits, threshold, measure)
+    plan = planned(mechanism(warn(read_source(file, mode=mode)), about=about), over, at, limits, threshold, measure)
     task = plan.task
     if work is not None:
         if task.number == 1 and not os.path.isdir(work):

@@ -7,7 +7,7 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, output_options
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.sources import read_source, warn
+from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.files import write_file
 from gcrules.core.streams import is_stdout
 from gcrules.poses.path_report import path as along
@@ -19,6 +19,7 @@ __all__ = ["path"]
 
 @click.command(cls=ExpressionCommand)
 @click.argument("file", metavar="FILE.yaml|ID")
+@mode_option
 @click.option("--poses", "table", metavar="POSES.csv", help="A table of poses, two or more.")
 @click.option("--at", multiple=True, metavar="POSE", help="A pose, as in gcrules pose; give two or more.")
 @about_option
@@ -43,6 +44,7 @@ __all__ = ["path"]
 @output_options(latex=False)
 def path(
     file: str,
+    mode: str | None,
     table: str | None,
     at: tuple[str, ...],
     about: str,
@@ -69,7 +71,7 @@ def path(
     """
     if (table is None) == (not at):
         raise click.UsageError("Give the poses either by --poses POSES.csv or by --at, twice or more.")
-    loaded = warn(read_source(file))
+    loaded = warn(read_source(file, mode=mode))
     try:
         with working("computing") as status:
             found = along(

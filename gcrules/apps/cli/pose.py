@@ -7,7 +7,7 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, length_option, nearest_option, output_options
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.sources import read_source, warn
+from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.pose import pose as computed
 
 __all__ = ["pose"]
@@ -15,6 +15,7 @@ __all__ = ["pose"]
 
 @click.command(cls=ExpressionCommand)
 @click.argument("file", metavar="FILE.yaml|ID")
+@mode_option
 @click.option(
     "--at",
     metavar="POSE",
@@ -36,6 +37,7 @@ __all__ = ["pose"]
 @output_options()
 def pose(
     file: str,
+    mode: str | None,
     at: str | None,
     actuators: str | None,
     about: str,
@@ -61,7 +63,7 @@ def pose(
     described by its joints, a file or an id, is answered as by "gcrules robot pose"; with --accuracy as the platform
     that its six legs make.
     """
-    loaded = warn(read_source(file))
+    loaded = warn(read_source(file, mode=mode))
     with working("computing"):
         found = computed(
             loaded,

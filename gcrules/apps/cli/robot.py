@@ -22,6 +22,7 @@ from gcrules.apps.cli.base import (
 from gcrules.apps.cli.files import OutputCommand, OutputFile, figure_option, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
+from gcrules.apps.cli.sources import mode_option
 from gcrules.core.budget import checkpoint
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReached
@@ -38,6 +39,7 @@ from gcrules.rules.plugin import ROBOT_FILE
 
 __all__ = ["robot"]
 
+_in_mode = deferred("gcrules.poses.modes.choose:in_mode")
 _home_remark = deferred("gcrules.poses.limbs.remark:home_remark")  # numpy, for numbers only
 _pose = deferred("gcrules.poses.pose:pose")
 _singular = deferred("gcrules.poses.pose:singular")
@@ -166,12 +168,15 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
 
 @robot.command("analyze", short_help="Tell when and why a robot is singular.")
 @_name
+@mode_option
 @_plugins
 @search_option(SECONDS)
 @figure_option
 @time_limit(plus="search")
 @output_options()
-def analyze_command(name: str, folders: tuple[str, ...], search: float, figure: str | None, out: Output) -> None:
+def analyze_command(
+    name: str, mode: str | None, folders: tuple[str, ...], search: float, figure: str | None, out: Output
+) -> None:
     """Tell when and why a robot is singular: wrenches of its limbs, equivalent lines, condition, sentence.
 
     \b
@@ -180,7 +185,7 @@ def analyze_command(name: str, folders: tuple[str, ...], search: float, figure: 
     gcrules robot analyze delta --figure delta.svg
     """
     with working("analysing"):
-        found = analyze_robot(read_robot(name, folders), search=search)
+        found = analyze_robot(_read(name, folders, mode), search=search)
         remark = _home_remark(found)
     if remark:
         click.echo(f"warning: {remark}", err=True)
@@ -191,6 +196,7 @@ def analyze_command(name: str, folders: tuple[str, ...], search: float, figure: 
 
 @robot.command("pose", cls=ExpressionCommand, short_help="Tell how close it is to a singularity, and solve its joints.")
 @_name
+@mode_option
 @_plugins
 @click.option("--at", metavar="POSE", help='"z=0.2, roll=5deg, …" or "x y z; euler zyx a b c deg"; home by default.')
 @click.option("--actuators", metavar="VALUES", help='Instead of a pose: "q1=0.1, q2=5deg", from home.')
@@ -204,6 +210,7 @@ def analyze_command(name: str, folders: tuple[str, ...], search: float, figure: 
 @output_options()
 def pose_command(
     name: str,
+    mode: str | None,
     folders: tuple[str, ...],
     at: str | None,
     actuators: str | None,
@@ -224,7 +231,7 @@ def pose_command(
     Coordinates are x, y, z of the platform's centre and roll, pitch, yaw about the fixed axes (or rx, ry, rz, the
     rotation vector), as many as the platform has freedoms; the others follow. All are from home.
     """
-    read = read_robot(name, folders)
+    read = _read(name, folders, mode)
     with working("computing"):
         if not search:
             out.show(_pose(read, at, actuators=actuators, threshold=threshold, nearest=nearest, length=length))
@@ -236,6 +243,12 @@ def pose_command(
             hint="it is sought at samples of the way: go farther, or in another direction",
         )
     out.show(found)
+
+
+def _read(name: str, folders: tuple[str, ...], mode: str | None) -> Robot:
+    """The robot, with its home in a mode."""
+    found = read_robot(name, folders)
+    return found if mode is None else _in_mode(found, mode)  # type: ignore[no-any-return]
 
 
 @robot.command("new", cls=OutputCommand, short_help="Write a robot file to begin with.")

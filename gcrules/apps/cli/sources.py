@@ -1,4 +1,4 @@
-"""What a command is given: words that `gcrules.load` reads, or standard input."""
+"""What a command is given: words that `gcrules.load` reads, or standard input; and the mode of a robot."""
 
 from __future__ import annotations
 
@@ -8,22 +8,33 @@ from typing import Any
 import click
 
 from gcrules.apps.cli.files import read_stdin
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.load import Loaded, is_path, load
 
-__all__ = ["read_source", "warn"]
+__all__ = ["mode_option", "read_source", "warn"]
+
+_in_mode = deferred("gcrules.poses.modes.choose:in_mode")  # numpy
+
+mode_option = click.option(
+    "--mode", metavar="MODE", help='Take the robot in this working mode, "+-+"; `gcrules modes` lists them.'
+)
 
 
-def read_source(words: str | Sequence[str], **options: Any) -> Loaded:
-    """What the words say, several of them being legs; "-" is standard input. `options` are those of `load`. Raises
-    InputError for a file among legs.
+def read_source(words: str | Sequence[str], *, mode: str | None = None, **options: Any) -> Loaded:
+    """What the words say, several of them being legs; "-" is standard input. `mode` is that of a robot of joints,
+    `options` are those of `load`. Raises InputError for a file among legs, and for modes that there are not.
     """
     if isinstance(words, str):
         words = (words,)
     if len(words) > 1 and any(word == "-" or is_path(word) for word in words):
         raise InputError("expected one geometry file, or legs", hint="give one file at a time")
-    return load(" ".join(words), stdin=read_stdin, **options)
+    loaded = load(" ".join(words), stdin=read_stdin, **options)
+    if mode is None:
+        return loaded
+    found: Loaded = _in_mode(loaded, mode)
+    return found
 
 
 def warn(loaded: Loaded) -> Loaded:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from gcrules.apps.cli.files import read_stdin
+from gcrules.apps.cli.sources import mode_option
 from gcrules.apps.studio.protocol.requests import LONGEST_FILE, SourceJson
 from gcrules.apps.studio.subject import read_subject, source_of
 from gcrules.core.deferred import resolved
@@ -17,9 +18,10 @@ _PORT = "The port, 8747 if not given; if it is taken, the next free one. 0 is an
 
 @click.command()
 @click.argument("source", metavar="[FILE|ID|LEGS]", required=False)
+@mode_option
 @click.option("--port", type=click.IntRange(0, 65535), default=None, metavar="N", help=_PORT)
 @click.option("--no-browser", is_flag=True, help="Print the address only.")
-def studio(source: str | None, port: int | None, no_browser: bool) -> None:
+def studio(source: str | None, mode: str | None, port: int | None, no_browser: bool) -> None:
     """Open the studio: a page on your own machine that leads through an analysis.
 
     \b
@@ -40,13 +42,21 @@ def studio(source: str | None, port: int | None, no_browser: bool) -> None:
         raise InputError(
             f"the studio needs {missing.name}, which is not installed", hint='pip install "gcrules[studio]"'
         ) from None
-    opened = None if source is None else _source(source)
+    if source is None and mode is not None:
+        raise click.UsageError("--mode is that of a robot: name one.")
+    opened = None if source is None else _source(source, mode)
     serve(opened, port=usual if port is None else port, browser=not no_browser, say=click.echo)
 
 
-def _source(word: str) -> SourceJson:
+def _source(word: str, mode: str | None) -> SourceJson:
     """What the word means: a file, an id, or legs. Faults show here, before a page is opened."""
     found = source_of(word, read_stdin)
+    if mode is not None:
+        if found["kind"] not in ("robot", "file"):
+            raise InputError(
+                "--mode is for robots of joints", hint="give the id of one, such as delta, or a robot file"
+            )
+        found = {**found, "mode": mode}  # type: ignore[typeddict-unknown-key,misc]
     if found["kind"] == "file" and len(found["text"]) > LONGEST_FILE:
         raise FileError(f"the file has more than {LONGEST_FILE:,} characters", filename=found["name"])
     if found["kind"] != "class":

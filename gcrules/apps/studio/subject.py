@@ -32,6 +32,7 @@ from gcrules.mechanisms.load import is_data, kind_of, read_class, read_example, 
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.robot import Robot
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.modes.choose import in_mode
 from gcrules.screws import RATIONALS
 from gcrules.views.drawing.sample import sample_coordinates
 from gcrules.views.report.scene_json import Scenery
@@ -176,13 +177,13 @@ def _of_robot(source: RobotSource) -> Subject:
     known = {one.id: one for one in robots()}  # a path is no id: the page opens no files
     if source["id"] not in known:
         raise InputError(f"there is no robot {source['id'][:40]!r}", hint=near(source["id"], known))
-    return _of_loaded(source, read_robot(known[source["id"]].path))
+    return _of_loaded(source, read_robot(known[source["id"]].path), source.get("mode"))
 
 
 def _of_file(source: FileSource) -> Subject:
     text, name = source["text"], source["name"]
     try:
-        return _of_loaded(source, read_text(text, name))
+        return _of_loaded(source, read_text(text, name), source.get("mode"))
     except GcrulesError as fault:
         raise fault.located(text, name, Span(0, 1)) if fault.source is None else fault from None
 
@@ -206,7 +207,9 @@ _NAMED: Mapping[str, Callable[[str], SourceJson]] = {
 # --- reading -------------------------------------------------------------------------------------------------------
 
 
-def _of_loaded(source: SourceJson, loaded: Platform | Robot) -> Subject:
+def _of_loaded(source: SourceJson, loaded: Platform | Robot, mode: str | None = None) -> Subject:
+    if mode is not None:
+        loaded = in_mode(loaded, mode)  # type: ignore[assignment]  # of the same kind
     if isinstance(loaded, Robot):
         return _of_limbs(source, loaded)
     note = " ".join(filter(None, [loaded.note, *loaded.warnings]))

@@ -80,6 +80,8 @@ class ExampleSource(TypedDict):
 class RobotSource(TypedDict):
     kind: Literal["robot"]
     id: _Name
+    mode: NotRequired[_Name]
+    """A working mode, "+-+": the robot's home in that mode."""
 
 
 class FileSource(TypedDict):
@@ -88,6 +90,8 @@ class FileSource(TypedDict):
     kind: Literal["file"]
     text: Annotated[str, text(LONGEST_FILE)]
     name: _Name
+    mode: NotRequired[_Name]
+    """A working mode, of a robot file."""
 
 
 SourceJson = ClassSource | LegsSource | ExampleSource | RobotSource | FileSource
