@@ -101,7 +101,8 @@ def singular(
     """The first singular pose on the straight way from the pose of the file `towards` another, or None.
 
     Arguments and errors as for `pose`. For a platform none is missed: the superbracket along the way is an exact
-    polynomial. For a robot of joints it is a search at samples, and what it does not find may be there all the same.
+    polynomial. For a robot of joints None means that it is proved that nothing on the way is singular; where that is
+    not decided, LimitReached is raised, and a pose that is found says in its notes what is proved of the way before it.
     """
     found = mechanism(source, about=about, plugins=plugins)
     return method(_SINGULAR, found, "the first singular pose")(towards, actuators, degrees, threshold)

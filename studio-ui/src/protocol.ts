@@ -268,6 +268,8 @@ export interface ExampleSource {
 export interface RobotSource {
   kind: "robot";
   id: string;
+  /** A working mode, "+-+": the robot's home in that mode. */
+  mode?: string;
 }
 
 /** The text of a platform file or of a robot file, told apart by its keys. */
@@ -275,6 +277,8 @@ export interface FileSource {
   kind: "file";
   text: string;
   name: string;
+  /** A working mode, of a robot file. */
+  mode?: string;
 }
 
 export type Source = ClassSource | LegsSource | ExampleSource | RobotSource | FileSource;

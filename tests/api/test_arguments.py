@@ -131,6 +131,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "shorten": {"e": "[abcd]", "seconds": 1.0},
     "shortest": {"legs": LEGS},
     "singular_map": {"source": PLATFORM, "over": ["x -1:1:2", "y -1:1:2"], "measure": "value"},
+    "working_modes": {"source": "5r"},
     "singular": {"source": ANALYZED, "towards": "z=0.1, roll=0deg, pitch=0deg"},
     "straighten": {"e": "[abcd]"},
     "superbracket": {"legs": LEGS},

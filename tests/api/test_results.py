@@ -115,6 +115,7 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "pose of a robot": lambda: gc.pose("3-rps", "z=0.1, roll=5deg, pitch=0deg"),
     "path of a robot": lambda: gc.path("3-rpr", ["home", "x=0, y=0, yaw=60deg"], samples=2),
     "singular pose of a robot": lambda: gc.pose("3-rps", "z=-1.1, roll=0deg, pitch=0deg"),
+    "working modes": lambda: gc.working_modes("5r"),
     "factorization": lambda: gc.factor("[abcd][abef] + [abce][abdf]"),
     "shortening": lambda: gc.shorten("[abcd][abef] - [abce][abdf]"),
     "rewriting": lambda: gc.rewrite(r"(ab /\ cde) \/ f", ["expansion"]),

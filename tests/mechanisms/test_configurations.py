@@ -475,10 +475,16 @@ def test_pose_reads_robots_and_platforms() -> None:
     assert (refused.exit_code, "actuators are for robots" in refused.stderr) == (2, True)
 
 
-def test_searches_that_find_nothing_are_undecided() -> None:
+def test_a_way_without_singular_configurations_is_a_definite_no() -> None:
     at = ["--at", "z=0.1, roll=1deg, pitch=0deg", "--search"]
     result = CliRunner().invoke(cli, ["robot", "pose", "3-rps", *at])
-    assert (result.exit_code, "no singular configuration was found" in result.stderr) == (3, True)
+    assert (result.exit_code, "is singular, proved" in result.stdout) == (1, True)
+
+
+def test_ways_that_are_not_decided_say_so() -> None:
+    """The way passes a place so near to a singular one that neither a change of sign nor a proof is had there."""
+    with pytest.raises(gc.LimitReached, match="not decided"):
+        gc.singular("gantry-tau", "x=0, y=-0.613, z=0")
 
 
 @settings(max_examples=60, deadline=None)

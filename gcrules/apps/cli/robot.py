@@ -206,7 +206,11 @@ def analyze_command(
 @length_option
 @nearest_option
 @time_limit()
-@click.option("--search", is_flag=True, help="Seek the first singular configuration on the way there from home.")
+@click.option(
+    "--search",
+    is_flag=True,
+    help="Find the first singular configuration on the way there from home, or prove that there is none.",
+)
 @output_options()
 def pose_command(
     name: str,
@@ -238,17 +242,18 @@ def pose_command(
             return
         found = _singular(read, at, actuators=actuators, threshold=threshold)
     if found is None:
-        raise LimitReached(
-            f"no singular configuration was found on the way to {at or actuators}",
-            hint="it is sought at samples of the way: go farther, or in another direction",
-        )
+        click.echo(f"no configuration on the way to {at or actuators} is singular, proved")
+        raise click.exceptions.Exit(1)
     out.show(found)
 
 
 def _read(name: str, folders: tuple[str, ...], mode: str | None) -> Robot:
     """The robot, with its home in a mode."""
     found = read_robot(name, folders)
-    return found if mode is None else _in_mode(found, mode)  # type: ignore[no-any-return]
+    if mode is None:
+        return found
+    chosen: Robot = _in_mode(found, mode)
+    return chosen
 
 
 @robot.command("new", cls=OutputCommand, short_help="Write a robot file to begin with.")

@@ -52,11 +52,11 @@ def _source(word: str, mode: str | None) -> SourceJson:
     """What the word means: a file, an id, or legs. Faults show here, before a page is opened."""
     found = source_of(word, read_stdin)
     if mode is not None:
-        if found["kind"] not in ("robot", "file"):
+        if found["kind"] != "robot" and found["kind"] != "file":
             raise InputError(
                 "--mode is for robots of joints", hint="give the id of one, such as delta, or a robot file"
             )
-        found = {**found, "mode": mode}  # type: ignore[typeddict-unknown-key,misc]
+        found["mode"] = mode
     if found["kind"] == "file" and len(found["text"]) > LONGEST_FILE:
         raise FileError(f"the file has more than {LONGEST_FILE:,} characters", filename=found["name"])
     if found["kind"] != "class":

@@ -48,7 +48,7 @@ def first_around(limbs: Limbs, pose: PoseJson) -> Nearest:
     for way in every:
         report(f"searching along {way}")
         try:
-            one = first_along(at, limbs.analysis, way)
+            one = first_along(at, way)
         except InputError:
             stops.append(str(way))
             continue

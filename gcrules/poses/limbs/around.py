@@ -6,11 +6,10 @@ while the others keep their values, and the actuators follow. This is a search a
 nothing singular lies nearer.
 
 >>> from gcrules.mechanisms.kinematics.linkage import linkage
->>> from gcrules.mechanisms.analyze import analyze
->>> analysis = analyze("3-rpr")
->>> m = linkage(analysis.robot)
->>> first = first_along(m, analysis, Heading("yaw", 1))
->>> round(first.distance, 4), first_along(m, analysis, Heading("x", 1))
+>>> from gcrules.mechanisms.load import load
+>>> m = linkage(load("3-rpr"))
+>>> first = first_along(m, Heading("yaw", 1))
+>>> round(first.distance, 4), first_along(m, Heading("x", 1))
 (0.3092, None)
 """
 
@@ -21,22 +20,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.solve import Solution, check_target, free_coordinates, goal
 from gcrules.mechanisms.kinematics.targets import Target
+from gcrules.poses.limbs.first_singular import first_singular
 from gcrules.poses.limbs.nearest import nearest_singular
-from gcrules.poses.limbs.search import first_singular
 from gcrules.screws.pose_text import ANGLES
 
 __all__ = ["Heading", "SingularAlong", "actuator_values", "first_along", "headings", "nearest_around"]
 
 REACH = np.pi / 3, 0.75
 """How far it is looked: radians, and parts of the robot's size."""
-
-_SAMPLES = 20
 
 
 @dataclass(frozen=True)
@@ -79,7 +75,7 @@ def headings(m: Linkage) -> Iterator[Heading]:
     return (Heading(name, sign) for name in free_coordinates(m) for sign in (1, -1))
 
 
-def first_along(m: Linkage, analysis: RobotAnalysis, way: Heading) -> SingularAlong | None:
+def first_along(m: Linkage, way: Heading) -> SingularAlong | None:
     """The first singular configuration on a way from home, or None. Raises InputError where the robot does not assemble
     before it, or is singular at home.
     """
@@ -87,8 +83,8 @@ def first_along(m: Linkage, analysis: RobotAnalysis, way: Heading) -> SingularAl
     far = REACH[0] if way.angle else REACH[1] * m.size
     wanted = Target(names, np.array([way.sign * far if n == way.name else 0.0 for n in names]), text=str(way))
     check_target(m, wanted)
-    found = first_singular(m, analysis, wanted, _SAMPLES)
-    if found is None:
+    found = first_singular(m, wanted)
+    if found.solution is None:
         return None
     apart = found.part * (REACH[0] if way.angle else REACH[1])
     return SingularAlong(way, found.part * far, apart, found.solution, Course(m, wanted), found.part)

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from gcrules.core.english import agreeing
-from gcrules.core.errors import InputError
+from gcrules.core.english import agreeing, listed
+from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.floats import without_noise
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.configurations import Configurations
@@ -32,9 +32,9 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.assembly_mode import assembly_mode
 from gcrules.poses.limbs.balance import limb_numbers
 from gcrules.poses.limbs.factors import ConditionFactor, factors
+from gcrules.poses.limbs.first_singular import FirstSingular, first_singular
 from gcrules.poses.limbs.nearest import nearest_singular
 from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
-from gcrules.poses.limbs.search import first_singular
 from gcrules.poses.limbs.singularity_types import singularity_types
 from gcrules.poses.numbers.motion import Twist, twist_of
 from gcrules.screws.guarantees import DIGITS
@@ -115,17 +115,36 @@ def _numbers(names: Sequence[str], values: Any, size: float) -> dict[str, float]
 def first_singular_pose(
     m: Limbs, at: Any, actuators: Any, *, degrees: bool = False, threshold: str | Threshold = DEFAULT
 ) -> RobotPose | None:
-    """The numbers at the first singular configuration on the way to what is wanted, or None. Raises InputError."""
+    """The numbers at the first singular configuration on the way to what is wanted; None where it is proved that none
+    is. Raises InputError, and LimitReached where none is known and some stretches are not decided.
+    """
     limit = angle_threshold(threshold, "for robots described by joints")
     wanted = target_of(m.linkage, at, actuators, degrees)
     if wanted is None or not wanted.values.any():
         raise InputError("no direction is given in which to look", hint="give the end of the way: z=1, roll=0deg, …")
     check_target(m.linkage, wanted)
-    found = first_singular(m.linkage, m.analysis, wanted)
-    if found is None:
-        return None
-    part = replace(found.solution, target=replace(wanted, text=f"{100 * found.part:.6g}% of the way to {wanted.text}"))
-    return report_at(m.linkage, m.analysis, part, limit)
+    found = first_singular(m.linkage, wanted)
+    if found.solution is None:
+        if found.proved:
+            return None
+        raise LimitReached(
+            f"no singular configuration is known on the way to {wanted.text}, but {_open(found)}",
+            hint="a way beside it may be decided; `gcrules path` lists the stretches",
+        )
+    text = f"{100 * found.part:.6g}% of the way to {wanted.text}"
+    first = report_at(m.linkage, m.analysis, replace(found.solution, target=replace(wanted, text=text)), limit)
+    before = (
+        "proved: no configuration before it is singular" if found.proved else f"of the way before it {_open(found)}"
+    )
+    return replace(first, notes=(*first.notes, before))
+
+
+def _open(found: FirstSingular) -> str:
+    """What is not decided, in words."""
+    words = [f"{100 * a:.4g}% to {100 * b:.4g}%" for a, b in found.undecided]
+    if found.doubt is not None and not words:
+        return f"from {100 * found.doubt:.4g}% on its branch is not proved"
+    return f"at {listed(words)} of the way it is not decided"
 
 
 def _at_home(m: Linkage) -> Solution:

@@ -5,11 +5,8 @@ r"""A robot in a mode that is named: the same robot with another home.
 <Robot delta: 3-R*4S, mobility 3>
 >>> in_mode(load("delta"), "+-+").title
 'Delta robot with rods, working mode +-+'
->>> in_mode(load("3-rps"), "+-+")
-Traceback (most recent call last):
-    ...
-gcrules.core.errors.InputError: +-+ is no working mode of 3-rps: at home only this one way of leg 2 to hold the \
-platform was found
+>>> in_mode(load("3-rps"), "home").title
+'3-RPS robot'
 """
 
 from __future__ import annotations

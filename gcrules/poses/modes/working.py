@@ -46,7 +46,7 @@ class LimbWays:
     moving: bool = False
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class WorkingMode:
     """A working mode by name. `offsets` are the amounts of the actuators at its home, from the home of the file (rad,
     the file's unit of length); `pose` has the numbers in the pose that was asked for, None with the `fault` where the
@@ -90,7 +90,7 @@ class WorkingMode:
 _ZERO = 1e-6
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class WorkingModes(Shown):
     """The working modes that were found of a robot, home's first; `number` of them in all, `missing` left their family.
 
