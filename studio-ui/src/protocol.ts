@@ -338,6 +338,11 @@ export interface MapArgs {
   measure?: string;
 }
 
+export interface ModesArgs {
+  source: Source;
+  threshold?: string;
+}
+
 /** The pose at a place of that map, in the units of its axes. */
 export interface PlaceArgs {
   source: Source;
@@ -583,6 +588,22 @@ export interface Study {
   robot: Robot | null;
 }
 
+/** A working mode at home; its drives are from the home of the file. */
+export interface Mode {
+  name: string;
+  verdict: Verdict | null;
+  margin: number | null;
+  drives: string;
+}
+
+export interface ModesAnswer {
+  modes: Mode[];
+  /** How many there are; of very many only some are listed. */
+  number: number;
+  /** How many ways the limbs have to hold the platform. */
+  ways: string[];
+}
+
 export interface Reading {
   part: string;
   name: string;
@@ -786,6 +807,7 @@ export interface Methods {
   pose: { args: PoseArgs; result: Numbers };
   along: { args: AlongArgs; result: Along };
   nearest: { args: PoseArgs; result: Nearest };
+  modes: { args: ModesArgs; result: ModesAnswer };
   path: { args: PathArgs; result: PathAnswer };
   map: { args: MapArgs; result: MapAnswer };
   place: { args: PlaceArgs; result: PlacedPose };

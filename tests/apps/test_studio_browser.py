@@ -431,6 +431,29 @@ def test_a_map_is_read_by_pointer_and_keys_and_leads_the_robot(desk: Desk) -> No
     assert "proved free" in desk.text("map-readout")
 
 
+def test_a_working_mode_is_taken_from_the_list(desk: Desk) -> None:
+    """The list stays, the robot stands otherwise, a link keeps the mode, and undo brings home's back."""
+    desk.run("() => gcrules.open({kind: 'robot', id: '3-rrr'})")
+    desk.answered()
+    before = desk.numbers["margin"]
+    desk.one("modes-list").click()
+    modes = desk.page.get_by_test_id("mode")
+    modes.last.wait_for()
+    assert modes.count() == 8
+    assert modes.first.get_attribute("aria-pressed") == "true"
+    modes.last.click()
+    desk.page.wait_for_function("() => gcrules.study.value?.title.endsWith('working mode ---')")
+    desk.answered()
+    assert desk.numbers["margin"] != before
+    assert modes.last.get_attribute("aria-pressed") == "true"
+    desk.page.wait_for_timeout(400)  # until the address is written
+    desk.page.reload()
+    desk.page.wait_for_function("() => gcrules.study.value?.title.endsWith('working mode ---')")
+    desk.run("() => gcrules.open({kind: 'robot', id: '3-rrr'})")
+    desk.answered()
+    assert desk.numbers["margin"] == pytest.approx(before)
+
+
 def test_a_long_map_is_stopped(desk: Desk) -> None:
     motion(desk, "robot", "delta")
     desk.one("map-nodes").select_option("81")

@@ -346,3 +346,31 @@ def test_every_robot_has_ranges_of_which_the_first_two_make_a_map(page: Page, ro
     found = page.ask("map", source=source, over=over, pose=HOME)
     home = page.ask("pose", source=source, pose=HOME)
     assert found["margin"][1][1] == pytest.approx(home["margin"], rel=1e-3)
+
+
+# --- working modes -------------------------------------------------------------------------------------------------
+
+
+def test_modes_are_those_of_gc_working_modes(page: Page) -> None:
+    found = page.ask("modes", source=DELTA)
+    same = gc.working_modes("delta")
+    assert [(m["name"], m["verdict"], m["margin"]) for m in found["modes"]] == [
+        (m.name, m.pose.verdict, m.pose.margin) for m in same.modes if m.pose
+    ]
+    assert (found["number"], found["ways"]) == (8, ["arm 1, arm 2 and arm 3: 2 ways each"])
+    assert page.ask("modes", source=DELTA | {"mode": "-+-"}) == found
+
+
+def test_a_robot_is_opened_in_a_mode(root: Path, page: Page) -> None:
+    text = (root / "plugins" / "delta" / "robot.yaml").read_text(encoding="utf-8")
+    for source in (DELTA, {"kind": "file", "text": text, "name": "robot.yaml"}):
+        study = page.ask("open", source=source | {"mode": "-+-"})
+        assert study["title"] == "Delta robot with rods, working mode -+-"
+        there = page.ask("pose", source=source | {"mode": "-+-"}, pose=HOME)
+        assert there["margin"] == pytest.approx(gc.pose(gc.load("delta", mode="-+-"), nearest=False).margin, abs=1e-9)
+
+
+@pytest.mark.parametrize("source", [DELTA | {"mode": "++"}, OCTAHEDRAL], ids=["no mode", "a platform"])
+def test_what_has_no_such_mode_is_refused(page: Page, source: dict[str, str]) -> None:
+    fault = page.fault("modes" if source is OCTAHEDRAL else "open", source=source)
+    assert fault["kind"] == "input"

@@ -11,6 +11,7 @@ from gcrules.apps.studio.export import saved
 from gcrules.apps.studio.gallery import gallery
 from gcrules.apps.studio.manual_replay import replayed
 from gcrules.apps.studio.map_view import map_view, place_view
+from gcrules.apps.studio.modes_view import modes_view
 from gcrules.apps.studio.nearest_view import nearest
 from gcrules.apps.studio.numbers import margins, numbers
 from gcrules.apps.studio.path_view import path_view
@@ -27,6 +28,7 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "pose": lambda subject, args: numbers(subject, args["pose"], args.get("threshold")),
     "along": lambda subject, args: margins(subject, args["poses"], args.get("threshold")),
     "nearest": lambda subject, args: nearest(subject, args["pose"], args.get("threshold")),
+    "modes": lambda subject, args: modes_view(subject, args.get("threshold")),
     "path": lambda subject, args: path_view(
         subject, args.get("start"), args["goal"], args.get("to"), args.get("threshold")
     ),

@@ -37,7 +37,7 @@ from gcrules.screws import RATIONALS
 from gcrules.views.drawing.sample import sample_coordinates
 from gcrules.views.report.scene_json import Scenery
 
-__all__ = ["Subject", "read_subject", "source_of"]
+__all__ = ["Subject", "read_subject", "robot_of", "source_of"]
 
 Vector = tuple[Fraction, Fraction, Fraction]
 
@@ -174,10 +174,14 @@ def _of_example(source: ExampleSource) -> Subject:
 
 
 def _of_robot(source: RobotSource) -> Subject:
+    return _of_loaded(source, _known(source["id"]), source.get("mode"))
+
+
+def _known(name: str) -> Robot:
     known = {one.id: one for one in robots()}  # a path is no id: the page opens no files
-    if source["id"] not in known:
-        raise InputError(f"there is no robot {source['id'][:40]!r}", hint=near(source["id"], known))
-    return _of_loaded(source, read_robot(known[source["id"]].path), source.get("mode"))
+    if name not in known:
+        raise InputError(f"there is no robot {name[:40]!r}", hint=near(name, known))
+    return read_robot(known[name].path)
 
 
 def _of_file(source: FileSource) -> Subject:
@@ -186,6 +190,18 @@ def _of_file(source: FileSource) -> Subject:
         return _of_loaded(source, read_text(text, name), source.get("mode"))
     except GcrulesError as fault:
         raise fault.located(text, name, Span(0, 1)) if fault.source is None else fault from None
+
+
+def robot_of(source: SourceJson) -> Robot:
+    """The robot of joints that a source names, with the home of its file whatever mode is open. Raises InputError for
+    other sources.
+    """
+    found: Platform | Robot | None = _known(source["id"]) if source["kind"] == "robot" else None
+    if source["kind"] == "file":
+        found = read_text(source["text"], source["name"])
+    if not isinstance(found, Robot):
+        raise InputError("this is no robot of joints")
+    return found
 
 
 _READERS: Mapping[str, Callable[[Any], Subject]] = {

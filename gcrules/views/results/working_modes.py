@@ -10,7 +10,7 @@ from gcrules.poses.modes.working import WorkingMode, WorkingModes
 from gcrules.views.formulas.latex_text import latex_table, latex_words
 from gcrules.views.text_tables import ASCII, wrapped
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["amounts", "as_latex", "as_text", "ways"]
 
 
 def as_text(w: WorkingModes, *, unicode: bool = False) -> str:
@@ -23,7 +23,7 @@ def _lines(w: WorkingModes) -> Iterator[str]:
     yield from wrapped(f"{w.title} ({w.robot}): {_counted(w)}, at {w.target}.")
     yield ""
     yield "Ways of each limb to hold the platform where it is at home"
-    for words in _ways(w):
+    for words in ways(w):
         yield from wrapped(words, "  ", "    ")
     yield ""
     yield from _table(w)
@@ -47,7 +47,8 @@ def _counted(w: WorkingModes) -> str:
     return f"{words}, but {left} the family that the file describes"
 
 
-def _ways(w: WorkingModes) -> Iterator[str]:
+def ways(w: WorkingModes) -> Iterator[str]:
+    """How many ways the limbs have, those alike together: "arm 1, arm 2 and arm 3: 2 ways each"."""
     alike: dict[str, list[str]] = {}
     for limb in w.limbs:
         if limb.moving:
@@ -74,12 +75,16 @@ def _table(w: WorkingModes) -> Iterator[str]:
 def _row(w: WorkingModes, mode: WorkingMode) -> list[str]:
     if mode.pose is None:
         return [mode.name, "does not assemble", "", "", *("" for _ in w.actuators)]
+    return [mode.name, mode.pose.verdict, f"{mode.pose.margin:.4g}", mode.signs.replace("-", "−"), *amounts(w, mode)]
+
+
+def amounts(w: WorkingModes, mode: WorkingMode) -> list[str]:
+    """The amounts of the actuators, from the home of the file."""
     drives = mode.drives
-    amounts = [
+    return [
         f"{round(math.degrees(drives[a.name]), 2) + 0.0:.4g}°" if a.angle else f"{drives[a.name]:.4g}"
         for a in w.actuators
     ]
-    return [mode.name, mode.pose.verdict, f"{mode.pose.margin:.4g}", mode.signs.replace("-", "−"), *amounts]
 
 
 def as_latex(w: WorkingModes) -> str:

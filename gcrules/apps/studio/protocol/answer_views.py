@@ -20,12 +20,31 @@ __all__ = [
     "HintView",
     "Manual",
     "ManualStep",
+    "ModeView",
+    "ModesAnswer",
     "Nearest",
     "Numbers",
     "ReadingView",
     "Saved",
     "SingularPoseView",
 ]
+
+
+class ModeView(TypedDict):
+    """A working mode at home; its drives are from the home of the file."""
+
+    name: str
+    verdict: Verdict | None
+    margin: float | None
+    drives: str
+
+
+class ModesAnswer(TypedDict):
+    modes: list[ModeView]
+    number: int
+    """How many there are; of very many only some are listed."""
+    ways: list[str]
+    """How many ways the limbs have to hold the platform."""
 
 
 class ReadingView(TypedDict):

@@ -47,6 +47,7 @@ METHODS: Mapping[str, Method] = {
     "pose": Method(requests.PoseArgs, answers.Numbers, where="numbers"),
     "along": Method(requests.AlongArgs, answers.Along),
     "nearest": Method(requests.PoseArgs, answers.Nearest, seconds=120),
+    "modes": Method(requests.ModesArgs, answers.ModesAnswer, seconds=120),
     "path": Method(requests.PathArgs, PathAnswer, seconds=300),
     "map": Method(requests.MapArgs, MapAnswer, seconds=600),
     "place": Method(requests.PlaceArgs, PlacedPose),

@@ -29,6 +29,7 @@ __all__ = [
     "LegsSource",
     "ManualArgs",
     "MapArgs",
+    "ModesArgs",
     "NoArgs",
     "OpenArgs",
     "PathArgs",
@@ -177,6 +178,11 @@ class MapArgs(TypedDict):
     pose: PoseJson
     threshold: NotRequired[_Threshold]
     measure: NotRequired[Annotated[str, text(20)]]
+
+
+class ModesArgs(TypedDict):
+    source: SourceJson
+    threshold: NotRequired[_Threshold]
 
 
 class PlaceArgs(TypedDict):

@@ -2,6 +2,7 @@
 import { useState } from "preact/hooks";
 import { useStore } from "../parts/context";
 import { Tabs } from "../parts/tabs";
+import { ModeView } from "./mode-view";
 import { NearestView } from "./nearest-view";
 import { ReadingsTable } from "./readings-table";
 import { SearchView } from "./search-view";
@@ -26,6 +27,7 @@ export function PosePanel() {
       {shown.axes.length > 0 && <Sliders study={shown} />}
       {shown.kind === "platform" && shown.axes.length > 0 && <NearestView />}
       {shown.kind === "robot" && shown.axes.length > 0 && <SearchView />}
+      {shown.kind === "robot" && shown.axes.length > 0 && <ModeView />}
       <section class="tabbed">
         <Tabs<Tab> name="Numbers" tabs={TABS} current={tab} onChoose={choose} />
         {tab === "way" ? <WayPlot /> : <ReadingsTable />}

@@ -21,10 +21,12 @@ const among = <T extends string>(allowed: readonly T[]) => (x: unknown): x is T 
 function readSource(x: unknown): Source | null {
   if (!isObject(x)) return null;
   const { kind, id, name, legs, text } = x;
-  if ((kind === "class" || kind === "robot") && isText(id)) return { kind, id };
+  const mode = isText(x.mode) ? { mode: x.mode } : {};
+  if (kind === "class" && isText(id)) return { kind, id };
+  if (kind === "robot" && isText(id)) return { kind, id, ...mode };
   if (kind === "example" && isText(name)) return { kind, name };
   if (kind === "legs" && isText(legs)) return { kind, legs };
-  if (kind === "file" && isText(text) && isText(name)) return { kind, text, name };
+  if (kind === "file" && isText(text) && isText(name)) return { kind, text, name, ...mode };
   return null;
 }
 

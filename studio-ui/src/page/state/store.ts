@@ -3,10 +3,12 @@ import { signal, type ReadonlySignal } from "@preact/signals";
 import type { Gallery } from "../../protocol";
 import type { Client } from "../net/client";
 import type { Doc } from "./doc";
+import { createChoosing } from "./choosing";
 import { createEditing, type Editing } from "./editing";
 import { createLit, type Lit } from "./lit";
 import { createMoving, type Moving } from "./moving";
 import { createPosing, type Posing } from "./posing";
+import type { Runner } from "./running";
 import { createSeeker, type Seeker } from "./seeking";
 import { createSpace, type Space } from "./space";
 import { createStudying, type Studying } from "./studying";
@@ -21,6 +23,7 @@ export interface Store extends Editing, Studying {
   moving: Moving;
   seeker: Seeker;
   touring: Touring;
+  modes: Runner<"modes">;
   lit: Lit;
   space: Space;
   taste: Taste;
@@ -44,6 +47,7 @@ export function createStore(client: Client, start: Doc): Store {
     moving: createMoving(editing, posing),
     seeker: createSeeker(client, editing),
     touring: createTouring(client, editing),
+    modes: createChoosing(client, editing),
     lit: createLit(),
     space: createSpace(),
     taste: createTaste(),

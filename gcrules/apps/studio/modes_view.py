@@ -1,0 +1,34 @@
+"""The working modes of a robot with limbs, for the page."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from gcrules.apps.studio.protocol.answer_views import ModesAnswer, ModeView
+from gcrules.apps.studio.subject import Subject, robot_of
+from gcrules.apps.studio.thresholds import threshold_of
+from gcrules.core.budget import report
+from gcrules.core.errors import InputError
+from gcrules.poses.modes.working import WorkingMode, WorkingModes, working_modes
+from gcrules.views.results.working_modes import amounts, ways
+
+__all__ = ["modes_view"]
+
+
+def modes_view(subject: Subject, limit: str | None) -> ModesAnswer:
+    """All modes of the robot whose home the file gives, whatever mode is open. Raises InputError for platforms."""
+    if subject.robot is None:
+        raise InputError("a platform on six legs has one working mode")
+    report("finding the ways of each limb")
+    robot = robot_of(subject.source)
+    found = working_modes(replace(subject.robot, robot=robot), threshold=threshold_of(limit, ""))
+    return {"modes": [_view(found, mode) for mode in found.modes], "number": found.number, "ways": list(ways(found))}
+
+
+def _view(found: WorkingModes, mode: WorkingMode) -> ModeView:
+    return {
+        "name": mode.name,
+        "verdict": mode.pose.verdict if mode.pose else None,
+        "margin": mode.pose.margin if mode.pose else None,
+        "drives": ", ".join(f"{a.name} {v}" for a, v in zip(found.actuators, amounts(found, mode), strict=True)),
+    }
