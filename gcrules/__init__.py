@@ -63,7 +63,7 @@ if TYPE_CHECKING:
         transversals,
         within,
     )
-    from gcrules.api.poses import compiled, export, locus, path, pose, singular, singular_map
+    from gcrules.api.poses import assembly_modes, compiled, export, locus, path, pose, singular, singular_map
     from gcrules.apps.notebook.view import view
 
 __all__ = [
@@ -91,6 +91,7 @@ __all__ = [
     "Transversals",
     "__version__",
     "analyze",
+    "assembly_modes",
     "compiled",
     "evaluate",
     "expand",
@@ -119,7 +120,10 @@ __all__ = [
 
 
 _ELSEWHERE = {
-    **dict.fromkeys(("compiled", "export", "locus", "path", "pose", "singular", "singular_map"), "gcrules.api.poses"),
+    **dict.fromkeys(
+        ("assembly_modes", "compiled", "export", "locus", "path", "pose", "singular", "singular_map"),
+        "gcrules.api.poses",
+    ),
     "view": "gcrules.apps.notebook.view",  # it shows a robot in an app, the notebook
 }
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from itertools import pairwise
 
 import numpy as np
 
@@ -53,7 +54,7 @@ def all_zeros(seed: int) -> tuple[Complexes, Complexes]:
     while quiet < _QUIET:
         stops = [quadrics(f) for f in (forms, _random(rng, 6, COORDINATES), _random(rng, 6, COORDINATES), forms)]
         x, ended = zeros.copy(), np.ones(len(zeros), dtype=bool)
-        for a, b in zip(stops, stops[1:], strict=False):
+        for a, b in pairwise(stops):
             ends = follow(a, b, x, _ACCURATE)
             x, ended = ends.x, ended & (ends.t == 0)
         before = len(zeros)

@@ -282,8 +282,8 @@ def load(
     A source is legs ("ab af cb cd ed ef", or a sequence of pairs of names, read with `points` and `ideal`), the name or
     the text of a geometry file or robot file, the id of a robot (shipped, or of `plugins`, folders of your own), of a
     class of the catalog or of an example, a mapping with the data of a file, or what was loaded or analysed before,
-    which is given back. `analyze`, `report`, `view`, `pose`, `singular`, `path`, `locus`, `compiled` and `singular_map`
-    take the same. Raises InputError for what is none of these, FileError with all faults of a file.
+    which is given back. `analyze`, `report`, `view`, `pose`, `singular`, `path`, `assembly_modes`, `locus`, `compiled`
+    and `singular_map` take the same. Raises InputError for what is none of these, FileError with all faults of a file.
     """
     return _load(source, plugins=plugins, points=points, ideal=ideal)
 

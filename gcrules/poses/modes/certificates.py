@@ -70,28 +70,30 @@ def chart_for(x: Complexes) -> Floats:
     rng = np.random.default_rng(8)
     tried = rng.normal(size=(_CHARTS, 8))
     size = np.linalg.norm(x, axis=1)
-    least = (np.abs(tried @ x.T) / size).min(axis=1) / np.linalg.norm(tried, axis=1)
+    least = (np.abs(tried @ x.T) / size).min(axis=1, initial=np.inf) / np.linalg.norm(tried, axis=1)
     best = tried[int(np.argmax(least))]
     return np.asarray(best / np.linalg.norm(best))
 
 
 def boxes(system: Floats, known: Floats, x: Complexes) -> Boxes:
-    """Boxes around solutions x (N, 8) of real quadrics (7, 8, 8), whose coefficients are `known` up to these numbers."""
+    """Boxes around solutions x (N, 8) of real quadrics (7, 8, 8), with coefficients `known` up to these numbers."""
     chart = chart_for(x)
+    whole, along = system.astype(complex), chart.astype(complex)
     y = x / (x @ chart)[:, None]
     near = np.abs(y.imag).max(axis=1, initial=0.0) <= _REAL * np.abs(y).max(axis=1, initial=0.0)
-    y = np.where(near[:, None], y.real, y)
+    y = np.where(near[:, None], y.real, y).astype(complex)
     for _ in range(_STEPS):
-        y = y - (np.linalg.inv(jacobians(system, y, chart)) @ _values(system, chart, y)[..., None])[..., 0]
-    y = np.where(near[:, None], y.real, y)
+        y = y - (np.linalg.inv(jacobians(whole, y, along)) @ _values(whole, along, y)[..., None])[..., 0]
+    y = np.where(near[:, None], y.real, y).astype(complex)
     off = known + _SUMS * np.abs(system)
     sizes = np.abs(y)
-    jacobian = jacobians(system, y, chart)
+    jacobian = jacobians(whole, y, along)
     back = np.linalg.inv(jacobian)
+    back = np.where(near[:, None, None], back.real, back)
     weights = np.abs(back)
     doubt = np.einsum("nij,ki,kj->kn", off, sizes, sizes)
     doubt = np.concatenate([doubt, _SUMS * (sizes @ np.abs(chart))[:, None] + _EPSILON], axis=1)
-    beta = (weights @ (np.abs(_values(system, chart, y)) + doubt)[..., None])[..., 0].max(axis=1)
+    beta = (weights @ (np.abs(_values(whole, along, y)) + doubt)[..., None])[..., 0].max(axis=1)
     slope_doubt = 2 * np.einsum("nij,kj->kni", off, sizes)
     slope_doubt = np.concatenate([slope_doubt, np.zeros((len(y), 1, 8))], axis=1)
     rest = np.abs(np.eye(8) - back @ jacobian) + weights @ (slope_doubt + _SUMS * np.abs(jacobian))
@@ -112,5 +114,5 @@ def boxes(system: Floats, known: Floats, x: Complexes) -> Boxes:
     return Boxes(y, chart, radius, alone, real, unreal, apart)
 
 
-def _values(system: Floats, chart: Floats, y: Complexes) -> Complexes:
+def _values(system: Complexes, chart: Complexes, y: Complexes) -> Complexes:
     return np.concatenate([residuals(system, y), (y @ chart - 1)[:, None]], axis=1)

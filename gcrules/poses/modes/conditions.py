@@ -25,7 +25,18 @@ from numpy.typing import NDArray
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
-__all__ = ["COORDINATES", "FORMS", "STUDY", "forms_of_limb", "forms_of_pairs", "image", "motions", "quadrics", "study"]
+__all__ = [
+    "COORDINATES",
+    "FORMS",
+    "STUDY",
+    "about_centre",
+    "forms_of_limb",
+    "forms_of_pairs",
+    "image",
+    "motions",
+    "quadrics",
+    "study",
+]
 
 Complexes = NDArray[np.complex128]
 

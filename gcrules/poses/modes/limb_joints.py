@@ -107,8 +107,8 @@ def configuration(m: Linkage, amounts: Sequence[Floats]) -> Configuration:
 
 
 def _limb_amounts(m: Linkage, place: int, held: Held, motion: Floats) -> list[list[Floats]]:
-    """Amounts of a limb's coordinates that bring the platform there, for each span of the undriven twists several, those
-    first that are reached from home.
+    """Amounts of a limb's coordinates that bring the platform there, for each span of the undriven twists several,
+    those first that are reached from home.
     """
     chain, free = m.home.chains[place], list(held.free[place])
     rng = np.random.default_rng(place)

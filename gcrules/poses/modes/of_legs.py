@@ -13,12 +13,12 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.conditions.gained_motion import factors
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.coordinates import coordinates
+from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.modes.conditions import forms_of_pairs, motions, study
 from gcrules.poses.modes.report import AssemblyMode, AssemblyModes, Certificate, Completeness, FactorSign, SolutionCurve
-from gcrules.poses.modes.singular_ends import Curve, curves_of, grouped
+from gcrules.poses.modes.singular_ends import Curve, MultipleSolution, curves_of, grouped
 from gcrules.poses.modes.zeros import NEEDED, Zeros, rank_of, zeros_of
 from gcrules.poses.numbers.arrays import from_poses
 from gcrules.poses.numbers.report import PoseReport
@@ -38,7 +38,8 @@ _UNPROVED = "not proved: floats do not tell that its box holds exactly one solut
 def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Threshold) -> AssemblyModes:
     """All of them, for the lengths at a pose, those of the file if there is none, or for lengths that are given."""
     legs = _Legs.of(m, at, actuators)
-    zeros, several, curves = None, [], []
+    zeros: Zeros | None = None
+    several: list[MultipleSolution] = []
     if rank_of(legs.forms) < NEEDED:
         curves = curves_of(legs.forms, legs.given_parameters)
     else:
@@ -48,6 +49,7 @@ def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Thresh
     found += [_mode(legs, s.x, Certificate(False, _MULTIPLE), threshold, s.paths) for s in several]
     found.sort(key=lambda one: (not one.given, -one.margin))
     return AssemblyModes(
+        mechanism=m,
         title=m.title,
         unit=m.unit,
         asked=legs.asked,
@@ -55,7 +57,10 @@ def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Thresh
         centre=tuple(map(float, m.rig.centre)),
         modes=tuple(replace(one, number=n) for n, one in enumerate(found, 1)),
         curves=tuple(_curve(legs, c) for c in curves),
-        completeness=Completeness(dependent=True) if zeros is None else _counts(zeros),
+        completeness=replace(
+            Completeness(dependent=True) if zeros is None else _counts(zeros),
+            missed=legs.given is not None and not any(m.given for m in found) and not any(map(legs.holds, curves)),
+        ),
         notes=() if at is None else at.notes,
     )
 
@@ -103,6 +108,11 @@ class _Legs:
         motion = np.eye(4)
         motion[:3, :3], motion[:3, 3] = turn, shift / self.m.rig.size
         return study(motion)
+
+    def holds(self, c: Curve) -> bool:
+        """Whether the given pose lies on a curve."""
+        known = self.given_parameters
+        return known is not None and c.near(known)
 
     def pose(self, x: Floats) -> Pose:
         """The pose with these Study parameters."""
@@ -174,7 +184,7 @@ def _mode(
     report = report_of_legs(legs.m, pose, threshold=threshold, nearest=False, quick=True)
     moved = motions(x[None])
     moved[:, :3, 3] *= legs.m.rig.size
-    values = coordinates(COORDINATES, moved, np.zeros(3))[0]
+    values = without_rounding(COORDINATES, coordinates(COORDINATES, moved, np.zeros(3))[0], legs.m.rig.size)
     return AssemblyMode(
         number=0,
         pose=pose,
@@ -185,7 +195,7 @@ def _mode(
         factors=_signs(legs.m, report),
         certificate=certificate,
         report=report,
-        given=given,
+        given=bool(given),
         multiplicity=multiplicity,
     )
 
@@ -217,5 +227,4 @@ def _counts(z: Zeros) -> Completeness:
 
 
 def _curve(legs: _Legs, c: Curve) -> SolutionCurve:
-    known = legs.given_parameters
-    return SolutionCurve(tuple(map(legs.pose, c.x)), c.closed, known is not None and c.near(known))
+    return SolutionCurve(tuple(map(legs.pose, c.x)), c.closed, legs.holds(c))

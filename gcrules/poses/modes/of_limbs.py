@@ -2,6 +2,7 @@ r"""All configurations of a robot of joints whose actuators have given values.""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import isfinite
@@ -21,7 +22,7 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.assembly_mode import AssemblyMode as Way
 from gcrules.poses.limbs.pose_report import report_at, target_of
-from gcrules.poses.modes.conditions import forms_of_limb, motions, study
+from gcrules.poses.modes.conditions import about_centre, forms_of_limb, motions, study
 from gcrules.poses.modes.limb_joints import Held, configurations, same_spans, spans_of, with_turned_balls
 from gcrules.poses.modes.report import AssemblyMode, AssemblyModes, Certificate, Completeness, FactorSign, SolutionCurve
 from gcrules.poses.modes.search import search
@@ -51,6 +52,7 @@ def modes_of_limbs(m: Limbs, at: Any, actuators: Any, degrees: bool, threshold: 
     modes = [_mode(robot, c, threshold, paths) for c, paths in found]
     modes.sort(key=lambda one: (not one.given, -one.margin))
     return AssemblyModes(
+        mechanism=m,
         title=m.title,
         unit=m.unit,
         asked=robot.asked,
@@ -58,9 +60,14 @@ def modes_of_limbs(m: Limbs, at: Any, actuators: Any, degrees: bool, threshold: 
         centre=tuple(map(float, m.linkage.centre)),
         modes=tuple(replace(one, number=n) for n, one in enumerate(modes, 1)),
         curves=tuple(curves),
-        completeness=count,
+        completeness=replace(count, missed=_missed(robot, modes, curves)),
         notes=(*notes, *m.linkage.notes),
     )
+
+
+def _missed(robot: _Held, modes: Sequence[AssemblyMode], curves: Sequence[SolutionCurve]) -> bool:
+    """Whether the configuration that the actuators come from is neither a mode nor on a curve."""
+    return robot.given is not None and not any(one.given for one in modes) and not any(c.through_given for c in curves)
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,6 +94,13 @@ class _Held:
             return cls(m, turned, Held.of(linkage, amounts), None, f"the actuators at {target.text}")
         there = solve(linkage, target).configuration
         return cls(m, turned, Held.of(linkage, there.joint_values), there, f"the actuators at {target.text}")
+
+    def holds(self, c: Curve) -> bool:
+        """Whether the configuration that the actuators come from lies on a curve."""
+        if self.given is None:
+            return False
+        m = self.linkage
+        return c.near(study(about_centre(self.given.platform, m.centre, m.size)))
 
     def actuators(self, amounts: tuple[Floats, ...]) -> tuple[tuple[str, float], ...]:
         return tuple((a.name, float(amounts[a.place][a.coordinate])) for a in self.m.linkage.actuators)
@@ -151,7 +165,7 @@ def _sought(robot: _Held) -> Found:
 
 def _from_home(m: Linkage, x: Floats) -> Floats:
     """The motion of the platform from home with these Study parameters, whose shift is that of the centre in sizes."""
-    motion = motions(x[None])[0]
+    motion: Floats = motions(x[None])[0]
     motion[:3, 3] = m.centre + m.size * motion[:3, 3] - motion[:3, :3] @ m.centre
     return motion
 
@@ -208,8 +222,8 @@ def _certificate(robot: _Held, c: Configuration) -> Certificate:
 
 
 def _over_constrained(m: Linkage, held: Held) -> bool:
-    """Whether the loops are more equations than there are unknown joints. In the plane that is no matter: what is out of
-    it vanishes anyway.
+    """Whether the loops are more equations than there are unknown joints. In the plane that is no matter: what is out
+    of it vanishes anyway.
     """
     loops = len(m.robot.limbs) - 1 + sum(len(c.loops) for c in m.home.chains)
     return 6 * loops > sum(map(len, held.free))
@@ -217,5 +231,4 @@ def _over_constrained(m: Linkage, held: Held) -> bool:
 
 def _curve(robot: _Held, c: Curve) -> SolutionCurve:
     m = robot.linkage
-    return SolutionCurve(tuple(_pose(m, _from_home(m, x)) for x in c.x), c.closed, False)
-
+    return SolutionCurve(tuple(_pose(m, _from_home(m, x)) for x in c.x), c.closed, robot.holds(c))

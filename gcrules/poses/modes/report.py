@@ -10,6 +10,8 @@ from typing import Any
 from gcrules.core.english import agreeing
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.report import PoseReport
 from gcrules.screws.pose import Pose
@@ -32,8 +34,13 @@ class Certificate:
     shift: float | None = None
 
     def to_json(self) -> dict[str, Any]:
-        return {"proved": self.proved, "unique": self.unique or self.proved, "method": self.method,
-            "turn": self.turn, "shift": self.shift}
+        return {
+            "proved": self.proved,
+            "unique": self.unique or self.proved,
+            "method": self.method,
+            "turn": self.turn,
+            "shift": self.shift,
+        }
 
 
 @dataclass(frozen=True)
@@ -52,7 +59,7 @@ class FactorSign:
         }
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class AssemblyMode:
     """One real solution: the platform's pose from that of the file, about the same centre as the poses of `gc.pose`.
 
@@ -128,7 +135,7 @@ class Completeness:
     over-constrained robot; `lost` nowhere that is known. `unreached` real solutions are poses that the conditions allow
     and a limb does not reach with real joints. Without paths it is a search: `starts` random ones, of which the last
     `quiet` found nothing new. `dependent` tells that the conditions depend on each other, so that no solution is
-    isolated.
+    isolated, `missed` that not even the given pose was found.
     """
 
     paths: int = 0
@@ -143,12 +150,13 @@ class Completeness:
     starts: int = 0
     quiet: int = 0
     dependent: bool = False
+    missed: bool = False
     method: str = "paths"
 
     @property
     def complete(self) -> bool | None:
         """True where all isolated solutions are known: all paths ended. None where that is not known."""
-        return True if self.method == "paths" and self.paths and not self.lost else None
+        return True if self.method == "paths" and self.paths and not self.lost and not self.missed else None
 
     @property
     def proved(self) -> bool:
@@ -158,10 +166,12 @@ class Completeness:
     @property
     def text(self) -> str:
         """In words."""
+        if self.missed:
+            return "not complete: not even the given pose is among them"
         if self.dependent:
             return (
                 "the actuators' conditions depend on each other: no solution is isolated, and whatever solution there"
-                " is lies on a curve or a surface of solutions"
+                " is lies on a curve or a surface of solutions; those told were sought from the given pose and random ones"
             )
         if self.method == "search":
             return (
@@ -188,16 +198,18 @@ class Completeness:
             "method": self.method,
             **{n: getattr(self, n) for n in (*counts, "starts", "quiet")},
             "dependent": self.dependent,
+            "missed": self.missed,
             "text": self.text,
         }
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class AssemblyModes(Shown):
     """All real solutions of the direct kinematics of a mechanism for values of its actuators, `asked` in words, ordered
     by their margin, the given pose first. Isolated ones are `modes`, others lie on `curves`. `len` is that of `modes`.
     """
 
+    mechanism: SixLegs | Limbs
     title: str
     unit: str
     asked: str
@@ -228,6 +240,12 @@ class AssemblyModes(Shown):
             curves = "a curve" if len(self.curves) == 1 else f"{len(self.curves)} curves"
             return f"{curves} of solutions (self-motion)" + (f", and {words} beside" if number else "")
         return words
+
+    def picture(self) -> Any:
+        """The robot in each mode, in rows, in their order: a drawing with `svg()`. Raises InputError where there is
+        none.
+        """
+        return self._show("picture")
 
     def to_json(self) -> dict[str, Any]:
         """One JSON object; lengths in the unit, angles in rad."""

@@ -1,6 +1,4 @@
-r"""Configurations of robots with values of their actuators, sought from random joints: where nothing tells how many there
-are.
-"""
+"""Configurations of a robot with its actuators held, sought from random joints: where no count of them is known."""
 
 from __future__ import annotations
 
@@ -29,8 +27,8 @@ _MANY = 60  # configurations: they are taken as points of curves
 
 @dataclass(frozen=True, eq=False)
 class Search:
-    """What was found from so many starts, the last `quiet` of which found nothing new. `many` tells that there seemed no
-    end of it. `outside` counts, by reasons, the starts that led out of the robot's family.
+    """What was found from so many starts, the last `quiet` of which found nothing new. `many` tells that there seemed
+    no end of it. `outside` counts, by reasons, the starts that led out of the robot's family.
     """
 
     found: tuple[Configuration, ...]

@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
-from gcrules.poses.modes.conditions import Complexes
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.poses.modes.conditions import Complexes
 
 __all__ = ["Accuracy", "Ends", "follow", "jacobians", "residuals"]
 

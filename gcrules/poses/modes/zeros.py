@@ -130,4 +130,3 @@ def _kinds(system: Complexes, ends: Ends) -> Floats:
     near = np.abs(x[regular].conj() @ x[regular].T) > 1 - _SAME
     kinds[regular[near.sum(axis=1) > 1]] = _LOST
     return kinds
-
