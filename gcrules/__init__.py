@@ -63,7 +63,17 @@ if TYPE_CHECKING:
         transversals,
         within,
     )
-    from gcrules.api.poses import compiled, export, locus, path, pose, singular, singular_map, working_modes
+    from gcrules.api.poses import (
+        assembly_modes,
+        compiled,
+        export,
+        locus,
+        path,
+        pose,
+        singular,
+        singular_map,
+        working_modes,
+    )
     from gcrules.apps.notebook.view import view
 
 __all__ = [
@@ -91,6 +101,7 @@ __all__ = [
     "Transversals",
     "__version__",
     "analyze",
+    "assembly_modes",
     "compiled",
     "evaluate",
     "expand",
@@ -121,7 +132,17 @@ __all__ = [
 
 _ELSEWHERE = {
     **dict.fromkeys(
-        ("compiled", "export", "locus", "path", "pose", "singular", "singular_map", "working_modes"),
+        (
+            "assembly_modes",
+            "compiled",
+            "export",
+            "locus",
+            "path",
+            "pose",
+            "singular",
+            "singular_map",
+            "working_modes",
+        ),
         "gcrules.api.poses",
     ),
     "view": "gcrules.apps.notebook.view",  # it shows a robot in an app, the notebook

@@ -283,9 +283,10 @@ def load(
     A source is legs ("ab af cb cd ed ef", or a sequence of pairs of names, read with `points` and `ideal`), the name or
     the text of a geometry file or robot file, the id of a robot (shipped, or of `plugins`, folders of your own), of a
     class of the catalog or of an example, a mapping with the data of a file, or what was loaded or analysed before,
-    which is given back. `analyze`, `report`, `view`, `pose`, `singular`, `path`, `locus`, `compiled` and `singular_map`
-    take the same. With a `mode` a robot's home is in that working mode, "+-+" (`working_modes` names them). Raises
-    InputError for what is none of these, FileError with all faults of a file.
+    which is given back. `analyze`, `report`, `view`, `pose`, `singular`, `path`, `assembly_modes`, `working_modes`,
+    `locus`, `compiled` and `singular_map` take the same. With a `mode` the home of a robot or platform is in that mode:
+    "+-+", one of its `working_modes`, or "assembly 3", one of its `assembly_modes` at home. Raises InputError for what
+    is none of these, FileError with all faults of a file.
     """
     found = _load(source, plugins=plugins, points=points, ideal=ideal)
     if mode is None:

@@ -11,14 +11,26 @@ from gcrules.poses.compiling.compiled import compiled as _compiled
 from gcrules.poses.compiling.controller import controller as _controller
 from gcrules.poses.loci.locus import locus as _locus
 from gcrules.poses.maps.maps import singular_map as _singular_map
+from gcrules.poses.modes.modes import assembly_modes as _assembly_modes
 from gcrules.poses.modes.working import working_modes as _working_modes
 from gcrules.poses.path_report import path as _path
 from gcrules.poses.pose import pose as _pose
 from gcrules.poses.pose import singular as _singular
 from gcrules.views.code.source_code import source_code as _source_code
 
-__all__ = ["compiled", "export", "locus", "path", "pose", "singular", "singular_map", "working_modes"]
+__all__ = [
+    "assembly_modes",
+    "compiled",
+    "export",
+    "locus",
+    "path",
+    "pose",
+    "singular",
+    "singular_map",
+    "working_modes",
+]
 
+assembly_modes = public(_assembly_modes)
 compiled = public(_compiled)
 locus = public(_locus)
 path = public(_path)

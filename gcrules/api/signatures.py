@@ -122,6 +122,15 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "search": DURATION,
         "plugins": _FOLDERS,
     },
+    "assembly_modes": {
+        "source": _SOURCE,
+        "at": optional(_POSE),
+        "actuators": optional(_ACTUATORS),
+        "degrees": FLAG,
+        "about": _ABOUT,
+        "threshold": _THRESHOLD,
+        "plugins": _FOLDERS,
+    },
     "compiled": {
         "source": _SOURCE,
         "expression": optional(_EXPR),

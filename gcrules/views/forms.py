@@ -110,6 +110,9 @@ FORMS: dict[str, Forms] = {
         },
     ),
     "gcrules.poses.modes.working.WorkingModes": _result("working_modes", formula=""),
+    "gcrules.poses.modes.report.AssemblyModes": _result(
+        "modes", formula="", others={"svg": f"{_RESULTS}.modes:svg", "picture": f"{_RESULTS}.modes:picture"}
+    ),
     "gcrules.poses.loci.report.Locus": _result("locus"),
     "gcrules.poses.loci.limb_report.RobotLocus": _result("robot_locus"),
 }

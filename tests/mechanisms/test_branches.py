@@ -31,8 +31,8 @@ from gcrules.mechanisms.kinematics.solve import Solution, _closed, free_coordina
 from gcrules.mechanisms.kinematics.targets import Target, actuators_target, coordinates_target, pose_target
 from gcrules.mechanisms.kinematics.tubes import Arm, follows, keeps_rank, spreads
 from gcrules.mechanisms.load import read_robot
-from gcrules.poses.limbs.assembly_mode import AssemblyMode, assembly_mode
 from gcrules.poses.limbs.remark import home_remark
+from gcrules.poses.limbs.way_from_home import WayFromHome, way_from_home
 from gcrules.rules.plugin import shipped_folder
 from gcrules.screws.pose_text import parse_pose
 
@@ -172,11 +172,11 @@ def test_ways_against_fine_steps(name: str) -> None:
         fine = finely(m, wanted)
         if s.doubt is not None:  # no way of this family is left without a proof, but at a zero of the constraints
             assert margin(m, fine[round(s.doubt * FINE)]).sigma < 1e-3
-            assert assembly_mode(m, s).same is None
+            assert way_from_home(m, s).same is None
             continue
         for n, place in s.configuration.values.items():
             assert place == pytest.approx(fine[-1].values[n], abs=1e-6 * max(1.0, m.size)), n
-        mode = assembly_mode(m, s)
+        mode = way_from_home(m, s)
         determinants = [passive_determinant(m, c) for c in fine]
         if None not in determinants:
             changes = sum(a * b < 0 for a, b in pairwise(determinants) if a is not None and b is not None)
@@ -197,7 +197,7 @@ def test_rods_that_spin_are_no_branches() -> None:
         found = []
         for m in (spinning, plain):
             s = solve(m, coordinates_target(m, given))
-            assert assembly_mode(m, s).same is True
+            assert way_from_home(m, s).same is True
             found.append([s.configuration.joint_values[a.place][a.coordinate] for a in m.actuators])
         assert found[0] == pytest.approx(found[1], abs=1e-9)
 
@@ -212,7 +212,7 @@ def test_most_ways_are_told() -> None:
             if wanted.whole is not None:
                 short = pose_target(m, parse_pose("0.01 0.02 0.01; euler zyx 1 2 -1 deg"))
             try:
-                same.append(assembly_mode(m, solve(m, short)).same)
+                same.append(way_from_home(m, solve(m, short)).same)
             except gc.InputError:
                 continue
     assert len(same) > 30
@@ -269,7 +269,7 @@ def test_factors_by_cofactors_vanish_with_the_wrenches_alone(name: str) -> None:
             m, {n: 0.2 * rng.normal() * (m.size if n in "xyz" else 1) for n in free_coordinates(m)}
         )
         try:
-            mode = assembly_mode(m, solve(m, wanted))
+            mode = way_from_home(m, solve(m, wanted))
         except gc.InputError:
             continue
         home = gc.pose(a, nearest=False).factors
@@ -413,18 +413,18 @@ def test_freedoms_that_stay_at_rest_count() -> None:
 
 
 def test_words_of_modes() -> None:
-    assert AssemblyMode(at_home=True).text == "that of home"
-    assert AssemblyMode(doubt=0.25).text.startswith("not known: from 25% of the way")
-    assert AssemblyMode(doubt=0.25).same is None
-    assert AssemblyMode(regular=0.4).same is None
-    assert "is not proved at 40% of the way" in AssemblyMode(regular=0.4).text
-    assert AssemblyMode(unknown=0.5, regular=0.4).text.startswith("not known: the sign")
-    assert AssemblyMode(crossings=(0.25, 0.5)).text.endswith("at 25% and 50% of it")
-    assert AssemblyMode(regular=0.9999).text.startswith("not known")
-    near = AssemblyMode(regular=0.99995, unknown=1.0, ends_singular=True)
+    assert WayFromHome(at_home=True).text == "that of home"
+    assert WayFromHome(doubt=0.25).text.startswith("not known: from 25% of the way")
+    assert WayFromHome(doubt=0.25).same is None
+    assert WayFromHome(regular=0.4).same is None
+    assert "is not proved at 40% of the way" in WayFromHome(regular=0.4).text
+    assert WayFromHome(unknown=0.5, regular=0.4).text.startswith("not known: the sign")
+    assert WayFromHome(crossings=(0.25, 0.5)).text.endswith("at 25% and 50% of it")
+    assert WayFromHome(regular=0.9999).text.startswith("not known")
+    near = WayFromHome(regular=0.99995, unknown=1.0, ends_singular=True)
     assert near.text == "that of home, proved up to 99.99% of the way from there; its end is singular"
-    assert (near.same, AssemblyMode().same, AssemblyMode(crossings=(0.5,)).same) == (None, True, False)
-    assert "may be another solution" in AssemblyMode(doubt=0.1).branch
+    assert (near.same, WayFromHome().same, WayFromHome(crossings=(0.5,)).same) == (None, True, False)
+    assert "may be another solution" in WayFromHome(doubt=0.1).branch
 
 
 def test_parts_of_rotation_vectors_are_not_proved() -> None:

@@ -208,7 +208,7 @@ def test_every_command_about_robots_takes_a_mode(words: list[str]) -> None:
 
 
 def test_the_list_as_json() -> None:
-    result = CliRunner().invoke(cli, ["modes", "3-rrr", "--json"])
+    result = CliRunner().invoke(cli, ["modes", "3-rrr", "--working", "--json"])
     found = json.loads(result.stdout)
     assert (found["number"], len(found["modes"]), found["limbs"][0]["ways"]) == (8, 8, 2)
     assert found["modes"][0]["name"] == "+++"
@@ -220,3 +220,25 @@ def test_many_modes_are_listed_by_single_limbs(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(working, "LISTED", 32)
     single = [tuple(k if n == place else 0 for n in range(3)) for place in range(3) for k in (1, 2, 3)]
     assert working._listed(found) == [(0, 0, 0), *single]
+
+
+# --- assembly modes as homes ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("source", ["3-rps", "delta", "examples/octahedral.yaml", "3-rpr"])
+def test_a_home_in_an_assembly_mode_has_the_actuators_and_margin_of_it(source: str) -> None:
+    """The numbers of the mode are those of the robot at its new home, with actuators as they were."""
+    found = gc.assembly_modes(source)
+    assert len(found.modes) > 1
+    for mode in found.modes[1:4]:
+        moved = gc.load(source, mode=f"assembly {mode.number}")
+        here = gc.pose(moved, nearest=False)
+        assert here.margin == pytest.approx(mode.margin, abs=1e-9)
+        again = gc.assembly_modes(moved)
+        assert len(again.modes) == len(found.modes)
+        assert sorted(m.margin for m in again.modes) == pytest.approx(sorted(m.margin for m in found.modes), abs=1e-8)
+
+
+def test_an_assembly_mode_that_is_not_there_is_refused() -> None:
+    result = CliRunner().invoke(cli, ["pose", "3-rps", "--mode", "assembly 40"])
+    assert (result.exit_code, "it has assembly modes 1 to 8" in result.stderr) == (2, True)

@@ -18,7 +18,7 @@ __all__ = ["mode_option", "read_source", "warn"]
 _in_mode = deferred("gcrules.poses.modes.choose:in_mode")  # numpy
 
 mode_option = click.option(
-    "--mode", metavar="MODE", help='Take the robot in this working mode, "+-+"; `gcrules modes` lists them.'
+    "--mode", metavar="MODE", help='Take the robot in this mode: "+-+", or "assembly 3"; `gcrules modes` lists them.'
 )
 
 

@@ -33,7 +33,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import (
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["Course", "Joints", "close_loops", "loop_rows", "units_of"]
+__all__ = ["Course", "Joints", "close_loops", "loop_gaps", "loop_rows", "units_of"]
 
 _ACCURACY = 1e-9  # how far loops may be open, in parts of the robot's size
 _ENOUGH = 1e-13
@@ -140,7 +140,7 @@ def close_loops(course: Course, start: Configurations, goal: Floats) -> Joints:
         amounts = np.split(whole[active], cuts, axis=1)
         links = [c.links(a) for c, a in zip(here.chains, amounts, strict=True)]
         there = here.after(amounts, links)
-        gaps = _gaps(here.chains, links, here.platform, m)
+        gaps = loop_gaps(here.chains, links, here.platform, m)
         r = np.concatenate([gaps, course.error(goal[active], there.platform, there.joint_values)], axis=1)
         size = np.sqrt((r * r).sum(axis=1))
         done = (size <= _ENOUGH) | ((size <= _ACCURACY / 100) & (size >= best[active] / 4))
@@ -180,7 +180,7 @@ def _steps(rows: Floats, r: Floats, size: Floats) -> Floats:
     return np.asarray(found)
 
 
-def _gaps(chains: Sequence[Chain], links: Sequence[Floats], platform: Floats, m: Linkage) -> Floats:
+def loop_gaps(chains: Sequence[Chain], links: Sequence[Floats], platform: Floats, m: Linkage) -> Floats:
     """How the other limbs' platforms lie off that of the first one, and then a limb's bodies off themselves where its
     own loops close: the twists that would bring them there.
     """

@@ -25,6 +25,7 @@ import numpy as np
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
+from gcrules.mechanisms.kinematics.attachments import Values
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkage
 from gcrules.mechanisms.kinematics.soundness import sound
@@ -32,7 +33,7 @@ from gcrules.mechanisms.modes.limb_solutions import LimbSolutions, limb_solution
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import RATIONALS
 
-__all__ = ["LimbChoices", "choices_of", "in_working_mode", "is_working_mode"]
+__all__ = ["LimbChoices", "at_places", "choices_of", "in_working_mode", "is_working_mode"]
 
 _SIGNS = "+-"
 _NAME = re.compile(r"home|[+\-−]+|\d+(\.\d+)*")
@@ -103,7 +104,7 @@ class LimbChoices:
         if len(self) == 1:
             return f"{self.linkage.robot.id} has one working mode, that of home"
         every = [self.name(mode) for mode, _ in zip(self.modes(), range(_SHOWN), strict=False)]
-        rest = f" …, {len(self):,} in all (gcrules modes lists them)" if len(self) > _SHOWN else ""
+        rest = f" …, {len(self):,} in all (gcrules modes --working lists them)" if len(self) > _SHOWN else ""
         return f"its modes are {', '.join(every)}{rest}"
 
     def configuration(self, mode: Sequence[int]) -> Configuration:
@@ -135,19 +136,21 @@ def in_working_mode(choices: LimbChoices, mode: Sequence[int]) -> Robot:
         here = choices.configuration(mode)
     except NotClosed as fault:
         raise InputError(f"{robot.id} is none of its family in the mode {name}: {fault}", hint=fault.hint) from None
-    return at_configuration(choices.linkage, here, f"working mode {name}")
+    return at_places(choices.linkage, here.values, f"working mode {name}")
 
 
-def at_configuration(m: Linkage, here: Configuration, words: str) -> Robot:
-    """The robot with this configuration for its home, and with what it is in words beside its title."""
+def at_places(m: Linkage, places: Values, words: str) -> Robot:
+    """The robot with its points and directions in these `places` (those of a configuration of it) for its home, and
+    with what that is in words beside its title.
+    """
     robot = m.robot
     before = home_values(robot)
     given = [d.name for d in robot.family.definitions if d.parameters or d.name in (robot.home or {})]
     sorts = robot.family.sorts
     shift = {n: m.origin if sorts[n] == "point" else (0, 0, 0) for n in given}
     rounded = {
-        n: _added([Fraction(float(c)) for c in here.values[n]], shift[n])
-        if np.abs(here.values[n] - m.home.values[n]).max() > 1e-12 * m.size
+        n: _added([Fraction(float(c)) for c in places[n]], shift[n])
+        if np.abs(places[n] - m.home.values[n]).max() > 1e-12 * m.size
         else before[n]
         for n in given
     }

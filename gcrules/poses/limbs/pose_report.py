@@ -29,13 +29,13 @@ from gcrules.mechanisms.kinematics.targets import (
 )
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian, wrench_jacobian
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.limbs.assembly_mode import assembly_mode
 from gcrules.poses.limbs.balance import limb_numbers
 from gcrules.poses.limbs.factors import ConditionFactor, factors
 from gcrules.poses.limbs.first_singular import FirstSingular, first_singular
 from gcrules.poses.limbs.nearest import nearest_singular
 from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
 from gcrules.poses.limbs.singularity_types import singularity_types
+from gcrules.poses.limbs.way_from_home import way_from_home
 from gcrules.poses.numbers.motion import Twist, twist_of
 from gcrules.screws.guarantees import DIGITS
 from gcrules.screws.pose import Pose, exact
@@ -214,7 +214,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
         disagreement=c.disagreement,
         steps=solution.steps,
         iterations=solution.iterations,
-        assembly=assembly_mode(m, solution),
+        assembly=way_from_home(m, solution),
         margin=near.sigma,
         turn=turn_of(near.sigma),
         threshold=limit,

@@ -11,10 +11,10 @@ from gcrules.core.frozen import FrozenMap, HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.linkage import Actuator
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
-from gcrules.poses.limbs.assembly_mode import AssemblyMode
 from gcrules.poses.limbs.balance import LimbNumbers
 from gcrules.poses.limbs.factors import ConditionFactor
 from gcrules.poses.limbs.singularity_types import SingularityType
+from gcrules.poses.limbs.way_from_home import WayFromHome
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.threshold import Threshold
 
@@ -96,7 +96,7 @@ class RobotPose(HoldsArrays, Shown):
     disagreement: float
     steps: int
     iterations: int
-    assembly: AssemblyMode
+    assembly: WayFromHome
     margin: float
     turn: float
     threshold: Threshold

@@ -1,42 +1,105 @@
-r"""A robot in a mode that is named: the same robot with another home.
+r"""A robot or a platform in a mode that is named: the same one with another home.
 
 >>> from gcrules.mechanisms.load import load
->>> in_mode(load("delta"), "+-+")
-<Robot delta: 3-R*4S, mobility 3>
 >>> in_mode(load("delta"), "+-+").title
 'Delta robot with rods, working mode +-+'
+>>> in_mode(load("delta"), "assembly 2").title
+'Delta robot with rods, assembly mode 2'
 >>> in_mode(load("3-rps"), "home").title
 '3-RPS robot'
 """
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Loaded
-from gcrules.mechanisms.modes.working_modes import choices_of, in_working_mode
+from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.modes.working_modes import at_places, choices_of, in_working_mode
+from gcrules.mechanisms.platform_analysis import with_platform
 from gcrules.mechanisms.robot import Robot
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.limbs.report import RobotPose
+from gcrules.poses.modes.modes import assembly_modes
+from gcrules.poses.modes.report import AssemblyMode
 
 __all__ = ["in_mode"]
 
+_ASSEMBLY = re.compile(r"assembly(?: mode)?\s+(\d{1,6})")
+
 
 def in_mode(loaded: Loaded, name: str) -> Loaded:
-    """What was loaded, with its home in the working mode of this name ("+-+", or "1.3.1" in numbers).
+    """What was loaded, with its home in the mode of this name: a working mode, "+-+" or in numbers "1.3.1", of a robot
+    of joints; or "assembly 3", one of the poses that have the actuators of home, by its number in `assembly_modes`.
 
-    Raises InputError for a name that is none of its modes, which names some, and for what has no limbs of joints.
+    Raises InputError for a name that is none of its modes, which names some, and for legs without coordinates.
     """
+    number = _ASSEMBLY.fullmatch(name.strip().lower())
+    if number is not None:
+        return _in_assembly_mode(loaded, int(number[1]))
     if isinstance(loaded, RobotAnalysis):
-        robot = _in_mode(loaded.robot, name)
-        return loaded if robot is loaded.robot else analyze_robot(robot)
+        return _analysed_anew(loaded, _in_working_mode(loaded.robot, name))
     if not isinstance(loaded, Robot):
         raise InputError(
-            "the mode of a robot without joints: legs between two points have one way to hold the platform",
-            hint="working modes are those of robots that are described by their joints, such as delta",
+            "the working mode of a robot without joints: legs between two points have one way to hold the platform",
+            hint='working modes are those of robots that are described by their joints, such as delta; "assembly 2" is'
+            " an assembly mode",
         )
-    return _in_mode(loaded, name)
+    return _in_working_mode(loaded, name)
 
 
-def _in_mode(robot: Robot, name: str) -> Robot:
+def _in_working_mode(robot: Robot, name: str) -> Robot:
     choices = choices_of(robot)
     return in_working_mode(choices, choices.mode(name))
+
+
+def _analysed_anew(before: RobotAnalysis, robot: Robot) -> RobotAnalysis:
+    return before if robot is before.robot else analyze_robot(robot)
+
+
+def _in_assembly_mode(loaded: Loaded, number: int) -> Loaded:
+    found = assembly_modes(loaded)
+    mode = next((one for one in found.modes if one.number == number), None)
+    if mode is None:
+        some = f"it has assembly modes 1 to {len(found.modes)}" if found.modes else "none was found"
+        raise InputError(f"there is no assembly mode {number} with the actuators of home: {some}", hint=_LISTS)
+    if mode.given:
+        return loaded
+    m = mechanism(loaded)
+    words = f"assembly mode {number}"
+    if isinstance(m, Limbs):
+        robot = _moved_robot(m, mode, words)
+        return _analysed_anew(loaded, robot) if isinstance(loaded, RobotAnalysis) else robot
+    assert isinstance(m, SixLegs)
+    platform = _moved_platform(m, mode, words)
+    return with_platform(loaded, platform) if isinstance(loaded, Analysis) else platform
+
+
+_LISTS = "`gcrules modes` lists them, with what is proved of each"
+
+
+def _moved_robot(m: Limbs, mode: AssemblyMode, words: str) -> Robot:
+    assert isinstance(mode.report, RobotPose)
+    return at_places(m.linkage, {n: np.array(p) for n, p in mode.report.points.items()}, words)
+
+
+def _moved_platform(m: SixLegs, mode: AssemblyMode, words: str) -> Platform:
+    """The platform with its joints where they are in that pose."""
+    exact = m.rig.exact(mode.pose)
+    points = {n: _finite(exact[n]) if n in exact else p for n, p in m.platform.points.items()}
+    return replace(m.platform, points=points, title=f"{m.platform.title or 'platform'}, {words}")
+
+
+def _finite(place: tuple[Fraction, ...]) -> tuple[Fraction, Fraction, Fraction]:
+    x, y, z = place[:3]
+    return x, y, z

@@ -25,6 +25,7 @@ __all__ = [
     "Shape",
     "Stroke",
     "Text",
+    "below",
     "beside",
     "mapped",
     "name_runs",
@@ -140,6 +141,16 @@ def beside(drawings: Sequence[Drawing], gap: float = 8.0, title: str = "") -> Dr
         shapes += [mapped(s, 1.0, (left, (height - d.height) / 2)) for s in d.shapes]
         left += d.width + gap
     return Drawing(left - gap, height, tuple(shapes), title)
+
+
+def below(drawings: Sequence[Drawing], gap: float = 8.0, title: str = "") -> Drawing:
+    """Drawings one below the other, their left sides in line, as one."""
+    shapes: list[Shape] = []
+    top = 0.0
+    for d in drawings:
+        shapes += [mapped(s, 1.0, (0.0, top)) for s in d.shapes]
+        top += d.height + gap
+    return Drawing(max(d.width for d in drawings), top - gap, tuple(shapes), title)
 
 
 def without_text(drawing: Drawing) -> Drawing:

@@ -18,14 +18,14 @@ from gcrules.mechanisms.kinematics.solve import Solution
 from gcrules.poses.limbs.way import Way
 from gcrules.screws.verdict import SOLVED
 
-__all__ = ["AssemblyMode", "assembly_mode"]
+__all__ = ["WayFromHome", "way_from_home"]
 
 _MOST = 96  # stretches that are looked at for one proof
 _END = 0.999
 
 
 @dataclass(frozen=True)
-class AssemblyMode:
+class WayFromHome:
     """What is known of the way from home, its places in parts of it from 0 to 1.
 
     The branch of solutions is proved but from `doubt` on. At the `crossings` the determinant of the wrenches changes
@@ -107,15 +107,15 @@ def _at_least(part: float) -> str:
     return f"{floor(1e4 * part) / 100:g}%"
 
 
-def assembly_mode(m: Linkage, solution: Solution) -> AssemblyMode:
+def way_from_home(m: Linkage, solution: Solution) -> WayFromHome:
     """What is known of the way from home to a solution."""
     if not solution.steps:
-        return AssemblyMode(at_home=True)
+        return WayFromHome(at_home=True)
     way = Way(m, solution.target, [(0.0, m.home), *zip(solution.parts, solution.way, strict=True)])
     crossings, unknown = way.signs()
     regular = way.proved_to(_MOST) if solution.doubt is None and not crossings else 0.0
     end = solution.parts[-1]
-    return AssemblyMode(
+    return WayFromHome(
         None if solution.doubt is None else float(solution.doubt / end),
         tuple(float((a + b) / (2 * end)) for a, b in crossings),
         None if unknown is None else float(unknown / end),

@@ -1,0 +1,230 @@
+r"""All poses in which the legs of a platform have given lengths."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from gcrules.algebra.evaluate import evaluate
+from gcrules.conditions.gained_motion import factors
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.modes.conditions import forms_of_pairs, motions, study
+from gcrules.poses.modes.report import AssemblyMode, AssemblyModes, Certificate, Completeness, FactorSign, SolutionCurve
+from gcrules.poses.modes.singular_ends import Curve, MultipleSolution, curves_of, grouped
+from gcrules.poses.modes.zeros import NEEDED, Zeros, rank_of, zeros_of
+from gcrules.poses.numbers.arrays import from_poses
+from gcrules.poses.numbers.report import PoseReport
+from gcrules.poses.pose_report import report_of_legs
+from gcrules.screws.pose import Pose, exact_float
+from gcrules.screws.pose_text import COORDINATES, Amount, read_named
+from gcrules.screws.threshold import Threshold
+
+__all__ = ["modes_of_legs"]
+
+_GIVEN = 1e-6  # of 1 − cos between Study parameters: near enough to be the given pose
+_METHOD = "exactly one solution in its box (Krawczyk's operator)"
+_MULTIPLE = "singular: its box cannot hold exactly one regular solution"
+_UNPROVED = "not proved: floats do not tell that its box holds exactly one solution"
+
+
+def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Threshold) -> AssemblyModes:
+    """All of them, for the lengths at a pose, those of the file if there is none, or for lengths that are given."""
+    legs = _Legs.of(m, at, actuators)
+    zeros: Zeros | None = None
+    several: list[MultipleSolution] = []
+    if rank_of(legs.forms) < NEEDED:
+        curves = curves_of(legs.forms, legs.given_parameters)
+    else:
+        zeros = zeros_of(legs.forms, legs.sizes)
+        several, curves = grouped(legs.forms, zeros.singular)
+    found = [] if zeros is None else list(_regular(legs, zeros, threshold))
+    found += [_mode(legs, s.x, Certificate(False, _MULTIPLE), threshold, s.paths) for s in several]
+    found.sort(key=lambda one: (not one.given, -one.margin))
+    return AssemblyModes(
+        mechanism=m,
+        title=m.title,
+        unit=m.unit,
+        asked=legs.asked,
+        actuators=legs.actuators,
+        centre=tuple(map(float, m.rig.centre)),
+        modes=tuple(replace(one, number=n) for n, one in enumerate(found, 1)),
+        curves=tuple(_curve(legs, c) for c in curves),
+        completeness=replace(
+            Completeness(dependent=True) if zeros is None else _counts(zeros),
+            missed=legs.given is not None and not any(m.given for m in found) and not any(map(legs.holds, curves)),
+        ),
+        notes=() if at is None else at.notes,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Legs:
+    """The legs with their lengths, as forms; the `given` pose is that from which they come, if there is one."""
+
+    m: SixLegs
+    forms: Floats
+    sizes: Floats
+    lengths: Floats
+    given: Pose | None
+    asked: str
+
+    @classmethod
+    def of(cls, m: SixLegs, at: Pose | None, actuators: Any) -> _Legs:
+        moving = m.rig
+        pose = at or Pose()
+        shift, turn = from_poses([pose])
+        every = moving.arms @ turn[0].T + moving.centre_of_turns + shift[0] - moving.base
+        lengths = np.linalg.norm(every, axis=1)
+        given, asked = pose if actuators is None else None, "the lengths at the pose of the file"
+        if actuators is not None:
+            lengths = _lengths(m, actuators, lengths)
+            asked = "the lengths that are given"
+        elif at is not None:
+            asked = f"the lengths at {at}"
+        if not (lengths > 0).all():
+            raise InputError(f"the leg {moving.names[int(np.argmin(lengths))]} has no length", hint="give another pose")
+        base = (moving.base - moving.centre_of_turns) / moving.size
+        forms, sizes = forms_of_pairs(base, moving.arms / moving.size, lengths / moving.size)
+        return cls(m, forms, sizes, lengths, given, asked)
+
+    @property
+    def actuators(self) -> tuple[tuple[str, float], ...]:
+        return tuple(zip(self.m.actuators, self.lengths.tolist(), strict=True))
+
+    @property
+    def given_parameters(self) -> Floats | None:
+        """The Study parameters of the given pose."""
+        if self.given is None:
+            return None
+        (shift,), (turn,) = from_poses([self.given])
+        motion = np.eye(4)
+        motion[:3, :3], motion[:3, 3] = turn, shift / self.m.rig.size
+        return study(motion)
+
+    def holds(self, c: Curve) -> bool:
+        """Whether the given pose lies on a curve."""
+        known = self.given_parameters
+        return known is not None and c.near(known)
+
+    def pose(self, x: Floats) -> Pose:
+        """The pose with these Study parameters."""
+        motion = motions(x[None])[0]
+        tx, ty, tz = (Fraction(c) for c in (motion[:3, 3] * self.m.rig.size).tolist())
+        w, i, j, k = (Fraction(c) for c in (x[:4] / np.linalg.norm(x[:4])).tolist())
+        return Pose((tx, ty, tz), (w, i, j, k))
+
+
+def _lengths(m: SixLegs, given: Any, before: Floats) -> Floats:
+    """The lengths by the names of the legs, those that are not named as `before`; or all six in their order."""
+    names = m.actuators
+    if isinstance(given, str):
+        words = given.replace(",", " ").split()
+        if "=" in given:
+            named: Mapping[str, Any] = read_named(given, dict.fromkeys(names, False), m.unit, "--actuators", "leg")
+            return _lengths(m, named, before)
+        given = [_number(word) for word in words]
+    if isinstance(given, Mapping):
+        unknown = [n for n in given if n not in names]
+        if unknown:
+            raise InputError(f"there is no leg {str(unknown[0])[:40]!r}", hint=f"the legs are {', '.join(names)}")
+        values = [_length(given[n], n) if n in given else float(b) for n, b in zip(names, before, strict=True)]
+    else:
+        listed: Sequence[Any] = list(given)
+        if len(listed) != len(names):
+            raise InputError(f"{len(listed)} lengths, and the platform has six legs", hint=f"give {', '.join(names)}")
+        values = [_length(v, n) for v, n in zip(listed, names, strict=True)]
+    return np.array(values)
+
+
+def _number(word: str) -> float:
+    try:
+        return float(Fraction(word))
+    except (ValueError, ZeroDivisionError):
+        raise InputError(
+            f"{word[:40]!r} is no length", hint='give six lengths, "1 1 1 1 1 1", or some by name, "ab=1.2"'
+        ) from None
+
+
+def _length(value: Any, name: str) -> float:
+    length = float(value) if isinstance(value, Amount) else exact_float(value, name)
+    if length <= 0:
+        raise InputError(f"the length of the leg {name} is not positive")
+    return length
+
+
+def _regular(legs: _Legs, zeros: Zeros, threshold: Threshold) -> list[AssemblyMode]:
+    found, b = [], zeros.boxes
+    proved = b.proved
+    for k in range(len(b.y)):
+        checkpoint()
+        if b.unreal[k] or (np.abs(b.y[k].imag).max() > 0):
+            continue
+        turn, shift = b.bounds(k)
+        certificate = Certificate(False, _UNPROVED)
+        if proved[k]:
+            certificate = Certificate(True, _METHOD, True, turn, shift * legs.m.rig.size)
+        found.append(_mode(legs, b.y[k].real, certificate, threshold))
+    return found
+
+
+def _mode(
+    legs: _Legs, x: Floats, certificate: Certificate, threshold: Threshold, multiplicity: int = 1
+) -> AssemblyMode:
+    known = legs.given_parameters
+    given = known is not None and abs(known @ x) / np.linalg.norm(x) > 1 - _GIVEN
+    pose = legs.given if given and legs.given is not None else legs.pose(x)
+    report = report_of_legs(legs.m, pose, threshold=threshold, nearest=False, quick=True)
+    moved = motions(x[None])
+    moved[:, :3, 3] *= legs.m.rig.size
+    values = without_rounding(COORDINATES, coordinates(COORDINATES, moved, np.zeros(3))[0], legs.m.rig.size)
+    return AssemblyMode(
+        number=0,
+        pose=pose,
+        coordinates=dict(zip(COORDINATES, values.tolist(), strict=True)),
+        actuators=legs.actuators,
+        margin=report.margin,
+        verdict=report.verdict,
+        factors=_signs(legs.m, report),
+        certificate=certificate,
+        report=report,
+        given=bool(given),
+        multiplicity=multiplicity,
+    )
+
+
+def _signs(m: SixLegs, report: PoseReport) -> tuple[FactorSign, ...]:
+    """The factors of the condition, exact at the pose that is given; of one without factors the superbracket."""
+    condition = m.analysis.condition
+    every = factors(condition.expression)
+    if len(every) < 2:
+        value = report.superbracket
+        return (FactorSign("superbracket", report.value, (value > 0) - (value < 0)),)
+    points = m.rig.exact(report.pose)
+    exact = [(f, evaluate(f, points)) for f in every]
+    return tuple(FactorSign(str(f), float(v), (v > 0) - (v < 0)) for f, v in exact)
+
+
+def _counts(z: Zeros) -> Completeness:
+    real = ~z.boxes.unreal & (np.abs(z.boxes.y.imag).max(axis=1, initial=0.0) == 0)
+    return Completeness(
+        paths=z.paths,
+        real=int(real.sum()),
+        unreal=int((~real).sum()),
+        certified=int(z.boxes.proved.sum()),
+        at_infinity=z.at_infinity,
+        singular=len(z.singular),
+        beside=z.beside,
+        lost=z.lost,
+    )
+
+
+def _curve(legs: _Legs, c: Curve) -> SolutionCurve:
+    return SolutionCurve(tuple(map(legs.pose, c.x)), c.closed, legs.holds(c))
