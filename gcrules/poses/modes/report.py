@@ -171,7 +171,8 @@ class Completeness:
         if self.dependent:
             return (
                 "the actuators' conditions depend on each other: no solution is isolated, and whatever solution there"
-                " is lies on a curve or a surface of solutions; those told were sought from the given pose and random ones"
+                " is lies on a curve or a surface of solutions; those told were sought from the given pose and from"
+                " random ones"
             )
         if self.method == "search":
             return (

@@ -24,6 +24,8 @@ _SINGULAR = 1e-9  # least singular value of the derivatives in parts of the larg
 _AT_INFINITY = 1e-7  # |h| of Study parameters of length 1
 _STALLED, _LATE = 1e-9, 1e-2  # |h| of a path that goes on no more, and t: a is 0 there, where derivatives are lost
 _SHRINKS = 0.05  # exponent of |h|
+_SMALL = 1e-6  # t at which an end is singular, of paths that go on no more
+_LOW = 0.02  # |h| where it shrinks, at last
 _SAME = 1e-7
 _SATISFIED = 1e-8
 
@@ -120,10 +122,10 @@ def _kinds(system: Complexes, ends: Ends) -> Floats:
     singular = sizes[:, -1] <= _SINGULAR * sizes[:, 0]
     ended = ends.t == 0
     kinds = np.full(len(x), float(_LOST))
-    away = np.where(ended, height <= _AT_INFINITY, (ends.exponents > _SHRINKS) & (height < 0.1))
+    away = np.where(ended, height <= _AT_INFINITY, (ends.exponents > _SHRINKS) & (height < _LOW))
     away |= (height <= _STALLED) & (ends.t <= _LATE)
     kinds[away] = _INFINITE
-    stays = np.where(ended, singular, np.abs(ends.exponents) <= _SHRINKS) & ~away
+    stays = np.where(ended, singular, (np.abs(ends.exponents) <= _SHRINKS) & (ends.t < _SMALL)) & ~away
     kinds[stays] = _ENDS_SINGULAR
     kinds[ended & ~singular & ~away] = _REGULAR
     regular = np.flatnonzero(kinds == _REGULAR)
