@@ -392,3 +392,15 @@ def test_bad_input(arguments: tuple[str, ...], said: str) -> None:
     done = run(*arguments)
     assert done.exit_code == 2
     assert said in done.stderr
+
+
+def test_the_centre_of_poses_changes_no_mode() -> None:
+    """Poses about another centre are the same places of the platform."""
+    places = []
+    for about in ("centroid", "origin", (500, -200, 1000)):
+        found = gc.assembly_modes(OCTAHEDRAL, about=about)
+        check_lengths(found)
+        rig = found.mechanism.six_legs().rig
+        places.append(sorted(tuple(round(float(c), 5) for c in rig.exact(m.pose)["b"]) for m in found.modes))
+    assert np.allclose(places[0], places[1], atol=1e-4)
+    assert np.allclose(places[0], places[2], atol=1e-4)
