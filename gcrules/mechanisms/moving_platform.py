@@ -21,7 +21,7 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import read_centre
 from gcrules.screws.rotations import Vector
 
-__all__ = ["MovingPlatform", "rig"]
+__all__ = ["FAR", "MovingPlatform", "rig"]
 
 Floats = NDArray[np.float64]
 FAR = 1e12

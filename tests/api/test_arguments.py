@@ -114,6 +114,7 @@ NASTY: dict[str, Callable[[], Any]] = {
 # What is right, so that one argument at a time is wrong. Searches are short.
 RIGHT: dict[str, dict[str, Any]] = {
     "analyze": {"source": LEGS, "search": 0.0},
+    "assembly_modes": {"source": PLATFORM},
     "compiled": {"source": PLATFORM, "engine": "numpy"},
     "evaluate": {"e": "[ab]", "points": {"a": (1, 0), "b": (0, 1)}, "rank": 2},
     "expand": {"e": "[abcd]"},

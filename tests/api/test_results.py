@@ -106,6 +106,8 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "map in space": lambda: gc.singular_map(PLATFORM, DEEP),
     "mesh": lambda: gc.singular_map(PLATFORM, DEEP).mesh,
     "curve": lambda: gc.singular_map(PLATFORM, ["x -100:100:5", "z -600:100:5"]).curves[0],
+    "modes": lambda: gc.assembly_modes(PLATFORM),
+    "modes of a robot": lambda: gc.assembly_modes("3-rpr"),
     "locus": lambda: gc.locus(PLATFORM, "x, y"),
     "locus of a robot": lambda: gc.locus("3-rps", "z"),
     "compiled condition": lambda: gc.compiled(PLATFORM, engine="numpy"),

@@ -59,13 +59,14 @@ FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     "pose": lambda source: gc.pose(source, nearest=False),
     "singular": lambda source: gc.singular(source, "z=0.01, roll=0deg, pitch=0deg"),
     "path": lambda source: gc.path(source, ["home", "z=0.1, roll=0deg, pitch=0deg"], samples=1),
+    "assembly_modes": gc.assembly_modes,
     "locus": lambda source: gc.locus(source, over="z"),
     "export": lambda source: gc.export(source, "python"),
     "compiled": lambda source: gc.compiled(source, engine="numpy"),
     "singular_map": lambda source: gc.singular_map(source, ["z -0.1:0.1:2", "roll -5:5:2 deg"]),
     "view": gc.view,
 }
-NEED_COORDINATES = ("pose", "singular", "path", "locus", "export", "singular_map")
+NEED_COORDINATES = ("pose", "singular", "path", "assembly_modes", "locus", "export", "singular_map")
 
 
 @cache
@@ -192,6 +193,7 @@ COMMANDS: dict[str, list[str]] = {
     "report": ["--no-3d"],
     "pose": ["--no-nearest", "--json"],
     "path": ["--at", "0 0 0", "--at", "z=0.1", "--samples", "1", "--json"],
+    "modes": ["--json"],
     "locus": ["--over", "z", "--json"],
     "map": ["--over", "x -0.1:0.1:2", "--over", "z -0.1:0.1:2", "--measure", "value", "--json"],
 }
@@ -202,7 +204,7 @@ COMMANDS: dict[str, list[str]] = {
 def test_every_command_takes_every_source(name: str, command: str) -> None:
     word, kind = SHELL[name]
     done = CliRunner().invoke(cli, [command, word, *COMMANDS[command]])
-    needs = kind == LEGS_ALONE and command in ("pose", "path", "locus", "map")
+    needs = kind == LEGS_ALONE and command in ("pose", "path", "modes", "locus", "map")
     assert done.exit_code == (2 if needs else 0), done.stderr
     assert ("legs alone have no coordinates" in done.stderr) == needs
 

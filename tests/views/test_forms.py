@@ -70,6 +70,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "PathReport": lambda: gc.path(OCTAHEDRAL, [(0, 0, 0), (0, 0, -400)]),
     "RobotPath": lambda: gc.path("3-rpr", ["home", "x=0, y=0, yaw=60deg"], samples=2),
     "SingularMap": lambda: gc.singular_map(OCTAHEDRAL, ["x -1:1:3", "y -1:1:3"]),
+    "AssemblyModes": lambda: gc.assembly_modes(OCTAHEDRAL),
     "Locus": lambda: gc.locus(OCTAHEDRAL, "x, y"),
     "RobotLocus": lambda: gc.locus("3-rpr", "x, y"),
 }

@@ -116,6 +116,7 @@ FORMULAS = {
 TABLES = {
     **{f"pose {p.stem}": ("pose", str(p), "--no-nearest") for p in PLATFORMS},
     "nearest poses": ("pose", str(PLATFORMS[0])),
+    "modes": ("modes", str(PLATFORMS[0])),
     **{f"pose {r}": ("robot", "pose", r) for r in ("3-rps", "4-ruu", "delta", "exechon", "tricept")},
 }
 

@@ -8,6 +8,8 @@ are taken as a curve: this holds numerically, it is no proof.
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 
 from gcrules.core.budget import checkpoint
@@ -19,8 +21,8 @@ __all__ = ["curve_through", "project", "rows_of", "sharpened", "values_of"]
 _ITERATIONS = 60
 _SOLVED = 1e-12
 _KERNEL = 1e-5  # singular values of the derivatives, in parts of the largest, that count as 0
-_STEP = 0.04  # of Study parameters of length 1
-_NEEDED = 4  # steps for a curve
+_STEPS = (0.04, 0.01, 0.0025)  # of Study parameters of length 1; small curves bend more
+_NEEDED = 6  # steps for a curve
 _LONGEST = 400
 _SHARP = 8  # steps of Newton's method for multiple solutions
 _NEAR = 1e-3
@@ -94,30 +96,30 @@ def curve_through(forms: Floats, x: Floats) -> tuple[Floats, bool] | None:
         return None
     _, s, v = np.linalg.svd(np.concatenate([rows_of(forms, start), start[None]]))
     s = np.append(s, np.zeros(8 - len(s)))
-    for tangent in v[s <= _KERNEL * s[0]]:
-        way, closed = _walk(forms, start, tangent)
-        back = [] if closed else _walk(forms, start, -tangent)[0]
+    for tangent, step in product(v[s <= _KERNEL * s[0]], _STEPS):
+        way, closed = _walk(forms, start, tangent, step)
+        back = [] if closed else _walk(forms, start, -tangent, step)[0]
         if max(len(way), len(back)) >= _NEEDED:
             return np.array([*back[::-1], start, *way]), closed
     return None
 
 
-def _walk(forms: Floats, start: Floats, tangent: Floats) -> tuple[list[Floats], bool]:
+def _walk(forms: Floats, start: Floats, tangent: Floats, step: float) -> tuple[list[Floats], bool]:
     """Points along a curve from its start, until it is back there, which is told, or goes on no more."""
     found: list[Floats] = []
     x = start
     while len(found) < _LONGEST:
         checkpoint()
-        there = project(forms, x + _STEP * tangent, tangent)
+        there = project(forms, x + step * tangent, tangent)
         if there is None:
             break
         there = there if there @ x > 0 else -there
         moved = float(np.linalg.norm(there - x))
-        if not 0.5 * _STEP < moved < 2 * _STEP:
+        if not 0.5 * step < moved < 2 * step:
             break
         tangent = (there - x) / moved
         x = there
         found.append(x)
-        if len(found) > _NEEDED and min(np.linalg.norm(x - start), np.linalg.norm(x + start)) < 0.7 * _STEP:
+        if len(found) > _NEEDED and min(np.linalg.norm(x - start), np.linalg.norm(x + start)) < 0.7 * step:
             return found, True
     return found, False

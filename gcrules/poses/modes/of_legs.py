@@ -15,9 +15,18 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.modes.conditions import forms_of_pairs, motions, study
-from gcrules.poses.modes.report import AssemblyMode, AssemblyModes, Certificate, Completeness, FactorSign, SolutionCurve
+from gcrules.poses.modes.report import (
+    AssemblyMode,
+    AssemblyModes,
+    Certificate,
+    Completeness,
+    FactorSign,
+    SolutionCurve,
+    in_order,
+)
 from gcrules.poses.modes.singular_ends import Curve, MultipleSolution, curves_of, grouped
 from gcrules.poses.modes.zeros import NEEDED, Zeros, rank_of, zeros_of
 from gcrules.poses.numbers.arrays import from_poses
@@ -47,7 +56,6 @@ def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Thresh
         several, curves = grouped(legs.forms, zeros.singular)
     found = [] if zeros is None else list(_regular(legs, zeros, threshold))
     found += [_mode(legs, s.x, Certificate(False, _MULTIPLE), threshold, s.paths) for s in several]
-    found.sort(key=lambda one: (not one.given, -one.margin))
     return AssemblyModes(
         mechanism=m,
         title=m.title,
@@ -55,7 +63,7 @@ def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Thresh
         asked=legs.asked,
         actuators=legs.actuators,
         centre=tuple(map(float, m.rig.centre)),
-        modes=tuple(replace(one, number=n) for n, one in enumerate(found, 1)),
+        modes=in_order(found),
         curves=tuple(_curve(legs, c) for c in curves),
         completeness=replace(
             Completeness(dependent=True) if zeros is None else _counts(zeros),
@@ -67,12 +75,15 @@ def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Thresh
 
 @dataclass(frozen=True, eq=False)
 class _Legs:
-    """The legs with their lengths, as forms; the `given` pose is that from which they come, if there is one."""
+    """The legs with their lengths, as forms, of motions whose shift is that of the middle of the platform in sizes; the
+    centre of poses is `away` from it, in sizes. The `given` pose is that from which the lengths come, if there is one.
+    """
 
     m: SixLegs
     forms: Floats
     sizes: Floats
     lengths: Floats
+    away: Floats
     given: Pose | None
     asked: str
 
@@ -81,19 +92,29 @@ class _Legs:
         moving = m.rig
         pose = at or Pose()
         shift, turn = from_poses([pose])
-        every = moving.arms @ turn[0].T + moving.centre_of_turns + shift[0] - moving.base
-        lengths = np.linalg.norm(every, axis=1)
+        body = np.array([[float(c) for c in moving.points[b]] for _, b in moving.legs])
+        middle = body.mean(axis=0)
+        away = (moving.centre_of_turns - middle) / moving.size
+        if not np.abs(away).max() <= FAR:
+            raise InputError(f"the centre is more than {FAR:g} times the robot's size away", hint="check the unit")
+        ends = moving.ends(shift, turn)[0] if actuators is None else body
+        lengths = np.linalg.norm(ends - moving.base, axis=1)
         given, asked = pose if actuators is None else None, "the lengths at the pose of the file"
         if actuators is not None:
             lengths = _lengths(m, actuators, lengths)
             asked = "the lengths that are given"
         elif at is not None:
             asked = f"the lengths at {at}"
+        if not lengths.max() <= FAR * moving.size:
+            raise InputError(f"a length is more than {FAR:g} times the robot's size", hint="check the unit")
         if not (lengths > 0).all():
-            raise InputError(f"the leg {moving.names[int(np.argmin(lengths))]} has no length", hint="give another pose")
-        base = (moving.base - moving.centre_of_turns) / moving.size
-        forms, sizes = forms_of_pairs(base, moving.arms / moving.size, lengths / moving.size)
-        return cls(m, forms, sizes, lengths, given, asked)
+            raise InputError(
+                f"the leg {moving.names[int(np.argmin(lengths))]} has no length in the pose of the file",
+                hint="give its length, too",
+            )
+        base, arms = ((p - middle) / moving.size for p in (moving.base, body))
+        forms, sizes = forms_of_pairs(base, arms, lengths / moving.size)
+        return cls(m, forms, sizes, lengths, away, given, asked)
 
     @property
     def actuators(self) -> tuple[tuple[str, float], ...]:
@@ -106,7 +127,7 @@ class _Legs:
             return None
         (shift,), (turn,) = from_poses([self.given])
         motion = np.eye(4)
-        motion[:3, :3], motion[:3, 3] = turn, shift / self.m.rig.size
+        motion[:3, :3], motion[:3, 3] = turn, shift / self.m.rig.size + self.away - turn @ self.away
         return study(motion)
 
     def holds(self, c: Curve) -> bool:
@@ -114,10 +135,15 @@ class _Legs:
         known = self.given_parameters
         return known is not None and c.near(known)
 
+    def motion(self, x: Floats) -> Floats:
+        """The motion (4, 4) with these Study parameters, the shift being that of the centre, in the unit."""
+        found: Floats = motions(x[None])[0]
+        found[:3, 3] = (found[:3, 3] + found[:3, :3] @ self.away - self.away) * self.m.rig.size
+        return found
+
     def pose(self, x: Floats) -> Pose:
         """The pose with these Study parameters."""
-        motion = motions(x[None])[0]
-        tx, ty, tz = (Fraction(c) for c in (motion[:3, 3] * self.m.rig.size).tolist())
+        tx, ty, tz = (Fraction(c) for c in self.motion(x)[:3, 3].tolist())
         w, i, j, k = (Fraction(c) for c in (x[:4] / np.linalg.norm(x[:4])).tolist())
         return Pose((tx, ty, tz), (w, i, j, k))
 
@@ -162,7 +188,7 @@ def _length(value: Any, name: str) -> float:
 
 def _regular(legs: _Legs, zeros: Zeros, threshold: Threshold) -> list[AssemblyMode]:
     found, b = [], zeros.boxes
-    proved = b.proved
+    proved, away = b.proved, float(np.linalg.norm(legs.away))
     for k in range(len(b.y)):
         checkpoint()
         if b.unreal[k] or (np.abs(b.y[k].imag).max() > 0):
@@ -170,7 +196,7 @@ def _regular(legs: _Legs, zeros: Zeros, threshold: Threshold) -> list[AssemblyMo
         turn, shift = b.bounds(k)
         certificate = Certificate(False, _UNPROVED)
         if proved[k]:
-            certificate = Certificate(True, _METHOD, True, turn, shift * legs.m.rig.size)
+            certificate = Certificate(True, _METHOD, True, turn, (shift + turn * away) * legs.m.rig.size)
         found.append(_mode(legs, b.y[k].real, certificate, threshold))
     return found
 
@@ -182,9 +208,8 @@ def _mode(
     given = known is not None and abs(known @ x) / np.linalg.norm(x) > 1 - _GIVEN
     pose = legs.given if given and legs.given is not None else legs.pose(x)
     report = report_of_legs(legs.m, pose, threshold=threshold, nearest=False, quick=True)
-    moved = motions(x[None])
-    moved[:, :3, 3] *= legs.m.rig.size
-    values = without_rounding(COORDINATES, coordinates(COORDINATES, moved, np.zeros(3))[0], legs.m.rig.size)
+    moved = coordinates(COORDINATES, legs.motion(x)[None], np.zeros(3))[0]
+    values = without_rounding(COORDINATES, moved, legs.m.rig.size)
     return AssemblyMode(
         number=0,
         pose=pose,

@@ -24,7 +24,15 @@ from gcrules.poses.limbs.pose_report import report_at, target_of
 from gcrules.poses.limbs.way_from_home import WayFromHome as Way
 from gcrules.poses.modes.conditions import about_centre, forms_of_limb, motions, study
 from gcrules.poses.modes.limb_joints import Held, configurations, same_spans, spans_of, with_turned_balls
-from gcrules.poses.modes.report import AssemblyMode, AssemblyModes, Certificate, Completeness, FactorSign, SolutionCurve
+from gcrules.poses.modes.report import (
+    AssemblyMode,
+    AssemblyModes,
+    Certificate,
+    Completeness,
+    FactorSign,
+    SolutionCurve,
+    in_order,
+)
 from gcrules.poses.modes.search import search
 from gcrules.poses.modes.singular_ends import Curve, grouped
 from gcrules.poses.modes.zeros import NEEDED, zeros_of
@@ -50,7 +58,6 @@ def modes_of_limbs(m: Limbs, at: Any, actuators: Any, degrees: bool, threshold: 
     else:
         found, curves, count, notes = _solved(robot, known)
     modes = [_mode(robot, c, threshold, paths) for c, paths in found]
-    modes.sort(key=lambda one: (not one.given, -one.margin))
     return AssemblyModes(
         mechanism=m,
         title=m.title,
@@ -58,7 +65,7 @@ def modes_of_limbs(m: Limbs, at: Any, actuators: Any, degrees: bool, threshold: 
         asked=robot.asked,
         actuators=robot.actuators(robot.held.amounts),
         centre=tuple(map(float, m.linkage.centre)),
-        modes=tuple(replace(one, number=n) for n, one in enumerate(modes, 1)),
+        modes=in_order(modes),
         curves=tuple(curves),
         completeness=replace(count, missed=_missed(robot, modes, curves)),
         notes=(*notes, *m.linkage.notes),

@@ -2,8 +2,8 @@ r"""All solutions of a direct kinematics as values: the modes, what is proved of
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any
 
@@ -16,7 +16,7 @@ from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.report import PoseReport
 from gcrules.screws.pose import Pose
 
-__all__ = ["AssemblyMode", "AssemblyModes", "Certificate", "Completeness", "FactorSign", "SolutionCurve"]
+__all__ = ["AssemblyMode", "AssemblyModes", "Certificate", "Completeness", "FactorSign", "SolutionCurve", "in_order"]
 
 
 @dataclass(frozen=True)
@@ -108,6 +108,15 @@ class AssemblyMode:
         return f"<AssemblyMode {self.number}: {self.verdict}, margin {self.margin:.4g}>"
 
 
+def in_order(modes: Iterable[AssemblyMode]) -> tuple[AssemblyMode, ...]:
+    """Numbered: the given pose first, then by margins, and alike ones by their poses."""
+
+    def key(one: AssemblyMode) -> tuple[Any, ...]:
+        return not one.given, -round(one.margin, 9), [-round(v, 6) for v in one.coordinates.values()]
+
+    return tuple(replace(one, number=n) for n, one in enumerate(sorted(modes, key=key), 1))
+
+
 @dataclass(frozen=True)
 class SolutionCurve:
     """A curve of solutions: a self-motion, the platform moves with its actuators held. `poses` lie on it, one after the
@@ -171,7 +180,7 @@ class Completeness:
         if self.dependent:
             return (
                 "the actuators' conditions depend on each other: no solution is isolated, and whatever solution there"
-                " is lies on a curve or a surface of solutions; those listed were sought from the given pose and from"
+                " is lies on a curve or a surface of solutions; those told were sought from the given pose and from"
                 " random ones"
             )
         if self.method == "search":

@@ -16,7 +16,6 @@ __all__ = ["Curve", "MultipleSolution", "curves_of", "grouped"]
 _TOGETHER = 1e-5  # of 1 − |cos|: singular ends are known to about the root of the last t
 _REAL = 1e-3
 _SEARCHES = 40
-_NEAR = 0.08  # of Study parameters: on a curve that is known
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,8 +34,10 @@ class Curve:
     closed: bool
 
     def near(self, x: Floats) -> bool:
-        """Whether a point is near one of them."""
-        return bool((np.abs(self.x @ x) > 1 - _NEAR**2 / 2).any())
+        """Whether a point is no farther from one of them than they are from each other."""
+        apart = np.linalg.norm(np.diff(self.x, axis=0), axis=1).max()
+        away = min(np.linalg.norm(self.x - x, axis=1).min(), np.linalg.norm(self.x + x, axis=1).min())
+        return bool(away <= apart)
 
 
 def grouped(forms: Floats, ends: Complexes) -> tuple[list[MultipleSolution], list[Curve]]:

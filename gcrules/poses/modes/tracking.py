@@ -5,8 +5,7 @@ with c·x = 1 in a chart c that follows x. The predictor is Runge and Kutta's of
 path has a step of its own. Q₁ is a system that is solved, its forms mixed by a random complex matrix, so that with
 probability one no two paths meet before t = 0. A path that ends at a regular solution jumps to t = 0 at last; one that
 ends at a singular place or at infinity (h = a·a → 0) is followed to a very small t, and how h shrinks tells which.
-
-Source: Morgan and Sommese, Coefficient-parameter polynomial continuation, for the method in general.
+That is numerical: that no path is lost is seen from the ends, which are different, and as many as paths.
 """
 
 from __future__ import annotations
@@ -39,7 +38,8 @@ class Accuracy:
 _FIRST = 0.05  # step
 _GROWTH = 1.5
 _LEAST = 1e-9  # t, at which paths that have not ended are told by how they behave
-_MARK = 1e-5  # t, from which on that is seen
+_MARKS = (1e-2, 1e-5)  # t, from which on that is seen, of paths that stop early, and of the others
+_APART = 5  # from a mark to the end
 _SHORTEST = 1e-5  # step, in parts of t
 _MOST = 4000  # steps
 _NUDGE = 1e-14
@@ -65,7 +65,7 @@ def follow(start: Complexes, end: Complexes, x: Complexes, accuracy: Accuracy) -
     system = _System.between(start, end)
     t, step = np.ones(number), np.full(number, _FIRST)
     active = np.ones(number, dtype=bool)
-    marks = np.full((number, 2), np.nan)
+    marks = np.full((len(_MARKS), number, 2), np.nan)
     steps = 0
     while active.any() and steps < _MOST:
         checkpoint()
@@ -92,11 +92,13 @@ def follow(start: Complexes, end: Complexes, x: Complexes, accuracy: Accuracy) -
         t[done] = np.where(by < at, at - by, 0.0)[good]
         step[on[good & (moved < accuracy.longer * size)]] *= _GROWTH
         step[on[~good]] = by[~good] / 2
-        new = done[(t[done] < _MARK) & (t[done] > 0) & np.isnan(marks[done, 0])]
-        marks[new] = np.stack([t[new], _height(x[new])], axis=1)
+        for mark, below in zip(marks, _MARKS, strict=True):
+            new = done[(t[done] < below) & (t[done] > 0) & np.isnan(mark[done, 0])]
+            mark[new] = np.stack([t[new], _height(x[new])], axis=1)
         active[on] = (t[on] > _LEAST) & (step[on] > _SHORTEST * t[on])
     with np.errstate(divide="ignore", invalid="ignore"):
-        exponents = np.log(_height(x) / marks[:, 1]) / np.log(t / marks[:, 0])
+        early, late = (np.log(_height(x) / mark[:, 1]) / np.log(t / mark[:, 0]) for mark in marks)
+        exponents = np.where(t < marks[1, :, 0] / _APART, late, np.where(t < marks[0, :, 0] / _APART, early, np.nan))
     return Ends(x, t, np.where(t > 0, exponents, np.nan), steps)
 
 

@@ -56,13 +56,18 @@ def _certified(r: AssemblyModes) -> str:
     if proved:
         words += f": {proved[0].certificate.method}"
         off = [(m.certificate.turn, m.certificate.shift) for m in proved]
-        if all(turn is not None for turn, _ in off):
+        if all(turn and shift for turn, shift in off):
             turn, shift = (max(v for v in column if v is not None) for column in zip(*off, strict=True))
-            words += f", off by at most {shift:.1e}{f' {r.unit}' if r.unit else ''} and {turn:.1e} rad"
+            words += f", off by less than {_power(shift)}{f' {r.unit}' if r.unit else ''} and {_power(turn)} rad"
     for why in dict.fromkeys(m.certificate.method for m in others):
         numbers = [str(m.number) for m in others if m.certificate.method == why]
         words += f"; {', '.join(numbers)}: {why}"
     return words
+
+
+def _power(bound: float) -> str:
+    """The next power of ten above a positive bound: the digits depend on the machine."""
+    return f"1e{math.floor(math.log10(bound)) + 1}"
 
 
 def _curve(r: AssemblyModes, k: int) -> str:

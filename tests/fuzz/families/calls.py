@@ -167,6 +167,7 @@ def _functions() -> Mapping[str, Callable[..., Any]]:
 
     names = (
         "analyze",
+        "assembly_modes",
         "compiled",
         "evaluate",
         "expand",
@@ -211,6 +212,7 @@ _COSTLY = {
     "report": {},
 }
 _RARE = (
+    "assembly_modes",
     "singular of a robot",
     "singular_map",
     "report",

@@ -168,8 +168,8 @@ def geometry(rng: Random) -> Case:
         else ()
     )
     kind = rng.choices(
-        ("pose", "analyze", "path", "locus", "map", "figure", "report", "nearest", "plot"),
-        (9, 6, 3, 2, 0.3, 0.5, 0.3, 0.2, 0.2),
+        ("pose", "analyze", "path", "locus", "modes", "map", "figure", "report", "nearest", "plot"),
+        (9, 6, 3, 2, 1, 0.3, 0.5, 0.3, 0.2, 0.2),
     )[0]
     name = "g.yaml"
     argv: tuple[str, ...]
@@ -190,6 +190,10 @@ def geometry(rng: Random) -> Case:
                 *csv,
             )
             argv += () if csv else _form(rng)
+        case "modes":
+            lengths = rng.choice(("1 1 1 1 1 1", "1,2,3", "ab=2", "ab=-1", "ab=1e300", "0 0 0 0 0 0", "x"))
+            held = ("--actuators", lengths) if rng.random() < 0.3 else at
+            argv = ("modes", name, *held, *about, *threshold, *_form(rng, latex=True))
         case "locus":
             over = rng.choice(("x", "x,y", "z", "e1", "translation", "e0,e1", "q", ""))
             argv = ("locus", name, "--over", over, *at, *about, *_form(rng, latex=True))
