@@ -1,0 +1,106 @@
+"""Random assemblies of a robot's limbs, closed numerically: a road to its modes by the screws of its joints in floats,
+which shares nothing with the equations of the limbs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from gcrules.core.budget import checkpoint
+from gcrules.mechanisms.kinematics.chains import Chain
+from gcrules.mechanisms.kinematics.linkage import Linkage
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
+
+__all__ = ["STARTS", "random_assemblies", "study_parameters"]
+
+STARTS = 48
+"""So many random starts are tried."""
+
+_STEPS = 60
+_CLOSED = 1e-11
+_SIDES = 4  # where a start begins: amounts of home's size times 1 / _SIDES to 1
+
+
+def random_assemblies(m: Linkage, seed: int = 0) -> Iterator[Floats]:
+    """Places of the platform (4, 4) that all limbs reach, counted from home in the unit of the file; as many as starts
+    close.
+    """
+    random = np.random.default_rng(seed)
+    locked = {(place, own) for place, own, _ in m.locked}
+    for start in range(STARTS):
+        checkpoint()
+        spread = (1 + start % _SIDES) / _SIDES
+        amounts = [
+            np.array(
+                [
+                    0.0 if (place, n) in locked else random.uniform(-np.pi, np.pi) * spread * (1 if turns else m.size / 2)
+                    for n, turns in enumerate(c.turns)
+                ]
+            )
+            for place, c in enumerate(m.home.chains)
+        ]
+        closed = _close(m, amounts, locked)
+        if closed is not None:
+            yield closed
+
+
+def _close(m: Linkage, amounts: list[Floats], locked: set[tuple[int, int]]) -> Floats | None:
+    """Newton's method in least squares: all limbs take the platform to the place to which the first does."""
+    chains = m.home.chains
+    ends = np.cumsum([0, *(len(a) for a in amounts)])
+    free = [k for place, a in enumerate(amounts) for k in range(ends[place], ends[place + 1]) if (place, k - ends[place]) not in locked]
+    for _ in range(_STEPS):
+        places, slopes = zip(*(_moved(c, a) for c, a in zip(chains, amounts, strict=True)), strict=True)
+        gaps, rows = [], []
+        for n in range(1, len(chains)):
+            gap = places[n] - places[0]
+            gap[:3, 3] /= m.size
+            gaps.append(gap[:3].ravel())
+            row = np.zeros((12, ends[-1]))
+            row[:, ends[n] : ends[n + 1]] = _scaled(slopes[n], m.size)
+            row[:, : ends[1]] = -_scaled(slopes[0], m.size)
+            rows.append(row)
+        gap = np.concatenate(gaps) if gaps else np.zeros(1)
+        if np.abs(gap).max() < _CLOSED:
+            return np.asarray(places[0])
+        step = np.zeros(ends[-1])
+        step[free] = np.linalg.lstsq(np.concatenate(rows)[:, free], -gap, rcond=1e-9)[0]
+        step *= min(1.0, 1.0 / max(1e-300, float(np.abs(step).max()) / max(1.0, m.size)))
+        amounts = [a + step[ends[n] : ends[n + 1]] for n, a in enumerate(amounts)]
+    return None
+
+
+def _moved(chain: Chain, amounts: Floats) -> tuple[Floats, Floats]:
+    """The platform's place and its derivatives by the amounts, (n, 4, 4)."""
+    links = chain.links(amounts)
+    twists = chain.twists(links).T
+    rates = np.zeros((len(twists), 4, 4))
+    rates[:, :3, :3] = cross_matrix(twists[:, :3])
+    rates[:, :3, 3] = twists[:, 3:]
+    return links[-1], rates @ links[-1]
+
+
+def _scaled(slopes: Floats, size: float) -> Floats:
+    found = slopes[:, :3].copy()
+    found[:, :, 3] /= size
+    return np.asarray(found.reshape(len(slopes), 12).T)
+
+
+def study_parameters(place: Floats, origin: Sequence[float] = (0.0, 0.0, 0.0)) -> Floats:
+    """x0 … x3, y0 … y3 with x of length 1 of a place whose coordinates count from an origin."""
+    turn, o = place[:3, :3], np.asarray(origin, dtype=float)
+    shift = place[:3, 3] + o - turn @ o
+    four = np.empty((4, 4))  # 4 x xᵀ, whichever row is longest
+    trace = np.trace(turn)
+    four[0, 0] = 1 + trace
+    for n in range(3):
+        a, b = (n + 1) % 3, (n + 2) % 3
+        four[0, n + 1] = four[n + 1, 0] = turn[b, a] - turn[a, b]
+        for k in range(3):
+            four[n + 1, k + 1] = turn[n, k] + turn[k, n] + (1 - trace) * (n == k)
+    x = four[np.argmax(np.diag(four))]
+    x = x / np.linalg.norm(x)
+    y = np.array([-shift @ x[1:], *(x[0] * shift + np.cross(shift, x[1:]))]) / 2
+    return np.concatenate([x, y])
