@@ -20,18 +20,19 @@ STARTS = 48
 
 _STEPS = 60
 _CLOSED = 1e-11
-_SIDES = 4  # where a start begins: amounts of home's size times 1 / _SIDES to 1
+_DAMPED = 0.3
+_SPREADS = (0.02, 0.3, 0.6, 1.0)  # parts of a turn, and of the robot's size, within which starts are drawn
 
 
-def random_assemblies(m: Linkage, seed: int = 0) -> Iterator[Floats]:
-    """Places of the platform (4, 4) that all limbs reach, counted from home in the unit of the file; as many as starts
-    close.
+def random_assemblies(m: Linkage, seed: int = 0) -> Iterator[tuple[float, ...]]:
+    """Poses of the platform that all limbs reach, in Study parameters (see `study_parameters`); as many as starts
+    close. Starts are drawn the same in every run.
     """
     random = np.random.default_rng(seed)
     locked = {(place, own) for place, own, _ in m.locked}
     for start in range(STARTS):
         checkpoint()
-        spread = (1 + start % _SIDES) / _SIDES
+        spread = _SPREADS[start % len(_SPREADS)]
         amounts = [
             np.array(
                 [
@@ -43,11 +44,13 @@ def random_assemblies(m: Linkage, seed: int = 0) -> Iterator[Floats]:
         ]
         closed = _close(m, amounts, locked)
         if closed is not None:
-            yield closed
+            yield study_parameters(closed, [float(c) for c in m.origin])
 
 
 def _close(m: Linkage, amounts: list[Floats], locked: set[tuple[int, int]]) -> Floats | None:
-    """Newton's method in least squares: all limbs take the platform to the place to which the first does."""
+    """Levenberg and Marquardt's method: all limbs take the platform to the place to which the first does. It is damped
+    in step with the gap, for beside a mode whose closure conditions depend on each other they hardly do not.
+    """
     chains = m.home.chains
     ends = np.cumsum([0, *(len(a) for a in amounts)])
     free = [k for place, a in enumerate(amounts) for k in range(ends[place], ends[place + 1]) if (place, k - ends[place]) not in locked]
@@ -66,7 +69,8 @@ def _close(m: Linkage, amounts: list[Floats], locked: set[tuple[int, int]]) -> F
         if np.abs(gap).max() < _CLOSED:
             return np.asarray(places[0])
         step = np.zeros(ends[-1])
-        step[free] = np.linalg.lstsq(np.concatenate(rows)[:, free], -gap, rcond=1e-9)[0]
+        slopes_of_free = np.concatenate([np.concatenate(rows)[:, free], _DAMPED * np.abs(gap).max() * np.eye(len(free))])
+        step[free] = np.linalg.lstsq(slopes_of_free, np.concatenate([-gap, np.zeros(len(free))]), rcond=None)[0]
         step *= min(1.0, 1.0 / max(1e-300, float(np.abs(step).max()) / max(1.0, m.size)))
         amounts = [a + step[ends[n] : ends[n + 1]] for n, a in enumerate(amounts)]
     return None
@@ -88,7 +92,7 @@ def _scaled(slopes: Floats, size: float) -> Floats:
     return np.asarray(found.reshape(len(slopes), 12).T)
 
 
-def study_parameters(place: Floats, origin: Sequence[float] = (0.0, 0.0, 0.0)) -> Floats:
+def study_parameters(place: Floats, origin: Sequence[float] = (0.0, 0.0, 0.0)) -> tuple[float, ...]:
     """x0 … x3, y0 … y3 with x of length 1 of a place whose coordinates count from an origin."""
     turn, o = place[:3, :3], np.asarray(origin, dtype=float)
     shift = place[:3, 3] + o - turn @ o
@@ -103,4 +107,4 @@ def study_parameters(place: Floats, origin: Sequence[float] = (0.0, 0.0, 0.0)) -
     x = four[np.argmax(np.diag(four))]
     x = x / np.linalg.norm(x)
     y = np.array([-shift @ x[1:], *(x[0] * shift + np.cross(shift, x[1:]))]) / 2
-    return np.concatenate([x, y])
+    return tuple(np.concatenate([x, y]).tolist())

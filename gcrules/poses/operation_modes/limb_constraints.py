@@ -12,15 +12,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations_with_replacement
 from math import isqrt
-from random import Random
 from typing import Any
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
 from gcrules.core.linear_algebra import echelon, kernel, rank
 from gcrules.core.seeds import DRAWN, PRIME, drawn
-from gcrules.mechanisms.description.limb_file import LimbSpec
-from gcrules.poses.operation_modes.study import DualQuaternion, Motion, motions, pose, velocities
+from gcrules.poses.operation_modes.study import DualQuaternion, Motion, pose, velocities
 
 __all__ = ["DEGREE", "FRESH", "STUDY", "Equation", "LimbConstraints", "codimension", "gradient", "lifted", "limb_constraints", "of_degree", "residue", "value"]
 
@@ -66,14 +64,11 @@ class LimbConstraints:
     enough: bool
 
 
-def limb_constraints(limb: LimbSpec, values: Mapping[str, Any]) -> LimbConstraints:
-    """What a limb at these places of its names demands of poses. Raises InputError for limbs whose poses no products
-    of turns and slides give.
-    """
-    moves = motions(limb, values)
+def limb_constraints(name: str, moves: Sequence[Motion]) -> LimbConstraints:
+    """What a limb of these motions demands of poses."""
     count = max((m.place for m in moves), default=-1) + 1
-    residues = [Motion(m.place, m.sign, tuple(residue(c) for c in m.B)) for m in moves]
-    random = drawn("operation modes", limb.name)
+    residues = [Motion(m.place, _residues(m.C), _residues(m.D)) for m in moves]
+    random = drawn("operation modes", name)
 
     def sample() -> list[int]:
         return [random.randrange(1, DRAWN) for _ in range(count)]
@@ -89,12 +84,16 @@ def limb_constraints(limb: LimbSpec, values: Mapping[str, Any]) -> LimbConstrain
         for equation in of_degree(degree, [STUDY, *found], lambda: pose(residues, sample(), _PRIME)):
             if all(value(equation, one) == 0 for one in fresh):
                 found.append(equation)
-    return LimbConstraints(limb.name, tuple(found), dimension, codimension(found, generic) == 6 - dimension)
+    return LimbConstraints(name, tuple(found), dimension, codimension(found, generic) == 6 - dimension)
 
 
 def codimension(found: Sequence[Equation], at: DualQuaternion) -> int:
     """By how much equations lower the dimension of the poses near one of them."""
     return rank([gradient(e, at, _PRIME) for e in (STUDY, *found)], _PRIME) - 1
+
+
+def _residues(numbers: DualQuaternion) -> DualQuaternion:
+    return tuple(residue(c) for c in numbers)
 
 
 def residue(c: Any) -> int:

@@ -10,17 +10,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, product
 from random import Random
 from typing import Any
 
 from gcrules.core.budget import checkpoint
-from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.core.linear_algebra import rank
-from gcrules.core.seeds import PRIME, drawn
+from gcrules.core.linear_algebra import kernel, rank
+from gcrules.core.seeds import drawn
+from gcrules.mechanisms.kinematics.linkage import linkage as _linkage
 from gcrules.mechanisms.load import Folders, Source, load
 from gcrules.mechanisms.robot import Robot
+from gcrules.poses.operation_modes.assemblies import STARTS
+from gcrules.poses.operation_modes.assemblies import random_assemblies as _assemblies
 from gcrules.poses.operation_modes.limb_constraints import (
     DEGREE,
     STUDY,
@@ -34,30 +36,36 @@ from gcrules.poses.operation_modes.limb_constraints import (
 )
 from gcrules.poses.operation_modes.motion_kinds import POSES, motion_in_words
 from gcrules.poses.operation_modes.orientations import pieces
-from gcrules.poses.operation_modes.random_poses import at_residues, independent, random_pose
+from gcrules.poses.operation_modes.random_poses import holds, random_pose
 from gcrules.poses.operation_modes.rational_poses import HOME, common_pose, inside, witness
 from gcrules.poses.operation_modes.report import Assemblies, OperationMode, OperationModes, Transition
-from gcrules.poses.operation_modes.strata import Stratum, rows_of, strata
+from gcrules.poses.operation_modes.strata import Bundle, Stratum, rows_of, strata
+from gcrules.poses.operation_modes.study import Motion, coupled, motions, velocities
+from gcrules.screws import RATIONALS
 
 __all__ = ["operation_modes"]
-
-_linkage = deferred("gcrules.mechanisms.kinematics.linkage:linkage")  # numpy
-_assemblies = deferred("gcrules.poses.operation_modes.assemblies:random_assemblies")
-_parameters = deferred("gcrules.poses.operation_modes.assemblies:study_parameters")
 
 _NEAR = 1e-7
 
 
 @dataclass(frozen=True)
 class _Candidate:
-    """A stratum with a few random poses and the equations of low degree that hold at them; None of a stratum of which
-    no random poses are to be had.
+    """A stratum with a few random poses, the equations of low degree that hold at them, and the dimension of the space
+    tangent to what the limbs allow there.
     """
 
-    stratum: Stratum
+    bundle: Bundle
     poses: tuple[tuple[int, ...], ...]
     equations: tuple[Equation, ...]
     tangent: int
+
+    @property
+    def stratum(self) -> Stratum:
+        return self.bundle.stratum
+
+    @property
+    def proper(self) -> bool:
+        return self.tangent == self.stratum.dimension
 
 
 def operation_modes(source: Source, *, plugins: Folders = ()) -> OperationModes:
@@ -65,95 +73,92 @@ def operation_modes(source: Source, *, plugins: Folders = ()) -> OperationModes:
     home is x0 = 1, all others 0.
 
     `source` is what `load` takes. Raises InputError for sources without joints or home, for limbs with bodies of their
-    own and for screw joints; LimitReached for limbs whose equations are not linear in y, or of a degree above 4.
+    own and for screw joints; LimitReached for limbs of whose poses nothing is found that is linear in y and of a
+    degree up to 4.
     """
     robot = load(source, plugins=plugins)
     if not isinstance(robot, Robot) or not robot.limbs:
         raise InputError("operation modes are those of robots of joints", hint="gcrules robot list shows such robots")
-    limbs = tuple(_constraints(robot))
-    rows, forms = rows_of([e for one in limbs for e in one.equations])
-    least = max(0, 6 - sum(6 - one.dimension for one in limbs))
+    moves = _exact_motions(robot)
+    limbs = tuple(limb_constraints(limb.name, own) for limb, own in zip(robot.limbs, moves, strict=True))
+    parts = [[one] if one.enough else _parts(robot, n, moves[n], one) for n, one in enumerate(limbs)]
+    whole = all(one.enough for one in limbs)
+    least = max(0, 6 - sum(6 - one.dimension for one in limbs)) if whole else 0
     random = drawn("operation modes", robot.id)
-    equations = [e for one in limbs for e in one.equations]
-    candidates = [_candidate(s, equations, random) for s in _distinct(strata(rows, forms, least))]
-    candidates.sort(key=lambda c: -c.stratum.dimension)
-    chosen: list[_Candidate] = []
+    candidates: list[_Candidate] = []
+    for chosen in product(*parts):
+        equations = [e for one in chosen for e in one.equations]
+        found = {(s.orientations.basis, s.rows): s for s in strata(*rows_of(equations), least)}
+        tangent = None if whole else _at_home(moves)
+        candidates += [_candidate(s, equations, random, tangent) for s in found.values()]
+    candidates.sort(key=lambda c: (-c.stratum.dimension, not inside(c.bundle, HOME)))
+    kept: list[_Candidate] = []
     for one in candidates:
         checkpoint()
-        if not any(_lies_in(one, other) for other in chosen):
-            chosen.append(one)
-    chosen.sort(key=lambda c: (-c.stratum.dimension, not inside(c.stratum, HOME)))
-    found, assemblies = _assembled(robot, chosen)
-    modes = tuple(_mode(n, one, found[n - 1]) for n, one in enumerate(chosen, 1))
-    meets = tuple(_transition(a, b, chosen) for a, b in combinations(range(len(chosen)), 2))
-    return OperationModes(robot, limbs, least, modes, len(candidates) - len(chosen), meets, assemblies)
+        if one.proper or not any(all(holds(other.bundle, p) for p in one.poses) for other in kept):
+            kept.append(one)
+    inside_of, assemblies = _assembled(robot, kept)
+    modes = tuple(_mode(n, one, inside_of[n - 1]) for n, one in enumerate(kept, 1))
+    meets = tuple(_transition(a, b, kept) for a, b in combinations(range(len(kept)), 2))
+    return OperationModes(robot, limbs, least, modes, len(candidates) - len(kept), meets, assemblies)
 
 
-def _constraints(robot: Robot) -> Sequence[LimbConstraints]:
+def _exact_motions(robot: Robot) -> list[tuple[Motion, ...]]:
     if robot.home is None:
         raise InputError(f"{robot.id} has no home configuration, whose dimensions are needed", hint="add the key home")
     values = robot.values_at()
     for d in robot.family.definitions:
-        if any(d.relation.residual(d.sort, _exact(), values, values[d.name])):
+        if any(d.relation.residual(d.sort, RATIONALS, values, values[d.name])):
             raise InputError(
                 f"home keeps the relation of {d.name} ({d.text}) only nearly, so its limbs are others in exact numbers",
                 hint="leave out of home what the relations determine, or give fractions",
             )
-    found = []
-    for limb in robot.limbs:
-        one = limb_constraints(limb, values)
-        if not one.enough:
-            raise LimitReached(
-                f"the poses of {limb.name} ({limb.chain}) are given by no equations of a degree up to {DEGREE} that are linear"
-                " in y0 … y3, so their modes are not taken apart",
-                hint="gcrules robot pose follows the mode in which home is",
-            )
-        found.append(one)
-    return found
+    return [motions(limb, values) for limb in robot.limbs]
 
 
-def _exact() -> Any:
-    from gcrules.screws import RATIONALS
+def _parts(robot: Robot, place: int, moves: Sequence[Motion], whole: LimbConstraints) -> list[LimbConstraints]:
+    """Of a limb whose poses have no equations linear in y the parts that have: where two turns are coupled. Raises
+    LimitReached where there are none.
+    """
+    found = [part for own in coupled(moves) if (part := limb_constraints(whole.name, own)).enough]
+    largest = max((part.dimension for part in found), default=0)
+    if not found:
+        raise LimitReached(
+            f"the poses of {whole.name} ({robot.limbs[place].chain}) are given by no equations of a degree up to {DEGREE}"
+            " that are linear in y0 … y3, so the modes are not taken apart",
+            hint="gcrules robot pose follows the mode in which home is",
+        )
+    return [part for part in found if part.dimension == largest]
 
-    return RATIONALS
+
+def _at_home(moves: Sequence[Sequence[Motion]]) -> int:
+    """The dimension of the space of the platform's twists that all limbs allow at home."""
+    normals: list[Any] = []
+    for own in moves:
+        still = [Fraction(0)] * (1 + max((m.place for m in own), default=-1))
+        normals += kernel([HOME, *velocities(own, still)], 8)
+    return 6 - (rank([*normals, gradient(STUDY, HOME)]) - 1 if normals else 0)
 
 
-def _distinct(found: Any) -> list[Stratum]:
-    """The strata, without those of equal orientations and rows."""
-    kept: dict[Any, Stratum] = {}
-    for s in found:
-        kept.setdefault((s.orientations.basis, s.rows), s)
-    return list(kept.values())
-
-
-def _candidate(one: Stratum, equations: Sequence[Equation], random: Random) -> _Candidate:
+def _candidate(one: Stratum, equations: Sequence[Equation], random: Random, at_home: int | None) -> _Candidate:
+    """`at_home` is the dimension of the tangent space there where the equations are those of parts of limbs; then it is
+    what bounds modes through home.
+    """
     poses = tuple(random_pose(one, random) for _ in range(POSES))
-    tangent = 6 - (rank([gradient(e, poses[0], PRIME) for e in (STUDY, *equations)], PRIME) - 1)
     own: list[Equation] = []
     for degree in (1, 2):
         own += of_degree(degree, [STUDY, *own], lambda: random_pose(one, random))
-    return _Candidate(one, poses, tuple(own), tangent)
-
-
-def _lies_in(one: _Candidate, other: _Candidate) -> bool:
-    """Whether one is seen to lie in the closure of the other, at random poses."""
-    if one.tangent == one.stratum.dimension:
-        return False
-    s = other.stratum
-    return all(_holds(s, p) for p in one.poses)
-
-
-def _holds(s: Stratum, pose: Sequence[int]) -> bool:
-    x, y = pose[:4], (*pose[4:], 1)
-    if any(at_residues(f, x) for f in s.orientations.basis) or not independent(s.rows, x):
-        return False
-    return not any(sum(at_residues(f, x) * b for f, b in zip(row, y, strict=True)) % PRIME for row in s.rows)
+    bundle = Bundle(one, (*one.rows, *rows_of(own)[0]))
+    if at_home is None:
+        tangent = 6 - codimension(equations, poses[0])
+    else:
+        tangent = at_home if inside(bundle, HOME) else 6
+    return _Candidate(bundle, poses, tuple(own), tangent)
 
 
 def _mode(number: int, one: _Candidate, assembled: int) -> OperationMode:
     s = one.stratum
     shifting = 4 - len(s.rows)
-    at_home = True if inside(s, HOME) else False if any(value(e, HOME) for e in one.equations) else None
     return OperationMode(
         number,
         s.dimension,
@@ -162,37 +167,34 @@ def _mode(number: int, one: _Candidate, assembled: int) -> OperationMode:
         motion_in_words(one.poses, s.orientations, shifting),
         one.equations,
         codimension(one.equations, one.poses[0]) == 6 - s.dimension,
-        witness(s),
-        at_home,
-        one.tangent == s.dimension,
+        witness(one.bundle),
+        inside(one.bundle, HOME),
+        one.proper,
         s.orientations.prime,
         assembled,
     )
 
 
-def _transition(a: int, b: int, chosen: Sequence[_Candidate]) -> Transition:
-    one, other = chosen[a].stratum, chosen[b].stratum
-    shared = pieces([*one.orientations.basis, *other.orientations.basis])
+def _transition(a: int, b: int, kept: Sequence[_Candidate]) -> Transition:
+    one, other = kept[a].bundle, kept[b].bundle
+    shared = pieces([*one.stratum.orientations.basis, *other.stratum.orientations.basis])
     if not shared:
         return Transition((a + 1, b + 1), False, None)
     pose = common_pose(one, other, shared)
     return Transition((a + 1, b + 1), None if pose is None else True, pose)
 
 
-def _assembled(robot: Robot, chosen: Sequence[_Candidate]) -> tuple[list[int], Assemblies]:
+def _assembled(robot: Robot, kept: Sequence[_Candidate]) -> tuple[list[int], Assemblies]:
     """How many random assemblies are in each mode, and how many in none."""
     m = _linkage(robot)
-    inside_of, tried, outside = [0] * len(chosen), 0, 0
-    for place in _assemblies(m):
-        tried += 1
-        pose = _parameters(place, [float(c) for c in m.origin]).tolist()
-        near = [n for n, one in enumerate(chosen) if all(_size(e, pose) <= _NEAR * m.size for e in one.equations)]
+    inside_of, closed, outside = [0] * len(kept), 0, 0
+    for pose in _assemblies(m):
+        closed += 1
+        near = [n for n, one in enumerate(kept) if all(_size(e, pose) <= _NEAR * max(1.0, m.size) for e in one.equations)]
         for n in near:
             inside_of[n] += 1
         outside += not near
-    from gcrules.poses.operation_modes.assemblies import STARTS
-
-    return inside_of, Assemblies(STARTS, tried, outside)
+    return inside_of, Assemblies(STARTS, closed, outside)
 
 
 def _size(equation: Equation, pose: Sequence[float]) -> float:

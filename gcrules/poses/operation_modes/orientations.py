@@ -117,21 +117,36 @@ def _split(forms: list[Form]) -> Iterator[Orientations]:
     from sympy.polys.groebnertools import groebner
 
     checkpoint()
-    basis = tuple(groebner([f for f in forms if f], forms_ring())) if any(forms) else ()
-    whole_set = Orientations(basis)
-    if whole_set.dimension < 0:
+    forms = [f for f in forms if f]
+    for n, f in enumerate(forms):  # factors of what was given come first: bases of the parts are smaller
+        parts = _factors(f)
+        if parts:
+            for g in parts:
+                yield from _split([*forms[:n], g, *forms[n + 1 :]])
+            return
+    basis = tuple(groebner(forms, forms_ring())) if forms else ()
+    found = Orientations(basis)
+    if found.dimension < 0:
         return
-    for f in basis:
-        factors = [g for g, _ in f.factor_list()[1]]
-        if len(factors) > 1 or factors and f != f.ring.zero and sum(factors[0].LM) < sum(f.LM):
-            for g in factors:
-                yield from _split([*basis, g])
+    for n, f in enumerate(basis):
+        parts = _factors(f)
+        if parts:
+            for g in parts:
+                yield from _split([*basis[:n], g, *basis[n + 1 :]])
             return
         squares = _kernel_of_squares(f)
         if squares:
             yield from _split([*basis, *squares])
             return
-    yield whole_set
+    yield found
+
+
+def _factors(f: Form) -> list[Form]:
+    """Its different factors, none if it is irreducible."""
+    if sum(f.LM) < 2:
+        return []
+    found = [g for g, _ in f.factor_list()[1]]
+    return found if sum(found[0].LM) < sum(f.LM) else []
 
 
 def _kernel_of_squares(f: Form) -> list[Form]:

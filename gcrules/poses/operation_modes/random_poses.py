@@ -7,13 +7,13 @@ from random import Random
 from typing import Any
 
 from gcrules.core.errors import LimitReached
-from gcrules.core.linear_algebra import echelon
+from gcrules.core.linear_algebra import echelon, rank
 from gcrules.core.seeds import DRAWN, PRIME
 from gcrules.poses.operation_modes.limb_constraints import residue
 from gcrules.poses.operation_modes.orientations import Form, fraction
-from gcrules.poses.operation_modes.strata import Row, Stratum
+from gcrules.poses.operation_modes.strata import Bundle, Stratum
 
-__all__ = ["at_residues", "random_pose", "solved"]
+__all__ = ["at_residues", "holds", "random_pose", "solved"]
 
 _ATTEMPTS = 200
 
@@ -37,7 +37,7 @@ def random_pose(one: Stratum, random: Random) -> tuple[int, ...]:
         x = _orientation(one, random)
         if x is None or any(not at_residues(f, x) for f in one.nonzero):
             continue
-        y = solved([[at_residues(f, x) for f in row] for row in one.rows], random, PRIME)
+        y = solved([[at_residues(f, x) for f in row] for row in one.rows], PRIME, random)
         if y is not None:
             return (*x, *y)
     raise LimitReached(f"no random poses of the orientations {one.orientations.text} were found")
@@ -81,24 +81,27 @@ def _root(coefficients: list[int]) -> int | None:
     return next((int(-g[1] % PRIME) for g, _ in factors if len(g) == 2), None)
 
 
-def solved(rows: Sequence[Sequence[Any]], random: Random | None, modulus: int | None) -> tuple[Any, ...] | None:
+def solved(
+    rows: Sequence[Sequence[Any]], modulus: int | None = None, random: Random | None = None
+) -> tuple[Any, ...] | None:
     """y0 … y3 that solve rows (a0, …, a3, c), what is free being random, or 0 without `random`; None where there are
-    none, or where the rows depend on each other.
+    none.
     """
     found, pivots = echelon(rows, modulus)
-    if len(pivots) < len(rows) or 4 in pivots:
+    if 4 in pivots:
         return None
-    y = [0] * 4
-    for n in range(4):
-        if n not in pivots and random is not None:
-            y[n] = random.randrange(DRAWN)
+    y = [0 if n in pivots or random is None else random.randrange(DRAWN) for n in range(4)]
     for row, column in zip(found, pivots, strict=True):
         y[column] = -row[4] - sum(row[n] * y[n] for n in range(4) if n not in pivots)
     return tuple(c if modulus is None else c % modulus for c in y)
 
 
-def independent(rows: Sequence[Row], x: Sequence[int]) -> bool:
-    """Whether rows are independent at residues."""
-    return len(echelon([[at_residues(f, x) for f in row[:4]] for row in rows], PRIME)[1]) == len(rows)
-
-
+def holds(one: Bundle, pose: Sequence[int]) -> bool:
+    """Whether a pose in residues is seen to be in the closure of a stratum, as by `rational_poses.inside`."""
+    x, y = pose[:4], (*pose[4:], 1)
+    if any(at_residues(f, x) for f in one.stratum.orientations.basis):
+        return False
+    rows = [[at_residues(f, x) for f in row] for row in one.rows]
+    if any(sum(a * b for a, b in zip(row, y, strict=True)) % PRIME for row in rows):
+        return False
+    return rank([row[:4] for row in rows], PRIME) == len(one.stratum.rows)

@@ -7,10 +7,11 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from gcrules.core.linear_algebra import content, echelon
+from gcrules.core.budget import checkpoint
+from gcrules.core.linear_algebra import content, echelon, rank
 from gcrules.poses.operation_modes.orientations import Form, Orientations, fraction
 from gcrules.poses.operation_modes.random_poses import solved
-from gcrules.poses.operation_modes.strata import Row, Stratum
+from gcrules.poses.operation_modes.strata import Bundle, Row
 
 __all__ = ["HOME", "at", "common_pose", "inside", "witness"]
 
@@ -34,17 +35,21 @@ def _evaluated(rows: Sequence[Row], x: Sequence[Fraction]) -> list[list[Fraction
     return [[at(f, x) for f in row] for row in rows]
 
 
-def inside(one: Stratum, pose: Sequence[Fraction]) -> bool:
-    """Whether a pose is seen to be in the closure of a stratum: the rows are independent there too, so that near it the
-    poses are a bundle.
+def inside(one: Bundle, pose: Sequence[Fraction]) -> bool | None:
+    """Whether a pose is in the closure of a stratum. It is not where an equation of the stratum is not 0; it is where
+    they have their full rank, so that near it too the poses are a bundle; else None.
     """
     x, y = pose[:4], (*pose[4:], Fraction(1))
-    if any(at(f, x) for f in one.orientations.basis):
+    if any(at(f, x) for f in one.stratum.orientations.basis):
         return False
     rows = _evaluated(one.rows, x)
     if any(sum(a * b for a, b in zip(row, y, strict=True)) for row in rows):
         return False
-    return len(echelon([row[:4] for row in rows])[1]) == len(rows)
+    return True if _rank(rows) == len(one.stratum.rows) else None
+
+
+def _rank(rows: Sequence[Sequence[Fraction]]) -> int:
+    return rank([row[:4] for row in rows])
 
 
 def _small(where: Orientations) -> Iterator[tuple[Fraction, ...]]:
@@ -62,28 +67,26 @@ def _small(where: Orientations) -> Iterator[tuple[Fraction, ...]]:
             yield x
 
 
-def witness(one: Stratum) -> tuple[Fraction, ...] | None:
+def witness(one: Bundle) -> tuple[Fraction, ...] | None:
     """A pose of a stratum, home where it is one; None where none with small numbers is found."""
-    if inside(one, HOME):
+    return HOME if inside(one, HOME) else _pose([one], [one.stratum.orientations])
+
+
+def common_pose(one: Bundle, other: Bundle, shared: Sequence[Orientations]) -> tuple[Fraction, ...] | None:
+    """A pose in the closures of both strata, whose `shared` orientations are given: home where it is one."""
+    if inside(one, HOME) and inside(other, HOME):
         return HOME
-    for x in _small(one.orientations):
-        if any(not at(f, x) for f in one.nonzero):
-            continue
-        y = solved(_evaluated(one.rows, x), None, None)
-        if y is not None:
-            return _short((*x, *y))
-    return None
+    return _pose([one, other], shared)
 
 
-def common_pose(one: Stratum, other: Stratum, shared: Sequence[Orientations]) -> tuple[Fraction, ...] | None:
-    """A pose in the closures of both strata, whose `shared` orientations are given."""
-    for piece in shared:
+def _pose(several: Sequence[Bundle], where: Sequence[Orientations]) -> tuple[Fraction, ...] | None:
+    for piece in where:
         for x in _small(piece):
-            first, second = _evaluated(one.rows, x), _evaluated(other.rows, x)
-            if any(len(echelon([r[:4] for r in rows])[1]) < len(rows) for rows in (first, second)):
+            checkpoint()
+            parts = [_evaluated(one.rows, x) for one in several]
+            if any(_rank(rows) < len(one.stratum.rows) for one, rows in zip(several, parts, strict=True)):
                 continue
-            rows = [r for r in echelon([*first, *second])[0]]
-            y = solved(rows, None, None)
+            y = solved(echelon([row for rows in parts for row in rows])[0])
             if y is not None:
                 return _short((*x, *y))
     return None

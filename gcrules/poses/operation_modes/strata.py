@@ -14,7 +14,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.poses.operation_modes.limb_constraints import STUDY, Equation
 from gcrules.poses.operation_modes.orientations import Form, Orientations, as_form, pieces, whole
 
-__all__ = ["Row", "Stratum", "rows_of", "strata"]
+__all__ = ["Bundle", "Row", "Stratum", "rows_of", "strata"]
 
 Row = tuple[Form, Form, Form, Form, Form]
 """a0 y0 + … + a3 y3 + c = 0."""
@@ -34,6 +34,16 @@ class Stratum:
     def dimension(self) -> int:
         """Of the poses."""
         return self.orientations.dimension + 4 - len(self.rows)
+
+
+@dataclass(frozen=True)
+class Bundle:
+    """A stratum with `rows` that are 0 in it, its own and more: where they have the rank of its own, the poses of its
+    closure are those that solve them.
+    """
+
+    stratum: Stratum
+    rows: tuple[Row, ...]
 
 
 def rows_of(equations: Sequence[Equation]) -> tuple[list[Row], list[Form]]:

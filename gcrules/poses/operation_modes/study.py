@@ -14,8 +14,9 @@ constant dual quaternion B, so poses are polynomials in the amounts. Home is x =
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from gcrules.core.errors import InputError
@@ -24,7 +25,7 @@ from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
 from gcrules.mechanisms.description.relations import combined
 from gcrules.screws import RATIONALS
 
-__all__ = ["DualQuaternion", "Motion", "matrix_of", "motions", "pose", "product", "shift_of", "velocities"]
+__all__ = ["DualQuaternion", "Motion", "coupled", "matrix_of", "motions", "pose", "product", "shift_of", "velocities"]
 
 DualQuaternion = tuple[Any, ...]
 """Eight numbers, x then y."""
@@ -34,13 +35,13 @@ _ONE = (1, 0, 0, 0, 0, 0, 0, 0)
 
 @dataclass(frozen=True)
 class Motion:
-    """1 + `sign` q B, where q is the amount of the limb's coordinate `place`: the tangent of half the angle over the
-    length of the axis, or a multiple of the length.
+    """C + q D, where q is the amount of the limb's coordinate `place`: of most motions C = 1, and q is the tangent of
+    half the angle over the length of the axis, or a multiple of the length.
     """
 
     place: int
-    sign: int
-    B: DualQuaternion
+    C: DualQuaternion
+    D: DualQuaternion
 
 
 def motions(limb: LimbSpec, values: Mapping[str, Any]) -> tuple[Motion, ...]:
@@ -58,9 +59,31 @@ def motions(limb: LimbSpec, values: Mapping[str, Any]) -> tuple[Motion, ...]:
     start = 0
     for joint in limb.joints:
         own = list(_motions(joint, values))
-        found += [Motion(start + n, sign, B) for n, sign, B in own]
+        found += [Motion(start + n, _ONE, tuple(sign * c for c in B)) for n, sign, B in own]
         start = max((m.place for m in found), default=-1) + 1
     return tuple(found)
+
+
+def coupled(moves: Sequence[Motion]) -> Iterator[tuple[Motion, ...]]:
+    """The same limb with two of its turns about parallel axes, one after the other, in one amount: the second one turns
+    back, so that what they carry swings as between parallel bars; or back and by half a turn.
+    """
+    turns = [k for k, m in enumerate(moves) if m.C == _ONE and any(m.D[:4])]
+    for k, n in pairwise(turns):
+        first, second = moves[k], moves[n]
+        along, other = first.D[1:4], second.D[1:4]
+        if any(cross(along, other)):
+            continue
+        ratio = Fraction(sum(a * b for a, b in zip(along, other, strict=True)), sum(a * a for a in along))
+        B = tuple(Fraction(c) / ratio for c in second.D)
+        square = sum(a * a for a in along)
+        for step in (
+            Motion(first.place, _ONE, tuple(-c for c in B)),
+            Motion(first.place, B, tuple(square * c for c in _ONE)),
+        ):
+            own = [step if i == n else m for i, m in enumerate(moves)]
+            places = sorted({m.place for m in own})
+            yield tuple(replace(m, place=places.index(m.place)) for m in own)
 
 
 def _motions(joint: JointSpec, values: Mapping[str, Any]) -> Iterator[tuple[int, int, DualQuaternion]]:
@@ -121,7 +144,7 @@ def product(a: Sequence[Any], b: Sequence[Any], modulus: int | None = None) -> D
 
 
 def _factor(m: Motion, amounts: Sequence[Any], modulus: int | None) -> DualQuaternion:
-    found = tuple(one + m.sign * amounts[m.place] * c for one, c in zip(_ONE, m.B, strict=True))
+    found = tuple(c + amounts[m.place] * d for c, d in zip(m.C, m.D, strict=True))
     return found if modulus is None else tuple(c % modulus for c in found)
 
 
@@ -140,7 +163,7 @@ def velocities(moves: Sequence[Motion], amounts: Sequence[Any], modulus: int | N
     for k, m in enumerate(moves):
         one: DualQuaternion = _ONE
         for n, other in enumerate(moves):
-            step = tuple(m.sign * c for c in m.B) if n == k else _factor(other, amounts, modulus)
+            step = m.D if n == k else _factor(other, amounts, modulus)
             one = product(one, step, modulus)
         found[m.place] = [a + b for a, b in zip(found[m.place], one, strict=True)]
     return [tuple(c if modulus is None else c % modulus for c in own) for own in found]
