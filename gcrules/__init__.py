@@ -99,6 +99,7 @@ __all__ = [
     "load",
     "load_rules",
     "locus",
+    "operation_modes",
     "parse",
     "path",
     "pose",
@@ -119,7 +120,10 @@ __all__ = [
 
 
 _ELSEWHERE = {
-    **dict.fromkeys(("compiled", "export", "locus", "path", "pose", "singular", "singular_map"), "gcrules.api.poses"),
+    **dict.fromkeys(
+        ("compiled", "export", "locus", "operation_modes", "path", "pose", "singular", "singular_map"),
+        "gcrules.api.poses",
+    ),
     "view": "gcrules.apps.notebook.view",  # it shows a robot in an app, the notebook
 }
 

@@ -11,15 +11,17 @@ from gcrules.poses.compiling.compiled import compiled as _compiled
 from gcrules.poses.compiling.controller import controller as _controller
 from gcrules.poses.loci.locus import locus as _locus
 from gcrules.poses.maps.maps import singular_map as _singular_map
+from gcrules.poses.operation_modes.operation_modes import operation_modes as _operation_modes
 from gcrules.poses.path_report import path as _path
 from gcrules.poses.pose import pose as _pose
 from gcrules.poses.pose import singular as _singular
 from gcrules.views.code.source_code import source_code as _source_code
 
-__all__ = ["compiled", "export", "locus", "path", "pose", "singular", "singular_map"]
+__all__ = ["compiled", "export", "locus", "operation_modes", "path", "pose", "singular", "singular_map"]
 
 compiled = public(_compiled)
 locus = public(_locus)
+operation_modes = public(_operation_modes)
 path = public(_path)
 pose = public(_pose)
 singular = public(_singular)

@@ -109,6 +109,7 @@ FORMS: dict[str, Forms] = {
             "xarray": f"{_VIEWS}.plots.map_data:dataset",
         },
     ),
+    "gcrules.poses.operation_modes.report.OperationModes": _result("operation_modes", formula=""),
     "gcrules.poses.loci.report.Locus": _result("locus"),
     "gcrules.poses.loci.limb_report.RobotLocus": _result("robot_locus"),
 }

@@ -1,4 +1,4 @@
-"""The commands about robots: robot list, show, check, analyze, pose, docs, new."""
+"""The commands about robots: robot list, show, check, analyze, pose, modes, docs, new."""
 
 from __future__ import annotations
 
@@ -39,6 +39,7 @@ from gcrules.rules.plugin import ROBOT_FILE
 __all__ = ["robot"]
 
 _home_remark = deferred("gcrules.poses.limbs.remark:home_remark")  # numpy, for numbers only
+_operation_modes = deferred("gcrules.poses.operation_modes.operation_modes:operation_modes")
 _pose = deferred("gcrules.poses.pose:pose")
 _singular = deferred("gcrules.poses.pose:singular")
 _figure = deferred("gcrules.views.figure:figure")
@@ -236,6 +237,26 @@ def pose_command(
             hint="it is sought at samples of the way: go farther, or in another direction",
         )
     out.show(found)
+
+
+@robot.command("modes", cls=OutputCommand, short_help="List its operation modes.")
+@_name
+@_plugins
+@time_limit()
+@output_options()
+def modes_command(name: str, folders: tuple[str, ...], out: Output) -> None:
+    """List the operation modes of a robot: the irreducible sets of poses that its limbs allow, actuators free.
+
+    \b
+    gcrules robot modes 3-upu
+    gcrules robot modes 4-ruu --json
+
+    Each mode is told by its equations in Study parameters x0 to x3, y0 to y3 of the platform, from home, and in words;
+    docs/modes.md explains them.
+    """
+    read = read_robot(name, folders)
+    with working("computing"):
+        out.show(_operation_modes(read))
 
 
 @robot.command("new", cls=OutputCommand, short_help="Write a robot file to begin with.")

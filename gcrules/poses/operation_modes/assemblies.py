@@ -7,13 +7,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
+from gcrules.poses.operation_modes.orientations import Form
+from gcrules.poses.operation_modes.strata import Bundle
 
-__all__ = ["STARTS", "random_assemblies", "study_parameters"]
+__all__ = ["STARTS", "Membership", "random_assemblies", "study_parameters"]
 
 STARTS = 48
 """So many random starts are tried."""
@@ -21,6 +24,7 @@ STARTS = 48
 _STEPS = 60
 _CLOSED = 1e-11
 _DAMPED = 0.3
+_DEPENDENT = 1e-6
 _SPREADS = (0.02, 0.3, 0.6, 1.0)  # parts of a turn, and of the robot's size, within which starts are drawn
 
 
@@ -36,7 +40,9 @@ def random_assemblies(m: Linkage, seed: int = 0) -> Iterator[tuple[float, ...]]:
         amounts = [
             np.array(
                 [
-                    0.0 if (place, n) in locked else random.uniform(-np.pi, np.pi) * spread * (1 if turns else m.size / 2)
+                    0.0
+                    if (place, n) in locked
+                    else random.uniform(-np.pi, np.pi) * spread * (1 if turns else m.size / 2)
                     for n, turns in enumerate(c.turns)
                 ]
             )
@@ -53,7 +59,12 @@ def _close(m: Linkage, amounts: list[Floats], locked: set[tuple[int, int]]) -> F
     """
     chains = m.home.chains
     ends = np.cumsum([0, *(len(a) for a in amounts)])
-    free = [k for place, a in enumerate(amounts) for k in range(ends[place], ends[place + 1]) if (place, k - ends[place]) not in locked]
+    free = [
+        k
+        for place, a in enumerate(amounts)
+        for k in range(ends[place], ends[place + 1])
+        if (place, k - ends[place]) not in locked
+    ]
     for _ in range(_STEPS):
         places, slopes = zip(*(_moved(c, a) for c, a in zip(chains, amounts, strict=True)), strict=True)
         gaps, rows = [], []
@@ -69,7 +80,9 @@ def _close(m: Linkage, amounts: list[Floats], locked: set[tuple[int, int]]) -> F
         if np.abs(gap).max() < _CLOSED:
             return np.asarray(places[0])
         step = np.zeros(ends[-1])
-        slopes_of_free = np.concatenate([np.concatenate(rows)[:, free], _DAMPED * np.abs(gap).max() * np.eye(len(free))])
+        slopes_of_free = np.concatenate(
+            [np.concatenate(rows)[:, free], _DAMPED * np.abs(gap).max() * np.eye(len(free))]
+        )
         step[free] = np.linalg.lstsq(slopes_of_free, np.concatenate([-gap, np.zeros(len(free))]), rcond=None)[0]
         step *= min(1.0, 1.0 / max(1e-300, float(np.abs(step).max()) / max(1.0, m.size)))
         amounts = [a + step[ends[n] : ends[n + 1]] for n, a in enumerate(amounts)]
@@ -108,3 +121,39 @@ def study_parameters(place: Floats, origin: Sequence[float] = (0.0, 0.0, 0.0)) -
     x = x / np.linalg.norm(x)
     y = np.array([-shift @ x[1:], *(x[0] * shift + np.cross(shift, x[1:]))]) / 2
     return tuple(np.concatenate([x, y]).tolist())
+
+
+class Membership:
+    """Whether poses in floats are in the closure of a stratum, as `rational_poses.inside` decides for exact ones."""
+
+    def __init__(self, one: Bundle) -> None:
+        self._rank = len(one.stratum.rows)
+        self._forms = [_terms([f])[0] for f in one.stratum.orientations.basis]
+        self._rows = [_terms(row) for row in one.rows]
+
+    def __call__(self, pose: Sequence[float], accuracy: float) -> bool | None:
+        """True, False, or None where the equations of the stratum hold but depend on each other."""
+        x, y = np.array(pose[:4]), np.array([*pose[4:], 1.0])
+        if any(abs(_value(f, x)) > accuracy for f in self._forms):
+            return False
+        rows = np.array([[_value(f, x) for f in row] for row in self._rows])
+        if np.abs(rows @ y).max(initial=0.0) > accuracy * max(1.0, float(np.abs(y).max())):
+            return False
+        sizes = np.linalg.svd(rows[:, :4], compute_uv=False)
+        return True if (sizes > _DEPENDENT).sum() >= self._rank else None
+
+
+_Terms = tuple[NDArray[np.intp], Floats]
+"""Exponents and coefficients of a form."""
+
+
+def _terms(forms: Sequence[Form]) -> list[_Terms]:
+    """Forms in floats, divided by the largest of their coefficients."""
+    every = [[(m, float(c)) for m, c in f.terms()] or [((0, 0, 0, 0), 0.0)] for f in forms]
+    largest = max(abs(c) for terms in every for _, c in terms)
+    return [(np.array([m for m, _ in terms]), np.array([c / largest for _, c in terms])) for terms in every]
+
+
+def _value(terms: _Terms, x: Floats) -> float:
+    powers, coefficients = terms
+    return float(coefficients @ np.prod(x**powers, axis=-1))

@@ -20,7 +20,20 @@ from gcrules.core.linear_algebra import echelon, kernel, rank
 from gcrules.core.seeds import DRAWN, PRIME, drawn
 from gcrules.poses.operation_modes.study import DualQuaternion, Motion, pose, velocities
 
-__all__ = ["DEGREE", "FRESH", "STUDY", "Equation", "LimbConstraints", "codimension", "gradient", "lifted", "limb_constraints", "of_degree", "residue", "value"]
+__all__ = [
+    "DEGREE",
+    "FRESH",
+    "STUDY",
+    "Equation",
+    "LimbConstraints",
+    "codimension",
+    "gradient",
+    "lifted",
+    "limb_constraints",
+    "of_degree",
+    "residue",
+    "value",
+]
 
 DEGREE = 4
 """Equations of higher degree are not looked for."""
@@ -77,7 +90,9 @@ def limb_constraints(name: str, moves: Sequence[Motion]) -> LimbConstraints:
     generic = pose(residues, amounts, _PRIME)
     dimension = rank([generic, *velocities(residues, amounts, _PRIME)], _PRIME) - 1
     found: list[Equation] = []
-    fresh = [pose(moves, [Fraction(random.randint(-9, 9), random.randint(1, 5)) for _ in range(count)]) for _ in range(FRESH)]
+    fresh = [
+        pose(moves, [Fraction(random.randint(-9, 9), random.randint(1, 5)) for _ in range(count)]) for _ in range(FRESH)
+    ]
     for degree in range(1, DEGREE + 1):
         if degree > 2 and codimension(found, generic) == 6 - dimension:
             break

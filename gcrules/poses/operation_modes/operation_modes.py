@@ -21,7 +21,7 @@ from gcrules.core.seeds import drawn
 from gcrules.mechanisms.kinematics.linkage import linkage as _linkage
 from gcrules.mechanisms.load import Folders, Source, load
 from gcrules.mechanisms.robot import Robot
-from gcrules.poses.operation_modes.assemblies import STARTS
+from gcrules.poses.operation_modes.assemblies import STARTS, Membership
 from gcrules.poses.operation_modes.assemblies import random_assemblies as _assemblies
 from gcrules.poses.operation_modes.limb_constraints import (
     DEGREE,
@@ -32,7 +32,6 @@ from gcrules.poses.operation_modes.limb_constraints import (
     gradient,
     limb_constraints,
     of_degree,
-    value,
 )
 from gcrules.poses.operation_modes.motion_kinds import POSES, motion_in_words
 from gcrules.poses.operation_modes.orientations import pieces
@@ -100,7 +99,7 @@ def operation_modes(source: Source, *, plugins: Folders = ()) -> OperationModes:
     inside_of, assemblies = _assembled(robot, kept)
     modes = tuple(_mode(n, one, inside_of[n - 1]) for n, one in enumerate(kept, 1))
     meets = tuple(_transition(a, b, kept) for a, b in combinations(range(len(kept)), 2))
-    return OperationModes(robot, limbs, least, modes, len(candidates) - len(kept), meets, assemblies)
+    return OperationModes(robot, limbs, whole, least, modes, len(candidates) - len(kept), meets, assemblies)
 
 
 def _exact_motions(robot: Robot) -> list[tuple[Motion, ...]]:
@@ -187,16 +186,12 @@ def _transition(a: int, b: int, kept: Sequence[_Candidate]) -> Transition:
 def _assembled(robot: Robot, kept: Sequence[_Candidate]) -> tuple[list[int], Assemblies]:
     """How many random assemblies are in each mode, and how many in none."""
     m = _linkage(robot)
-    inside_of, closed, outside = [0] * len(kept), 0, 0
+    found, closed, outside = [0] * len(kept), 0, 0
+    member = [Membership(one.bundle) for one in kept]
     for pose in _assemblies(m):
         closed += 1
-        near = [n for n, one in enumerate(kept) if all(_size(e, pose) <= _NEAR * max(1.0, m.size) for e in one.equations)]
-        for n in near:
-            inside_of[n] += 1
-        outside += not near
-    return inside_of, Assemblies(STARTS, closed, outside)
-
-
-def _size(equation: Equation, pose: Sequence[float]) -> float:
-    largest = max((abs(c) for form in equation for c in form.values()), default=Fraction(1))
-    return abs(float(value(equation, pose))) / float(largest)
+        inside_of = [own(pose, _NEAR * max(1.0, m.size)) for own in member]
+        for n, yes in enumerate(inside_of):
+            found[n] += yes is True
+        outside += all(yes is False for yes in inside_of)
+    return found, Assemblies(STARTS, closed, outside)

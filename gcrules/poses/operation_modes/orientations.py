@@ -163,7 +163,10 @@ def _kernel_of_squares(f: Form) -> list[Form]:
     if {1, -1} <= set(signs):
         return []
     rows = echelon(matrix)[0]
-    return [sum((x * ring.domain(c.numerator, c.denominator) for c, x in zip(r, ring.gens, strict=True)), ring.zero) for r in rows]
+    return [
+        sum((x * ring.domain(c.numerator, c.denominator) for c, x in zip(r, ring.gens, strict=True)), ring.zero)
+        for r in rows
+    ]
 
 
 def _signs(a: list[list[Fraction]]) -> list[int]:

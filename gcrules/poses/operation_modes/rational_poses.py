@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import product
+from itertools import islice, product, zip_longest
 from typing import Any
 
 from gcrules.core.budget import checkpoint
@@ -18,6 +18,8 @@ __all__ = ["HOME", "at", "common_pose", "inside", "witness"]
 HOME = (*map(Fraction, (1, 0, 0, 0, 0, 0, 0, 0)),)
 
 _REACH = 7
+_ENDS = 12  # orientations at which limits are looked for
+_CURVES = 40  # curves that lead to each of them
 
 
 def at(f: Form, x: Sequence[Any]) -> Fraction:
@@ -76,7 +78,54 @@ def common_pose(one: Bundle, other: Bundle, shared: Sequence[Orientations]) -> t
     """A pose in the closures of both strata, whose `shared` orientations are given: home where it is one."""
     if inside(one, HOME) and inside(other, HOME):
         return HOME
-    return _pose([one, other], shared)
+    found = _pose([one, other], shared)
+    if found is None:
+        limits = (p for a, b in ((one, other), (other, one)) for p in _limits(a, shared) if inside(b, p))
+        found = next(limits, None)
+    return found
+
+
+def _limits(one: Bundle, shared: Sequence[Orientations]) -> Iterator[tuple[Fraction, ...]]:
+    """Poses in the closure of a stratum at orientations where its equations depend on each other: ends of curves in it
+    that lead there.
+    """
+    where = one.stratum.orientations
+    if len(where.linear) < len(where.basis):
+        return
+    for piece in shared:
+        for x in islice(_small(piece), _ENDS):
+            for step in islice(_small(where), _CURVES):
+                checkpoint()
+                y = _limit(one.stratum.rows, x, step)
+                if y is not None:
+                    yield _short((*x, *y))
+
+
+def _limit(rows: Sequence[Row], x: Sequence[Fraction], step: Sequence[Fraction]) -> tuple[Fraction, ...] | None:
+    """Where y tends along x + s step for s to 0, what is free being 0; None where it grows without bounds."""
+    y = [Fraction(0)] * 4
+    used: set[int] = set()
+    for row in rows:
+        column = next(k for k in range(4) if row[k] and all(not r[k] for r in rows if r is not row) and k not in used)
+        used.add(column)
+        lead, rest = _along(row[column], x, step), _along(row[4], x, step)
+        order = next((n for n, c in enumerate(lead) if c), None)
+        if order is None or any(rest[:order]):
+            return None
+        y[column] = -(rest[order] if order < len(rest) else Fraction(0)) / lead[order]
+    return tuple(y)
+
+
+def _along(f: Form, x: Sequence[Fraction], step: Sequence[Fraction]) -> list[Fraction]:
+    """The coefficients of a form on a line, the lowest first."""
+    total: list[Fraction] = []
+    for m, c in f.terms():
+        term = [fraction(c)]
+        for a, b, n in zip(x, step, m, strict=True):
+            for _ in range(n):
+                term = [p * a + q * b for p, q in zip([*term, Fraction(0)], [Fraction(0), *term], strict=True)]
+        total = [p + q for p, q in zip_longest(total, term, fillvalue=Fraction(0))]
+    return total
 
 
 def _pose(several: Sequence[Bundle], where: Sequence[Orientations]) -> tuple[Fraction, ...] | None:

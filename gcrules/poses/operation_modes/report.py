@@ -18,7 +18,9 @@ Pose = tuple[Fraction, ...]
 def terms_of(equation: Equation) -> list[tuple[Fraction, tuple[int, ...]]]:
     """Its terms: coefficients, and exponents of x0 … x3, y0 … y3."""
     return [
-        (c, (*e, *(int(n == k) for k in range(4)))) for n, form in enumerate(equation) for e, c in sorted(form.items(), reverse=True)
+        (c, (*e, *(int(n == k) for k in range(4))))
+        for n, form in enumerate(equation)
+        for e, c in sorted(form.items(), reverse=True)
     ]
 
 
@@ -99,12 +101,15 @@ class Assemblies:
 class OperationModes(Shown):
     """The operation modes of a robot, those of the largest dimension first.
 
-    All components of the poses that the `limbs` allow have at least the dimension `least`. `smaller` sets of poses
-    were left out, as they lie in a larger one at random poses.
+    The equations of the `limbs` are `whole`; else some limbs have none that are linear in y, and only a part of their
+    poses, in which two turns about parallel axes are coupled, was taken apart. Whole equations allow no other
+    irreducible set of real poses that has the dimension `least` or more. `smaller` sets were left out, as they lie in
+    a larger one at random poses.
     """
 
     robot: Robot
     limbs: tuple[LimbConstraints, ...]
+    whole: bool
     least: int
     modes: tuple[OperationMode, ...]
     smaller: int
@@ -117,16 +122,22 @@ class OperationModes(Shown):
         return all(m.proper and m.irreducible for m in self.modes)
 
     @property
-    def complete(self) -> bool:
-        """False if a random assembly is outside of all modes."""
-        return not self.assemblies.outside
+    def complete(self) -> bool | None:
+        """True if no other mode of the dimension `least` or more is left by elimination, and no random assembly is
+        outside of those listed; False if one is outside; else None.
+        """
+        return False if self.assemblies.outside else (True if self.whole else None)
 
     def to_json(self) -> dict[str, Any]:
         return {
             "schema": 1,
             "robot": self.robot.id,
             "title": self.robot.title,
-            "limbs": [{"name": c.name, "dimension": c.dimension, "equations": len(c.equations)} for c in self.limbs],
+            "limbs": [
+                {"name": c.name, "dimension": c.dimension, "equations": len(c.equations), "enough": c.enough}
+                for c in self.limbs
+            ],
+            "whole": self.whole,
             "least": self.least,
             "modes": [m.to_json() for m in self.modes],
             "smaller": self.smaller,
