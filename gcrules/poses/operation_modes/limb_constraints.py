@@ -135,7 +135,7 @@ def of_degree(degree: int, known: Sequence[Equation], sample: Any) -> Iterator[E
         rows.append([_power(e, one, _PRIME) * (one[4 + n] if n < 4 else 1) % _PRIME for n, e in places])
     # columns in reverse, so that leading ones stand at terms with y and what has no y comes out by itself
     vanishing = echelon(kernel(rows, len(places), _PRIME), _PRIME)[0]
-    span = [_vector(m, column) for e in known for m in _multiples(e, degree)]
+    span: list[Sequence[int]] = [_vector(m, column) for e in known for m in _multiples(e, degree)]
     size = rank(span, _PRIME) if span else 0
     for vector in reversed(vanishing):
         more = rank([*span, vector], _PRIME)

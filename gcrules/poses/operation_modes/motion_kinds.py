@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import chain
 
-from gcrules.core.linear_algebra import content, kernel, rank
+from gcrules.core.linear_algebra import content, echelon, kernel, rank
 from gcrules.core.seeds import PRIME
 from gcrules.poses.operation_modes.limb_constraints import lifted
 from gcrules.poses.operation_modes.orientations import Orientations, fraction
@@ -17,7 +18,7 @@ from gcrules.poses.operation_modes.study import DualQuaternion, matrix_of, shift
 
 __all__ = ["POSES", "motion_in_words"]
 
-POSES = 12
+POSES = 14
 """So many random poses are looked at."""
 
 Vector = tuple[Fraction, ...]
@@ -48,7 +49,11 @@ def motion_in_words(poses: Sequence[DualQuaternion], orientations: Orientations,
     shifts = "no shift is free" if not translations else f"shifts of {_freedoms(translations)} in each of them"
     if turning == 3:
         return f"general motion: all orientations, and {shifts}" if translations else _GENERAL
-    return f"{_turns(orientations)}, and {shifts}" if translations else f"{_turns(orientations)}, which give the shift"
+    return (
+        f"{_turns(orientations, poses)}, and {shifts}"
+        if translations
+        else f"{_turns(orientations, poses)}, which give the shift"
+    )
 
 
 _GENERAL = "general motion: all orientations, which give the shift"
@@ -83,14 +88,18 @@ def _about_one(pair: tuple[Vector, Vector], poses: Sequence[DualQuaternion], tra
     if translations == 3:
         return f"Schönflies motion with the direction {along}"
     normal = [int(c) for c in _whole(base)]
-    rows = [[sum(n * c for n, c in zip(normal, shift_of(p), strict=True)), sum(c * c for c in p[:4])] for p in poses]
+    rows = [[sum(n * c for n, c in zip(normal, shift_of(p), strict=True)), *_size(p)] for p in poses]
     if translations == 2 and rank(rows, PRIME) < 2:
         return f"planar motion at right angles to {along}"
     shifts = f"shifts of {_freedoms(translations)}" if translations else "a shift that the turn gives"
     return f"turns about the direction {along}, with {shifts}"
 
 
-def _turns(orientations: Orientations) -> str:
+def _size(p: DualQuaternion) -> tuple[int]:
+    return (sum(c * c for c in p[:4]),)
+
+
+def _turns(orientations: Orientations, poses: Sequence[DualQuaternion]) -> str:
     if orientations.dimension == 2 and len(orientations.basis) == 1 and orientations.linear:
         ring = orientations.basis[0].ring
         q = [fraction(orientations.basis[0].coeff(x)) for x in ring.gens]
@@ -99,13 +108,29 @@ def _turns(orientations: Orientations) -> str:
         if not q[0]:
             return f"turns about axes at right angles to {_direction(tuple(q[1:]))}"
         return "half-turns after a fixed turn"
-    return f"general motion: orientations of {_freedoms(orientations.dimension)}"
+    angle = _angle(poses) if orientations.dimension == 2 else ""
+    return angle or f"general motion: orientations of {_freedoms(orientations.dimension)}"
+
+
+def _angle(poses: Sequence[DualQuaternion]) -> str:
+    """In words which direction of the platform keeps its angle with which of the base, as behind a universal joint."""
+    rows = [[*chain.from_iterable(matrix_of(p[:4])), *_size(p)] for p in poses]
+    found = kernel(rows, 10, PRIME)
+    if len(found) != 1:
+        return ""
+    numbers = [lifted(c) for c in found[0]]
+    by_row = echelon([numbers[n : n + 3] for n in (0, 3, 6)])[0]
+    by_column = echelon([numbers[n:9:3] for n in range(3)])[0]
+    if len(by_row) != 1:
+        return ""
+    angle = "at right angles" if not numbers[9] else "at a fixed angle"
+    return f"turns that keep the platform's direction {_direction(by_row[0])} {angle} to {_direction(by_column[0])}"
 
 
 def _seen(poses: Sequence[DualQuaternion]) -> _Seen:
     rows = []
     for p in poses:
-        turn, shift, size = matrix_of(p[:4]), shift_of(p), sum(c * c for c in p[:4])
+        turn, shift, (size,) = matrix_of(p[:4]), shift_of(p), _size(p)
         for n in range(3):
             rows.append([*turn[n], *(-size * (n == k) for k in range(3)), shift[n]])
     directions = kernel([r[:6] for r in rows], 6, PRIME)

@@ -97,7 +97,9 @@ def operation_modes(source: Source, *, plugins: Folders = ()) -> OperationModes:
         if one.proper or not any(all(holds(other.bundle, p) for p in one.poses) for other in kept):
             kept.append(one)
     inside_of, assemblies = _assembled(robot, kept)
-    modes = tuple(_mode(n, one, inside_of[n - 1]) for n, one in enumerate(kept, 1))
+    equations = [e for one in limbs for e in one.equations]
+    alone = whole and _alone_at_home(kept, equations)
+    modes = tuple(_mode(n, one, inside_of[n - 1], alone) for n, one in enumerate(kept, 1))
     meets = tuple(_transition(a, b, kept) for a, b in combinations(range(len(kept)), 2))
     return OperationModes(robot, limbs, whole, least, modes, len(candidates) - len(kept), meets, assemblies)
 
@@ -123,8 +125,8 @@ def _parts(robot: Robot, place: int, moves: Sequence[Motion], whole: LimbConstra
     largest = max((part.dimension for part in found), default=0)
     if not found:
         raise LimitReached(
-            f"the poses of {whole.name} ({robot.limbs[place].chain}) are given by no equations of a degree up to {DEGREE}"
-            " that are linear in y0 … y3, so the modes are not taken apart",
+            f"the poses of {whole.name} ({robot.limbs[place].chain}) are given by no equations linear in y0 … y3 of a"
+            f" degree up to {DEGREE}, so the modes are not taken apart",
             hint="gcrules robot pose follows the mode in which home is",
         )
     return [part for part in found if part.dimension == largest]
@@ -146,7 +148,7 @@ def _candidate(one: Stratum, equations: Sequence[Equation], random: Random, at_h
     poses = tuple(random_pose(one, random) for _ in range(POSES))
     own: list[Equation] = []
     for degree in (1, 2):
-        own += of_degree(degree, [STUDY, *own], lambda: random_pose(one, random))
+        own += sorted(of_degree(degree, [STUDY, *own], lambda: random_pose(one, random)), key=_order)
     bundle = Bundle(one, (*one.rows, *rows_of(own)[0]))
     if at_home is None:
         tangent = 6 - codimension(equations, poses[0])
@@ -155,7 +157,24 @@ def _candidate(one: Stratum, equations: Sequence[Equation], random: Random, at_h
     return _Candidate(bundle, poses, tuple(own), tangent)
 
 
-def _mode(number: int, one: _Candidate, assembled: int) -> OperationMode:
+def _order(equation: Equation) -> tuple[bool, list[tuple[int, ...]]]:
+    """Those without y come first, then as in a dictionary."""
+    return any(equation[:4]), [
+        (n, *(-k for k in e)) for n, form in enumerate(equation) for e in sorted(form, reverse=True)
+    ]
+
+
+def _alone_at_home(kept: Sequence[_Candidate], equations: Sequence[Equation]) -> bool:
+    """Whether a mode through home has the dimension of the tangent space there: then it is the only one through home,
+    which is a regular pose of the set of all.
+    """
+    tangent = 6 - (rank([gradient(e, HOME) for e in (STUDY, *equations)]) - 1)
+    return any(inside(one.bundle, HOME) and one.stratum.dimension == tangent for one in kept)
+
+
+def _mode(number: int, one: _Candidate, assembled: int, alone: bool) -> OperationMode:
+    """`alone` says that no other mode goes through home than one of which that is seen."""
+    at_home = inside(one.bundle, HOME)
     s = one.stratum
     shifting = 4 - len(s.rows)
     return OperationMode(
@@ -167,7 +186,7 @@ def _mode(number: int, one: _Candidate, assembled: int) -> OperationMode:
         one.equations,
         codimension(one.equations, one.poses[0]) == 6 - s.dimension,
         witness(one.bundle),
-        inside(one.bundle, HOME),
+        False if at_home is None and alone else at_home,
         one.proper,
         s.orientations.prime,
         assembled,

@@ -37,7 +37,7 @@ def forms_ring() -> Any:
     return PolyRing(NAMES, QQ, grevlex)
 
 
-def as_form(terms: Mapping[tuple[int, ...], Fraction]) -> Form:
+def as_form(terms: Mapping[tuple[int, int, int, int], Fraction]) -> Form:
     """A polynomial from its terms."""
     ring = forms_ring()
     return ring.from_dict({e: ring.domain(c.numerator, c.denominator) for e, c in terms.items()})

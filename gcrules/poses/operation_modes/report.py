@@ -32,8 +32,9 @@ class OperationMode:
     at most 1. They are `enough` if near a random pose of the mode they allow no others. It has `turning` freedoms of
     orientation, and in each orientation `shifting` ones of shifts. `motion` says so in words. `witness` is a pose of it
     in Study parameters, None where no rational one was found; `home` says whether the home configuration is in it,
-    None where that is not decided. `proper` if it is shown that it is in no larger set of allowed poses;
-    `irreducible` if it is shown that it does not fall apart. `assembled` of the random assemblies of the limbs are in it.
+    None where that is not decided. `proper` if it is shown that it is in no larger set of allowed poses (where the
+    limbs' equations are not whole: in none through home with the joints as they are there); `irreducible` if it is shown that
+    it does not fall apart over the rationals. So many random assemblies of the limbs were `assembled` in it.
     """
 
     number: int
@@ -102,9 +103,9 @@ class OperationModes(Shown):
     """The operation modes of a robot, those of the largest dimension first.
 
     The equations of the `limbs` are `whole`; else some limbs have none that are linear in y, and only a part of their
-    poses, in which two turns about parallel axes are coupled, was taken apart. Whole equations allow no other
-    irreducible set of real poses that has the dimension `least` or more. `smaller` sets were left out, as they lie in
-    a larger one at random poses.
+    poses, in which two turns about parallel axes are coupled, was taken apart. Every irreducible set of real poses of
+    the dimension `least` or more that whole equations allow is in one of these modes. `smaller` sets were left out, as
+    they lie in a larger one at random poses.
     """
 
     robot: Robot

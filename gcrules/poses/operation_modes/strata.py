@@ -12,7 +12,7 @@ from typing import Any
 
 from gcrules.core.budget import checkpoint
 from gcrules.poses.operation_modes.limb_constraints import STUDY, Equation
-from gcrules.poses.operation_modes.orientations import Form, Orientations, as_form, pieces, whole
+from gcrules.poses.operation_modes.orientations import Form, Orientations, as_form, pieces
 
 __all__ = ["Bundle", "Row", "Stratum", "rows_of", "strata"]
 

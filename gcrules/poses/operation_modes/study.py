@@ -53,7 +53,7 @@ def motions(limb: LimbSpec, values: Mapping[str, Any]) -> tuple[Motion, ...]:
     if limb.subchains:
         raise InputError(
             f"{limb.name} has bodies of its own: its poses are no product of single motions",
-            hint="the modes of closed loops inside of a limb are not decomposed; gcrules robot pose follows one of them",
+            hint="loops inside of a limb are not taken apart; gcrules robot pose follows the mode in which home is",
         )
     found: list[Motion] = []
     start = 0

@@ -27,7 +27,10 @@ def as_text(found: OperationModes, *, unicode: bool = False) -> str:
         lines += ["", *table(list(_mode(m, found, unicode)))]
     if found.transitions:
         lines += ["", *table(list(_transitions(found)))]
-    lines += ["", *table([("sure", sentence) if not n else ("", sentence) for n, sentence in enumerate(_sure(found))])]
+    lines += [
+        "",
+        *table([("how sure", sentence) if not n else ("", sentence) for n, sentence in enumerate(_sure(found))]),
+    ]
     return "\n".join(lines if unicode else [line.translate(_ASCII) for line in lines])
 
 
@@ -62,7 +65,7 @@ def _transitions(found: OperationModes) -> Iterator[tuple[str, str]]:
     apart = [t.modes for t in found.transitions if t.meet is False]
     for t in found.transitions:
         if t.meet and t.witness is not None:
-            yield f"modes {t.modes[0]}, {t.modes[1]}", f"meet, as in {_pose(t.witness)}"
+            yield f"modes {t.modes[0]}, {t.modes[1]}", _meeting(t.witness)
     unknown = [t.modes for t in found.transitions if t.meet is None]
     if apart:
         yield "apart", f"{_pairs(apart)}: no orientation is in both"
@@ -74,36 +77,40 @@ def _pairs(pairs: Sequence[tuple[int, int]]) -> str:
     return "all pairs" if len(pairs) > 12 else ", ".join(f"{a} and {b}" for a, b in pairs)
 
 
+def _meeting(pose: Sequence[Fraction]) -> str:
+    return f"meet, as in {_pose(pose)}" if any(pose[1:]) else "meet at home"
+
+
 def _pose(pose: Sequence[Fraction]) -> str:
-    if not any(pose[1:]):
-        return "home"
     return f"x = ({', '.join(map(str, pose[:4]))}), y = ({', '.join(map(str, pose[4:]))})"
 
 
 def _sure(found: OperationModes) -> Iterator[str]:
     a = found.assemblies
     yield (
-        "poses are x + ε y with x0 y0 + x1 y1 + x2 y2 + x3 y3 = 0, home is x = (1, 0, 0, 0), y = 0; limits of poses that"
-        " limbs reach count too"
+        "poses are x + ε y with x0 y0 + x1 y1 + x2 y2 + x3 y3 = 0, home is x = (1, 0, 0, 0), y = 0; limits of poses"
+        " that limbs reach count too"
     )
     yield (
-        f"the limbs' equations hold at random poses modulo a prime of 61 bits and at {FRESH} fresh exact poses of each limb"
+        "the limbs' equations hold at random poses of each limb modulo a prime of 61 bits, and at"
+        f" {FRESH} fresh exact ones"
     )
     if found.whole:
         yield (
-            f"elimination with cases leaves no other irreducible set of real poses of dimension {found.least} or more that"
-            " they allow"
+            "elimination with cases: every irreducible set of real poses of dimension"
+            f" {found.least} or more that they allow is in one of these modes"
         )
     else:
         names = listed([c.name for c in found.limbs if not c.enough])
         yield (
-            f"{names}: no equations linear in y up to degree {DEGREE}; only poses in which two turns about parallel axes are"
-            " coupled were taken apart, so there may be further modes"
+            f"{names}: no equations linear in y up to degree {DEGREE}; only poses in which two turns about parallel"
+            " axes are coupled were taken apart, so there may be further modes"
         )
+    closed = f"{a.closed} of {a.tried} random assemblies closed from the joints, in floats"
     if a.outside:
-        yield f"the list is not complete: {a.outside} of {a.closed} random assemblies, closed from the joints, are in none of the modes"
+        yield f"{closed}: {a.outside} are in none of these modes, so the list is not complete"
     else:
-        yield f"all {a.closed} of {a.tried} random assemblies that closed from the joints, in floats, are in these modes"
+        yield f"{closed}: all are in these modes"
 
 
 def _left(equation: Equation, unicode: bool = False, latex: bool = False) -> str:
@@ -131,7 +138,7 @@ def as_latex(found: OperationModes) -> str:
         rows.append((f"mode {m.number}", f"{latex_words(m.motion)}; dimension {m.dimension}"))
         rows += [("", f"${_left(e, latex=True)} = 0$") for e in m.equations]
     rows += [
-        (f"modes {t.modes[0]}, {t.modes[1]}", f"meet, as in {latex_words(_pose(t.witness))}")
+        (f"modes {t.modes[0]}, {t.modes[1]}", latex_words(_meeting(t.witness)))
         for t in found.transitions
         if t.meet and t.witness
     ]
