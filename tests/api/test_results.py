@@ -108,6 +108,7 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "curve": lambda: gc.singular_map(PLATFORM, ["x -100:100:5", "z -600:100:5"]).curves[0],
     "locus": lambda: gc.locus(PLATFORM, "x, y"),
     "locus of a robot": lambda: gc.locus("3-rps", "z"),
+    "operation modes": lambda: gc.operation_modes("delta"),
     "compiled condition": lambda: gc.compiled(PLATFORM, engine="numpy"),
     "compiled robot": lambda: gc.compiled("3-rps"),
     "robot": lambda: read_robot("3-rps"),

@@ -165,6 +165,7 @@ OTHERS = {
     "rules list": (),
     "rules check": (),
     "robot analyze": ("3-rps",),
+    "robot modes": ("3-rps",),
     "robot pose": ("3-rps",),
     "robot check": ("3-rps",),
     "robot docs": ("--check",),

@@ -16,6 +16,7 @@ from typing import Any
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
+from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import echelon, kernel, rank
 from gcrules.core.seeds import DRAWN, PRIME, drawn
 from gcrules.poses.operation_modes.study import DualQuaternion, Motion, pose, velocities
@@ -56,11 +57,11 @@ def _unit(n: int) -> Exponents:
 
 
 STUDY: Equation = (
-    {_unit(0): Fraction(1)},
-    {_unit(1): Fraction(1)},
-    {_unit(2): Fraction(1)},
-    {_unit(3): Fraction(1)},
-    {},
+    FrozenMap({_unit(0): Fraction(1)}),
+    FrozenMap({_unit(1): Fraction(1)}),
+    FrozenMap({_unit(2): Fraction(1)}),
+    FrozenMap({_unit(3): Fraction(1)}),
+    FrozenMap({}),
 )
 """x0 y0 + … + x3 y3 = 0, which holds for all poses."""
 
@@ -145,7 +146,7 @@ def of_degree(degree: int, known: Sequence[Equation], sample: Any) -> Iterator[E
             for (n, e), c in zip(places, vector, strict=True):
                 if c:
                     forms[n][e] = lifted(c)
-            a0, a1, a2, a3, c0 = forms
+            a0, a1, a2, a3, c0 = map(FrozenMap, forms)
             yield a0, a1, a2, a3, c0
 
 

@@ -32,9 +32,11 @@ class OperationMode:
     at most 1. They are `enough` if near a random pose of the mode they allow no others. It has `turning` freedoms of
     orientation, and in each orientation `shifting` ones of shifts. `motion` says so in words. `witness` is a pose of it
     in Study parameters, None where no rational one was found; `home` says whether the home configuration is in it,
-    None where that is not decided. `proper` if it is shown that it is in no larger set of allowed poses (where the
-    limbs' equations are not whole: in none through home with the joints as they are there); `irreducible` if it is shown that
-    it does not fall apart over the rationals. So many random assemblies of the limbs were `assembled` in it.
+    None where that is not decided.
+
+    It is `proper` if it is shown that it is in no larger set of allowed poses; where the limbs' equations are not
+    whole, in none through home with the joints as they are there. It is `irreducible` if it is shown that it does not
+    fall apart over the rationals. So many random assemblies of the limbs were `assembled` in it.
     """
 
     number: int
@@ -98,7 +100,7 @@ class Assemblies:
         return {"tried": self.tried, "closed": self.closed, "outside": self.outside}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class OperationModes(Shown):
     """The operation modes of a robot, those of the largest dimension first.
 
@@ -116,6 +118,9 @@ class OperationModes(Shown):
     smaller: int
     transitions: tuple[Transition, ...]
     assemblies: Assemblies
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.robot.id}: {', '.join(str(m.dimension) for m in self.modes)}>"
 
     @property
     def proved(self) -> bool:

@@ -24,7 +24,7 @@ def as_text(found: OperationModes, *, unicode: bool = False) -> str:
     count = len(found.modes)
     lines = [f"{found.robot.title} ({found.robot.id}): {count} operation mode{'s' * (count != 1)}"]
     for m in found.modes:
-        lines += ["", *table(list(_mode(m, found, unicode)))]
+        lines += ["", *table(list(_mode(m, unicode)))]
     if found.transitions:
         lines += ["", *table(list(_transitions(found)))]
     lines += [
@@ -37,7 +37,7 @@ def as_text(found: OperationModes, *, unicode: bool = False) -> str:
 _ASCII = str.maketrans({"ö": "oe", "…": "..."})
 
 
-def _mode(m: OperationMode, found: OperationModes, unicode: bool) -> Iterator[tuple[str, str]]:
+def _mode(m: OperationMode, unicode: bool) -> Iterator[tuple[str, str]]:
     yield f"mode {m.number}", f"{m.motion}; dimension {m.dimension}"
     short = [e for e in m.equations if len(terms_of(e)) <= _LONG][:_SHOWN]
     texts = [f"{_left(e, unicode)} = 0" for e in short]
@@ -54,7 +54,7 @@ def _mode(m: OperationMode, found: OperationModes, unicode: bool) -> Iterator[tu
         yield "a pose", "none with small numbers was found"
     elif not m.home:
         yield "a pose", _pose(m.witness)
-    yield "met by", f"{m.assembled} of {found.assemblies.closed} random assemblies"
+    yield "met by", f"{'' if m.assembled else 'none of the '}random assemblies"
     if not m.proper:
         yield "open", "whether it is a part of a larger mode"
     if not m.irreducible:
@@ -106,11 +106,13 @@ def _sure(found: OperationModes) -> Iterator[str]:
             f"{names}: no equations linear in y up to degree {DEGREE}; only poses in which two turns about parallel"
             " axes are coupled were taken apart, so there may be further modes"
         )
-    closed = f"{a.closed} of {a.tried} random assemblies closed from the joints, in floats"
     if a.outside:
-        yield f"{closed}: {a.outside} are in none of these modes, so the list is not complete"
+        yield (
+            f"{a.outside} of {a.closed} random assemblies, closed from the joints in floats, are in none of these modes,"
+            " so the list is not complete"
+        )
     else:
-        yield f"{closed}: all are in these modes"
+        yield "random assemblies, closed from the joints in floats, are all in these modes (--json counts them)"
 
 
 def _left(equation: Equation, unicode: bool = False, latex: bool = False) -> str:

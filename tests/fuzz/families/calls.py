@@ -174,6 +174,7 @@ def _functions() -> Mapping[str, Callable[..., Any]]:
         "load",
         "load_rules",
         "locus",
+        "operation_modes",
         "parse",
         "path",
     )
@@ -216,6 +217,7 @@ _RARE = (
     "report",
     "view",
     "locus",
+    "operation_modes",
     "load_rules",
     "path",
     "pose of a robot",
