@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from collections.abc import Sequence
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 import pytest
@@ -14,7 +16,7 @@ from places import DATA
 import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.core.linear_algebra import rank
+from gcrules.core.linear_algebra import echelon, rank
 from gcrules.poses.operation_modes.limb_constraints import STUDY, gradient, limb_constraints, value
 from gcrules.poses.operation_modes.orientations import forms_ring, pieces
 from gcrules.poses.operation_modes.report import OperationModes
@@ -150,6 +152,54 @@ def test_parts_of_limbs_say_that_they_are_parts() -> None:
     said = [" ".join(one.text().split()) for one in (ruu, puu)]
     assert "there may be further modes" in said[0]
     assert "so the list is not complete" in said[1]
+
+
+SMALL = 11
+"""A prime modulo which -1 and -3 are no squares, so that zeros of sums of squares are as few as among real numbers."""
+
+
+@pytest.mark.parametrize("name", ["3-cpu", "4-upu", "exechon", "2-upr-rpu", f"{OUR_OWN}/snu-3-upu.yaml"])
+def test_all_poses_modulo_a_small_prime_are_in_modes(name: str) -> None:
+    """Brute force: every orientation modulo the prime, and every shift that the limbs' equations leave there."""
+    found = gc.operation_modes(name)
+    equations = [STUDY, *(e for limb in found.limbs for e in limb.equations)]
+    modes = [m.equations for m in found.modes]
+    met: Counter[int] = Counter()
+    for x in product(range(SMALL), repeat=4):
+        if next((c for c in x if c), None) != 1:
+            continue
+        rows = [_residues(e, x) for e in equations]
+        solved, pivots = echelon(rows, SMALL)
+        if 4 in pivots:
+            continue
+        free = [n for n in range(4) if n not in pivots]
+        own_rows = [[_residues(e, x) for e in own] for own in modes]
+        for amounts in product(range(SMALL), repeat=len(free)):
+            y = dict(zip(free, amounts, strict=True))
+            for row, column in zip(solved, pivots, strict=True):
+                y[column] = -(row[4] + sum(row[n] * y[n] for n in free)) % SMALL
+            at = (*(y[n] for n in range(4)), 1)
+            inside = [n for n, own in enumerate(own_rows) if not any(_dot(row, at) % SMALL for row in own)]
+            assert inside, (x, at)
+            met.update(inside)
+    assert met.keys() == set(range(len(modes)))
+
+
+def _residues(equation: Any, x: tuple[int, ...]) -> list[int]:
+    found = []
+    for form in equation:
+        total = 0
+        for e, c in form.items():
+            term = c.numerator * pow(c.denominator, -1, SMALL)
+            for base, n in zip(x, e, strict=True):
+                term *= base**n
+            total += term
+        found.append(total % SMALL)
+    return found
+
+
+def _dot(a: Sequence[int], b: Sequence[int]) -> int:
+    return sum(p * q for p, q in zip(a, b, strict=True))
 
 
 LIMBS = ["3-rps", "3-upu", "tricept", "exechon", "delta", "orthoglide", "gallardo-4dof", "3-crr"]

@@ -97,7 +97,7 @@ def _over(
         for smaller in pieces([*piece.basis, lead]):
             yield from _over(smaller, [chosen, *left], done, nonzero, least)
         nonzero = (*nonzero, lead)
-    rest = [_less(row, chosen, column) for row in left]
+    rest = [_divided(_less(row, chosen, column), nonzero) for row in left]
     before = [(k, _less(row, chosen, column)) for k, row in done]
     yield from _over(piece, rest, [*before, (column, chosen)], nonzero, least)
 
@@ -105,6 +105,15 @@ def _over(
 def _less(row: Row, chosen: Row, column: int) -> Row:
     a0, a1, a2, a3, c = (chosen[column] * p - row[column] * q for p, q in zip(row, chosen, strict=True))
     return a0, a1, a2, a3, c
+
+
+def _divided(row: Row, nonzero: tuple[Form, ...]) -> Row:
+    """The row without factors that are nowhere 0 in the stratum: earlier leading entries, brought in by elimination."""
+    for f in nonzero:
+        while any(row) and not any(entry.rem([f]) for entry in row):
+            a0, a1, a2, a3, c = (entry.exquo(f) for entry in row)
+            row = a0, a1, a2, a3, c
+    return row
 
 
 def _reduced(row: Row, piece: Orientations) -> Row:

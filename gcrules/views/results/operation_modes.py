@@ -108,8 +108,8 @@ def _sure(found: OperationModes) -> Iterator[str]:
         )
     if a.outside:
         yield (
-            f"{a.outside} of {a.closed} random assemblies, closed from the joints in floats, are in none of these modes,"
-            " so the list is not complete"
+            f"{a.outside} of {a.closed} random assemblies, closed from the joints in floats, are in none of these"
+            " modes, so the list is not complete"
         )
     else:
         yield "random assemblies, closed from the joints in floats, are all in these modes (--json counts them)"
