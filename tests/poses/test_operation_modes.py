@@ -64,7 +64,7 @@ def test_modes_of_shipped_robots(name: str) -> None:
 
 
 def test_the_snu_robot_has_seven_real_modes_of_three_freedoms() -> None:
-    """Published are translations, planar, spherical and general modes of this robot, that home is in two of them."""
+    """Translations, planar and spherical motions among them; home, where the robot is singular, is in two of them."""
     found = gc.operation_modes(f"{OUR_OWN}/snu-3-upu.yaml")
     kinds = Counter(m.motion.split(" about")[0].split(" at")[0] for m in found.modes)
     assert kinds == {
@@ -83,7 +83,7 @@ def test_the_snu_robot_has_seven_real_modes_of_three_freedoms() -> None:
 
 
 def test_equilateral_triangles_give_the_3_rps_two_modes() -> None:
-    """In the frame whose axis is the normal n of the triangles: x0 = 0, and x n = 0 (published as x3 = 0)."""
+    """x0 = 0, and x n = 0 with the normal n of the triangles: x3 = 0 in a frame whose third axis is n."""
     found = gc.operation_modes(f"{OUR_OWN}/equilateral-3-rps.yaml")
     first, second = found.modes
     normal = {(0, 1, 0, 0): 1, (0, 0, 1, 0): 1, (0, 0, 0, 1): 1}
