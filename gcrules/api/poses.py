@@ -13,6 +13,7 @@ from gcrules.poses.loci.locus import locus as _locus
 from gcrules.poses.maps.maps import singular_map as _singular_map
 from gcrules.poses.modes.modes import assembly_modes as _assembly_modes
 from gcrules.poses.modes.working import working_modes as _working_modes
+from gcrules.poses.operation_modes.operation_modes import operation_modes as _operation_modes
 from gcrules.poses.path_report import path as _path
 from gcrules.poses.pose import pose as _pose
 from gcrules.poses.pose import singular as _singular
@@ -23,6 +24,7 @@ __all__ = [
     "compiled",
     "export",
     "locus",
+    "operation_modes",
     "path",
     "pose",
     "singular",
@@ -33,6 +35,7 @@ __all__ = [
 assembly_modes = public(_assembly_modes)
 compiled = public(_compiled)
 locus = public(_locus)
+operation_modes = public(_operation_modes)
 path = public(_path)
 pose = public(_pose)
 singular = public(_singular)

@@ -153,6 +153,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "about": _ABOUT,
         "limit": COUNT,
     },
+    "operation_modes": {"source": _SOURCE, "plugins": _FOLDERS},
     "parse": {
         "text": TEXT,
         "rank": WHOLE,

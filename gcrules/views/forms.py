@@ -113,6 +113,7 @@ FORMS: dict[str, Forms] = {
     "gcrules.poses.modes.report.AssemblyModes": _result(
         "modes", formula="", others={"svg": f"{_RESULTS}.modes:svg", "picture": f"{_RESULTS}.modes:picture"}
     ),
+    "gcrules.poses.operation_modes.report.OperationModes": _result("operation_modes", formula=""),
     "gcrules.poses.loci.report.Locus": _result("locus"),
     "gcrules.poses.loci.limb_report.RobotLocus": _result("robot_locus"),
 }

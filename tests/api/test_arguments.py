@@ -123,6 +123,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "load": {"source": ROOT / "examples" / "octahedral.yaml"},
     "load_rules": {"identities": False},
     "locus": {"source": PLATFORM, "over": "z"},
+    "operation_modes": {"source": "delta"},
     "parse": {"text": "[abcd]"},
     "path": {"source": PLATFORM, "poses": ["0 0 0", "0 0 1"], "samples": 2},
     "pose": {"source": PLATFORM, "at": "0 0 0", "nearest": False},

@@ -110,6 +110,7 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "modes of a robot": lambda: gc.assembly_modes("3-rpr"),
     "locus": lambda: gc.locus(PLATFORM, "x, y"),
     "locus of a robot": lambda: gc.locus("3-rps", "z"),
+    "operation modes": lambda: gc.operation_modes("delta"),
     "compiled condition": lambda: gc.compiled(PLATFORM, engine="numpy"),
     "compiled robot": lambda: gc.compiled("3-rps"),
     "robot": lambda: read_robot("3-rps"),

@@ -78,6 +78,7 @@ MISSING = {
     "map": ("map", "{}", "--over", "x -1:1:3", "--over", "y -1:1:3"),
     "robot analyze": ("robot", "analyze", "{}"),
     "robot check": ("robot", "check", "{}"),
+    "modes": ("modes", "{}"),
     "robot pose": ("robot", "pose", "{}"),
     "robot show": ("robot", "show", "{}"),
     "a catalog": ("analyze", LEGS, "--catalog", "{}"),

@@ -88,6 +88,7 @@ PATHS = [
     ("path", "robot.yaml", "--poses", "{}.csv"),
     ("map", "{}.yaml", "--over", "x 0:1:3", "--over", "y 0:1:3"),
     ("locus", "{}.yaml"),
+    ("modes", "{}.yaml"),
     ("analyze", "{}.yaml"),
     ("analyze", LEGS, "--catalog", "{}.yaml"),
     ("analyze", LEGS, "--rules", "{}.gca"),

@@ -242,3 +242,30 @@ def test_a_home_in_an_assembly_mode_has_the_actuators_and_margin_of_it(source: s
 def test_an_assembly_mode_that_is_not_there_is_refused() -> None:
     result = CliRunner().invoke(cli, ["pose", "3-rps", "--mode", "assembly 40"])
     assert (result.exit_code, "it has assembly modes 1 to 8" in result.stderr) == (2, True)
+
+
+# --- operation modes as homes --------------------------------------------------------------------------------------
+
+
+def test_a_home_in_an_operation_mode_is_its_witness() -> None:
+    found = gc.operation_modes("4-upu")
+    other = next(mode for mode in found.modes if not mode.home)
+    robot = gc.load("4-upu", mode=f"operation {other.number}")
+    assert isinstance(robot, Robot)
+    assert robot.title.endswith(f"operation mode {other.number}")
+    inside = next(mode for mode in gc.operation_modes(robot).modes if mode.home)
+    assert inside.dimension == other.dimension
+    assert gc.pose(robot, nearest=False).residual < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("name", "mode", "said"),
+    [
+        ("4-upu", "operation 9", "its modes are 1 to 2"),
+        ("examples/octahedral.yaml", "operation 1", "are those of robots of joints"),
+        ("3-upu", "operation 2", "3-upu is none of its family in that pose: u1 would be in two places"),
+    ],
+)
+def test_operation_modes_that_are_no_homes_are_refused(name: str, mode: str, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        gc.load(name, mode=mode)

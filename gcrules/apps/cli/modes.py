@@ -10,6 +10,7 @@ from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.sources import read_source, warn
 from gcrules.poses.modes.modes import assembly_modes
 from gcrules.poses.modes.working import working_modes
+from gcrules.poses.operation_modes.operation_modes import operation_modes
 from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["modes"]
@@ -19,6 +20,9 @@ __all__ = ["modes"]
 @click.argument("file", metavar="FILE.yaml|ID")
 @click.option(
     "--working", "inverse", is_flag=True, help="The ways in which the limbs hold the platform in one place instead."
+)
+@click.option(
+    "--operation", is_flag=True, help="The irreducible sets of poses that its limbs allow, actuators free, instead."
 )
 @click.option("--at", metavar="POSE", help="The pose in question; by default that of the file.")
 @click.option(
@@ -45,6 +49,7 @@ __all__ = ["modes"]
 def modes(
     file: str,
     inverse: bool,
+    operation: bool,
     at: str | None,
     actuators: str | None,
     about: str,
@@ -74,14 +79,27 @@ def modes(
     + as at home; where a limb has more than two ways, by their numbers, "1.3.1". With --at each mode is followed from
     home to that pose.
 
-    Commands about robots take a mode by --mode "+-+" or --mode "assembly 3": then home is in that mode.
+    \b
+    gcrules modes 3-upu --operation
+
+    With --operation the poses of a robot with fewer than six freedoms are taken apart into irreducible sets, by
+    polynomials in Study parameters of the platform, home being x0 = 1, and it is said where they meet.
+
+    Commands about robots take a mode by --mode: "+-+", "assembly 3", "operation 2". Then home is in that mode.
     """
+    if operation and (inverse or at is not None or actuators is not None or picture is not None):
+        raise click.UsageError(
+            "--operation is about all poses: it goes without --working, --at, --actuators or --picture."
+        )
     if inverse and (actuators is not None or picture is not None):
         raise click.UsageError("--working holds the platform: it goes with --at, not with --actuators or --picture.")
     loaded = warn(read_source(file))
     with working("computing"):
         if inverse:
             out.show(working_modes(loaded, at, about=about, threshold=threshold))
+            return
+        if operation:
+            out.show(operation_modes(loaded))
             return
         found = assembly_modes(loaded, at, actuators=actuators, about=about, threshold=threshold)
     if picture is not None:

@@ -18,7 +18,7 @@ from gcrules.mechanisms.kinematics.chains import Chain, geometry_of, shape_of
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed, inverse, logarithm
 
-__all__ = ["MOST", "STARTS", "LimbSolutions", "limb_solutions"]
+__all__ = ["MOST", "STARTS", "LimbSolutions", "amounts_at", "limb_solutions"]
 
 STARTS = 256  # random places of all joints of a limb
 MOST = 64  # solutions of one limb: more are a limb that can move with the platform at rest
@@ -49,7 +49,7 @@ class LimbSolutions:
 def limb_solutions(m: Linkage, place: int) -> LimbSolutions:
     """The solutions of a limb with the platform at home."""
     chain = m.home.chains[place]
-    found = _solved(m, place)
+    found = amounts_at(m, place, np.eye(4))
     signs = _signatures(m, place, np.concatenate([np.zeros((1, len(chain.turns))), found]))
     chosen, hits = [0], [1]
     for k in range(1, len(signs)):
@@ -69,8 +69,10 @@ def limb_solutions(m: Linkage, place: int) -> LimbSolutions:
     return LimbSolutions(every[order], tuple(hits[k] for k in order))
 
 
-def _solved(m: Linkage, place: int) -> Floats:
-    """Amounts that close the limb's loops, (N, coordinates), turns in (−π, π]."""
+def amounts_at(m: Linkage, place: int, platform: Floats) -> Floats:
+    """Amounts with which a limb brings the platform to a motion (4, 4) from home, (N, coordinates), turns in (−π, π];
+    of each solution as many as random starts led there.
+    """
     chain = m.home.chains[place]
     free = [k for k in range(len(chain.turns)) if (place, k) not in {(p, c) for p, c, _ in m.locked}]
     turns = np.array(chain.turns)
@@ -79,11 +81,11 @@ def _solved(m: Linkage, place: int) -> Floats:
     start = rng.uniform(-1.0, 1.0, (STARTS, len(free))) * np.where(turns[free], np.pi, _REACH)
     at = np.zeros((STARTS, len(turns)))
     at[:, free] = start * units
-    gaps = np.full(STARTS, np.inf)
+    gaps, back = np.full(STARTS, np.inf), inverse(platform)
     active = np.arange(STARTS)
     for _ in range(_ITERATIONS):
         checkpoint()
-        r, rows = _equations(m, chain, at[active])
+        r, rows = _equations(m, chain, at[active], back)
         gaps[active] = size = np.sqrt((r * r).sum(axis=1))
         on = size > _CLOSED / 10
         active, r, size = active[on], r[on], size[on]
@@ -99,12 +101,12 @@ def _solved(m: Linkage, place: int) -> Floats:
     return np.where(turns, np.pi - np.remainder(np.pi - found, 2 * np.pi), found)
 
 
-def _equations(m: Linkage, chain: Chain, amounts: Floats) -> tuple[Floats, Floats]:
+def _equations(m: Linkage, chain: Chain, amounts: Floats, back: Floats) -> tuple[Floats, Floats]:
     """How far the platform, and each loop of the limb, is from closing, (N, 6 · (1 + loops)): shifts of what lies at
     the centre, in parts of the robot's size, and turns; and the derivatives by all amounts.
     """
     links = chain.links(amounts)
-    motions = [links[:, -1], *(links[:, a] @ inverse(links[:, b]) for a, b in chain.loops)]
+    motions = [links[:, -1] @ back, *(links[:, a] @ inverse(links[:, b]) for a, b in chain.loops)]
     gaps = []
     for motion in motions:
         about = motion.copy()

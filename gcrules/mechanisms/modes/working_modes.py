@@ -28,12 +28,13 @@ from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.kinematics.attachments import Values
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkage
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.soundness import sound
-from gcrules.mechanisms.modes.limb_solutions import LimbSolutions, limb_solutions
+from gcrules.mechanisms.modes.limb_solutions import LimbSolutions, amounts_at, limb_solutions
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import RATIONALS
 
-__all__ = ["LimbChoices", "at_places", "choices_of", "in_working_mode", "is_working_mode"]
+__all__ = ["LimbChoices", "at_places", "choices_of", "in_working_mode", "is_working_mode", "reached_at"]
 
 _SIGNS = "+-"
 _NAME = re.compile(r"home|[+\-−]+|\d+(\.\d+)*")
@@ -137,6 +138,25 @@ def in_working_mode(choices: LimbChoices, mode: Sequence[int]) -> Robot:
     except NotClosed as fault:
         raise InputError(f"{robot.id} is none of its family in the mode {name}: {fault}", hint=fault.hint) from None
     return at_places(choices.linkage, here.values, f"working mode {name}")
+
+
+def reached_at(m: Linkage, platform: Floats) -> Configuration:
+    """A configuration of the robot whose platform went by a motion (4, 4) from home, each limb standing as near to
+    home as it can. Raises InputError where a limb does not reach it, or the robot leaves its family there.
+    """
+    amounts = []
+    for place, limb in enumerate(m.robot.limbs):
+        every = amounts_at(m, place, platform)
+        if not len(every):
+            raise InputError(f"{limb.name} of {m.robot.id} does not reach that pose")
+        units = np.where(m.home.chains[place].turns, 1.0, m.size)
+        amounts.append(every[np.linalg.norm(every / units, axis=1).argmin()])
+    links = tuple(c.links(a) for c, a in zip(m.home.chains, amounts, strict=True))
+    try:
+        values, chains, off = sound(m, m.home.values, m.home.chains, links, amounts)
+    except NotClosed as fault:
+        raise InputError(f"{m.robot.id} is none of its family in that pose: {fault}", hint=fault.hint) from None
+    return Configuration(values, links, tuple(amounts), chains, 0.0, off)
 
 
 def at_places(m: Linkage, places: Values, words: str) -> Robot:

@@ -12,6 +12,7 @@ r"""A robot or a platform in a mode that is named: the same one with another hom
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -22,31 +23,36 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.kinematics.linkage import Linkage
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Loaded
 from gcrules.mechanisms.mechanism import mechanism
-from gcrules.mechanisms.modes.working_modes import at_places, choices_of, in_working_mode
+from gcrules.mechanisms.modes.working_modes import at_places, choices_of, in_working_mode, reached_at
 from gcrules.mechanisms.platform_analysis import with_platform
 from gcrules.mechanisms.robot import Robot
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.modes.modes import assembly_modes
 from gcrules.poses.modes.report import AssemblyMode
+from gcrules.poses.operation_modes.operation_modes import operation_modes
+from gcrules.screws.rotations import rotation
 
 __all__ = ["in_mode"]
 
-_ASSEMBLY = re.compile(r"assembly(?: mode)?\s+(\d{1,6})")
+_NUMBERED = re.compile(r"(assembly|operation)(?: mode)?\s+(\d{1,6})")
 
 
 def in_mode(loaded: Loaded, name: str) -> Loaded:
     """What was loaded, with its home in the mode of this name: a working mode, "+-+" or in numbers "1.3.1", of a robot
-    of joints; or "assembly 3", one of the poses that have the actuators of home, by its number in `assembly_modes`.
+    of joints; "assembly 3", one of the poses that have the actuators of home, by its number in `assembly_modes`; or
+    "operation 2", the pose that witnesses one of a robot's `operation_modes`.
 
     Raises InputError for a name that is none of its modes, which names some, and for legs without coordinates.
     """
-    number = _ASSEMBLY.fullmatch(name.strip().lower())
-    if number is not None:
-        return _in_assembly_mode(loaded, int(number[1]))
+    numbered = _NUMBERED.fullmatch(name.strip().lower())
+    if numbered is not None:
+        return _KINDS[numbered[1]](loaded, int(numbered[2]))
     if isinstance(loaded, RobotAnalysis):
         return _analysed_anew(loaded, _in_working_mode(loaded.robot, name))
     if not isinstance(loaded, Robot):
@@ -84,6 +90,47 @@ def _in_assembly_mode(loaded: Loaded, number: int) -> Loaded:
     platform = _moved_platform(m, mode, words)
     return with_platform(loaded, platform) if isinstance(loaded, Analysis) else platform
 
+
+def _in_operation_mode(loaded: Loaded, number: int) -> Loaded:
+    robot = loaded.robot if isinstance(loaded, RobotAnalysis) else loaded
+    if not isinstance(robot, Robot):
+        raise InputError("operation modes are those of robots of joints", hint="six legs allow all poses: one mode")
+    modes = operation_modes(robot).modes
+    mode = next((one for one in modes if one.number == number), None)
+    if mode is None:
+        raise InputError(
+            f"{robot.id} has no operation mode {number}: its modes are 1 to {len(modes)}",
+            hint="`gcrules modes --operation` lists them",
+        )
+    if mode.home:
+        return loaded
+    if mode.witness is None:
+        raise InputError(f"no pose of operation mode {number} of {robot.id} is known that has short coordinates")
+    m = Limbs.of(robot).linkage
+    there = reached_at(m, _motion(mode.witness, m))
+    moved = at_places(m, there.values, f"operation mode {number}")
+    return _analysed_anew(loaded, moved) if isinstance(loaded, RobotAnalysis) else moved
+
+
+def _motion(pose: Sequence[Fraction], m: Linkage) -> Floats:
+    """The motion (4, 4) from home of Study parameters in the frame of the file: p goes to R p + t, t = 2 y x̄ / |x|²."""
+    x, y = pose[:4], pose[4:]
+    turn = rotation((x[0], x[1], x[2], x[3]))
+    u, v = x[1:], y[1:]
+    across = (v[1] * u[2] - v[2] * u[1], v[2] * u[0] - v[0] * u[2], v[0] * u[1] - v[1] * u[0])
+    square = sum((c * c for c in x), Fraction(0))
+    shift = [2 * (x[0] * b - y[0] * a - c) / square for a, b, c in zip(u, v, across, strict=True)]
+    found: Floats = np.eye(4)
+    for k, row in enumerate(turn):
+        away = sum((r * o for r, o in zip(row, m.origin, strict=True)), Fraction(0)) - m.origin[k]
+        found[k, :3], found[k, 3] = [float(c) for c in row], float(shift[k] + away)
+    return found
+
+
+_KINDS: Mapping[str, Callable[[Loaded, int], Loaded]] = {
+    "assembly": _in_assembly_mode,
+    "operation": _in_operation_mode,
+}
 
 _LISTS = "`gcrules modes` lists them, with what is proved of each"
 

@@ -175,6 +175,7 @@ def _functions() -> Mapping[str, Callable[..., Any]]:
         "load",
         "load_rules",
         "locus",
+        "operation_modes",
         "parse",
         "path",
     )
@@ -218,6 +219,7 @@ _RARE = (
     "report",
     "view",
     "locus",
+    "operation_modes",
     "load_rules",
     "path",
     "pose of a robot",

@@ -85,6 +85,7 @@ COMMANDS: tuple[tuple[float, tuple[str, ...], dict[str, str], str], ...] = (
     (2, ("robot", "show", "r.yaml"), _R, ""),
     (0.1, ("robot", "analyze", "r.yaml", "--search", "0"), _R, ""),
     (0.1, ("robot", "pose", "r.yaml", "-o", "out.txt"), _R, ""),
+    (0.1, ("modes", "r.yaml", "--operation", "-o", "out.txt"), _R, ""),
     (2, ("robot", "new", "my-robot"), {}, ""),
     (0.3, ("catalog", "show", "6-3.2"), {}, ""),
     (1, ("rules", "list", "--json"), {}, ""),

@@ -1,0 +1,147 @@
+"""The operation modes of a robot as text and as LaTeX."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from gcrules.core.english import listed
+from gcrules.core.linear_algebra import content
+from gcrules.poses.operation_modes.limb_constraints import DEGREE, FRESH, Equation
+from gcrules.poses.operation_modes.report import OperationMode, OperationModes, terms_of
+from gcrules.views.formulas.latex_text import latex_table, latex_words
+from gcrules.views.text_tables import table
+
+__all__ = ["as_latex", "as_text"]
+
+_NAMES = tuple(f"{c}{n}" for c in "xy" for n in range(4))
+_SHOWN = 6
+_LONG = 6  # terms
+
+
+def as_text(found: OperationModes, *, unicode: bool = False) -> str:
+    """A table for each mode, where they meet, and how sure all this is."""
+    count = len(found.modes)
+    lines = [f"{found.robot.title} ({found.robot.id}): {count} operation mode{'s' * (count != 1)}"]
+    for m in found.modes:
+        lines += ["", *table(list(_mode(m, unicode)))]
+    if found.transitions:
+        lines += ["", *table(list(_transitions(found)))]
+    lines += [
+        "",
+        *table([("how sure", sentence) if not n else ("", sentence) for n, sentence in enumerate(_sure(found))]),
+    ]
+    return "\n".join(lines if unicode else [line.translate(_ASCII) for line in lines])
+
+
+_ASCII = str.maketrans({"ö": "oe", "…": "..."})
+
+
+def _mode(m: OperationMode, unicode: bool) -> Iterator[tuple[str, str]]:
+    yield f"mode {m.number}", f"{m.motion}; dimension {m.dimension}"
+    short = [e for e in m.equations if len(terms_of(e)) <= _LONG][:_SHOWN]
+    texts = [f"{_left(e, unicode)} = 0" for e in short]
+    more = len(m.equations) - len(short)
+    rest = (
+        f"{'and ' if short else ''}{more}{' more' if short else ' of more terms'} (--json prints them)" if more else ""
+    )
+    yield "equations", ", ".join([*texts, *([rest] if rest else [])]) or "none"
+    yield (
+        "home",
+        {True: "in it", False: "not in it", None: "in its equations; not decided whether in its closure"}[m.home],
+    )
+    if m.witness is None:
+        yield "a pose", "none with small numbers was found"
+    elif not m.home:
+        yield "a pose", _pose(m.witness)
+    yield "met by", f"{'' if m.assembled else 'none of the '}random assemblies"
+    if not m.proper:
+        yield "open", "whether it is a part of a larger mode"
+    if not m.irreducible:
+        yield "open", "whether its orientations fall apart further"
+
+
+def _transitions(found: OperationModes) -> Iterator[tuple[str, str]]:
+    apart = [t.modes for t in found.transitions if t.meet is False]
+    for t in found.transitions:
+        if t.meet and t.witness is not None:
+            yield f"modes {t.modes[0]}, {t.modes[1]}", _meeting(t.witness)
+    unknown = [t.modes for t in found.transitions if t.meet is None]
+    if apart:
+        yield "apart", f"{_pairs(apart)}: no orientation is in both"
+    if unknown:
+        yield "not found", f"a common pose of {_pairs(unknown)}"
+
+
+def _pairs(pairs: Sequence[tuple[int, int]]) -> str:
+    return "all pairs" if len(pairs) > 12 else ", ".join(f"{a} and {b}" for a, b in pairs)
+
+
+def _meeting(pose: Sequence[Fraction]) -> str:
+    return f"meet, as in {_pose(pose)}" if any(pose[1:]) else "meet at home"
+
+
+def _pose(pose: Sequence[Fraction]) -> str:
+    return f"x = ({', '.join(map(str, pose[:4]))}), y = ({', '.join(map(str, pose[4:]))})"
+
+
+def _sure(found: OperationModes) -> Iterator[str]:
+    a = found.assemblies
+    yield (
+        "poses are x + ε y with x0 y0 + x1 y1 + x2 y2 + x3 y3 = 0, home is x = (1, 0, 0, 0), y = 0; limits of poses"
+        " that limbs reach count too"
+    )
+    yield (
+        "the limbs' equations hold at random poses of each limb modulo a prime of 61 bits, and at"
+        f" {FRESH} fresh exact ones"
+    )
+    if found.whole:
+        yield (
+            "elimination with cases: every irreducible set of real poses of dimension"
+            f" {found.least} or more that they allow is in one of these modes"
+        )
+    else:
+        names = listed([c.name for c in found.limbs if not c.enough])
+        yield (
+            f"{names}: no equations linear in y up to degree {DEGREE}; only poses in which two turns about parallel"
+            " axes are coupled were taken apart, so there may be further modes"
+        )
+    if a.outside:
+        yield (
+            f"{a.outside} of {a.closed} random assemblies, closed from the joints in floats, are in none of these"
+            " modes, so the list is not complete"
+        )
+    else:
+        yield "random assemblies, closed from the joints in floats, are all in these modes (--json counts them)"
+
+
+def _left(equation: Equation, unicode: bool = False, latex: bool = False) -> str:
+    terms = terms_of(equation)
+    divisor = content(c for c, _ in terms) * (1 if terms[0][0] > 0 else -1)
+    text = ""
+    for c, e in terms:
+        number = c / divisor
+        size = "" if abs(number) == 1 else str(abs(number))
+        factors = [_power(n, k, latex) for n, k in zip(_NAMES, e, strict=True) if k]
+        sign = ("-" if number < 0 else "") if not text else (" - " if number < 0 else " + ")
+        text += sign + " ".join([size, *factors] if size else factors)
+    return text.replace("-", "−") if unicode else text
+
+
+def _power(name: str, n: int, latex: bool) -> str:
+    base = f"{name[0]}_{name[1]}" if latex else name
+    return base if n == 1 else f"{base}^{n}"
+
+
+def as_latex(found: OperationModes) -> str:
+    """A tabular: for each mode the motion, its dimension and its equations; needs no package."""
+    rows = []
+    for m in found.modes:
+        rows.append((f"mode {m.number}", f"{latex_words(m.motion)}; dimension {m.dimension}"))
+        rows += [("", f"${_left(e, latex=True)} = 0$") for e in m.equations]
+    rows += [
+        (f"modes {t.modes[0]}, {t.modes[1]}", latex_words(_meeting(t.witness)))
+        for t in found.transitions
+        if t.meet and t.witness
+    ]
+    return latex_table(rows)
