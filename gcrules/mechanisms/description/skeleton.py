@@ -25,6 +25,7 @@ points:
   A%: free
   S%: in plane A% perpendicular to r%
 #   free · along A B · parallel to u · perpendicular to u · perpendicular to u, v · in span u, v · sums: u + 2 v
+#   mirror of u in plane perpendicular to n
 #   x, y and z are the directions of the frame. Lengths of directions do not matter.
 directions:
   r%: free
