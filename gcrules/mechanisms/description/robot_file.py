@@ -105,7 +105,7 @@ class _Reader:
         if "limbs" not in top and "lines" not in top:
             self.document.root.fault("the key 'limbs' is missing", "limbs of joints, or lines whose wrenches are known")
         limbs = list(self._limbs(top["limbs"], family)) if "limbs" in top else []
-        lines = read_lines(top["lines"], family, self.copies) if "lines" in top else ()
+        lines, derived = read_lines(top["lines"], family, self.copies) if "lines" in top else ((), ())
         texts = {k: top[k].string() or "" for k in ("title", "source", "note", "condition") if k in top}
         mobility = top["mobility"].integer() if "mobility" in top else None
         facts = tuple(read_facts(top["facts"], family, self.copies)) if "facts" in top else ()
@@ -119,6 +119,7 @@ class _Reader:
             limbs=tuple(limb for _, limb in limbs),
             mobility=mobility or 0,
             lines=lines,
+            derived=derived,
             platform=platform,
             home=home,
             condition=texts.get("condition", ""),
