@@ -12,6 +12,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.family import Definition, Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import AXES
+from gcrules.mechanisms.lines.derived import Derived
 from gcrules.screws import RATIONALS, Limb
 
 __all__ = ["Consequence", "Robot"]
@@ -33,9 +34,10 @@ class Consequence:
 class Robot:
     """A robot as its file describes it.
 
-    `family` holds the points and directions with the relations that make them, `limbs` the joints; `lines` are given in
-    place of limbs where wrenches are known already. `mobility` is that expected of the platform (checked), `home` one
-    configuration (empty for names that the relations determine), `condition` a published one in the language.
+    `family` holds the points and directions with the relations that make them, `limbs` the joints; `lines` are
+    given in place of limbs where wrenches are known already, with the points `derived` for those that are meets of
+    planes. `mobility` is that expected of the platform (checked), `home` one configuration (empty for names that
+    the relations determine), `condition` a published one in the language.
     """
 
     id: str
@@ -52,6 +54,7 @@ class Robot:
     facts: tuple[Consequence, ...] = ()
     filename: str = "<input>"
     owner: str = ""
+    derived: tuple[Derived, ...] = ()
 
     def __post_init__(self) -> None:
         if self.home is not None:

@@ -32,29 +32,40 @@ class Limb:
     """Joints from the base to the platform: a chain, or with `shares` a limb that has bodies and loops of its own. With
     floats everything works for many configurations at once.
 
-    `shares` tells of each joint with which sign it counts in the platform's twist, and then in each of the loops. Each
-    method takes the field to compute in; that of the joints' own numbers if there is none.
+    `shares` tells of each joint with which sign it counts in the platform's twist, and then in each of the loops.
+    `couplings` are joints that another one takes along, as by gears or a belt, as (joint, leader, ratio): places of
+    joints with one freedom each, and how much the joint moves for each unit of its leader, which follows none itself.
+    Both make one freedom, at the leader's place. Each method takes the field to compute in; that of the joints' own
+    numbers if there is none.
     """
 
     joints: tuple[Joint, ...]
     name: str = ""
     shares: tuple[tuple[int, ...], ...] = ()
+    couplings: tuple[tuple[int, int, Any], ...] = ()
 
     @cached_property
     def field(self) -> Field:
         """Floats if any number of the joints is a float, else fractions."""
-        return field_of(*(value for j in self.joints for value in j.geometry.values()))
+        ratios = (ratio for _, _, ratio in self.couplings)
+        return field_of(*(value for j in self.joints for value in j.geometry.values()), *ratios)
+
+    @cached_property
+    def leading(self) -> tuple[int, ...]:
+        """The places of the joints that follow no other."""
+        led = {joint for joint, _, _ in self.couplings}
+        return tuple(k for k in range(len(self.joints)) if k not in led)
 
     @property
     def freedoms(self) -> int:
         """The number of twists, actuated or not."""
-        return sum(j.freedoms for j in self.joints)
+        return sum(self.joints[k].freedoms for k in self.leading)
 
     @property
     def actuated(self) -> tuple[int, ...]:
         """The places of the actuated freedoms among all twists."""
         found, start = [], 0
-        for j in self.joints:
+        for j in (self.joints[k] for k in self.leading):
             found += [start + place for place in j.actuated]
             start += j.freedoms
         return tuple(found)
@@ -67,7 +78,12 @@ class Limb:
     def twists(self, field: Field | None = None) -> Matrix:
         """One row (ω; v) for each freedom, from the base to the platform; for floats (..., freedoms, 6)."""
         field = field or self.field
-        return field.matrix([row for j in self.joints for row in j.twists(field)])
+        rows = [j.twists(field) for j in self.joints]
+        for joint, leader, ratio in self.couplings:
+            times = field.number(ratio, "the ratio of a coupling")
+            (led,), (own,) = rows[joint], rows[leader]
+            rows[leader] = (tuple(field.reduced(a + times * b) for a, b in zip(own, led, strict=True)),)
+        return field.matrix([row for k in self.leading for row in rows[k]])
 
     def rows(self, field: Field | None = None) -> Matrix:
         """The twists as the platform and, side by side, each loop of the limb's own have them."""
@@ -109,8 +125,10 @@ class Limb:
 
     def _shares(self, places: Iterable[int]) -> Shares:
         """Those of twists at these places; none of a chain."""
-        every = [own for j, own in zip(self.joints, self.shares, strict=False) for _ in range(j.freedoms)]
-        return [every[k] for k in places] if self.shares else ()
+        if not self.shares:
+            return ()
+        every = [self.shares[k] for k in self.leading for _ in range(self.joints[k].freedoms)]
+        return [every[k] for k in places]
 
     def actuations(self, field: Field | None = None) -> Matrix:
         """One wrench for each actuator: reciprocal to all other twists, with product 1 with its own twist.
@@ -152,11 +170,32 @@ class Limb:
         return "".join(c + line * bool(j.actuated) for j in self.joints for c in j.kind.symbol)
 
 
-def limb(*joints: Joint, name: str = "") -> Limb:
-    """A limb of these joints, from the base to the platform. Raises InputError for none, or for something else."""
+def limb(*joints: Joint, name: str = "", couplings: Iterable[tuple[int, int, Any]] = ()) -> Limb:
+    """A limb of these joints, from the base to the platform. Of `couplings` see `Limb`; rates are measured in the
+    directions as they are given, so these have to be of one length. Raises InputError for no joints, for something
+    else, and for couplings that name no two joints with one freedom each, or more than one leader.
+
+    >>> from gcrules.screws.joints import joint
+    >>> up, geared = (0, 0, 1), [(1, 0, -1)]
+    >>> pair = limb(joint("R", point=(0, 0, 0), axis=up), joint("R", point=(1, 0, 0), axis=up), couplings=geared)
+    >>> [list(map(int, row)) for row in pair.twists()]  # a slide along y
+    [[0, 0, 0, 0, 1, 0]]
+    """
     for j in joints:
         if not isinstance(j, Joint):
             raise InputError(f"{j!r} is no joint", hint='write joint("R", point=…, axis=…)')
     if not joints:
         raise InputError("a limb needs joints: without one the platform is fixed")
-    return Limb(tuple(joints), name)
+    pairs = tuple(couplings)
+    places = range(len(joints))
+    for led, leader, _ in pairs:
+        if led == leader or led not in places or leader not in places:
+            raise InputError(f"a coupling of joints {led!r} and {leader!r}", hint="name two places of joints, from 0")
+        if joints[led].freedoms != 1 or joints[leader].freedoms != 1:
+            raise InputError("coupled joints have one freedom each", hint="write the joint as several of kind R and P")
+        if joints[led].actuated:
+            raise InputError(f"joint {led} follows joint {leader}, and is actuated", hint="let it lead")
+    followers = [led for led, _, _ in pairs]
+    if len(set(followers)) < len(followers) or any(leader in followers for _, leader, _ in pairs):
+        raise InputError("a joint that follows has one leader, which follows none")
+    return Limb(tuple(joints), name, (), pairs)

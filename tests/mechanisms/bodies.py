@@ -20,9 +20,9 @@ def chains(
 ) -> Iterator[tuple[str, str, Limb]]:
     """Each chain between two bodies, with their names; of all limbs, or of some."""
     for limb in robot.limbs if limbs is None else limbs:
-        for part, joints in limb.parts:
+        for (part, _), own in zip(limb.parts, limb.chains_at(values, field), strict=True):
             start, end = (_body(limb, n) for n in (part.start, part.end))
-            yield start, end, Limb(tuple(j.at(values, field) for j in joints))
+            yield start, end, own
 
 
 def _body(limb: LimbSpec, name: str) -> str:

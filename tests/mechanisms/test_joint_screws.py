@@ -59,12 +59,14 @@ def of_the_condition(name: str, values: Values) -> tuple[int, int]:
 def excepted(name: str, values: Values) -> bool:
     """Whether a cofactor of the six lines that were chosen vanishes at a member: they depend, the robot's need not.
 
-    One that has no expression in points vanishes where points coincide (exechon: A1 and A2).
+    One that has no expression in points vanishes where points coincide (exechon: A1 and A2), or where factors of the
+    condition do that are said to come from the choice of lines.
     """
     a = analysis(name)
     if a.common and a.common.chosen.cofactor is None:
-        assert "coincide" in a.common.chosen.statement
-        if robot(name).family.merged(values):
+        chosen = [p.expression for p in a.parts if p.kind == "choice"]
+        assert chosen or "coincide" in a.common.chosen.statement
+        if robot(name).family.merged(values) or any(not at(name, values).value(e)[0] for e in chosen):
             return True
     points = a.structure.points(robot(name).family, values)
     for limb, own in zip(robot(name).limbs, a.structure.limbs, strict=True):

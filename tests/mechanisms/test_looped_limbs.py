@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from mechanisms.bodies import chains
+from places import DATA
 
 import gcrules as gc
 from gcrules.core.errors import FileError
@@ -24,6 +25,7 @@ from gcrules.mechanisms.kinematics.targets import read_pose
 from gcrules.mechanisms.lines.equivalent import equivalent
 from gcrules.mechanisms.lines.ranks import ranks
 from gcrules.poses.limbs.path_report import RobotPath
+from gcrules.poses.limbs.report import RobotPose
 from gcrules.screws import RESIDUES
 
 NAMES = ("h4", "gantry-tau", "par4")
@@ -164,3 +166,24 @@ mobility: 1
 def test_faults(chain: str, message: str) -> None:
     with pytest.raises(FileError, match=message):
         parse_robot(LEGS.replace("FIRST", chain))
+
+
+def test_pantographs_double_what_their_slides_do() -> None:
+    """Three of them in planes along the driven slides: a Tripteron whose platform goes twice as far."""
+    robot = gc.load(DATA / "robots" / "3-pantograph.yaml")
+    a = gc.analyze(robot)
+    assert isinstance(a, RobotAnalysis)
+    assert "exactly when the directions n1', n2' and n3' are parallel to one plane" in a.statement
+    assert "n1' is the direction n1 × e1" in a.statement
+    assert (a.structure.mobility, a.structure.over) == (3, 3)
+    for seed in range(3):
+        values = a.robot.family.member(("pantograph", seed))
+        assert 6 - ranks(a.robot.family, a.robot.limbs, values).wrenches == 0
+    found = gc.pose(a, "x=0.4, y=-0.2, z=0.1", nearest=False)
+    assert isinstance(found, RobotPose)
+    assert [v for _, v in found.actuators] == pytest.approx([0.2, -0.1, 0.05])
+    assert found.jacobian.amplification.speeds == pytest.approx((2, 2, 2))
+    assert found.margin > 0.04
+    for k in "123":
+        o, d, e = (np.array(found.points[f"{n}{k}"], dtype=float) for n in "ODE")
+        assert e == pytest.approx(2 * d - o)

@@ -185,7 +185,7 @@ WRITTEN = {
     "point": ["free", "on line A B", "on line A along u", "in plane A B C", "in plane A along u, v", "B + C - A",
               "A + u", "in plane A perpendicular to u", "in plane A normal to B C", "1/2 A + 1/2 B"],
     "direction": ["free", "along A B", "parallel to u", "perpendicular to u", "perpendicular to u, v", "in span u, A B",
-                  "u + 2 v", "B - A"],
+                  "u + 2 v", "B - A", "mirror of u in plane perpendicular to v", "mirror of u in plane normal to A B"],
 }  # fmt: skip
 
 

@@ -78,6 +78,7 @@ FOUND: dict[str, tuple[int, int, str, tuple[str, ...]]] = {
     "h4": (4, 0, "d1p1 d2p1' zn1 d3p2 d4p2' zn2", ("constraint", "actuation")),
     "par4": (4, 4, "P1d1 P1d2 P2d3 P2d4 d1z d2z", ("choice", "actuation")),
     "gantry-tau": (3, 0, "A1B1 A2d2 C2d2 A3d3 C3d3 D3d3", ("actuation", "constraint", "constraint")),
+    "omni-wrist-iii": (2, 4, "OO' B1O' B1v1 B2O' B3n3 B4n4", ("actuation", "choice")),
 }
 
 IDLE = {"3-sps-s": 3, "8-cables": 8, "gantry-tau": 2}  # legs that spin
@@ -104,6 +105,7 @@ STATEMENTS = {
     "line A2C2 is parallel to the plane of the directions d2 and d3 (constraint singularity), or the plane A3C3D3 "
     "contains the direction d3 (constraint singularity).",
     "par4": "the planes d1d2P2, d3d4P2 and zP1P2, which pass through P2, have a common line.",
+    "omni-wrist-iii": "exactly when the point B2 lies in the plane B1OO' of leg 1.",
     "3-rps": "planes of leg 1 (r1A1S1), leg 2 (r2A2S2) and leg 3 (r3A3S3) and the platform plane S1S2S3 meet",
     "octahedral": "legs 1 and 2 (A1B1B3), legs 3 and 4 (A2B1B2) and legs 5 and 6 (A3B2B3) and the base plane",
     "gallardo-4dof": "the points A2, S1, S2 and S3 lie in one plane, or the point S1 lies in the plane A3B3S3 of leg 3",
@@ -335,7 +337,7 @@ def test_limbs_lose_rank_where_said(name: str) -> None:
         usual = limb.at(r.family.member(9), RESIDUES).rank(RESIDUES)
         for expression in (c.expression for c in said.conditions):
             if expression:
-                four = re.findall(r"[A-Za-z]\d?", expression)
+                four = re.findall(r"[A-Za-z]\d?'?", expression)
 
                 def flat(values: Values, four: Sequence[str] = four) -> int:
                     points = r.family.homogeneous(values)

@@ -126,7 +126,7 @@ OPEN = {
         "tricept",
         "trivariant",
     ),
-    *("gantry-tau", "h4", "par4"),
+    *("gantry-tau", "h4", "omni-wrist-iii", "par4"),
 }
 """The robots of which nothing has a closed form of the kinds that are known."""
 WITHOUT_ACTUATORS = {"3-uru", "3-crr", "3-cpu"}

@@ -147,7 +147,7 @@ def test_drawings(analyses: dict[str, RobotAnalysis], name: str) -> None:
     """Every point of the joints and of the lines is labelled; labels are inside and do not cover each other."""
     a = analyses[name]
     drawing = draw_robot(a, home_values(a.robot))
-    words = shown(drawing)
+    words = [w.replace("′", "'") for w in shown(drawing)]
     points = {n for limb in a.robot.limbs for j in limb.joints for n in j.names if a.robot.family.sorts[n] == "point"}
     assert points | {n for leg in a.structure.legs for n in leg if n in a.robot.family.sorts} <= set(words)
     assert {limb.name for limb in a.robot.limbs} <= set(words)

@@ -32,6 +32,7 @@ from gcrules.mechanisms.conditions.checks import notes
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.family import Definition
 from gcrules.mechanisms.description.skeleton import skeleton
+from gcrules.mechanisms.lines.derived import in_words
 from gcrules.mechanisms.load import kind_of_id, read_robot
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.factorization import SECONDS
@@ -118,6 +119,7 @@ def _shown(r: Robot) -> Iterator[str]:
                 yield from (f"  {limb.name}: {line}" for line in limb.lines)
     if r.lines:
         yield f"lines: {' '.join(''.join(line) for line in r.lines)}"
+        yield from (f"  {d.name}: {in_words(r.derived, d.name)}" for d in r.derived if d.is_point)
     if r.platform:
         yield f"platform: {' '.join(r.platform)}"
 

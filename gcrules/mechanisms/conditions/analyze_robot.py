@@ -89,20 +89,21 @@ def _given_lines(robot: Robot) -> Equivalent:
     """The structure of a robot that is given by its lines."""
     sorts = robot.family.sorts
     lines = tuple(
-        WrenchLine(ends, "the given lines", all(sorts[n] == "direction" for n in ends), "wrench")
+        WrenchLine(ends, "the given lines", all(sorts.get(n) == "direction" for n in ends), "wrench")
         for ends in robot.lines
     )
     names = dict.fromkeys(n for line in lines for n in line.ends)
-    ideal = tuple(n for n in names if sorts[n] == "direction")
+    ideal = tuple(n for n in names if sorts.get(n) == "direction")
     full = 3 if robot.family.plane else 6
-    at = [at_member(robot.family, Equivalent((), lines, 0, 0, 0, full), robot.family.member(s)) for s in (1, 2, 3)]
+    alone = Equivalent((), lines, 0, 0, 0, full, derived=robot.derived)
+    at = [at_member(robot.family, alone, robot.family.member(s)) for s in (1, 2, 3)]
     rank = 3 if robot.family.plane else 4
     given = tuple(
         some
         for some in combinations(names, rank)
         if not set(some) <= set(ideal) and not any(one.value(bracket(*map(ex.Point, some), rank=rank))[0] for one in at)
     )
-    return Equivalent((), lines, robot.mobility, 0, 0, full, ideal, given)
+    return Equivalent((), lines, robot.mobility, 0, 0, full, ideal, given, robot.derived)
 
 
 def _check(

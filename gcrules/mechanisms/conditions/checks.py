@@ -13,7 +13,7 @@ from gcrules.mechanisms.description.family import Definition
 from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
 from gcrules.mechanisms.description.relations import Values, combined
 from gcrules.mechanisms.robot import Consequence, Robot
-from gcrules.screws import RATIONALS, RESIDUES, Limb
+from gcrules.screws import RATIONALS, RESIDUES, Joint, Limb
 
 __all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes"]
 
@@ -129,10 +129,25 @@ def _check_limb(robot: Robot, text: LimbSpec, limb: Limb, node: Node) -> None:
             f"{text.name} has mobility {text.freedoms}: its actuators do not determine it",
             "leave a joint out, or write ball joints as U where a link would only spin",
         )
+    for led in text.couplings:
+        joints = [text.joints[k] for k in (led.joint, led.leader)]
+        axes = [_axis(limb.joints[k]) for k in (led.joint, led.leader)]
+        if len({RESIDUES.dot(u, u) for u in axes}) > 1:
+            node.fault(
+                f"{text.name}: {joints[0]} and {joints[1]} are coupled, but their axes are not of one length in all"
+                " members of the family",
+                "a ratio is one of rates about, or along, unit vectors: write both axes with one direction, or with"
+                " x, y and z",
+            )
     if len(limb.locked(RESIDUES)) - len(limb.constraints(RESIDUES)) < text.actuators:
         node.fault(f"an actuator of {text.name} applies no wrench: its freedom depends on the passive ones")
     if robot.family.plane and any(row[i] for row in limb.twists(RESIDUES) for i in (0, 1, 5)):
         node.fault(f"{text.name} leaves the plane z = 0 of a planar robot", "its turns are about z")
+
+
+def _axis(joint: Joint) -> Any:
+    """The direction about or along which a joint with one freedom moves; of bars that of their hinges."""
+    return joint.geometry[[part for part, form in joint.kind.parts.items() if form == "direction"][-1]]
 
 
 def _check_platform(robot: Robot, limbs: Sequence[Limb], mobility: Node) -> None:

@@ -59,7 +59,7 @@ def as_platform(robot: Robot) -> Platform:
 
 def _lines(robot: Robot) -> tuple[tuple[str, str], ...]:
     """The lines that a robot is given by, the base joint first, if they are six legs; else none."""
-    if robot.mobility != 6 or any(robot.family.sorts[n] != "point" for line in robot.lines for n in line):
+    if robot.mobility != 6 or any(robot.family.sorts.get(n) != "point" for line in robot.lines for n in line):
         return ()
     return Structure(robot.lines).oriented if robot.lines else ()
 

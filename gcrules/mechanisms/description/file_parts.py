@@ -10,8 +10,10 @@ from gcrules.core.errors import InputError
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Node
 from gcrules.mechanisms.description.family import Definition, Family
+from gcrules.mechanisms.description.plane_meets import line_of_planes
 from gcrules.mechanisms.description.point_pairs import numbered, point_pairs
 from gcrules.mechanisms.description.relations import AXES, relation
+from gcrules.mechanisms.lines.derived import Derived
 from gcrules.mechanisms.robot import Consequence
 
 __all__ = ["MAX_TEXT", "read_facts", "read_home", "read_lines", "read_platform"]
@@ -20,19 +22,27 @@ MAX_TEXT = 300
 _FACT = re.compile(r"([A-Za-z][\w']*)\s+(.+)")
 
 
-def read_lines(node: Node, family: Family, copies: int) -> tuple[tuple[str, str], ...]:
+def read_lines(node: Node, family: Family, copies: int) -> tuple[tuple[tuple[str, str], ...], tuple[Derived, ...]]:
+    """The lines as pairs of names, and the points that are derived for lines which are meets of planes."""
     before = len(node.document.faults)
-    pairs = point_pairs(node, "line", copies)
+    derived: dict[str, Derived] = {}
+
+    def meet(text: str) -> tuple[str, str]:
+        ends, own = line_of_planes(text, family, derived)
+        derived.update((d.name, d) for d in own)
+        return ends
+
+    pairs = point_pairs(node, "line", copies, meet)
     for item, (first, second) in pairs:
         for name in dict.fromkeys((first, second)):
-            if name not in family.sorts:
+            if name not in family.sorts and name not in derived:
                 item.fault(f"{name[:20]} is not defined", near(name, family.sorts))
         if first == second:
             item.fault(f"the line {first[:20]}{second[:20]} goes from a point to itself")
     wanted = 3 if family.plane else 6
     if len(node.document.faults) == before and len(pairs) != wanted:
         node.fault(f"{len(pairs)} line{'s' * (len(pairs) != 1)}, expected {wanted}")
-    return tuple(pair for _, pair in pairs)
+    return tuple(pair for _, pair in pairs), tuple(derived.values())
 
 
 def read_platform(node: Node, family: Family, copies: int) -> tuple[str, ...]:

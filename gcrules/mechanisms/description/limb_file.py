@@ -19,18 +19,29 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 
 from gcrules.core.errors import InputError, Span
 from gcrules.core.hints import near
 from gcrules.mechanisms.description.relations import Term, Values, combined, pair_or_name
 from gcrules.screws import JOINTS, Field, Joint, Limb
 
-__all__ = ["BASE", "PLATFORM", "JointSpec", "LimbSpec", "Subchain", "cable_joints", "read_joints", "read_limb"]
+__all__ = [
+    "BASE",
+    "PLATFORM",
+    "Coupling",
+    "JointSpec",
+    "LimbSpec",
+    "Subchain",
+    "cable_joints",
+    "read_joints",
+    "read_limb",
+]
 
-_JOINT = re.compile(r"\s*,?\s*([0-9A-Za-z]+)\s*(\*\d?)?\s*\(([^()]*)\)\s*")
+_JOINT = re.compile(r"\s*,?\s*([0-9A-Za-z]+)\s*(\*\d?)?(?::([A-Za-z]\w*))?\s*\(([^()]*)\)\s*")
 _HEAD = re.compile(r"\s*([A-Za-z]\w*)\s+to\s+([A-Za-z]\w*)\s*:")
 _NAMES = re.compile(r"[A-Za-z][\w']*(?:\s+[A-Za-z][\w']*)?")
 _EXAMPLE = "a limb is written U(A1, u1, v1) P*(A1 B1) S(B1), with a star at what is actuated"
@@ -41,13 +52,16 @@ BASE, PLATFORM = "base", "platform"
 
 @dataclass(frozen=True)
 class JointSpec:
-    """A joint as written: `args` are names, directions may be two points; `actuated` are places of its freedoms."""
+    """A joint as written: `args` are names, directions may be two points; `actuated` are places of its freedoms. Its
+    `name`, if it has one, is there for couplings.
+    """
 
     kind: str
     args: tuple[Term | Fraction, ...]
     actuated: tuple[int, ...] = ()
     text: str = ""
     place: Span = _NOWHERE
+    name: str = ""
 
     @property
     def symbol(self) -> str:
@@ -95,10 +109,23 @@ class Subchain:
 
 
 @dataclass(frozen=True)
+class Coupling:
+    """A joint of a limb that follows another one: the places of both among its joints, how much it moves for each unit
+    of its leader (radians, or the file's unit of length), and the equation as written.
+    """
+
+    joint: int
+    leader: int
+    ratio: Fraction
+    text: str
+
+
+@dataclass(frozen=True)
 class LimbSpec:
     """A limb; `through` are points that lines of its wrenches may go through beside those of its joints. A `cable` has
     the joints of a leg with ball ends, and only pulls. A limb with bodies of its own has `subchains`, each from a body
-    that those before it reach, with its joints in their order; a plain chain has none.
+    that those before it reach, with its joints in their order; a plain chain has none. Joints of `couplings` follow
+    others of their chain, which follow none.
     """
 
     name: str
@@ -106,26 +133,35 @@ class LimbSpec:
     through: tuple[str, ...] = ()
     cable: bool = False
     subchains: tuple[Subchain, ...] = ()
+    couplings: tuple[Coupling, ...] = ()
 
     @property
     def chain(self) -> str:
-        """The symbols of its joints, those with an actuator starred: UP*S, (R*4S | R*4S) R."""
+        """The symbols of its joints, those with an actuator starred and those that follow others marked: UP*S, R*R~S,
+        (R*4S | R*4S) R.
+        """
         if self.cable:
             return "cable"
+        led = {c.joint for c in self.couplings}
+        symbols = [j.symbol + "~" * (k in led) for k, j in enumerate(self.joints)]
         if not self.subchains:
-            return "".join(j.symbol for j in self.joints)
+            return "".join(symbols)
         between: dict[tuple[str, str], list[str]] = {}
         for own, joints in self.parts:
-            between.setdefault((own.start, own.end), []).append("".join(j.symbol for j in joints))
+            between.setdefault((own.start, own.end), []).append("".join(symbols[: len(joints)]))
+            del symbols[: len(joints)]
         return " ".join(several[0] if len(several) == 1 else f"({' | '.join(several)})" for several in between.values())
 
     @property
     def lines(self) -> tuple[str, ...]:
-        """Its joints as written; of a limb with bodies of its own one line for each chain between two of them."""
-        texts = (" ".join(j.text for j in joints) for _, joints in self.parts)
+        """Its joints as written; of a limb with bodies of its own one line for each chain between two of them. What
+        is coupled follows.
+        """
+        texts = [" ".join(j.text for j in joints) for _, joints in self.parts]
+        coupled = [f"where {', '.join(c.text for c in self.couplings)}"] if self.couplings else []
         if not self.subchains:
-            return tuple(texts)
-        return tuple(f"{c.start} to {c.end}: {text}" for c, text in zip(self.subchains, texts, strict=True))
+            return (" ".join([*texts, *coupled]),)
+        return (*(f"{c.start} to {c.end}: {t}" for c, t in zip(self.subchains, texts, strict=True)), *coupled)
 
     @property
     def parts(self) -> tuple[tuple[Subchain, tuple[JointSpec, ...]], ...]:
@@ -167,10 +203,27 @@ class LimbSpec:
         """The number of loops of its own."""
         return len(self.shares[0]) - 1 if self.subchains else 0
 
+    @cached_property
+    def coordinates(self) -> tuple[tuple[int, ...], ...]:
+        """For each joint the places of its freedoms among those of the limb; a joint that follows has its leader's."""
+        leaders = {c.joint: c.leader for c in self.couplings}
+        own: list[tuple[int, ...]] = []
+        count = 0
+        for k, j in enumerate(self.joints):
+            end = count if k in leaders else count + len(JOINTS[j.kind].freedoms)
+            own.append(tuple(range(count, end)))
+            count = end
+        return tuple(own[leaders.get(k, k)] for k in range(len(own)))
+
+    @property
+    def ratios(self) -> Mapping[int, Fraction]:
+        """Of each joint that follows how much it moves for each unit of its leader."""
+        return {c.joint: c.ratio for c in self.couplings}
+
     @property
     def freedoms(self) -> int:
         """How many twists it has."""
-        return sum(len(JOINTS[j.kind].freedoms) for j in self.joints)
+        return len({k for own in self.coordinates for k in own})
 
     @property
     def actuators(self) -> int:
@@ -179,7 +232,21 @@ class LimbSpec:
 
     def at(self, values: Values, field: Field) -> Limb:
         """The limb at a member."""
-        return Limb(tuple(j.at(values, field) for j in self.joints), self.name, self.shares)
+        return Limb(tuple(j.at(values, field) for j in self.joints), self.name, self.shares, self.coupled)
+
+    @property
+    def coupled(self) -> tuple[tuple[int, int, Fraction], ...]:
+        """The couplings as a `Limb` takes them."""
+        return tuple((c.joint, c.leader, c.ratio) for c in self.couplings)
+
+    def chains_at(self, values: Values, field: Field) -> Iterator[Limb]:
+        """Its `parts` at a member, each as a limb by itself."""
+        start = 0
+        for _, joints in self.parts:
+            own = range(start, start + len(joints))
+            coupled = tuple((k - start, led - start, ratio) for k, led, ratio in self.coupled if k in own)
+            yield Limb(tuple(j.at(values, field) for j in joints), couplings=coupled)
+            start += len(joints)
 
 
 def cable_joints(base: str, end: str, *, plane: bool) -> str:
@@ -197,7 +264,9 @@ def read_limb(text: str) -> tuple[tuple[JointSpec, ...], tuple[Subchain, ...]]:
     """Read a limb: its joints and, where it has bodies of its own, its subchains. Raises InputError with its place."""
     heads = list(_HEAD.finditer(text))
     if not heads:
-        return read_joints(text), ()
+        plain = read_joints(text)
+        _named_once(text, plain)
+        return plain, ()
     if text[: heads[0].start()].strip():
         message = f"the joints before '{heads[0][0].strip()}' belong to no chain"
         raise _fault(text, 0, heads[0].start(), message, "write base to NAME: before them")
@@ -217,6 +286,7 @@ def read_limb(text: str) -> tuple[tuple[JointSpec, ...], tuple[Subchain, ...]]:
         reached.add(end)
     if PLATFORM not in reached:
         raise _fault(text, *heads[-1].span(2), "no chain leads to the platform", "the last one: … to platform: …")
+    _named_once(text, joints)
     ends = Counter(b for c in chains for b in (c.start, c.end))
     for head in heads:
         if head[2] != PLATFORM and ends[head[2]] < 2:
@@ -224,6 +294,14 @@ def read_limb(text: str) -> tuple[tuple[JointSpec, ...], tuple[Subchain, ...]]:
                 text, *head.span(2), f"nothing else is joined to {head[2]}", near(head[2], reached - {head[2]})
             )
     return tuple(joints), tuple(chains)
+
+
+def _named_once(text: str, joints: Sequence[JointSpec]) -> None:
+    seen: set[str] = set()
+    for j in joints:
+        if j.name in seen:
+            raise _fault(text, j.place.start, j.place.end, f"two joints of the limb bear the name {j.name}")
+        seen |= {j.name} - {""}
 
 
 def _joints(text: str, at: int = 0, end: int | None = None) -> Iterator[JointSpec]:
@@ -239,7 +317,7 @@ def _joints(text: str, at: int = 0, end: int | None = None) -> Iterator[JointSpe
 
 
 def _joint(text: str, match: re.Match[str]) -> JointSpec:
-    symbol, star, inside = match.groups()
+    symbol, star, name, inside = match.groups()
     start, end = match.span(1)
     if symbol not in JOINTS:
         hint = near(symbol, JOINTS) or f"the kinds are {', '.join(JOINTS)}"
@@ -249,27 +327,27 @@ def _joint(text: str, match: re.Match[str]) -> JointSpec:
     if len(parts) != len(kind.parts):
         hint = f"write {symbol}({', '.join(kind.parts)})"
         message = f"a joint {symbol} takes {len(kind.parts)} parts, found {len(parts)}"
-        raise _fault(text, start, match.end(3) + 1, message, hint)
+        raise _fault(text, start, match.end(4) + 1, message, hint)
     args: list[Term | Fraction] = []
     for (part, form), word in zip(kind.parts.items(), parts, strict=True):
         names = word.split()
         if form == "number":
             if not re.fullmatch(r"-?\d{1,9}(/[1-9]\d{0,8}|\.\d{1,9})?", word):
-                raise _fault(text, match.start(3), match.end(3), f"the {part} {word[:20]!r} is no number")
+                raise _fault(text, match.start(4), match.end(4), f"the {part} {word[:20]!r} is no number")
             args.append(Fraction(word))
         elif not _NAMES.fullmatch(word) or (form == "point" and len(names) != 1):
             needed = "a point" if form == "point" else "a direction, or two points"
             raise _fault(
-                text, match.start(3), match.end(3) + 1, f"the {part} of {symbol} is {needed}, found {word[:30]!r}"
+                text, match.start(4), match.end(4) + 1, f"the {part} of {symbol} is {needed}, found {word[:30]!r}"
             )
         else:
             args.append(pair_or_name(word))
-    written = f"{symbol}{star or ''}({', '.join(parts)})"
-    return JointSpec(symbol, tuple(args), _actuated(text, match), written, Span(start, match.end(3) + 1))
+    written = f"{symbol}{star or ''}{':' * bool(name)}{name or ''}({', '.join(parts)})"
+    return JointSpec(symbol, tuple(args), _actuated(text, match), written, Span(start, match.end(4) + 1), name or "")
 
 
 def _actuated(text: str, match: re.Match[str]) -> tuple[int, ...]:
-    symbol, star, _ = match.groups()
+    symbol, star = match.group(1, 2)
     if not star:
         return ()
     drives = JOINTS[symbol].drives

@@ -48,6 +48,13 @@ def _triple(field: Field, a: Vector, b: Vector, c: Vector) -> tuple[Any]:
     return (field.dot(field.cross(a, b), c),)
 
 
+def _mirrored(field: Field, u: Vector, n: Vector) -> Vector:
+    """(n · n) u − 2 (u · n) n: u as a mirror perpendicular to n shows it, times n · n, so that nothing is divided."""
+    square, part = field.dot(n, n), field.dot(u, n)
+    x, y, z = (field.reduced(square * a - 2 * part * b) for a, b in zip(u, n, strict=True))
+    return x, y, z
+
+
 @dataclass(frozen=True)
 class RelationForm:
     """One kind of relation: `pattern` with the groups of its arguments (each names a point or a direction, `sorts`),
@@ -136,6 +143,14 @@ RELATIONS: Mapping[str, Mapping[str, RelationForm]] = {
             2,
             lambda f, a, t: _plus(f, (0, 0, 0), (t[0], a[0]), (t[1], a[1])),
             lambda f, a, own: _triple(f, a[0], a[1], own),
+        ),
+        "mirror": _form(
+            "mirror of u in plane perpendicular to n",
+            rf"mirror of {_D} in plane (?:perpendicular|normal) to {_D}",
+            "direction direction",
+            0,
+            lambda f, a, t: _mirrored(f, a[0], a[1]),
+            lambda f, a, own: f.cross(_mirrored(f, a[0], a[1]), own),
         ),
     },
 }

@@ -12,6 +12,7 @@ directions:
 limbs:                          # joints from the base to the platform, a star at what is actuated
   - name: leg %
     joints: R(A%, r%) P*(A% S%) S(S%)   # or chains between bodies: [base to hub: …, base to hub: …, hub to platform: …]
+    # couplings: b = -1/2 a     # optional: joints that are geared to each other, R:a(…) and R:b(…)
 platform: S1 S2 S3              # optional: the points that move with the platform
 mobility: 3                     # expected, and checked
 facts: []                       # optional: relations that follow, checked: "u1 perpendicular to v1"
@@ -21,7 +22,9 @@ condition: "…"                  # optional: a published condition in the langu
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from os import PathLike
@@ -32,6 +35,7 @@ from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document, Node
 from gcrules.mechanisms.conditions.checks import check_family, check_home, check_limbs
+from gcrules.mechanisms.description.couplings import couplings
 from gcrules.mechanisms.description.family import Definition, Family, circles, in_order
 from gcrules.mechanisms.description.file_parts import (
     MAX_TEXT,
@@ -52,6 +56,8 @@ _REQUIRED = ("title", "points", "mobility")
 _OPTIONAL = (
     "source", "note", "copies", "space", "directions", "limbs", "lines", "platform", "facts", "home", "condition",
 )  # fmt: skip
+_OF_CHAINS = {True: ("couplings",), False: ()}  # keys of limbs with joints
+_NAMED = re.compile(r"[0-9A-Za-z]+(?:\*\d?)?:([A-Za-z]\w*)\s*\(")  # joints that have names
 MAX_COPIES = 12
 MAX_NAMES = 120
 MAX_LIMBS = 12
@@ -99,7 +105,7 @@ class _Reader:
         if "limbs" not in top and "lines" not in top:
             self.document.root.fault("the key 'limbs' is missing", "limbs of joints, or lines whose wrenches are known")
         limbs = list(self._limbs(top["limbs"], family)) if "limbs" in top else []
-        lines = read_lines(top["lines"], family, self.copies) if "lines" in top else ()
+        lines, derived = read_lines(top["lines"], family, self.copies) if "lines" in top else ((), ())
         texts = {k: top[k].string() or "" for k in ("title", "source", "note", "condition") if k in top}
         mobility = top["mobility"].integer() if "mobility" in top else None
         facts = tuple(read_facts(top["facts"], family, self.copies)) if "facts" in top else ()
@@ -113,6 +119,7 @@ class _Reader:
             limbs=tuple(limb for _, limb in limbs),
             mobility=mobility or 0,
             lines=lines,
+            derived=derived,
             platform=platform,
             home=home,
             condition=texts.get("condition", ""),
@@ -216,11 +223,12 @@ class _Reader:
     def _limbs(self, node: Node, family: Family) -> Iterator[tuple[Node, LimbSpec]]:
         seen: set[str] = set()
         items = node.sequence()
+        named = set(_NAMED.findall(self.document.source))
         if node.kind == "sequence" and not items:
             node.fault("there are no limbs")
         for place, item in enumerate(items):
             cable = item.kind == "mapping" and any(key.text == "cable" for key, _ in item.entries())
-            top = item.mapping(("cable",) if cable else ("joints",), ("name", "through"))
+            top = item.mapping(("cable",) if cable else ("joints",), ("name", "through", *_OF_CHAINS[not cable]))
             joints = top.get("cable" if cable else "joints")
             if joints is None:
                 continue
@@ -232,6 +240,8 @@ class _Reader:
             through = top["through"].string() or "" if "through" in top else ""
             for own, written, points in numbered(joints, self.copies, name, text, through):
                 limb = self._limb(own, written, points, joints, family, cable)
+                if limb and "couplings" in top:
+                    limb = self._coupled(limb, top["couplings"], named - {j.name for j in limb.joints})
                 if limb and own in seen:
                     item.fault(f"two limbs bear the name {own!r}")
                 elif limb and len(seen) >= MAX_LIMBS:
@@ -282,6 +292,17 @@ class _Reader:
             node.fault(f"{name} has {limb.freedoms} freedoms in {len(subchains)} chains; more than {most} are not read")
             return None
         return limb if good else None
+
+    def _coupled(self, limb: LimbSpec, node: Node, others: Collection[str]) -> LimbSpec | None:
+        if node.kind == "scalar":
+            text = node.string() or ""
+        else:
+            text = ", ".join(part.string() or "" for part in node.sequence())
+        try:
+            return replace(limb, couplings=couplings(text, limb.joints, limb.subchains, others))
+        except InputError as fault:
+            self._inside(node, text, fault)
+            return None
 
     def _inside(self, node: Node, text: str, fault: GcrulesError) -> None:
         """Record a fault at its place inside a scalar, where the scalar stands in the file as it reads."""

@@ -25,6 +25,7 @@ points:
   A%: free
   S%: in plane A% perpendicular to r%
 #   free · along A B · parallel to u · perpendicular to u · perpendicular to u, v · in span u, v · sums: u + 2 v
+#   mirror of u in plane perpendicular to n
 #   x, y and z are the directions of the frame. Lengths of directions do not matter.
 directions:
   r%: free
@@ -32,6 +33,7 @@ directions:
 # Joints from the base to the platform, a star at what is actuated; two points stand for a direction.
 #   R(point, axis) · P(direction) · H(point, axis, pitch) · C(point, axis) · U(point, first, second) · S(point)
 #   E(point, normal) · Pa(bars, axis) · 4S(first, second, bars)
+#   Joints may bear names, R*:a(A1, u) R:b(B1, u); then the limb may say "couplings: b = -2 a", for gears and belts.
 limbs:
   - name: leg %
     joints: R(A%, r%) P*(A% S%) S(S%)

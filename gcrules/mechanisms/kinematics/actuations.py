@@ -24,7 +24,6 @@ from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.margin import balanced, kept_axes, limb_twists, on_platform
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.transmission import Transmissions, of_constraints, shaken, transmitted
-from gcrules.screws import JOINTS
 
 __all__ = ["LEGS", "Actuations", "actuations", "amplified", "amplified_by_legs", "drives"]
 
@@ -71,11 +70,11 @@ def _passing(m: Linkage, here: Configurations, own: Actuations, found: Amplifica
 
 def _following(limb: LimbSpec, coordinate: int, values: Values, own: Actuations, place: int) -> Floats:
     """The place (N, 3) of the first joint with a place after the one that has a coordinate; else the limb's end."""
-    start = 0
-    for joint in limb.joints:
-        if start > coordinate and (found := _place(geometry_of(joint, values))) is not None:
+    behind = False
+    for k, (joint, places) in enumerate(zip(limb.joints, limb.coordinates, strict=True)):
+        if behind and (found := _place(geometry_of(joint, values))) is not None:
             return np.broadcast_to(found, own.centre.shape)
-        start += len(JOINTS[joint.kind].freedoms)
+        behind |= coordinate in places and k not in limb.ratios
     return np.asarray(own.centre + own.arms[:, place])
 
 

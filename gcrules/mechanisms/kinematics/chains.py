@@ -226,7 +226,8 @@ class Run:
 @dataclass(frozen=True, eq=False)
 class Chain:
     """The motions of one limb where it is now: `screws` (..., K, 6), of many configurations at once where there are
-    further axes, `uses` the coordinate that each takes, with `signs`; `turns` tells of each coordinate whether it is an
+    further axes, `uses` the coordinate that each takes, with `signs`, for joints that follow others times the ratio, in
+    radians or lengths for each unit of the coordinate; `turns` tells of each coordinate whether it is an
     angle.
 
     A limb with bodies of its own has several `runs`; its links are those of all runs one after the other, each with the
@@ -281,10 +282,12 @@ class Chain:
         """The links that are one in each loop: of the run that closes it, and of the body that is reached already."""
         return tuple((run.stop + n, run.reached) for n, run in enumerate(self.runs) if run.reached >= 0)
 
-    def twists(self, links: Floats | None = None) -> Floats:
-        """The twist of each coordinate, (..., 6, coordinates), where the links are, else here."""
+    def twists(self, links: Floats | None = None, motions: slice = slice(None)) -> Floats:
+        """The twist of each coordinate, (..., 6, coordinates), where the links are, else here; of all motions, or what
+        some of them have in it.
+        """
         rows = self.screws if links is None else self._carried(links)
-        return np.swapaxes(rows, -1, -2) @ self.parts
+        return np.swapaxes(rows[..., motions, :], -1, -2) @ self.parts[motions]
 
     @property
     def shared_twists(self) -> Floats:
@@ -303,7 +306,7 @@ class Chain:
 
     @cached_property
     def parts(self) -> Floats:
-        """The sign with which each motion takes each coordinate, (K, coordinates)."""
+        """The sign, or ratio, with which each motion takes each coordinate, (K, coordinates)."""
         found = np.zeros((len(self.uses), len(self.turns)))
         found[np.arange(len(self.uses)), list(self.uses)] = self.signs
         return found
@@ -323,17 +326,17 @@ def chain_of(limb: LimbSpec, values: Values) -> Chain:
     """The chain of a limb whose points and directions have these places. Raises InputError for lost directions."""
     screws: list[Floats] = []
     uses: list[int] = []
-    signs: list[int] = []
-    turns: list[bool] = []
-    for joint in limb.joints:
+    signs: list[float] = []
+    turns = [True] * limb.freedoms
+    for k, (joint, own) in enumerate(zip(limb.joints, limb.coordinates, strict=True)):
         geometry = geometry_of(joint, values)
-        start = len(turns)
-        kinds = {m.freedom: m.turns for m in shape_of(joint.kind).motions}
-        turns += [kinds[n] for n in range(len(kinds))]
+        ratio = limb.ratios.get(k)
         for m in shape_of(joint.kind).motions:
             screws.append(m.screw(geometry))
-            uses.append(start + m.freedom)
-            signs.append(m.sign)
+            uses.append(own[m.freedom])
+            signs.append(m.sign if ratio is None else m.sign * float(ratio))
+            if ratio is None:
+                turns[own[m.freedom]] = m.turns
     shape = np.broadcast_shapes(*(s.shape for s in screws))
     every = np.stack([np.broadcast_to(s, shape) for s in screws], axis=-2)
     chain = Chain(every, tuple(uses), np.array(signs, dtype=float), tuple(turns))
@@ -349,5 +352,7 @@ def _with_runs(chain: Chain, limb: LimbSpec) -> Chain:
         stop = first + sum(len(shape_of(j.kind).motions) for j in joints)
         runs.append(Run(first, stop, reached[own.start], reached.get(own.end, -1)))
         reached.setdefault(own.end, stop + len(runs) - 1)
-    shares = [own for j, own in zip(limb.joints, limb.shares, strict=True) for _ in JOINTS[j.kind].freedoms]
-    return replace(chain, runs=tuple(runs), platform=reached[PLATFORM], shares=np.array(shares, dtype=float))
+    shares = np.zeros((limb.freedoms, 1 + limb.loops))
+    for counted, places in zip(limb.shares, limb.coordinates, strict=True):
+        shares[list(places)] = counted
+    return replace(chain, runs=tuple(runs), platform=reached[PLATFORM], shares=shares)

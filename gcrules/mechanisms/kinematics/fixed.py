@@ -6,10 +6,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from gcrules.mechanisms.kinematics.chains import Chain
+from gcrules.mechanisms.kinematics.chains import Chain, shape_of
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
-from gcrules.screws import JOINTS
 
 __all__ = ["unfixed"]
 
@@ -25,17 +24,17 @@ def unfixed(
     """
     still = {(place, coordinate) for place, coordinate, _ in m.locked}
     for place, limb in enumerate(m.robot.limbs):
-        old = _scaled(before[place].twists(links[place]), m)
-        new = _scaled(after[place].twists(), m)
         start = 0
-        for joint in limb.joints:
-            end = start + len(JOINTS[joint.kind].freedoms)
-            own = [k for k in range(start, end) if (place, k) not in still]
-            basis, _ = np.linalg.qr(old[..., own])
-            rest = new[..., own] - basis @ (np.swapaxes(basis, -1, -2) @ new[..., own])
-            sizes = np.linalg.norm(rest, axis=-2) / np.linalg.norm(new[..., own], axis=-2)
+        for joint, coordinates in zip(limb.joints, limb.coordinates, strict=True):
+            motions = slice(start, start + len(shape_of(joint.kind).motions))
+            own = [k for k in coordinates if (place, k) not in still]
+            old = _scaled(before[place].twists(links[place], motions)[..., own], m)
+            new = _scaled(after[place].twists(motions=motions)[..., own], m)
+            basis, _ = np.linalg.qr(old)
+            rest = new - basis @ (np.swapaxes(basis, -1, -2) @ new)
+            sizes = np.linalg.norm(rest, axis=-2) / np.linalg.norm(new, axis=-2)
             yield joint.text, sizes.max(axis=-1)
-            start = end
+            start = motions.stop
 
 
 def _scaled(twists: Floats, m: Linkage) -> Floats:

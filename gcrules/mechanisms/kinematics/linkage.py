@@ -270,10 +270,8 @@ def _end(robot: Robot, place: int, values: Mapping[str, Floats]) -> Floats:
 
 def _still(robot: Robot) -> Iterator[tuple[int, int, str]]:
     for place, limb in enumerate(robot.limbs):
-        start = 0
-        for joint in limb.joints:
-            yield from ((place, start + n, joint.text) for n in shape_of(joint.kind).locked)
-            start += len(JOINTS[joint.kind].freedoms)
+        for joint, own in zip(limb.joints, limb.coordinates, strict=True):
+            yield from ((place, own[n], joint.text) for n in shape_of(joint.kind).locked)
 
 
 def _spans(robot: Robot, values: Values) -> Iterator[Span]:
@@ -281,10 +279,9 @@ def _spans(robot: Robot, values: Values) -> Iterator[Span]:
     bodies = {PLATFORM: 0, BASE: -1}
     for place, limb in enumerate(robot.limbs):
         first = 0
-        for part, joints in limb.parts:
+        for (part, _), one in zip(limb.parts, limb.chains_at(values, RESIDUES), strict=True):
             names = (n if n in bodies else f"{place}:{n}" for n in (part.start, part.end))
             start, end = (bodies.setdefault(n, len(bodies) - 1) for n in names)
-            one = Limb(tuple(j.at(values, RESIDUES) for j in joints))
             every, free = (tuple(first + k for k in own) for own in (range(one.freedoms), one.passive))
             yield Span(place, every, free, one.rank(RESIDUES), one.passive_rank(RESIDUES), start, end)
             first += one.freedoms
@@ -293,11 +290,9 @@ def _spans(robot: Robot, values: Values) -> Iterator[Span]:
 def _actuators(robot: Robot) -> Iterator[Actuator]:
     number = 0
     for place, limb in enumerate(robot.limbs):
-        start = 0
-        for joint in limb.joints:
+        for joint, own in zip(limb.joints, limb.coordinates, strict=True):
             turns = {m.freedom: m.turns for m in shape_of(joint.kind).motions}
             freedoms = JOINTS[joint.kind].freedoms
             for n in joint.actuated:
                 number += 1
-                yield Actuator(f"q{number}", limb.name, joint.text, freedoms[n], place, start + n, turns[n])
-            start += len(turns)
+                yield Actuator(f"q{number}", limb.name, joint.text, freedoms[n], place, own[n], turns[n])

@@ -114,4 +114,4 @@ def _limb(m: Linkage, place: int, values: Mapping[str, Floats]) -> Limb:
             p: tuple(map(float, geometry[p])) if form != "number" else geometry[p] for p, form in kind.parts.items()
         }
         joints.append(Joint(kind, parts, j.actuated))
-    return Limb(tuple(joints), text.name, text.shares)
+    return Limb(tuple(joints), text.name, text.shares, text.coupled)

@@ -91,11 +91,10 @@ def in_words(derived: Iterable[Derived], name: str) -> str:
     known = {d.name: d for d in derived}
 
     def term(t: Term) -> str:
-        own = known.get(t[0][1])
-        if own is None:
+        if not any(n in known for _, n in t):
             return name_of(t)
-        first = f"{product(own)}{''.join(_multiple(c, n) for c, n in t[1:])}"
-        return f"({first})"
+        parts = "".join(_multiple(c, product(known[n]) if n in known else n) for c, n in t)
+        return f"({parts.removeprefix(' + ').strip()})"
 
     def product(d: Derived) -> str:
         return " × ".join(map(term, d.args))

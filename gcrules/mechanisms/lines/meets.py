@@ -41,13 +41,14 @@ def meets(family: Family, limb: LimbSpec, at: Sequence[Sample], one: Mapping[Key
         return []
     made = _Made(at, one)
     turns, slides = list(_freedoms(limb, _TURNS, made)), [w for _, w in _freedoms(limb, _SLIDES, made)]
-    slides += [t for j in limb.joints if j.kind == "Pa" and not j.actuated for t in made.cross(*j.directions)]
+    free = [j for j in _uncoupled(limb) if not j.actuated]
+    slides += [t for j in free if j.kind == "Pa" for t in made.cross(*j.directions)]
     centres = {p for j in limb.joints if j.kind == "S" for p in j.points}
-    screws = [j for j in limb.joints if j.kind == "H" and not j.actuated]
+    screws = [[(j, Fraction(1))] for j in free if j.kind == "H"] + list(_geared(limb))
     for p in dict.fromkeys((*(p for j in limb.joints for p in j.points), *limb.through)):
         if centres <= {p}:
             across = [n for q, w in turns if q != p for n in made.cross(w, _difference(p, q))]
-            _through([*slides, *across, *(n for j in screws for n in _velocity(p, j, made))], made)
+            _through([*slides, *across, *(v for pair in screws if (v := _velocity(p, pair, made)))], made)
     pairs = [(j.points[0], n) for j in limb.joints if j.kind == "4S" for n in made.cross(j.directions[0], _side(j))]
     planes = [*_planes(turns, made), *pairs]
     for (_, m), (_, n) in combinations(planes, 2):
@@ -65,7 +66,7 @@ def meets(family: Family, limb: LimbSpec, at: Sequence[Sample], one: Mapping[Key
 
 def _freedoms(limb: LimbSpec, parts: Mapping[str, Mapping[int, str]], made: _Made) -> Iterator[_Axis]:
     """The passive ones of a kind: a point of the joint ("" where it has none) and the direction."""
-    for j in limb.joints:
+    for j in _uncoupled(limb):
         for place, part in parts.get(j.kind, {}).items():
             if place not in j.actuated:
                 yield next(iter(j.points), ""), _part(j, part)
@@ -87,12 +88,37 @@ def _side(j: JointSpec) -> Term:
     return _difference(first, second)
 
 
-def _velocity(p: str, screw: JointSpec, made: _Made) -> list[Term]:
-    """How P moves with a helical joint, backwards: u × PQ − h u for the pitch h, the axis going through Q along u."""
-    (q,), axis, pitch = screw.points, _part(screw, "axis"), screw.args[-1]
-    assert isinstance(pitch, Fraction)
-    own = [(-pitch * c, n) for c, n in axis if pitch]
-    return [(*turned, *own) for turned in made.cross(axis, _difference(p, q), multiples=False) or [()]]
+def _uncoupled(limb: LimbSpec) -> Iterator[JointSpec]:
+    """The joints that neither follow others nor lead them."""
+    coupled = {k for c in limb.couplings for k in (c.joint, c.leader)}
+    yield from (j for k, j in enumerate(limb.joints) if k not in coupled)
+
+
+def _geared(limb: LimbSpec) -> Iterator[list[tuple[JointSpec, Fraction]]]:
+    """Joints that move as one and are not driven, with their rates."""
+    for leader in dict.fromkeys(c.leader for c in limb.couplings if not limb.joints[c.leader].actuated):
+        led = [(limb.joints[c.joint], c.ratio) for c in limb.couplings if c.leader == leader]
+        yield [(limb.joints[leader], Fraction(1)), *led]
+
+
+def _velocity(p: str, rates: Sequence[tuple[JointSpec, Fraction]], made: _Made) -> Term:
+    """How P moves with joints at some rates, backwards: with a hinge or screw u × PQ − h u, the axis going through Q
+    along u and h the pitch, with a slide −u, with bars b × u.
+    """
+    turning: list[tuple[Fraction, str]] = []
+    sliding: list[tuple[Fraction, str]] = []
+    for j, rate in rates:
+        turned: list[Term] = []
+        if j.points:
+            turned = made.cross(_part(j, "axis"), _difference(p, j.points[0]), multiples=False)
+        elif j.kind == "Pa":
+            turned = made.cross(*j.directions, multiples=False)
+        turning += [(rate * c, n) for term in turned for c, n in term]
+        along = j.args[-1] if j.kind == "H" else Fraction(j.kind == "P")
+        assert isinstance(along, Fraction)
+        sliding += [(-rate * along * c, n) for c, n in j.directions[0] if along]
+    found = (*turning, *sliding)
+    return tuple((c / found[0][0], n) for c, n in found)
 
 
 def _through(velocities: Sequence[Term], made: _Made) -> None:

@@ -92,7 +92,7 @@ def _alike(family: Family, limb: LimbSpec) -> str:
         return places.setdefault(match[0], f"<{len(places)}>")
 
     needed = upstream(family, _names(limb))
-    texts = [str(limb.shares), *(f"{j.kind}{j.actuated}({j.args})" for j in limb.joints)]
+    texts = [f"{limb.shares}{limb.coupled}", *(f"{j.kind}{j.actuated}({j.args})" for j in limb.joints)]
     texts += [f"{d.name} {d.sort} {d.relation}" for d in family.definitions if d.name in needed]
     pattern = "|".join(sorted(map(re.escape, needed), key=len, reverse=True))
     return re.sub(rf"(?<=')(?:{pattern})(?=')|\b(?:{pattern})(?= (?:point|direction) )", place, "; ".join(texts))

@@ -80,6 +80,7 @@ class LimbWrenches:
         return {
             "name": self.limb.name,
             "joints": list(self.limb.lines if self.limb.subchains else (j.text for j in self.limb.joints)),
+            "couplings": [c.text for c in self.limb.couplings],
             "freedoms": self.freedoms,
             "constraints": self.constraints,
             "system": self.kind,

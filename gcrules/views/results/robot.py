@@ -77,7 +77,8 @@ def _common(a: RobotAnalysis, c: CommonFactor, unicode: bool) -> list[str]:
     """What the subsets of the lines have in common, and the cofactors."""
     assert a.lines is not None
     names, redundant = a.lines.structure.names, a.structure.redundant > 0
-    what = "lines" if redundant else "constraints"
+    mixed = {line.ends for line in a.structure.lines or () if line.role == "both"}
+    what = "lines" if redundant or any(not mixed.isdisjoint(one.lines) for one in c.listed) else "constraints"
     word = "cofactor" if c.degree or not redundant else "superbracket"
     together = (
         "the condition is the common factor of their superbrackets"
