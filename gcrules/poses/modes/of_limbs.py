@@ -130,7 +130,7 @@ def _solved(robot: _Held, forms: Floats) -> Found:
     """What the paths lead to."""
     m = robot.linkage
     zeros = zeros_of(forms, np.ones_like(forms))
-    several, curves = grouped(forms, zeros.singular)
+    several, curves, unclear = grouped(forms, zeros.singular)
     b = zeros.boxes
     real = np.abs(b.y.imag).max(axis=1, initial=0.0) == 0
     places = [(x.real, 1) for x in b.y[real]] + [(s.x, s.paths) for s in several]
@@ -148,9 +148,9 @@ def _solved(robot: _Held, forms: Floats) -> Found:
         real=int(real.sum()),
         unreal=int((~real).sum()),
         at_infinity=zeros.at_infinity,
-        singular=len(zeros.singular),
+        singular=len(zeros.singular) - unclear,
         beside=zeros.beside,
-        lost=zeros.lost,
+        lost=zeros.lost + unclear,
         unreached=sum(faults.values()),
     )
     return found, [_curve(robot, c) for c in curves], count, notes
