@@ -38,6 +38,7 @@ from gcrules.screws.threshold import Threshold
 
 __all__ = ["modes_of_legs"]
 
+_LONGEST = 1000  # sizes: of longer legs the conditions are nearly alike
 _GIVEN = 1e-6  # of 1 − cos between Study parameters: near enough to be the given pose
 _METHOD = "exactly one solution in its box (Krawczyk's operator)"
 _MULTIPLE = "singular: its box cannot hold exactly one regular solution"
@@ -106,8 +107,11 @@ class _Legs:
             asked = "the lengths that are given"
         elif at is not None:
             asked = f"the lengths at {at}"
-        if not lengths.max() <= FAR * moving.size:
-            raise InputError(f"a length is more than {FAR:g} times the robot's size", hint="check the unit")
+        if not lengths.max() <= _LONGEST * moving.size:
+            raise InputError(
+                f"a leg is more than {_LONGEST:,} times as long as the robot's size, too long for floats",
+                hint="check the unit, and the pose",
+            )
         if not (lengths > 0).all():
             raise InputError(
                 f"the leg {moving.names[int(np.argmin(lengths))]} has no length in the pose of the file",

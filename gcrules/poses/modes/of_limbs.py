@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.floats import without_noise
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
@@ -110,7 +111,8 @@ class _Held:
         return c.near(study(about_centre(self.given.platform, m.centre, m.size)))
 
     def actuators(self, amounts: tuple[Floats, ...]) -> tuple[tuple[str, float], ...]:
-        return tuple((a.name, float(amounts[a.place][a.coordinate])) for a in self.m.linkage.actuators)
+        units = ((a, 1.0 if a.angle else self.linkage.size) for a in self.m.linkage.actuators)
+        return tuple((a.name, without_noise(amounts[a.place][a.coordinate], unit)) for a, unit in units)
 
 
 def forms_of(m: Linkage, held: Held) -> Floats:

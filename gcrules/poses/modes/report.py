@@ -178,9 +178,9 @@ class Completeness:
             return "not complete: not even the given pose is among them"
         if self.dependent:
             return (
-                "the actuators' conditions depend on each other: no solution is isolated, and whatever solution there"
-                " is lies on a curve or a surface of solutions; those told were sought from the given pose and from"
-                " random ones"
+                "the actuators' conditions depend on each other, within rounding: no solution is isolated, and"
+                " whatever solution there is lies on a curve or a surface of solutions; those told were sought from the"
+                " given pose and from random ones"
             )
         if self.method == "search":
             return (
