@@ -34,6 +34,7 @@ _EPSILON = float(np.finfo(float).eps)
 _SUMS = 64 * _EPSILON  # room for rounding in sums of 64 terms, of the sum of their sizes
 _ROOM = 1 + 1e-9
 _STEPS = 4  # of Newton's method
+_BLUR = 1e-10  # of y where it has no box
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +56,14 @@ class Boxes:
     def proved(self) -> Truths:
         """Which of them hold exactly one solution that is in no other box, known to be real or not."""
         return np.asarray(np.isfinite(self.radius) & self.apart & (self.real | self.unreal))
+
+    @property
+    def finite(self) -> Truths:
+        """Where h = a·a is not 0 in the box, nor beside y by rounding where there is no box: what is a motion."""
+        a = self.y[:, :4]
+        size = np.linalg.norm(a, axis=1)
+        r = 2 * np.where(np.isfinite(self.radius), self.radius, _BLUR * np.linalg.norm(self.y, axis=1))
+        return np.asarray(np.abs((a * a).sum(axis=1)) > r * (2 * size + r))
 
     def bounds(self, k: int) -> tuple[float, float]:
         """How far the motion of solution k, a real one, may be off: in its turn (rad), and in its shift in sizes."""
@@ -108,7 +117,8 @@ def boxes(system: Floats, known: Floats, x: Complexes) -> Boxes:
     radius = np.where(sound, radius, np.inf)
     alone = np.where(sound, (1 - kappa0) / kappa1 / _ROOM, 0.0)
     distance = np.abs(y[:, None] - y[None]).max(axis=2) + np.where(np.eye(len(y)), np.inf, 0.0)
-    apart = (distance > (radius[:, None] + radius[None]) * _ROOM).all(axis=1)
+    other = np.where(sound, radius, 0.0)
+    apart = (distance > (radius[:, None] + other[None]) * _ROOM).all(axis=1)
     unreal = sound & ~near & (np.abs(y.imag).max(axis=1, initial=0.0) > radius)
     real = sound & near & (np.linalg.norm(y[:, :4], axis=1) > 4 * np.where(sound, radius, 0.0))
     return Boxes(y, chart, radius, alone, real, unreal, apart)

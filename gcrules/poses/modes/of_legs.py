@@ -38,6 +38,7 @@ from gcrules.screws.threshold import Threshold
 
 __all__ = ["modes_of_legs"]
 
+_LONGEST = 1000  # sizes: of longer legs the conditions are nearly alike
 _GIVEN = 1e-6  # of 1 − cos between Study parameters: near enough to be the given pose
 _METHOD = "exactly one solution in its box (Krawczyk's operator)"
 _MULTIPLE = "singular: its box cannot hold exactly one regular solution"
@@ -49,11 +50,12 @@ def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Thresh
     legs = _Legs.of(m, at, actuators)
     zeros: Zeros | None = None
     several: list[MultipleSolution] = []
+    unclear = 0
     if rank_of(legs.forms) < NEEDED:
         curves = curves_of(legs.forms, legs.given_parameters)
     else:
         zeros = zeros_of(legs.forms, legs.sizes)
-        several, curves = grouped(legs.forms, zeros.singular)
+        several, curves, unclear = grouped(legs.forms, zeros.singular)
     found = [] if zeros is None else list(_regular(legs, zeros, threshold))
     found += [_mode(legs, s.x, Certificate(False, _MULTIPLE), threshold, s.paths) for s in several]
     return AssemblyModes(
@@ -66,7 +68,7 @@ def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Thresh
         modes=in_order(found),
         curves=tuple(_curve(legs, c) for c in curves),
         completeness=replace(
-            Completeness(dependent=True) if zeros is None else _counts(zeros),
+            Completeness(dependent=True) if zeros is None else _counts(zeros, unclear),
             missed=legs.given is not None and not any(m.given for m in found) and not any(map(legs.holds, curves)),
         ),
         notes=() if at is None else at.notes,
@@ -105,8 +107,11 @@ class _Legs:
             asked = "the lengths that are given"
         elif at is not None:
             asked = f"the lengths at {at}"
-        if not lengths.max() <= FAR * moving.size:
-            raise InputError(f"a length is more than {FAR:g} times the robot's size", hint="check the unit")
+        if not lengths.max() <= _LONGEST * moving.size:
+            raise InputError(
+                f"a leg is more than {_LONGEST:,} times as long as the robot's size, too long for floats",
+                hint="check the unit, and the pose",
+            )
         if not (lengths > 0).all():
             raise InputError(
                 f"the leg {moving.names[int(np.argmin(lengths))]} has no length in the pose of the file",
@@ -237,7 +242,7 @@ def _signs(m: SixLegs, report: PoseReport) -> tuple[FactorSign, ...]:
     return tuple(FactorSign(str(f), float(v), (v > 0) - (v < 0)) for f, v in exact)
 
 
-def _counts(z: Zeros) -> Completeness:
+def _counts(z: Zeros, unclear: int) -> Completeness:
     real = ~z.boxes.unreal & (np.abs(z.boxes.y.imag).max(axis=1, initial=0.0) == 0)
     return Completeness(
         paths=z.paths,
@@ -245,9 +250,9 @@ def _counts(z: Zeros) -> Completeness:
         unreal=int((~real).sum()),
         certified=int(z.boxes.proved.sum()),
         at_infinity=z.at_infinity,
-        singular=len(z.singular),
+        singular=len(z.singular) - unclear,
         beside=z.beside,
-        lost=z.lost,
+        lost=z.lost + unclear,
     )
 
 

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.floats import without_noise
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
@@ -110,7 +111,8 @@ class _Held:
         return c.near(study(about_centre(self.given.platform, m.centre, m.size)))
 
     def actuators(self, amounts: tuple[Floats, ...]) -> tuple[tuple[str, float], ...]:
-        return tuple((a.name, float(amounts[a.place][a.coordinate])) for a in self.m.linkage.actuators)
+        units = ((a, 1.0 if a.angle else self.linkage.size) for a in self.m.linkage.actuators)
+        return tuple((a.name, without_noise(amounts[a.place][a.coordinate], unit)) for a, unit in units)
 
 
 def forms_of(m: Linkage, held: Held) -> Floats:
@@ -130,7 +132,7 @@ def _solved(robot: _Held, forms: Floats) -> Found:
     """What the paths lead to."""
     m = robot.linkage
     zeros = zeros_of(forms, np.ones_like(forms))
-    several, curves = grouped(forms, zeros.singular)
+    several, curves, unclear = grouped(forms, zeros.singular)
     b = zeros.boxes
     real = np.abs(b.y.imag).max(axis=1, initial=0.0) == 0
     places = [(x.real, 1) for x in b.y[real]] + [(s.x, s.paths) for s in several]
@@ -148,9 +150,9 @@ def _solved(robot: _Held, forms: Floats) -> Found:
         real=int(real.sum()),
         unreal=int((~real).sum()),
         at_infinity=zeros.at_infinity,
-        singular=len(zeros.singular),
+        singular=len(zeros.singular) - unclear,
         beside=zeros.beside,
-        lost=zeros.lost,
+        lost=zeros.lost + unclear,
         unreached=sum(faults.values()),
     )
     return found, [_curve(robot, c) for c in curves], count, notes

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any
 
-from gcrules.core.english import agreeing
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.limbs import Limbs
@@ -179,9 +178,9 @@ class Completeness:
             return "not complete: not even the given pose is among them"
         if self.dependent:
             return (
-                "the actuators' conditions depend on each other: no solution is isolated, and whatever solution there"
-                " is lies on a curve or a surface of solutions; those told were sought from the given pose and from"
-                " random ones"
+                "the actuators' conditions depend on each other, within rounding: no solution is isolated, and"
+                " whatever solution there is lies on a curve or a surface of solutions; those told were sought from the"
+                " given pose and from random ones"
             )
         if self.method == "search":
             return (
@@ -195,7 +194,7 @@ class Completeness:
         parts += [f"{self.beside} at poses that violate a further condition"] * bool(self.beside)
         ways = f"{ended} of {self.paths} paths ended, {', '.join(parts)}"
         if self.lost:
-            return f"not complete: {ways}; {agreeing([str(self.lost)], 'path', 'paths')} lost"
+            return f"not complete: {ways}; {self.lost} lost"
         if self.proved:
             return f"complete, proved: {ways}, each certified; six conditions have no more isolated solutions"
         return f"complete: {ways}"

@@ -14,7 +14,9 @@ from gcrules.poses.modes.curves import curve_through, project, sharpened
 __all__ = ["Curve", "MultipleSolution", "curves_of", "grouped"]
 
 _TOGETHER = 1e-5  # of 1 − |cos|: singular ends are known to about the root of the last t
-_REAL = 1e-3
+_REAL, _PERHAPS = 1e-3, 0.03  # imaginary parts of ends that are real, and of those that are looked at: threefold ones
+_FARTHER = 5  # a real solution may be so much farther from the real part of an end than its imaginary part is large
+_SAME = 1e-9  # of 1 − |cos|
 _SEARCHES = 40
 
 
@@ -40,26 +42,36 @@ class Curve:
         return bool(away <= apart)
 
 
-def grouped(forms: Floats, ends: Complexes) -> tuple[list[MultipleSolution], list[Curve]]:
-    """Singular ends (N, 8) of paths: real multiple solutions, and the curves that such lie on. Ends that are not real
-    and near no real solution are in none of them.
+def grouped(forms: Floats, ends: Complexes) -> tuple[list[MultipleSolution], list[Curve], int]:
+    """Singular ends (N, 8) of paths: real multiple solutions, the curves that such lie on, and how many ends look real
+    and are near no solution that could be found. Ends that are not real are in none of them.
     """
     several: list[MultipleSolution] = []
     curves: list[Curve] = []
+    unclear = 0
     for x, paths in _clusters(ends):
         largest = x[int(np.argmax(np.abs(x)))]
         turned = x * (np.abs(largest) / largest)
-        if np.abs(turned.imag).max() > _REAL:
+        off = float(np.abs(turned.imag).max())
+        if off > _PERHAPS:
             continue
         at = project(forms, turned.real)
-        if at is None or any(c.near(at) for c in curves):
+        if at is None or np.linalg.norm(at - turned.real) > _FARTHER * off + _REAL:
+            unclear += paths * (off <= _REAL)
+            continue
+        if any(c.near(at) for c in curves):
             continue
         curve = curve_through(forms, at)
-        if curve is None:
-            several.append(MultipleSolution(sharpened(forms, at), paths))
-        else:
+        if curve is not None:
             curves.append(Curve(*curve))
-    return several, curves
+            continue
+        at = sharpened(forms, at)
+        same = next((k for k, one in enumerate(several) if abs(one.x @ at) > 1 - _SAME), None)
+        if same is None:
+            several.append(MultipleSolution(at, paths))
+        else:
+            several[same] = MultipleSolution(several[same].x, several[same].paths + paths)
+    return several, curves, unclear
 
 
 def _clusters(ends: Complexes) -> list[tuple[Complexes, int]]:

@@ -39,6 +39,7 @@ _FIRST = 0.05  # step
 _GROWTH = 1.5
 _LEAST = 1e-9  # t, at which paths that have not ended are told by how they behave
 _MARKS = (1e-2, 1e-5)  # t, from which on that is seen, of paths that stop early, and of the others
+_WHOLE = 0.999  # of t: a step that is longer goes to 0
 _APART = 5  # from a mark to the end
 _SHORTEST = 1e-5  # step, in parts of t
 _MOST = 4000  # steps
@@ -72,7 +73,7 @@ def follow(start: Complexes, end: Complexes, x: Complexes, accuracy: Accuracy) -
         steps += 1
         on = np.flatnonzero(active)
         here, at, c = x[on], t[on], charts[on]
-        by = np.minimum(step[on], at)
+        by = np.where(step[on] < _WHOLE * at, step[on], at)
         half, whole = by[:, None] / 2, by[:, None]
         k1 = system.slope(here, at, c)
         k2 = system.slope(here - half * k1, at - by / 2, c)
@@ -89,7 +90,7 @@ def follow(start: Complexes, end: Complexes, x: Complexes, accuracy: Accuracy) -
         done = on[good]
         x[done] = there[good] / np.linalg.norm(there[good], axis=1, keepdims=True)
         charts[done] = x[done].conj()
-        t[done] = np.where(by < at, at - by, 0.0)[good]
+        t[done] = np.where(by < _WHOLE * at, at - by, 0.0)[good]
         step[on[good & (moved < accuracy.longer * size)]] *= _GROWTH
         step[on[~good]] = by[~good] / 2
         for mark, below in zip(marks, _MARKS, strict=True):

@@ -17,13 +17,12 @@ __all__ = ["NEEDED", "Zeros", "rank_of", "zeros_of"]
 NEEDED = 6
 """How many independent linear conditions leave isolated motions."""
 
-_TRIALS = (Accuracy(), Accuracy(2e-5, 1e-9, 1e-6), Accuracy(5e-6, 1e-9, 1e-7))
+_TRIALS = (Accuracy(), Accuracy(2e-5, 1e-9, 1e-6), Accuracy(5e-6, 1e-9, 1e-7), Accuracy(2e-5, 1e-8, 1e-6))
 _MIXED = 40  # the start's forms, in every run in the same way, so that answers are the same
 _DEPENDENT = 1e-10  # of forms of length 1
 _SINGULAR = 1e-9  # least singular value of the derivatives in parts of the largest, below which an end is singular
 _AT_INFINITY = 1e-7  # |h| of Study parameters of length 1
-_STALLED, _LATE = 1e-9, 1e-2  # |h| of a path that goes on no more, and t: a is 0 there, where derivatives are lost
-_SHRINKS = 0.05  # exponent of |h|
+_SHRINKS, _PLUNGES = 0.05, 4.5  # exponents of |h|: a path that only passes near h = 0 has larger ones
 _SMALL = 1e-6  # t at which an end is singular, of paths that go on no more
 _LOW = 0.02  # |h| where it shrinks, at last
 _SAME = 1e-7
@@ -81,11 +80,14 @@ def zeros_of(forms: Floats, sizes: Floats) -> Zeros:
     lost, ends, kinds = best
     regular = ends.x[kinds == _REGULAR]
     fits = _fits(forms, regular)
-    system, doubt = quadrics(six).real, _known(known)
+    found = boxes(quadrics(six).real, _known(known), regular[fits])
+    finite = found.finite
+    if not finite.all():
+        found = boxes(quadrics(six).real, _known(known), regular[fits][finite])
     return Zeros(
-        boxes(system, doubt, regular[fits]),
+        found,
         ends.x[kinds == _ENDS_SINGULAR],
-        int((kinds == _INFINITE).sum()),
+        int((kinds == _INFINITE).sum() + (~finite).sum()),
         int((~fits).sum()),
         lost,
         ends.steps,
@@ -122,8 +124,8 @@ def _kinds(system: Complexes, ends: Ends) -> Floats:
     singular = sizes[:, -1] <= _SINGULAR * sizes[:, 0]
     ended = ends.t == 0
     kinds = np.full(len(x), float(_LOST))
-    away = np.where(ended, height <= _AT_INFINITY, (ends.exponents > _SHRINKS) & (height < _LOW))
-    away |= (height <= _STALLED) & (ends.t <= _LATE)
+    shrinks = (ends.exponents > _SHRINKS) & (ends.exponents < _PLUNGES)
+    away = np.where(ended, singular & (height <= _AT_INFINITY), shrinks & (height < _LOW))
     kinds[away] = _INFINITE
     stays = np.where(ended, singular, (np.abs(ends.exponents) <= _SHRINKS) & (ends.t < _SMALL)) & ~away
     kinds[stays] = _ENDS_SINGULAR
