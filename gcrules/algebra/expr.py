@@ -26,6 +26,7 @@ from gcrules.algebra.names import step_name
 from gcrules.core.budget import watched
 from gcrules.core.errors import InputError, LimitReached, StepError
 from gcrules.core.floats import exact_number
+from gcrules.core.hashed import Hashed
 from gcrules.core.shown import Shown
 
 __all__ = [
@@ -60,15 +61,8 @@ MAX_DEPTH = 150
 MAX_COEFFICIENT_BITS = 10_000
 
 
-class _Hashed(Shown):
-    """Has a place for the hash, which is no field: it is another one in each process."""
-
-    __slots__ = ("_hash",)
-    _hash: int
-
-
 @dataclass(frozen=True, slots=True)
-class Expr(_Hashed):
+class Expr(Hashed, Shown):
     """Base of all expressions; `step` is the step of the value (0 for scalars), `depth` that of the nesting, `children`
     the expressions that it is made of.
     """
@@ -76,16 +70,6 @@ class Expr(_Hashed):
     step: int = field(init=False, repr=False, compare=False)
     depth: int = field(init=False, repr=False, compare=False)
     children: tuple[Expr, ...] = field(init=False, repr=False, compare=False)
-
-    def __hash__(self) -> int:
-        """Computed once: expressions are looked up at every step of whatever is done with them."""
-        try:
-            return self._hash
-        except AttributeError:
-            names: tuple[str, ...] = self.__match_args__
-            found = hash((type(self).__name__, *(getattr(self, name) for name in names)))
-            object.__setattr__(self, "_hash", found)
-            return found
 
     def to_json(self) -> dict[str, Any]:
         """`{expression, step}`; the expression is text of the language, which parses back."""
@@ -144,7 +128,6 @@ class Number(Expr):
     """A rational constant. Zero counts as an extensor of every step."""
 
     value: int | Fraction
-    __hash__ = Expr.__hash__
 
     def __post_init__(self) -> None:
         value = self.value
@@ -160,7 +143,6 @@ class Point(Expr):
     """A point (extensor of step 1) given by its name."""
 
     name: str
-    __hash__ = Expr.__hash__
 
     def __post_init__(self) -> None:
         _measure(self, 1)
@@ -171,7 +153,6 @@ class Join(Expr):
     """A join of at least two extensors of positive step, none of them a join. Build with `join`."""
 
     args: tuple[Expr, ...]
-    __hash__ = Expr.__hash__
 
     def __post_init__(self) -> None:
         _measure(self, sum(a.step for a in self.args), self.args)
@@ -183,7 +164,6 @@ class Meet(Expr):
 
     args: tuple[Expr, ...]
     rank: int
-    __hash__ = Expr.__hash__
 
     def __post_init__(self) -> None:
         _measure(self, sum(a.step for a in self.args) - self.rank * (len(self.args) - 1), self.args)
@@ -194,7 +174,6 @@ class Bracket(Expr):
     """The bracket [A B …] = determinant of extensors whose steps add up to the rank. Build with `bracket`."""
 
     args: tuple[Expr, ...]
-    __hash__ = Expr.__hash__
 
     def __post_init__(self) -> None:
         _measure(self, 0, self.args)
@@ -207,7 +186,6 @@ class Dotted(Expr):
     """
 
     brackets: tuple[tuple[tuple[str, bool], ...], ...]
-    __hash__ = Expr.__hash__
 
     def __post_init__(self) -> None:
         _measure(self, 0)
@@ -220,7 +198,6 @@ class Superbracket(Expr):
     """
 
     lines: tuple[Expr, ...]
-    __hash__ = Expr.__hash__
 
     def __post_init__(self) -> None:
         _measure(self, 0, self.lines)
@@ -235,7 +212,6 @@ class Sum(Expr):
     """A sum of at least two expressions of equal step. Build with `add`."""
 
     terms: tuple[Expr, ...]
-    __hash__ = Expr.__hash__
 
     def __post_init__(self) -> None:
         _measure(self, self.terms[0].step, self.terms)
@@ -246,7 +222,6 @@ class Product(Expr):
     """A product of scalars and at most one extensor; a number, if any, comes first. Build with `mul`."""
 
     factors: tuple[Expr, ...]
-    __hash__ = Expr.__hash__
 
     def __post_init__(self) -> None:
         _measure(self, max(f.step for f in self.factors), self.factors)
@@ -258,7 +233,6 @@ class Power(Expr):
 
     base: Expr
     exponent: int
-    __hash__ = Expr.__hash__
 
     def __post_init__(self) -> None:
         _measure(self, 0, (self.base,))
