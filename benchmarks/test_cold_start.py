@@ -5,13 +5,19 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 LEGS = "ab af cb cd ed ef"
 LIBRARIES = "import sympy, networkx, numpy, yaml, lark"
-ANALYZE = f"import sys; sys.argv = ['gcrules', 'analyze', {LEGS!r}]; from gcrules.apps.main import main; main()"
+OCTAHEDRAL = str(Path(__file__).resolve().parent.parent / "examples" / "octahedral.yaml")
+
+
+def command(*words: str) -> str:
+    """A program that does what the command does."""
+    return f"import sys; sys.argv = ['gcrules', *{words!r}]; from gcrules.apps.main import main; main()"
 
 
 def python(code: str) -> Callable[[], str]:
@@ -25,7 +31,13 @@ def python(code: str) -> Callable[[], str]:
 
 @pytest.mark.parametrize(
     ("code", "within"),
-    [pytest.param("import gcrules", 0.1, id="import"), pytest.param(ANALYZE, 0.6, id="analyze")],
+    [
+        pytest.param("import gcrules", 0.1, id="import"),
+        pytest.param(command("analyze", LEGS), 0.3, id="analyze"),
+        pytest.param(command("pose", OCTAHEDRAL), 0.4, id="pose"),
+        pytest.param(command("pose", OCTAHEDRAL, "--no-nearest"), 0.4, id="pose without the nearest"),
+        pytest.param(command("catalog", "check"), 2.5, id="catalog check"),
+    ],
 )
 def test_cold(ratio: Callable[..., Any], code: str, within: float) -> None:
     others = {"everything imported first": python(f"{LIBRARIES}; {code}"), "an empty program": python("pass")}

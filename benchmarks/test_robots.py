@@ -1,4 +1,4 @@
-"""Robots, from their files to the statement: 0.5 s or less warm, 2 s or less from a cold shell; numbers in a pose."""
+"""Robots, from their files to the statement: 0.5 s or less warm, 0.8 s or less from a cold shell; numbers in a pose."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_warm(ratio: Callable[..., Any], name: str) -> None:
 def test_cold(ratio: Callable[..., Any], name: str) -> None:
     empty = [sys.executable, "-c", "pass"]
     others = {"an empty program": lambda: subprocess.run(empty, check=True)}
-    ratio(cold(name), others, within=2, rounds=3)
+    ratio(cold(name), others, within=0.8, rounds=3)
 
 
 def posed(name: str) -> Callable[[], Any]:

@@ -41,7 +41,7 @@ from gcrules.algebra.expr import (
 from gcrules.algebra.scalars import written_out
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.core.linear_algebra import permutation_sign
+from gcrules.core.linear_algebra import determinant, permutation_sign
 from gcrules.core.seeds import DRAWN, PRIME, drawn
 
 __all__ = [
@@ -175,18 +175,23 @@ class Evaluator:
     def _joined(self, args: Sequence[Expr], rank: int) -> _Values:
         values, step = self.value(args[0]), args[0].step
         for a in args[1:]:
-            values = self._wedge(values, step, self.value(a), a.step, rank)
+            values = self.joined(values, step, self.value(a), a.step, rank)
             step += a.step
         return values
 
-    def _wedge(self, a: _Values, k: int, b: _Values, h: int, rank: int) -> _Values:
-        return self._combine(a, b, join_table(rank, k, h))
+    def joined(self, a: _Values, k: int, b: _Values, h: int, rank: int | None = None) -> _Values:
+        """The Plücker coordinates of the join of extensors of steps k and h that have these."""
+        return self._combine(a, b, join_table(rank or self.rank, k, h))
 
     def _determinant(self, rows: list[_Values]) -> Any:
-        """By Laplace expansion; larger matrices by elimination if they are of floats, else without any division."""
+        """By Laplace expansion, or elimination modulo `PRIME`; larger matrices by elimination if they are of floats,
+        else without any division.
+        """
         n = len(rows)
+        if self.modulus == PRIME and {type(x) for row in rows for x in row} == {int}:
+            return determinant(rows, PRIME)
         if n <= 6:
-            return reduce(lambda a, i: self._wedge(a, i, rows[i], 1, n), range(1, n), rows[0])[0]
+            return reduce(lambda a, i: self.joined(a, i, rows[i], 1, n), range(1, n), rows[0])[0]
         if any(map(_is_float, chain.from_iterable(rows))):
             return _float_determinant(rows)
         # Sums over closed walks that return to their smallest row only at the end: f holds those of growing length.

@@ -26,6 +26,7 @@ from gcrules.algebra.names import step_name
 from gcrules.core.budget import watched
 from gcrules.core.errors import InputError, LimitReached, StepError
 from gcrules.core.floats import exact_number
+from gcrules.core.hashed import Hashed
 from gcrules.core.shown import Shown
 
 __all__ = [
@@ -61,7 +62,7 @@ MAX_COEFFICIENT_BITS = 10_000
 
 
 @dataclass(frozen=True, slots=True)
-class Expr(Shown):
+class Expr(Hashed, Shown):
     """Base of all expressions; `step` is the step of the value (0 for scalars), `depth` that of the nesting, `children`
     the expressions that it is made of.
     """

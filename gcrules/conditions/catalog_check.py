@@ -20,7 +20,7 @@ from gcrules.algebra.superbrackets.shortest import counts
 from gcrules.conditions.analysis import analyze
 from gcrules.core.budget import checkpoint
 from gcrules.core.files import write_file
-from gcrules.core.linear_algebra import rank
+from gcrules.core.linear_algebra import determinant
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.proofs import DIGESTS, counterexample, digests
@@ -159,7 +159,7 @@ def factors(structure: Structure) -> Iterator[tuple[str, ...]]:
         moved = tuple(sum(w * c for w, c in zip(weights, row, strict=True)) % PRIME for row in rows)
         at = {**drawn, last: moved}
         lines = (_line(at[a], at[b]) if last in (a, b) else line for (a, b), line in fixed)
-        if rank(lines, PRIME) < LEGS:
+        if not determinant(lines, PRIME):
             yield tuple(sorted((*three, last)))
 
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from gcrules.core.budget import checkpoint
 
-__all__ = ["content", "cross", "echelon", "kernel", "permutation_sign", "rank"]
+__all__ = ["content", "cross", "determinant", "echelon", "kernel", "permutation_sign", "rank"]
 
 Row = tuple[Any, ...]
 
@@ -25,7 +25,9 @@ def echelon(matrix: Iterable[Sequence[Any]], modulus: int | None = None) -> tupl
 
     Entries are whole numbers or Fractions; whole numbers modulo the prime `modulus`, if there is one.
     """
-    left: list[list[Any]] = [[_number(x, modulus) for x in row] for row in matrix]
+    if modulus is not None:
+        return _modular(matrix, modulus)
+    left: list[list[Any]] = [list(map(Fraction, row)) for row in matrix]
     pivots: list[int] = []
     for column in range(len(left[0]) if left else 0):
         checkpoint()
@@ -34,15 +36,37 @@ def echelon(matrix: Iterable[Sequence[Any]], modulus: int | None = None) -> tupl
         if found is None:
             continue
         left[top], left[found] = left[found], left[top]
-        lead = left[top][column]
-        inverse = 1 / lead if modulus is None else pow(lead, -1, modulus)
-        left[top] = first = [_number(x * inverse, modulus) for x in left[top]]
+        inverse = 1 / left[top][column]
+        left[top] = first = [x * inverse for x in left[top]]
         for i, row in enumerate(left):
             if i != top and (factor := row[column]):
-                less = [x - factor * y for x, y in zip(row, first, strict=True)]
-                left[i] = less if modulus is None else [x % modulus for x in less]
+                left[i] = [x - factor * y for x, y in zip(row, first, strict=True)]
         pivots.append(column)
     return tuple(map(tuple, left[: len(pivots)])), tuple(pivots)
+
+
+def _modular(matrix: Iterable[Sequence[int]], modulus: int) -> tuple[tuple[Row, ...], tuple[int, ...]]:
+    """The same modulo a prime, row by row: each is reduced by those before it, and then they by it."""
+    found: list[list[int]] = []
+    pivots: list[int] = []
+    for given in matrix:
+        checkpoint()
+        row = [x % modulus for x in given]
+        for column, before in zip(pivots, found, strict=True):
+            if factor := row[column]:
+                row = [(x - factor * y) % modulus for x, y in zip(row, before, strict=True)]
+        lead = next((k for k, x in enumerate(row) if x), None)
+        if lead is None:
+            continue
+        inverse = pow(row[lead], -1, modulus)
+        row = [x * inverse % modulus for x in row]
+        for i, before in enumerate(found):
+            if factor := before[lead]:
+                found[i] = [(x - factor * y) % modulus for x, y in zip(before, row, strict=True)]
+        found.append(row)
+        pivots.append(lead)
+    order = sorted(range(len(pivots)), key=pivots.__getitem__)
+    return tuple(tuple(found[i]) for i in order), tuple(pivots[i] for i in order)
 
 
 def rank(matrix: Iterable[Sequence[Any]], modulus: int | None = None) -> int:
@@ -66,6 +90,24 @@ def kernel(matrix: Iterable[Sequence[Any]], width: int, modulus: int | None = No
 
 def _number(x: Any, modulus: int | None) -> Any:
     return Fraction(x) if modulus is None else x % modulus
+
+
+def determinant(matrix: Iterable[Sequence[int]], modulus: int) -> int:
+    """Of whole numbers modulo a prime. Elimination without division: each step multiplies the rows that are left by the
+    leading entry, and the product of these powers is divided out at the end.
+    """
+    rows = [[x % modulus for x in row] for row in matrix]
+    above = below = 1
+    while rows:
+        place = next((i for i, row in enumerate(rows) if row[0]), None)
+        if place is None:
+            return 0
+        first = rows.pop(place)
+        lead, rest = first[0], first[1:]
+        above = (-above if place % 2 else above) * lead % modulus
+        below = below * pow(lead, len(rows), modulus) % modulus
+        rows = [[(lead * x - row[0] * y) % modulus for x, y in zip(row[1:], rest, strict=True)] for row in rows]
+    return above * pow(below, -1, modulus) % modulus
 
 
 def permutation_sign(order: Sequence[int]) -> int:

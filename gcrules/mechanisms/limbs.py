@@ -5,26 +5,29 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from gcrules.core.deferred import deferred
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.limb_file import BASE
-from gcrules.mechanisms.kinematics.actuations import drives
-from gcrules.mechanisms.kinematics.amplification import Drives
-from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
-from gcrules.mechanisms.kinematics.margin import margin
-from gcrules.mechanisms.kinematics.solve import solve
-from gcrules.mechanisms.kinematics.targets import coordinates_target, pose_target, read_pose
-from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian, wrench_jacobian
 from gcrules.mechanisms.platform_analysis import legs_of, with_platform
 from gcrules.mechanisms.robot import Robot
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.screws.pose import Pose
 
+if TYPE_CHECKING:
+    from gcrules.mechanisms.kinematics.amplification import Drives
+    from gcrules.mechanisms.kinematics.linkage import Linkage
+    from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
+
 __all__ = ["Limbs"]
+
+_linkage = deferred("gcrules.mechanisms.kinematics.linkage:linkage")
+_drives = deferred("gcrules.mechanisms.kinematics.actuations:drives")
+_wrenches_at = deferred("gcrules.mechanisms.kinematics.wrench_jacobian:wrenches_at")
 
 
 @dataclass(frozen=True)
@@ -51,7 +54,8 @@ class Limbs:
     @cached_property
     def linkage(self) -> Linkage:
         """The joints that move it."""
-        return linkage(self.robot, self.about)
+        found: Linkage = _linkage(self.robot, self.about)
+        return found
 
     @property
     def title(self) -> str:
@@ -79,18 +83,13 @@ class Limbs:
 
     @property
     def drives(self) -> Drives:
-        return drives(self.linkage)
+        found: Drives = _drives(self.linkage)
+        return found
 
     def wrenches(self, at: Pose | str | Mapping[str, Any] | None = None) -> WrenchJacobian:
         """Actuations and constraints of all limbs, with moments about the moved centre."""
-        m = self.linkage
-        if at is None:
-            here = m.home
-        elif isinstance(at, str):
-            here = solve(m, read_pose(m, at)).configuration
-        else:
-            here = solve(m, pose_target(m, at) if isinstance(at, Pose) else coordinates_target(m, at)).configuration
-        return wrench_jacobian(m, here, margin(m, here))
+        found: WrenchJacobian = _wrenches_at(self.linkage, at)
+        return found
 
     def six_legs(self) -> SixLegs:
         """Analysed as its lines are, where these are known and are those legs."""

@@ -12,8 +12,8 @@ import numpy as np
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.mechanisms.kinematics.actuations import LEGS, amplified_by_legs
 from gcrules.mechanisms.kinematics.amplification import Drives
+from gcrules.mechanisms.kinematics.leg_amplification import LEGS, amplified_by_legs
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.mechanisms.moving_platform import MovingPlatform, rig
 from gcrules.mechanisms.platform_analysis import analyze_legs

@@ -11,29 +11,34 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.limbs.pose_report import first_singular_pose, report_of_limbs
-from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.methods import Methods, method, on_six_legs
 from gcrules.poses.numbers.many import PoseNumbers
 from gcrules.poses.numbers.pose_arguments import is_many, known_accuracy, known_length, one_pose
 from gcrules.poses.numbers.report import PoseReport
-from gcrules.poses.path_report import path_of_legs
 from gcrules.poses.pose_report import numbers_of_legs, report_of_legs
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import DEFAULT, Threshold, threshold_of
 
+if TYPE_CHECKING:
+    from gcrules.poses.limbs.report import RobotPose
+
 __all__ = ["pose", "singular"]
 
-Answer = PoseReport | PoseNumbers | RobotPose | tuple[RobotPose, ...]
+Answer: TypeAlias = "PoseReport | PoseNumbers | RobotPose | tuple[RobotPose, ...]"
+
+report_of_limbs = deferred("gcrules.poses.limbs.pose_report:report_of_limbs")
+first_singular_pose = deferred("gcrules.poses.limbs.pose_report:first_singular_pose")
+path_of_legs = deferred("gcrules.poses.path_report:path_of_legs")
 
 
 def pose(
@@ -173,7 +178,8 @@ def _of_joints(
     beside = {kind: turn for kind, turn in turns.items() if turn is not None}
     if not is_many(at, beside) or not np.iterable(at):
         asked = one_pose(at, turns, degrees, m.unit) if beside else at
-        return report_of_limbs(m, asked, actuators, degrees=degrees, threshold=threshold, nearest=nearest)
+        found: RobotPose = report_of_limbs(m, asked, actuators, degrees=degrees, threshold=threshold, nearest=nearest)
+        return found
     if beside:
         raise InputError("many poses, and a turn beside them", hint="give poses that hold their turns")
     if actuators is not None:
@@ -185,7 +191,8 @@ def _of_joints(
 def _first_of_joints(
     m: Limbs, towards: Any, actuators: Any, degrees: bool, threshold: str | Threshold
 ) -> RobotPose | None:
-    return first_singular_pose(m, towards, actuators, degrees=degrees, threshold=threshold)
+    found: RobotPose | None = first_singular_pose(m, towards, actuators, degrees=degrees, threshold=threshold)
+    return found
 
 
 _POSE: Methods[Answer] = {SixLegs: _at_legs, Limbs: _of_joints}

@@ -12,11 +12,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
+from operator import mul
 from typing import Any
 
 from gcrules.algebra.evaluate import PRIME
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.core.linear_algebra import content, echelon, kernel
+from gcrules.core.linear_algebra import content, determinant, echelon, kernel
 from gcrules.screws.field import Field, Matrix, Row
 
 __all__ = ["RATIONALS", "RESIDUES", "Exact", "Rationals", "Residues"]
@@ -172,6 +173,8 @@ class Residues(Exact):
     def number(self, value: Any, what: str = "a number") -> int:
         if isinstance(value, int):
             return value % self.p
+        if isinstance(value, Fraction) and value.denominator == 1:
+            return value.numerator % self.p
         if isinstance(value, Fraction):
             if value.denominator % self.p == 0:
                 raise LimitReached(f"a denominator is a multiple of the modulus {self.p}")
@@ -180,6 +183,35 @@ class Residues(Exact):
 
     def reduced(self, x: Any) -> Any:
         return x % self.p
+
+    def components(self, value: Any, size: int, what: str) -> Row:
+        if type(value) is tuple and len(value) == size and set(map(type, value)) == {int}:
+            return tuple([x % self.p for x in value])
+        return super().components(value, size, what)
+
+    def dot(self, a: Sequence[Any], b: Sequence[Any]) -> Any:
+        if len(a) != len(b):
+            raise ValueError("vectors of unlike lengths")
+        return sum(map(mul, a, b)) % self.p
+
+    def echelon(self, matrix: Matrix) -> tuple[tuple[Row, ...], tuple[int, ...]]:
+        return echelon(map(self._read, matrix), self.p)
+
+    def kernel(self, matrix: Matrix, width: int = 6) -> Matrix:
+        return tuple(kernel(map(self._read, matrix), len(matrix[0]) if matrix else width, self.p))
+
+    def spread(self, matrix: Matrix, shares: Sequence[Sequence[int]]) -> Matrix:
+        rows = zip(map(self._read, matrix), shares, strict=True)
+        return tuple(tuple([c * x % self.p for c in own for x in row]) for row, own in rows)
+
+    def determinant(self, matrix: Matrix) -> Any:
+        return determinant(map(self._read, matrix), self.p)
+
+    def _read(self, row: Row) -> Row:
+        """The row modulo the prime."""
+        if set(map(type, row)) == {int}:
+            return tuple([x % self.p for x in row])
+        return tuple(map(self.number, row))
 
     def quotient(self, x: Any, y: Any) -> Any:
         if y % self.p == 0:

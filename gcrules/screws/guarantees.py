@@ -9,14 +9,14 @@ legs can turn.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.screws.margin import LegJacobians
 
-__all__ = ["DIGITS", "ROUNDING", "Guarantees", "guarantees", "noise"]
+__all__ = ["DIGITS", "ROUNDING", "Guarantees", "Measured", "guarantees", "noise"]
 
 Floats = NDArray[np.float64]
 
@@ -51,7 +51,23 @@ class Guarantees:
         return {name: float(getattr(self, name)[n]) for name in ("sigma", "turn", "shift", "rotation", "combined")}
 
 
-def guarantees(j: LegJacobians) -> Guarantees:
+class Measured(Protocol):
+    """What guarantees are computed from, as in `LegJacobians`."""
+
+    @property
+    def sigma(self) -> Floats: ...
+
+    @property
+    def lengths(self) -> Floats: ...
+
+    @property
+    def reach(self) -> Floats: ...
+
+    @property
+    def radius(self) -> float: ...
+
+
+def guarantees(j: Measured) -> Guarantees:
     """The guarantees of σ.
 
     A leg of length l whose end moves by x < l turns by at most asin(x/l); turning the platform by φ adds φ. asin is

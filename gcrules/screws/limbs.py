@@ -22,7 +22,7 @@ from typing import Any
 from gcrules.core.errors import InputError
 from gcrules.screws.fields import Field, Matrix, field_of
 from gcrules.screws.joints import Joint
-from gcrules.screws.systems import ScrewSystem, Shares, actuation, reciprocal
+from gcrules.screws.systems import ScrewSystem, Shares, actuation, reciprocal, reciprocal_and_rank
 
 __all__ = ["Limb", "limb"]
 
@@ -61,7 +61,7 @@ class Limb:
         """The number of twists, actuated or not."""
         return sum(self.joints[k].freedoms for k in self.leading)
 
-    @property
+    @cached_property
     def actuated(self) -> tuple[int, ...]:
         """The places of the actuated freedoms among all twists."""
         found, start = [], 0
@@ -70,7 +70,7 @@ class Limb:
             start += j.freedoms
         return tuple(found)
 
-    @property
+    @cached_property
     def passive(self) -> tuple[int, ...]:
         """The places of the others."""
         return tuple(k for k in range(self.freedoms) if k not in self.actuated)
@@ -78,12 +78,24 @@ class Limb:
     def twists(self, field: Field | None = None) -> Matrix:
         """One row (ω; v) for each freedom, from the base to the platform; for floats (..., freedoms, 6)."""
         field = field or self.field
+        if field.floating:
+            return self._twists(field)
+        if field not in self._exact_twists:
+            self._exact_twists[field] = self._twists(field)
+        return self._exact_twists[field]
+
+    def _twists(self, field: Field) -> Matrix:
         rows = [j.twists(field) for j in self.joints]
         for joint, leader, ratio in self.couplings:
             times = field.number(ratio, "the ratio of a coupling")
             (led,), (own,) = rows[joint], rows[leader]
             rows[leader] = (tuple(field.reduced(a + times * b) for a, b in zip(own, led, strict=True)),)
         return field.matrix([row for k in self.leading for row in rows[k]])
+
+    @cached_property
+    def _exact_twists(self) -> dict[Field, Matrix]:
+        """Those that were computed before, which several ranks and systems take."""
+        return {}
 
     def rows(self, field: Field | None = None) -> Matrix:
         """The twists as the platform and, side by side, each loop of the limb's own have them."""
@@ -114,6 +126,13 @@ class Limb:
     def locked(self, field: Field | None = None) -> Matrix:
         """A basis of the wrenches that the limb applies with locked actuators: reciprocal to the passive twists."""
         return self._applied(self.passive, field or self.field)
+
+    def applied(self, field: Field, *, locked: bool) -> tuple[Matrix, int]:
+        """`locked` or `constraints`, and the rank of the passive twists or of all."""
+        places = self.passive if locked else range(self.freedoms)
+        if field.floating and self.shares:  # a rank of floats is that of the twists themselves
+            return self._applied(places, field), self.rank_of(places, field)
+        return reciprocal_and_rank(field.chosen(self.twists(field), places), field, self._shares(places))
 
     def locked_by(self, actuator: int, field: Field | None = None) -> Matrix:
         """A basis of the wrenches that it applies with only this one of its `actuated` freedoms locked."""

@@ -77,6 +77,21 @@ class LegJacobians:
         left, sizes, right = np.linalg.svd(self._balanced)
         return left, sizes, right
 
+    def turned(self, rotations: Floats, base: Floats) -> tuple[Floats, Floats]:
+        """σ and the legs' lengths, (N,) and (N, 6), with the platform of the first pose turned about the centroid by
+        rotations (N, 3, 3): at most by 1e-13 in σ² too small, never too large, and several times as fast.
+
+        Seen from the platform its ends and their inertia stay; σ² is the least eigenvalue of the rows' products.
+        """
+        along = self.arms[0] + (self.centroid[0] - base) @ rotations
+        lengths = np.linalg.norm(along, axis=2)
+        u = along / lengths[:, :, None]
+        (a, b, c), (x, y, z) = (self.arms[0] / self.radius).T, np.moveaxis(u, 2, 0)
+        moments = np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=2)
+        rows = np.concatenate([u / np.sqrt(6), moments @ self._turn[0]], axis=2)
+        squares = np.linalg.eigvalsh(rows @ np.swapaxes(rows, 1, 2))[:, 0]
+        return np.sqrt(np.clip(squares - _OFF, 0.0, 1.0)), lengths
+
     @property
     def condition_number(self) -> Floats:
         """Largest by smallest singular value of `rows`, infinite in singular poses."""
@@ -103,6 +118,7 @@ def on_one_line(ends: Floats) -> bool:
 _ROUNDED = 16 * float(np.finfo(np.float64).eps)
 _RESOLVED = 1000 * _ROUNDED  # of the coordinates: a platform that is smaller or thinner is not known well enough
 _THIN = 1e-6
+_OFF = 1e-13  # more than rounding takes from squares of σ
 
 
 def jacobian(base: Floats, ends: Floats) -> LegJacobians:

@@ -17,7 +17,7 @@ from typing import Any
 from gcrules.screws.fields import Field, Matrix, Row, field_of
 from gcrules.screws.kinds import Classification, classify
 
-__all__ = ["ScrewSystem", "Shares", "actuation", "reciprocal"]
+__all__ = ["ScrewSystem", "Shares", "actuation", "reciprocal", "reciprocal_and_rank"]
 
 
 Shares = Sequence[Sequence[int]]
@@ -33,12 +33,18 @@ def reciprocal(screws: Any, field: Field | None = None, shares: Shares = ()) -> 
     as many rows; `Field.rank` tells where it is smaller. Of a limb with loops a wrench on the platform is taken if some
     wrenches in its loops balance it: no twist does work on all of them together.
     """
-    field = field or field_of(screws)
+    return reciprocal_and_rank(screws, field or field_of(screws), shares)[0]
+
+
+def reciprocal_and_rank(screws: Any, field: Field, shares: Shares = ()) -> tuple[Matrix, int]:
+    """`reciprocal`, and the rank of the rows as the platform and the loops together have them."""
     rows = field.comparable(field.read(screws))
     if not shares:
-        return field.unscaled(field.kernel(swapped(rows, field)))
-    balanced = field.kernel(swapped(field.spread(rows, shares), field), 6 * len(shares[0]))
-    return field.unscaled(field.basis(field.cut(balanced, 6)))
+        found = field.kernel(swapped(rows, field))
+        return field.unscaled(found), 6 - field.height(found)
+    width = 6 * len(shares[0])
+    balanced = field.kernel(swapped(field.spread(rows, shares), field), width)
+    return field.unscaled(field.basis(field.cut(balanced, 6))), width - field.height(balanced)
 
 
 def swapped(rows: Matrix, field: Field) -> Matrix:

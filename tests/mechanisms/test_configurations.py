@@ -34,7 +34,7 @@ from gcrules.mechanisms.kinematics.targets import (
     read_actuators,
     read_pose,
 )
-from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
+from gcrules.mechanisms.kinematics.wrench_jacobian import wrench_jacobian
 from gcrules.mechanisms.load import read_robot
 from gcrules.rules.plugin import shipped_folder
 from gcrules.screws import FLOATS

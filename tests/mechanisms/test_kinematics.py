@@ -30,7 +30,7 @@ from gcrules.mechanisms.kinematics.targets import (
     coordinates_target,
     pose_target,
 )
-from gcrules.mechanisms.kinematics.wrenches import wrench_jacobian
+from gcrules.mechanisms.kinematics.wrench_jacobian import wrench_jacobian
 from gcrules.screws import FLOATS, JOINTS, RATIONALS
 from gcrules.screws.pose_text import parse_pose
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import combinations
 from math import comb
+from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.construction import Construction
@@ -52,11 +53,11 @@ def with_images(told: Sequence[PositionKind], symmetries: Sequence[Mapping[str, 
         for s in symmetries:
             checkpoint()
             c = kind.construction.renamed(partial(_image, s), kind.construction.points)
-            if len(found) < MAX_KINDS and _dependent(c) not in found:
+            if len(found) < MAX_KINDS and (dependent := _dependent(c)) not in found:
                 names: dict[str, Expr] = {old: Point(new) for old, new in s.items()}
                 where = tuple(substitute(e, names, c.rank) for e in kind.where)
                 waiting.append(PositionKind(where, c, image=True))
-                found[_dependent(c)] = waiting[-1]
+                found[dependent] = waiting[-1]
     if len(found) == len(told):
         return tuple(told)
     return tuple(
@@ -74,11 +75,15 @@ def _dependent(c: Construction) -> frozenset[tuple[str, ...]]:
     """The points that are dependent, as many as the rank at most, wherever a construction leads."""
     at = Evaluator(c.random_points("dependent"), c.rank, PRIME)
     found: set[tuple[str, ...]] = set()
+    joined: dict[tuple[str, ...], list[Any]] = {(n,): at.value(Point(n)) for n in c.names}
     for size in range(2, c.rank + 1):
         for some in combinations(sorted(c.names), size):
             checkpoint()
-            inner = any(part in found for part in combinations(some, size - 1))
-            if inner or not any(at.value(ex.join(*map(Point, some), rank=c.rank))):
+            if any(part in found for part in combinations(some, size - 1)):
+                found.add(some)
+                continue
+            joined[some] = at.joined(joined[some[:-1]], size - 1, joined[some[-1:]], 1)
+            if not any(joined[some]):
                 found.add(some)
     return frozenset(found)
 

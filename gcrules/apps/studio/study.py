@@ -16,8 +16,8 @@ from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.subject import Subject
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.budget import report
-from gcrules.mechanisms.kinematics.actuations import LEGS
 from gcrules.mechanisms.kinematics.amplification import INDICES
+from gcrules.mechanisms.kinematics.leg_amplification import LEGS
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import Methods, method

@@ -22,7 +22,7 @@ from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import Values
 from gcrules.mechanisms.lines.equivalent import Equivalent, equivalent
 from gcrules.mechanisms.lines.ranks import ranks
-from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
+from gcrules.mechanisms.lines.singular import Mixing, interpolated, roots
 from gcrules.mechanisms.lines.wrenches import PLANAR
 from gcrules.screws import RESIDUES
 from gcrules.screws.field import Row
@@ -67,21 +67,13 @@ def _members(family: Family, limb: LimbSpec) -> Iterator[Values]:
         return tuple(row[6:] for k, row in enumerate(own.rows(RESIDUES)) if k in own.passive)
 
     usual = RESIDUES.rank(seen(family.member("loops")))
-    rng = drawn("loops")
-    count, width = (len(rows) for rows in (seen(family.member("loops")), seen(family.member("loops"))[0]))
-    left = [[rng.randrange(PRIME) for _ in range(count)] for _ in range(usual)]
-    right = [[rng.randrange(PRIME) for _ in range(width)] for _ in range(usual)]
-
-    def determinant(values: Values) -> int:
-        rows = seen(values)
-        mixed = [RESIDUES.combination(numbers, rows) for numbers in left]
-        return int(RESIDUES.determinant([[RESIDUES.dot(row, numbers) for numbers in right] for row in mixed]))
+    mixing = Mixing(drawn("loops"), seen(family.member("loops")), usual)
 
     met = 0
     names = tuple(dict.fromkeys(n for j in limb.joints for n in j.names))
     for _, path in zip(range(_PATHS), paths(family, names, "loops"), strict=False):
         try:
-            polynomial = interpolated(lambda t, path=path: determinant(path.member(t)))  # type: ignore[misc]
+            polynomial = interpolated(lambda t, path=path: mixing.determinant(seen(path.member(t))))  # type: ignore[misc]
         except GcrulesError:  # a joint is none on the way
             continue
         for t in roots(polynomial or []):

@@ -139,7 +139,22 @@ class Path:
     def member(self, t: int) -> dict[str, Vector]:
         """The member at t."""
         own = tuple(RESIDUES.reduced(a + t * b) for a, b in zip(self.start[self.name], self.step, strict=True))
-        return self.family.at({**self.start, self.name: own}, RESIDUES)
+        values, moving = self._still
+        found = dict(values)
+        for d in moving:
+            parameters = own if d.name == self.name else self.start[d.name]
+            found[d.name] = d.relation.value(d.sort, RESIDUES, found, parameters)
+        return found
+
+    @cached_property
+    def _still(self) -> tuple[dict[str, Vector], tuple[Definition, ...]]:
+        """The member at the start, and the definitions of what moves, in their order."""
+        names, moving = {self.name}, []
+        for d in self.family.definitions:
+            if d.name in names or not names.isdisjoint(d.relation.names):
+                names.add(d.name)
+                moving.append(d)
+        return self.family.at(self.start, RESIDUES), tuple(moving)
 
 
 def _small(rng: random.Random) -> Fraction:

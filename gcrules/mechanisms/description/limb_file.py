@@ -179,7 +179,7 @@ class LimbSpec:
                 further = self.ways(own.end, (*before, start)) if own.end != PLATFORM else [()]
                 yield from ((*joints, *rest) for rest in further)
 
-    @property
+    @cached_property
     def shares(self) -> tuple[tuple[int, ...], ...]:
         """For each joint with which sign it counts in the platform's motion, and then in each loop of the limb: the
         motion of a body by a later subchain, less that by the first one that reaches it. None of a plain chain.

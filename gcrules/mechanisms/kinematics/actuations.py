@@ -25,13 +25,9 @@ from gcrules.mechanisms.kinematics.margin import balanced, kept_axes, limb_twist
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.transmission import Transmissions, of_constraints, shaken, transmitted
 
-__all__ = ["LEGS", "Actuations", "actuations", "amplified", "amplified_by_legs", "drives"]
+__all__ = ["Actuations", "actuations", "amplified", "drives"]
 
 _RANK = 1e-9
-_OF_A_LEG = 3  # joints: U, P and S
-
-LEGS = Drives((False,) * 6, 6, (False,) * 6, plain=True, constraints=0)
-"""Six legs that slide."""
 
 
 def drives(m: Linkage) -> Drives:
@@ -100,26 +96,6 @@ def _forces(limb: LimbSpec, wrenches: Floats, values: Values, centre: Floats) ->
             along = [np.concatenate([bars, np.cross(g[end] - centre, bars)], axis=1) for end in ("first", "second")]
             parts = wrenches @ np.linalg.pinv(np.stack(along, axis=1))
             yield from ((2, parts[..., n : n + 1] * bars[:, None]) for n in (0, 1))
-
-
-def amplified_by_legs(base: Floats, ends: Floats, centres: Floats) -> Amplifications:
-    """The same of legs from base points (6, 3) to ends (N, 6, 3), about centres (N, 3). Legs of no length apply no
-    wrench.
-    """
-    along = ends - base
-    lengths = np.linalg.norm(along, axis=2, keepdims=True)
-    forces = along / np.where(lengths > 0, lengths, np.nan)
-    arms = ends - centres[:, None]
-    rows = np.concatenate([forces, np.cross(arms, forces)], axis=2)
-    spread = ends - ends.mean(axis=1, keepdims=True)
-    size = float(np.sqrt((spread[0] ** 2).sum(axis=1).mean()))
-    found = amplifications(rows, np.zeros((len(rows), 0, 6)), LEGS, size)
-    known = np.where(np.isfinite(rows), rows, 0.0)
-    legs = [known[:, k : k + 1] for k in range(6)]
-    bounds = shaken(legs, [[(_OF_A_LEG, leg[..., :3])] for leg in legs], range(6), size)
-    inputs, outputs = np.isfinite(forces).all(axis=2).astype(float), transmitted(rows, found.twists, arms)
-    passing = Transmissions(inputs, outputs, np.zeros((len(rows), 0)), *bounds)
-    return replace(found, transmissions=passing)
 
 
 @dataclass(frozen=True, eq=False)

@@ -64,13 +64,11 @@ def ranks(family: Family, limbs: Sequence[LimbSpec], values: Values, field: Fiel
     dimensions, applied = [], []
     for text in limbs:
         limb = text.at(values, field)
-        own = limb.constraints(field)
-        every = limb.locked(field) if limb.actuated else own
+        own, rank = limb.applied(field, locked=False)
+        every, passive = limb.applied(field, locked=True) if limb.actuated else (own, rank)
         held.append(own)
         locked.append(every)
         applied.append((field.height(own), field.height(every)))
-        rank = limb.rank(field) if limb.shares else 6 - field.height(own)
-        passive = limb.passive_rank(field) if limb.shares else 6 - field.height(every)
         dimensions.append((rank, passive))
     constraints, wrenches = (field.rank(field.comparable(field.joined(parts))) for parts in (held, locked))
     known = len(PLANAR) if family.plane else 0

@@ -9,8 +9,8 @@ codimension two or more is not met.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 
 from gcrules.core.english import listed
@@ -21,13 +21,14 @@ from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.description.relations import Term, Values, Vector, combined, name_of
 from gcrules.mechanisms.lines.ranks import TYPES, ranks, types_of
-from gcrules.mechanisms.lines.singular import PRIME, interpolated, roots
+from gcrules.mechanisms.lines.singular import PRIME, Mixing, interpolated, roots
 from gcrules.screws import RESIDUES
 from gcrules.screws.field import Row
 
 __all__ = ["LimbSingularity", "limb_singularities"]
 
 _PATHS = 24
+_Said = tuple[str, str]  # an expression or "", and a sentence
 
 
 @dataclass(frozen=True)
@@ -121,19 +122,13 @@ def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
 
     elsewhere = ranks(family, [limb], family.member("limb"))
     usual = elsewhere.limbs[0][0]
-    rng = drawn("combinations")
-    left = [[rng.randrange(PRIME) for _ in range(limb.freedoms)] for _ in range(usual)]
-    width = 6 * len(limb.shares[0]) if limb.shares else 6
-    right = [[rng.randrange(PRIME) for _ in range(width)] for _ in range(usual)]
+    mixing = Mixing(drawn("combinations"), twists(family.member("limb")), usual)
 
-    def determinant(values: Values) -> int:
-        mixed = [RESIDUES.combination(numbers, twists(values)) for numbers in left]
-        return int(RESIDUES.determinant([[RESIDUES.dot(row, numbers) for numbers in right] for row in mixed]))
-
-    generic = {said for said, zero in _tried(family, limb, family.member("limb")) if zero}
+    every = _conditions(family, limb)
+    special = _without_those_that_hold(every, family.member("limb"))
     for _, path in zip(range(_PATHS), paths(family, _names(limb), "limb"), strict=False):
         try:
-            polynomial = interpolated(lambda t, path=path: determinant(path.member(t)))  # type: ignore[misc]
+            polynomial = interpolated(lambda t, path=path: mixing.determinant(twists(path.member(t))))  # type: ignore[misc]
         except GcrulesError:  # a joint is none on the way
             continue
         for t in roots(polynomial or []):
@@ -141,8 +136,7 @@ def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
             if _imaginary(limb, values) or RESIDUES.rank(twists(values)) == usual:
                 continue
             met += 1
-            told = (said for said, zero in _tried(family, limb, values) if zero and said not in generic)
-            first = next(told, None)
+            first = next(_that_hold(special, values), None)
             if first is None:
                 unexplained += 1
             else:
@@ -150,7 +144,7 @@ def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
                 found[first] = found.get(first, here) & here
     conditions = tuple(
         LimbCondition(*said, tuple(name for name in TYPES if name in found[said]))
-        for said in dict.fromkeys(said for said, _ in _tried(family, limb, family.member("limb")))
+        for said in dict.fromkeys(said for one in every for said, _ in one.tests)
         if said in found
     )
     return LimbSingularity(limb.name, conditions, min(ENOUGH, met), min(ENOUGH, unexplained))
@@ -165,26 +159,71 @@ def _terms(limb: LimbSpec) -> dict[str, Term]:
     return {name_of(t): t for t in terms}
 
 
-def _tried(family: Family, limb: LimbSpec, values: Values) -> Iterator[tuple[tuple[str, str], bool]]:
-    """Conditions in words, and whether they hold: flat brackets, right angles, directions parallel to one plane. Of a
-    limb with bodies of its own those of each way through it.
+@dataclass(frozen=True)
+class _Conditions:
+    """Conditions of one way through a limb, in words, each with what it is tested on: four points or directions, or
+    two or three of the `terms` and of their products, by their words.
     """
-    if limb.subchains:
-        for joints in limb.ways():
-            yield from _tried(family, LimbSpec(limb.name, joints), values)
-        return
-    points = family.homogeneous(values)
-    for four in combinations([n for n in _names(limb) if n in points], 4):
-        flat = not RESIDUES.determinant([points[n] for n in four])
-        yield (f"[{''.join(four)}]", _sentence(family, four)), flat
-    vectors: dict[str, Vector] = {w: combined(t, values, RESIDUES) for w, t in _terms(limb).items()}
-    for a, b in combinations(vectors, 2):
-        yield ("", f"{a} is perpendicular to {b}"), RESIDUES.dot(vectors[a], vectors[b]) == 0
-    crossed = {f"{a} × {b}": RESIDUES.cross(vectors[a], vectors[b]) for a, b in combinations(vectors, 2)}
-    for three in combinations({**vectors, **crossed}.items(), 3):
-        names, (u, v, w) = [n for n, _ in three], [x for _, x in three]
-        flat = RESIDUES.dot(RESIDUES.cross(u, v), w) == 0
-        yield ("", f"the directions {listed(names)} are parallel to one plane"), flat
+
+    family: Family
+    terms: dict[str, Term]
+    tests: tuple[tuple[_Said, tuple[str, ...]], ...]
+
+    def hold(self, values: Values) -> Iterator[_Said]:
+        """Those that hold at a member, in their order."""
+        points = self.family.homogeneous(values)
+        vectors: dict[str, Vector] = {w: combined(t, values, RESIDUES) for w, t in self.terms.items()}
+        crossed = {f"{a} × {b}": RESIDUES.cross(vectors[a], vectors[b]) for a, b in combinations(vectors, 2)}
+        every, before, normal = {**vectors, **crossed}, ("", ""), (0, 0, 0)
+        for said, names in self.tests:
+            match names:
+                case a, b:
+                    zero = RESIDUES.dot(vectors[a], vectors[b]) == 0
+                case a, b, c:
+                    if (a, b) != before:
+                        before, normal = (a, b), RESIDUES.cross(every[a], every[b])
+                    (u, v, w), (x, y, z) = normal, every[c]
+                    zero = (u * x + v * y + w * z) % PRIME == 0
+                case _:
+                    zero = not RESIDUES.determinant([points[n] for n in names])
+            if zero:
+                yield said
+
+
+def _conditions(family: Family, limb: LimbSpec) -> tuple[_Conditions, ...]:
+    """Conditions that may explain a singularity: flat brackets, right angles, directions parallel to one plane. Of a
+    limb with bodies of its own those of each way through it, each of them once.
+    """
+    seen: set[_Said] = set()
+    ways = [LimbSpec(limb.name, joints) for joints in limb.ways()] if limb.subchains else [limb]
+    found = []
+    for way in ways:
+        terms = _terms(way)
+        tests = {said: names for said, names in _tests(family, way, terms) if said not in seen}
+        seen.update(tests)
+        found.append(_Conditions(family, terms, tuple(tests.items())))
+    return tuple(found)
+
+
+def _tests(family: Family, limb: LimbSpec, terms: Iterable[str]) -> Iterator[tuple[_Said, tuple[str, ...]]]:
+    for four in combinations([n for n in _names(limb) if n in family.sorts], 4):
+        yield (f"[{''.join(four)}]", _sentence(family, four)), four
+    pairs = list(combinations(terms, 2))
+    for a, b in pairs:
+        yield ("", f"{a} is perpendicular to {b}"), (a, b)
+    for three in combinations([*terms, *(f"{a} × {b}" for a, b in pairs)], 3):
+        yield ("", f"the directions {listed(three)} are parallel to one plane"), three
+
+
+def _that_hold(conditions: Iterable[_Conditions], values: Values) -> Iterator[_Said]:
+    """Those of all ways that hold at a member."""
+    return (said for one in conditions for said in one.hold(values))
+
+
+def _without_those_that_hold(conditions: Sequence[_Conditions], values: Values) -> list[_Conditions]:
+    """What is left without those that hold at this member."""
+    always = set(_that_hold(conditions, values))
+    return [replace(one, tests=tuple(test for test in one.tests if test[0] not in always)) for one in conditions]
 
 
 def _imaginary(limb: LimbSpec, values: Values) -> bool:

@@ -11,15 +11,18 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Sequence
+from operator import mul
 
 from gcrules.algebra.evaluate import PRIME
 from gcrules.core.budget import checkpoint
+from gcrules.screws import RESIDUES
 
-__all__ = ["PRIME", "Poly", "at", "divided", "gcd", "interpolated", "radical", "roots"]
+__all__ = ["PRIME", "Mixing", "Poly", "at", "divided", "gcd", "interpolated", "radical", "roots"]
 
 _DEGREES = (3, 7, 15, 31, 63)
 _CHECKS = (1_000_003, 2_000_029)
 
+_Rows = Sequence[Sequence[int]]
 Poly = list[int]  # coefficients of 1, t, t² …; the last is not zero
 
 
@@ -33,6 +36,36 @@ def interpolated(value: Callable[[int], int]) -> Poly | None:
         if all(at(found, t) == value(t) % PRIME for t in _CHECKS):
             return found
     return None
+
+
+class Mixing:
+    """Random combinations of rows, in random coordinates, as many as the rank that the rows have `usual`ly: their
+    determinant vanishes where the rows have less rank, and elsewhere hardly ever.
+
+    All combinations A · rows · Bᵀ with an invertible first block of A and of B have, up to a number, the determinant of
+    those in which these blocks are unit matrices; the other blocks are drawn.
+    """
+
+    def __init__(self, rng: random.Random, rows: _Rows, usual: int) -> None:
+        self.usual = usual
+        self.left, self.right = (
+            [[rng.randrange(PRIME) for _ in range(size - usual)] for _ in range(usual)]
+            for size in (len(rows), len(rows[0]) if rows else usual)
+        )
+
+    def determinant(self, rows: _Rows) -> int:
+        """The determinant modulo the prime for other rows of the same shape."""
+        n = self.usual
+        mixed = [
+            [x + sum(map(mul, row[n:], numbers)) for x, numbers in zip(row[:n], self.right, strict=True)]
+            for row in rows
+        ]
+        columns = list(zip(*mixed[n:], strict=True)) or [()] * n
+        square = [
+            [x + sum(map(mul, numbers, column)) for x, column in zip(row, columns, strict=True)]
+            for row, numbers in zip(mixed[:n], self.left, strict=True)
+        ]
+        return int(RESIDUES.determinant(square))
 
 
 def _newton(values: Sequence[int]) -> Poly:
@@ -62,22 +95,22 @@ def at(f: Poly, t: int) -> int:
 
 def roots(f: Poly) -> tuple[int, ...]:
     """All roots modulo the prime, each once (of the zero polynomial none): Cantor and Zassenhaus' splitting."""
-    f = _trimmed([c % PRIME for c in f])
+    f = _monic(_trimmed([c % PRIME for c in f]))
     if len(f) < 2:
         return ()
-    linear = gcd(_minus(_power([0, 1], PRIME, f), [0, 1]), f)
+    linear = f if len(f) == 2 else _monic(gcd(_minus(_power([0, 1], PRIME, f), [0, 1]), f))
     return tuple(sorted(_split(linear, random.Random(1))))
 
 
 def _split(f: Poly, rng: random.Random) -> list[int]:
-    """The roots of a product of different linear factors."""
+    """The roots of a product of different linear factors with leading coefficient 1."""
     if len(f) < 2:
         return []
     if len(f) == 2:
-        return [-f[0] * pow(f[1], -1, PRIME) % PRIME]
+        return [-f[0] % PRIME]
     while True:
         half = _minus(_power([rng.randrange(PRIME), 1], (PRIME - 1) // 2, f), [1])
-        part = gcd(half, f)
+        part = _monic(gcd(half, f))
         if 1 < len(part) < len(f):
             return _split(part, rng) + _split(divided(f, part)[0], rng)
 
@@ -132,16 +165,37 @@ def radical(f: Poly) -> Poly:
     if len(f) < 2:
         return [1] if f else []
     found = divided(f, gcd(f, _trimmed([n * c % PRIME for n, c in enumerate(f)][1:])))[0]
-    lead = pow(found[-1], -1, PRIME)
-    return [c * lead % PRIME for c in found]
+    return _monic(found)
+
+
+def _monic(f: Poly) -> Poly:
+    """The polynomial divided by its leading coefficient."""
+    if not f or f[-1] == 1:
+        return f
+    lead = pow(f[-1], -1, PRIME)
+    return [c * lead % PRIME for c in f]
 
 
 def _power(base: Poly, exponent: int, modulus: Poly) -> Poly:
-    found, base = [1], divided(base, modulus)[1]
-    while exponent:
+    """The power of a linear polynomial modulo one of degree 2 or more with leading coefficient 1, from the exponent's
+    first digit on: squares, and products with the linear one.
+    """
+    (b, a), size, tail = base, len(modulus) - 1, modulus[:-1]
+    found = [1] + [0] * (size - 1)
+    for digit in f"{exponent:b}":
         checkpoint()
-        if exponent & 1:
-            found = divided(_times(found, base), modulus)[1]
-        base = divided(_times(base, base), modulus)[1]
-        exponent >>= 1
-    return found
+        product = [0] * (2 * size)
+        for i, x in enumerate(found):
+            if x:
+                product[2 * i] += x * x
+                twice = 2 * x
+                for j in range(i + 1, size):
+                    product[i + j] += twice * found[j]
+        if digit == "1":
+            product = [b * (x % PRIME) + a * (y % PRIME) for x, y in zip(product, [0, *product[:-1]], strict=True)]
+        for k in range(2 * size - 1, size - 1, -1):
+            if c := product[k] % PRIME:
+                for i, x in enumerate(tail, k - size):
+                    product[i] -= c * x
+        found = [x % PRIME for x in product[:size]]
+    return _trimmed(found)

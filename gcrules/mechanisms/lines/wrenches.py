@@ -221,7 +221,10 @@ def _candidates(
     """
     found: list[tuple[float, WrenchLine]] = []
     for (a, cost_a, _), (b, cost_b, _) in combinations(names, 2):
-        rows = [join_of(RESIDUES, s.points[a], s.points[b]) for s in at]
+        first = join_of(RESIDUES, at[0].points[a], at[0].points[b])
+        if not any(first) or not any(reciprocal_to(own[0], first) for own in passive):
+            continue
+        rows = [first, *(join_of(RESIDUES, s.points[a], s.points[b]) for s in at[1:])]
         if all(map(any, rows)) and any(all(map(reciprocal_to, own, rows)) for own in passive):
             couple = at[0].points[a][3] == at[0].points[b][3] == 0
             role = "constraint" if all(map(reciprocal_to, twists, rows)) else "actuation"

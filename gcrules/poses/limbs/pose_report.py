@@ -27,7 +27,8 @@ from gcrules.mechanisms.kinematics.targets import (
     read_actuators,
     read_pose,
 )
-from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian, wrench_jacobian
+from gcrules.mechanisms.kinematics.wrench_jacobian import wrench_jacobian
+from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.balance import limb_numbers
 from gcrules.poses.limbs.factors import ConditionFactor, factors

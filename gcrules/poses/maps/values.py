@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.version import __version__
-from gcrules.mechanisms.kinematics.actuations import amplified_by_legs
 from gcrules.mechanisms.kinematics.amplification import INDICES
+from gcrules.mechanisms.kinematics.leg_amplification import amplified_by_legs
 from gcrules.poses.compiling.compiled import CompiledCondition
 from gcrules.poses.maps.cells import CROSSED, FREE, UNDECIDED, certified
 from gcrules.poses.maps.grid import Grid

@@ -8,6 +8,7 @@ cube are free if that stays below θ with d = 0, and all shifts |d| below some �
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
@@ -26,6 +27,7 @@ MAX_POSES = 30_000
 
 _CORNERS = np.array(list(product((-1.0, 1.0), repeat=3)))
 _ENOUGH = 0.98  # of the best that this argument can prove
+_NEARLY = 1e-5  # of the distance that is looked for: cubes so near to the least are computed to the last digit
 
 
 def free_angle(base: Floats, j: LegJacobians, target: float, limit: int = MAX_POSES) -> float:
@@ -46,7 +48,7 @@ def free_angle(base: Floats, j: LegJacobians, target: float, limit: int = MAX_PO
         cubes = cubes[order]
         seen += len(cubes)
         if len(cubes):
-            cubes = cubes[~(_free_shift(base, j, cubes, half)[0] > 0)]
+            cubes = cubes[~(_free_shift(_quick(base, j, cubes), half)[0] > 0)]
         half /= 2
         cubes = _halved(cubes, half)
     return free
@@ -64,10 +66,17 @@ def free_distance(base: Floats, j: LegJacobians, target: float, limit: int = MAX
     while len(cubes):
         checkpoint()
         seen += len(cubes)
-        shifts, centres = _free_shift(base, j, cubes, half)
+        shifts, centres = _free_shift(_quick(base, j, cubes), half)
         # No cube can do better than its centre, so `best` bounds what can be proved at all.
-        best = min(best, float(np.hypot(centres, rho * np.linalg.norm(cubes, axis=1)).min()))
+        middles = np.hypot(centres, rho * np.linalg.norm(cubes, axis=1))
         bounds = np.hypot(np.maximum(shifts, 0.0), rho * _nearest(cubes, half))
+        least = [values <= values.min() + _NEARLY * target for values in (middles, bounds)]
+        few = least[0] | least[1]
+        few[0] = True  # the first one's arms give the platform's size, which turning rounds
+        shifts, centres = _free_shift(_thorough(base, j, cubes[few]), half)
+        middles[few] = np.hypot(centres, rho * np.linalg.norm(cubes[few], axis=1))
+        bounds[few] = np.hypot(np.maximum(shifts, 0.0), rho * _nearest(cubes[few], half))
+        best = min(best, float(middles[few].min()))
         cubes, bounds = cubes[bounds < _ENOUGH * best], bounds[bounds < _ENOUGH * best]
         if seen + 8 * len(cubes) > limit:
             return min(_ENOUGH * best, float(bounds.min(initial=best)))
@@ -76,15 +85,46 @@ def free_distance(base: Floats, j: LegJacobians, target: float, limit: int = MAX
     return _ENOUGH * best
 
 
-def _free_shift(base: Floats, j: LegJacobians, cubes: Floats, half: float) -> tuple[Floats, Floats]:
-    """The δ of cubes (negative where not even all rotations are free), and that of their centres alone."""
+@dataclass(frozen=True, eq=False)
+class _Turned:
+    """The platform turned by the vectors at the middles of cubes: for guarantees, and where a leg has no length."""
+
+    sigma: Floats
+    lengths: Floats
+    reach: Floats
+    radius: float
+    gone: NDArray[np.bool_]
+
+
+def _quick(base: Floats, j: LegJacobians, cubes: Floats) -> _Turned:
+    rotations = matrices(from_vectors(cubes))
+    along = j.arms[0] + (j.centroid[0] - base) @ rotations
+    gone = _without_length(along, j)
+    rotations[gone] = np.eye(3)  # their bounds are set to 0 below
+    sigma, lengths = j.turned(rotations, base)
+    return _Turned(sigma, lengths, j.reach, j.radius, gone)
+
+
+def _thorough(base: Floats, j: LegJacobians, cubes: Floats) -> _Turned:
+    """To the last digit."""
     ends = np.einsum("nij,kj->nki", matrices(from_vectors(cubes)), j.arms[0]) + j.centroid[0]
-    gone = (np.linalg.norm(ends - base, axis=2) <= 1e-12 * j.radius).any(axis=1)
-    ends[gone] = j.arms[0] + j.centroid[0]  # legs of no length: their bounds are set to 0 below
-    bounds = guarantees(jacobian(base, ends))
+    gone = _without_length(ends - base, j)
+    ends[gone] = j.arms[0] + j.centroid[0]
+    there = jacobian(base, ends)
+    return _Turned(there.sigma, there.lengths, there.reach, there.radius, gone)
+
+
+def _without_length(along: Floats, j: LegJacobians) -> NDArray[np.bool_]:
+    found: NDArray[np.bool_] = (np.linalg.norm(along, axis=2) <= 1e-12 * j.radius).any(axis=1)
+    return found
+
+
+def _free_shift(there: _Turned, half: float) -> tuple[Floats, Floats]:
+    """The δ of cubes (negative where not even all rotations are free), and that of their centres alone."""
+    bounds = guarantees(there)
     spare = 1 - np.sqrt(3) * half / np.maximum(bounds.rotation, 1e-300)  # of θ, at the leg that is worst in rotation
     shift: Floats = bounds.shift * spare
-    return np.where(gone, -1.0, shift), np.where(gone, 0.0, bounds.shift)
+    return np.where(there.gone, -1.0, shift), np.where(there.gone, 0.0, bounds.shift)
 
 
 def _nearest(cubes: Floats, half: float) -> Floats:

@@ -72,17 +72,19 @@ def _cross(a: Floats, b: Floats) -> Floats:
     return np.stack([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1], axis=-1)
 
 
-def best_zero(f: Determinant, dimension: int, reach: float, more: Floats | None = None) -> Floats | None:
+def best_zero(
+    f: Determinant, dimension: int, reach: float, more: Floats | None = None, free: float = 0.0
+) -> Floats | None:
     """The zero of f nearest to 0 that was found within `reach`, shape (dimension,); None if none was.
 
-    `more` are further zeros to start from, shape (N, dimension).
+    `more` are further zeros to start from, shape (N, dimension); within `free` there is proved to be none.
     """
     if dimension == 3:
         directions = fibonacci(_ROTATIONS)
     else:
         directions = np.random.default_rng(0).normal(size=(_BOTH, dimension))
         directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-    starts = _along_rays(f, directions, reach)
+    starts = _along_rays(f, directions, reach, free)
     if more is not None:
         starts = np.concatenate([more, starts])
     if not len(starts):
@@ -94,14 +96,14 @@ def best_zero(f: Determinant, dimension: int, reach: float, more: Floats | None 
     return found
 
 
-def _along_rays(f: Callable[[Floats], Floats], directions: Floats, reach: float) -> Floats:
+def _along_rays(f: Callable[[Floats], Floats], directions: Floats, reach: float, free: float = 0.0) -> Floats:
     """The first changes of sign along rays, found on a grid and then to the last bit; shape (N, dimension).
 
     Of the rays, those only that may be among the `_STARTS` nearest: the grid is left as soon as so many are found,
     and so is a ray that changes behind so many others.
     """
     changed = np.zeros(len(directions), dtype=int)  # at which step, 0 for not yet
-    for step in range(1, _STEPS + 1):
+    for step in range(1 + min(int(free / reach * _STEPS), _STEPS), _STEPS + 1):
         checkpoint()
         changed[(changed == 0) & (f(directions * (reach * step / _STEPS)) <= 0)] = step
         if np.count_nonzero(changed) >= _STARTS:

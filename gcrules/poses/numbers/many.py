@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
-from gcrules.mechanisms.kinematics.actuations import amplified_by_legs
 from gcrules.mechanisms.kinematics.amplification import Amplifications
+from gcrules.mechanisms.kinematics.leg_amplification import amplified_by_legs
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.incidence_measures import IncidenceMeasure, readings
 from gcrules.rules.condition import Condition
