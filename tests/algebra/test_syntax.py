@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from importlib.resources import files
 from typing import Any
 
 import pytest
@@ -30,7 +29,6 @@ from gcrules.algebra.expr import (
     Superbracket,
     points_of,
 )
-from gcrules.algebra.language import grammar
 from gcrules.algebra.language.statements import Claim, Show, parse_assumption, parse_script
 from gcrules.algebra.language.syntax import Context, parse, parse_equation
 from gcrules.algebra.language.text import text
@@ -477,18 +475,3 @@ def test_a_bracket_may_begin_with_a_bracket(rank: int, nested: str, product: str
 def test_brackets_inside_brackets_that_are_none(source: str) -> None:
     with pytest.raises((SyntaxFault, StepError)):
         parse(source, rank=2)
-
-
-@pytest.mark.parametrize(
-    ("which", "start", "text"),
-    [
-        ("expressions", "expression", r"[ab /\ cde, f] 2 [.a b c d][.e f g h] - (ab \/ c)**2"),
-        ("expressions", "equation", "[abcd] == -[abdc]"),
-        ("scripts", "script", "points S1, S2\nlet L = S1 S2\nshow L /\\ abc\n"),
-    ],
-)
-def test_tables_of_the_grammar(which: str, start: str, text: str) -> None:
-    """The tables beside the grammar are those of this grammar, and read what it reads."""
-    digest = files("gcrules").joinpath(grammar.TABLES).read_bytes().partition(b"\n")[0]
-    assert digest == grammar.tables().partition(b"\n")[0], "run python tools/grammar_tables.py"
-    assert grammar.parser(which).parse(text, start=start) == grammar.built(which).parse(text, start=start)

@@ -16,12 +16,13 @@ import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
+from importlib.resources import files
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra import scalars
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.grammar import STARTS, parser
 from gcrules.algebra.language.syntax_faults import call_hint, syntax_fault
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.names import step_name
@@ -32,7 +33,7 @@ from gcrules.core.errors import GcrulesError, Span, StepError, SyntaxFault
 from gcrules.core.frozen import FrozenMap
 
 if TYPE_CHECKING:
-    pass
+    from lark import Lark
 
 _T = TypeVar("_T")
 Node = Any  # a lark Tree or Token; lark loads when text is read
@@ -46,7 +47,7 @@ MAX_NODES = 50_000
 MAX_DIGITS = 2_000
 MAX_WORD = 1_000
 
-_EXPRESSIONS = STARTS["expressions"]
+_EXPRESSIONS = ("expression", "equation")
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +93,30 @@ def read(text: str, start: str, filename: str, build: Callable[[Node], _T]) -> _
         raise fault.located(text, filename) from None
 
 
+@cache
+def _grammar(scripts: bool) -> Lark:
+    """Two parsers, so that the words of statements (`if`, `show`, …) stay points side by side in lone expressions."""
+    from lark import Lark
+
+    source = files("gcrules").joinpath("grammar.lark").read_text(encoding="utf-8")
+    return Lark(
+        source,
+        parser="lalr",
+        start=[*(("script", "assumptions") if scripts else _EXPRESSIONS)],
+        propagate_positions=True,
+        maybe_placeholders=True,
+        lexer_callbacks=dict.fromkeys(_FREQUENT, _token),
+    )
+
+
+_FREQUENT = ("WORD", "NUMBER", "LPAR", "LSQB")  # no long text is without one of these
+
+
+def _token(token: Node) -> Node:
+    checkpoint()
+    return token
+
+
 def _check_size(text: str) -> None:
     if len(text) > MAX_TEXT:
         raise SyntaxFault(f"the input has {len(text):,} characters; the limit is {MAX_TEXT:,}")
@@ -109,7 +134,7 @@ def _check_size(text: str) -> None:
 def _tree(text: str, start: str) -> Node:
     from lark.exceptions import UnexpectedInput
 
-    grammar = parser("expressions" if start in _EXPRESSIONS else "scripts")
+    grammar = _grammar(start not in _EXPRESSIONS)
     try:
         return grammar.parse(text, start=start)
     except UnexpectedInput as found:
