@@ -272,3 +272,33 @@ def test_the_command() -> None:
     assert 'Sch\\"{o}nflies' in latex.output
     assert runner.invoke(cli, ["modes", "h4", "--operation"]).exit_code == 2
     assert runner.invoke(cli, ["modes", "capaman", "--operation"]).exit_code == 3
+
+
+# --- coupled joints ------------------------------------------------------------------------------------------------
+
+BARS = "joints: P*(d%) R(A%, e%) Pa(A% B%, n%) R(B%, e%)"
+GEARS = """joints: P*(d%) R(A%, e%) R:near(A%, n%) R:far(B%, n%) R(B%, e%)
+    couplings: far = {}"""
+
+
+def test_hinges_geared_one_to_one_are_a_parallelogram(root: Path) -> None:
+    text = (root / "plugins" / "orthoglide" / "robot.yaml").read_text(encoding="utf-8")
+    geared = gc.operation_modes(gc.load(text.replace(BARS, GEARS.format("-near"))))
+    barred = gc.operation_modes("orthoglide")
+    assert [m.equations for m in geared.modes] == [m.equations for m in barred.modes]
+    assert geared.assemblies.outside == 0
+    assert geared.assemblies.closed > 30
+
+
+def test_other_ratios_are_refused() -> None:
+    arm = """
+title: an arm whose second link turns twice as fast
+space: plane
+points: {A: free, B: free, C: free}
+limbs: [{name: arm, joints: "R*:a(A, z) R:b(B, z)", couplings: "b = -2 a"}]
+platform: C
+mobility: 1
+home: {A: [0, 0], B: [3, 4], C: [6, 0]}
+"""
+    with pytest.raises(gc.InputError, match="follows another joint by the ratio -2"):
+        gc.operation_modes(gc.load(arm))

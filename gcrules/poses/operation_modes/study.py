@@ -48,20 +48,47 @@ def motions(limb: LimbSpec, values: Mapping[str, Any]) -> tuple[Motion, ...]:
     """The elementary motions of a limb from the base to the platform, from places of its names as whole numbers and
     fractions.
 
-    Raises InputError for a limb with bodies of its own, and for a screw joint, whose poses no polynomials give.
+    Raises InputError for a limb with bodies of its own, for a screw joint, whose poses no polynomials give, and for
+    turns that are geared to each other otherwise than 1 : 1.
     """
     if limb.subchains:
         raise InputError(
             f"{limb.name} has bodies of its own: its poses are no product of single motions",
             hint="loops inside of a limb are not taken apart; gcrules robot pose follows the mode in which home is",
         )
+    every = [list(_motions(joint, values)) for joint in limb.joints]
+    leaders = {c.joint: c.leader for c in limb.couplings}
+    starts: dict[int, int] = {}
+    count = 0
+    for k, own in enumerate(every):
+        if k not in leaders:
+            starts[k] = count
+            count += max(n for n, _, _ in own) + 1
     found: list[Motion] = []
-    start = 0
-    for joint in limb.joints:
-        own = list(_motions(joint, values))
-        found += [Motion(start + n, _ONE, tuple(sign * c for c in B)) for n, sign, B in own]
-        start = max((m.place for m in found), default=-1) + 1
+    for k, own in enumerate(every):
+        ratio = limb.ratios.get(k, Fraction(1))
+        if k in leaders:
+            _check_coupling(limb, k, own, every[leaders[k]], ratio)
+        start = starts[leaders.get(k, k)]
+        found += [Motion(start + n, _ONE, tuple(sign * ratio * c for c in B)) for n, sign, B in own]
     return tuple(found)
+
+
+Steps = Sequence[tuple[int, int, DualQuaternion]]
+
+
+def _check_coupling(limb: LimbSpec, joint: int, own: Steps, leader: Steps, ratio: Fraction) -> None:
+    """Raises InputError where the joint's amount is no multiple of its leader's: tangents of half angles are multiples
+    of each other where the angles are equal or opposite, lengths of slides always.
+    """
+    turning = {any(B[:4]) for _, _, B in (*own, *leader)}
+    if turning == {False} or (turning == {True} and abs(ratio) == 1):
+        return
+    raise InputError(
+        f"{limb.joints[joint]} of {limb.name} follows another joint by the ratio {ratio}: its poses are given by no"
+        " polynomials of degrees that are sought here",
+        hint="operation modes take joints that are geared 1 : 1, or slides",
+    )
 
 
 def coupled(moves: Sequence[Motion]) -> Iterator[tuple[Motion, ...]]:
