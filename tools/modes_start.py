@@ -18,9 +18,10 @@ from itertools import pairwise
 import numpy as np
 
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.poses.modes.conditions import COORDINATES, FORMS, Complexes, motions, quadrics, study
+from gcrules.poses.modes.conditions import COORDINATES, FORMS, Complexes, motions, quadrics
 from gcrules.poses.modes.start import PATHS, START, start
 from gcrules.poses.modes.tracking import Accuracy, follow, residuals
+from gcrules.screws.study import study
 
 __all__ = ["all_zeros", "main", "trace_defect"]
 
@@ -45,7 +46,7 @@ def all_zeros(seed: int) -> tuple[Complexes, Complexes]:
     motion = np.eye(4)
     motion[:3, :3], motion[:3, 3] = turn * np.linalg.det(turn), rng.normal(size=3)
     assert np.allclose(motions(study(motion)[None])[0], motion)
-    zeros = study(motion)[None].astype(complex)
+    zeros = (study(motion) / np.linalg.norm(study(motion)))[None].astype(complex)
     value = coordinates(zeros)[0]
     forms = _random(rng, 6, COORDINATES)
     forms -= np.outer(forms @ value, value.conj()) / np.vdot(value, value).real

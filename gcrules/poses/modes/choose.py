@@ -36,7 +36,7 @@ from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.modes.modes import assembly_modes
 from gcrules.poses.modes.report import AssemblyMode
 from gcrules.poses.operation_modes.operation_modes import operation_modes
-from gcrules.screws.rotations import rotation
+from gcrules.screws.study import matrix_of, shift_of
 
 __all__ = ["in_mode"]
 
@@ -113,17 +113,12 @@ def _in_operation_mode(loaded: Loaded, number: int) -> Loaded:
 
 
 def _motion(pose: Sequence[Fraction], m: Linkage) -> Floats:
-    """The motion (4, 4) from home of Study parameters in the frame of the file: p goes to R p + t, t = 2 y x̄ / |x|²."""
-    x, y = pose[:4], pose[4:]
-    turn = rotation((x[0], x[1], x[2], x[3]))
-    u, v = x[1:], y[1:]
-    across = (v[1] * u[2] - v[2] * u[1], v[2] * u[0] - v[0] * u[2], v[0] * u[1] - v[1] * u[0])
-    square = sum((c * c for c in x), Fraction(0))
-    shift = [2 * (x[0] * b - y[0] * a - c) / square for a, b, c in zip(u, v, across, strict=True)]
+    """The motion (4, 4) from home of Study parameters in the frame of the file."""
+    square = sum((c * c for c in pose[:4]), Fraction(0))
     found: Floats = np.eye(4)
-    for k, row in enumerate(turn):
-        away = sum((r * o for r, o in zip(row, m.origin, strict=True)), Fraction(0)) - m.origin[k]
-        found[k, :3], found[k, 3] = [float(c) for c in row], float(shift[k] + away)
+    for k, (row, shift) in enumerate(zip(matrix_of(pose), shift_of(pose), strict=True)):
+        away = sum((r * o for r, o in zip(row, m.origin, strict=True)), Fraction(0)) / square - m.origin[k]
+        found[k, :3], found[k, 3] = [float(c / square) for c in row], float(shift / square + away)
     return found
 
 

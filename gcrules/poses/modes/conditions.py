@@ -35,7 +35,6 @@ __all__ = [
     "image",
     "motions",
     "quadrics",
-    "study",
 ]
 
 Complexes = NDArray[np.complex128]
@@ -108,20 +107,6 @@ def motions(x: Floats) -> Floats:
     found[:, :3, 3] = every[:, 10:13]
     found[:, 3, 3] = 1.0
     return found
-
-
-def study(motion: Floats) -> Floats:
-    """The Study parameters (8,) of a motion (4, 4), of length 1."""
-    r, t = motion[:3, :3], motion[:3, 3]
-    outer = np.empty((4, 4))  # 4 a aᵀ
-    outer[0, 0] = 1 + np.trace(r)
-    outer[0, 1:] = outer[1:, 0] = r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]
-    outer[1:, 1:] = r + r.T + (1 - np.trace(r)) * np.eye(3)
-    a = outer[int(np.argmax(np.diag(outer)))]
-    a = a / np.linalg.norm(a)
-    b = np.einsum("kij,i,j->k", _T, np.concatenate([[0.0], t]), a) / 2
-    found = np.concatenate([a, b])
-    return np.asarray(found / np.linalg.norm(found))
 
 
 def forms_of_pairs(base: Floats, arms: Floats, lengths: Floats) -> tuple[Floats, Floats]:

@@ -17,7 +17,7 @@ from gcrules.mechanisms.kinematics.coordinates import coordinates, without_round
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.modes.conditions import forms_of_pairs, motions, study
+from gcrules.poses.modes.conditions import forms_of_pairs, motions
 from gcrules.poses.modes.report import (
     AssemblyMode,
     AssemblyModes,
@@ -34,6 +34,7 @@ from gcrules.poses.numbers.report import PoseReport
 from gcrules.poses.pose_report import report_of_legs
 from gcrules.screws.pose import Pose, exact_float
 from gcrules.screws.pose_text import COORDINATES, Amount, read_named
+from gcrules.screws.study import study
 from gcrules.screws.threshold import Threshold
 
 __all__ = ["modes_of_legs"]

@@ -23,7 +23,7 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.pose_report import report_at, target_of
 from gcrules.poses.limbs.way_from_home import WayFromHome as Way
-from gcrules.poses.modes.conditions import about_centre, forms_of_limb, motions, study
+from gcrules.poses.modes.conditions import about_centre, forms_of_limb, motions
 from gcrules.poses.modes.limb_joints import Held, configurations, same_spans, spans_of, with_turned_balls
 from gcrules.poses.modes.report import (
     AssemblyMode,
@@ -38,6 +38,7 @@ from gcrules.poses.modes.search import search
 from gcrules.poses.modes.singular_ends import Curve, grouped
 from gcrules.poses.modes.zeros import NEEDED, zeros_of
 from gcrules.screws.pose import Pose
+from gcrules.screws.study import study
 from gcrules.screws.threshold import Threshold
 
 __all__ = ["forms_of", "modes_of_limbs"]

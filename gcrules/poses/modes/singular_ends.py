@@ -36,7 +36,8 @@ class Curve:
     closed: bool
 
     def near(self, x: Floats) -> bool:
-        """Whether a point is no farther from one of them than they are from each other."""
+        """Whether a point, of any length, is no farther from one of them than they are from each other."""
+        x = x / np.linalg.norm(x)
         apart = np.linalg.norm(np.diff(self.x, axis=0), axis=1).max()
         away = min(np.linalg.norm(self.x - x, axis=1).min(), np.linalg.norm(self.x + x, axis=1).min())
         return bool(away <= apart)

@@ -15,8 +15,9 @@ from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
 from gcrules.poses.operation_modes.orientations import Form
 from gcrules.poses.operation_modes.strata import Bundle
+from gcrules.screws.study import study
 
-__all__ = ["STARTS", "Membership", "random_assemblies", "study_parameters"]
+__all__ = ["STARTS", "Membership", "random_assemblies"]
 
 STARTS = 48
 """So many random starts are tried."""
@@ -29,7 +30,7 @@ _SPREADS = (0.02, 0.3, 0.6, 1.0)  # parts of a turn, and of the robot's size, wi
 
 
 def random_assemblies(m: Linkage, seed: int = 0) -> Iterator[tuple[float, ...]]:
-    """Poses of the platform that all limbs reach, in Study parameters (see `study_parameters`); as many as starts
+    """Poses of the platform that all limbs reach, in Study parameters with x of length 1; as many as starts
     close. Starts are drawn the same in every run.
     """
     random = np.random.default_rng(seed)
@@ -50,7 +51,7 @@ def random_assemblies(m: Linkage, seed: int = 0) -> Iterator[tuple[float, ...]]:
         ]
         closed = _close(m, amounts, locked)
         if closed is not None:
-            yield study_parameters(closed, [float(c) for c in m.origin])
+            yield tuple(study(_from_the_origin(closed, np.array(m.origin, dtype=float))).tolist())
 
 
 def _close(m: Linkage, amounts: list[Floats], locked: set[tuple[int, int]]) -> Floats | None:
@@ -105,22 +106,11 @@ def _scaled(slopes: Floats, size: float) -> Floats:
     return np.asarray(found.reshape(len(slopes), 12).T)
 
 
-def study_parameters(place: Floats, origin: Sequence[float] = (0.0, 0.0, 0.0)) -> tuple[float, ...]:
-    """x0 … x3, y0 … y3 with x of length 1 of a place whose coordinates count from an origin."""
-    turn, o = place[:3, :3], np.asarray(origin, dtype=float)
-    shift = place[:3, 3] + o - turn @ o
-    four = np.empty((4, 4))  # 4 x xᵀ, whichever row is longest
-    trace = np.trace(turn)
-    four[0, 0] = 1 + trace
-    for n in range(3):
-        a, b = (n + 1) % 3, (n + 2) % 3
-        four[0, n + 1] = four[n + 1, 0] = turn[b, a] - turn[a, b]
-        for k in range(3):
-            four[n + 1, k + 1] = turn[n, k] + turn[k, n] + (1 - trace) * (n == k)
-    x = four[np.argmax(np.diag(four))]
-    x = x / np.linalg.norm(x)
-    y = np.array([-shift @ x[1:], *(x[0] * shift + np.cross(shift, x[1:]))]) / 2
-    return tuple(np.concatenate([x, y]).tolist())
+def _from_the_origin(place: Floats, origin: Floats) -> Floats:
+    """The motion of a place whose coordinates count from an origin, in those of the file."""
+    found = place.copy()
+    found[:3, 3] += origin - place[:3, :3] @ origin
+    return found
 
 
 class Membership:

@@ -19,7 +19,8 @@ from gcrules.core.errors import LimitReached
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import echelon, kernel, rank
 from gcrules.core.seeds import DRAWN, PRIME, drawn
-from gcrules.poses.operation_modes.study import DualQuaternion, Motion, pose, velocities
+from gcrules.poses.operation_modes.study import Motion, pose, velocities
+from gcrules.screws.study import DualQuaternion
 
 __all__ = [
     "DEGREE",

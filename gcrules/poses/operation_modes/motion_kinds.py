@@ -14,7 +14,7 @@ from gcrules.core.linear_algebra import content, echelon, kernel, rank
 from gcrules.core.seeds import PRIME
 from gcrules.poses.operation_modes.limb_constraints import lifted
 from gcrules.poses.operation_modes.orientations import Orientations, fraction
-from gcrules.poses.operation_modes.study import DualQuaternion, matrix_of, shift_of
+from gcrules.screws.study import DualQuaternion, matrix_of, shift_of
 
 __all__ = ["POSES", "motion_in_words"]
 

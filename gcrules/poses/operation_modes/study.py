@@ -24,11 +24,9 @@ from gcrules.core.linear_algebra import cross
 from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
 from gcrules.mechanisms.description.relations import combined
 from gcrules.screws import RATIONALS
+from gcrules.screws.study import DualQuaternion, product
 
-__all__ = ["DualQuaternion", "Motion", "coupled", "matrix_of", "motions", "pose", "product", "shift_of", "velocities"]
-
-DualQuaternion = tuple[Any, ...]
-"""Eight numbers, x then y."""
+__all__ = ["Motion", "coupled", "motions", "pose", "velocities"]
 
 _ONE = (1, 0, 0, 0, 0, 0, 0, 0)
 
@@ -154,22 +152,6 @@ def _rods(joint: JointSpec, values: Mapping[str, Any]) -> Iterator[tuple[int, in
     yield 2, 1, _turn(far, tuple(b - a for a, b in zip(first, second, strict=True)))
 
 
-def _quaternions(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, ...]:
-    return (
-        a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
-        a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-        a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
-        a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
-    )
-
-
-def product(a: Sequence[Any], b: Sequence[Any], modulus: int | None = None) -> DualQuaternion:
-    """The product of dual quaternions: first b, then a, as seen from the base."""
-    x = _quaternions(a[:4], b[:4])
-    y = (p + q for p, q in zip(_quaternions(a[:4], b[4:]), _quaternions(a[4:], b[:4]), strict=True))
-    return tuple(c if modulus is None else c % modulus for c in (*x, *y))
-
-
 def _factor(m: Motion, amounts: Sequence[Any], modulus: int | None) -> DualQuaternion:
     found = tuple(c + amounts[m.place] * d for c, d in zip(m.C, m.D, strict=True))
     return found if modulus is None else tuple(c % modulus for c in found)
@@ -194,19 +176,3 @@ def velocities(moves: Sequence[Motion], amounts: Sequence[Any], modulus: int | N
             one = product(one, step, modulus)
         found[m.place] = [a + b for a, b in zip(found[m.place], one, strict=True)]
     return [tuple(c if modulus is None else c % modulus for c in own) for own in found]
-
-
-def matrix_of(x: Sequence[Any]) -> tuple[tuple[Any, ...], ...]:
-    """The turn of a quaternion times its squared length: a matrix whose entries are quadratic in x."""
-    columns = []
-    for n in range(3):
-        e = (0, *(int(n == k) for k in range(3)))
-        columns.append(_quaternions(_quaternions(x, e), (x[0], -x[1], -x[2], -x[3]))[1:])
-    return tuple(zip(*columns, strict=True))
-
-
-def shift_of(found: Sequence[Any]) -> tuple[Any, Any, Any]:
-    """The shift of a pose times the squared length of x."""
-    x = found[:4]
-    t = _quaternions(found[4:], (x[0], -x[1], -x[2], -x[3]))
-    return 2 * t[1], 2 * t[2], 2 * t[3]
