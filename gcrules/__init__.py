@@ -68,6 +68,7 @@ if TYPE_CHECKING:
         compiled,
         export,
         locus,
+        operation_modes,
         path,
         pose,
         singular,

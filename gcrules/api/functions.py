@@ -285,8 +285,8 @@ def load(
     class of the catalog or of an example, a mapping with the data of a file, or what was loaded or analysed before,
     which is given back. `analyze`, `report`, `view`, `pose`, `singular`, `path`, `assembly_modes`, `working_modes`,
     `locus`, `compiled` and `singular_map` take the same. With a `mode` the home of a robot or platform is in that mode:
-    "+-+", one of its `working_modes`, or "assembly 3", one of its `assembly_modes` at home. Raises InputError for what
-    is none of these, FileError with all faults of a file.
+    "+-+", one of its `working_modes`, "assembly 3", one of its `assembly_modes` at home, or "operation 2", one of its
+    `operation_modes`. Raises InputError for what is none of these, FileError with all faults of a file.
     """
     found = _load(source, plugins=plugins, points=points, ideal=ideal)
     if mode is None:

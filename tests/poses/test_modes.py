@@ -102,7 +102,7 @@ def test_forty_real_postures() -> None:
     distances = np.abs(places[:, None] - places[None]).max(axis=2) + np.eye(40)
     bounds = [m.certificate.shift + 3 * m.certificate.turn for m in found.modes]
     assert distances.min() > 2 * max(bounds)
-    assert {m.signs for m in found.modes} == {"+", "−"}
+    assert {m.signs for m in found.modes} == {"+", "-"}
 
 
 def test_lengths_are_given_in_three_ways() -> None:

@@ -35,7 +35,7 @@ MOTIONS: dict[str, tuple[str, ...]] = {
     "agile-eye": ("pure turns about the point (0, 0, 0)",),
     "4-upu": (SCHOENFLIES, f"{SCHOENFLIES}, the platform upside down"),
     "quadrupteron": (SCHOENFLIES,),
-    "3-uru": ("pure translations", "general motion: all orientations, which give the shift"),
+    "3-uru": ("pure translations", "general motion: all orientations; each fixes the shift"),
     "tricept": (
         "turns that keep the platform's direction y at right angles to x, and shifts of one freedom in each of them",
     ),

@@ -59,7 +59,7 @@ def test_reports_of_the_examples(path: Path) -> None:
     check_page(page)
     assert a.pose is not None
     assert ("Singular:" in page) == (a.pose.verdict == "singular") == path.stem.endswith("-singular")
-    assert re.search(r" m?m⁹</td>", page)
+    assert not a.platform.units or re.search(r" m?m⁹</td>", page)
 
 
 def test_there_are_examples() -> None:

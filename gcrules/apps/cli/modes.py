@@ -15,6 +15,8 @@ from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["modes"]
 
+_CLOSE = "0.5 deg"
+
 
 @click.command(cls=ExpressionCommand)
 @click.argument("file", metavar="FILE.yaml|ID")
@@ -33,7 +35,7 @@ __all__ = ["modes"]
 @about_option
 @click.option(
     "--threshold",
-    default="0.5 deg",
+    default=_CLOSE,
     show_default=True,
     metavar="ANGLE|LENGTH",
     help="Closer than this is close: turn of a leg (deg, rad), or translation.",
@@ -87,9 +89,10 @@ def modes(
 
     Commands about robots take a mode by --mode: "+-+", "assembly 3", "operation 2". Then home is in that mode.
     """
-    if operation and (inverse or at is not None or actuators is not None or picture is not None):
+    given = (at, actuators, picture, None if about == "centroid" else about, None if threshold == _CLOSE else threshold)
+    if operation and (inverse or any(one is not None for one in given)):
         raise click.UsageError(
-            "--operation is about all poses: it goes without --working, --at, --actuators or --picture."
+            "--operation is about all poses: it takes no pose, no actuators, --about or --threshold."
         )
     if inverse and (actuators is not None or picture is not None):
         raise click.UsageError("--working holds the platform: it goes with --at, not with --actuators or --picture.")

@@ -18,12 +18,15 @@ __all__ = ["mode_option", "read_source", "warn"]
 _in_mode = deferred("gcrules.poses.modes.choose:in_mode")  # numpy
 
 mode_option = click.option(
-    "--mode", metavar="MODE", help='Take the robot in this mode: "+-+", or "assembly 3"; `gcrules modes` lists them.'
+    "--mode",
+    metavar="MODE",
+    help='Take it in this mode: "+-+" (gcrules modes --working), "assembly 3" (gcrules modes) or "operation 2" (gcrules'
+    " modes --operation).",
 )
 
 
 def read_source(words: str | Sequence[str], *, mode: str | None = None, **options: Any) -> Loaded:
-    """What the words say, several of them being legs; "-" is standard input. `mode` is that of a robot of joints,
+    """What the words say, several of them being legs; "-" is standard input. `mode` is that of a robot or platform,
     `options` are those of `load`. Raises InputError for a file among legs, and for modes that there are not.
     """
     if isinstance(words, str):

@@ -54,7 +54,8 @@ def _source(word: str, mode: str | None) -> SourceJson:
     if mode is not None:
         if found["kind"] != "robot" and found["kind"] != "file":
             raise InputError(
-                "--mode is for robots of joints", hint="give the id of one, such as delta, or a robot file"
+                "--mode is for robots, and for platforms with coordinates",
+                hint="give the id of one, such as delta, or a robot file",
             )
         found["mode"] = mode
     if found["kind"] == "file" and len(found["text"]) > LONGEST_FILE:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Collection, Iterator, Sequence
 from fractions import Fraction
 
+from gcrules.core.english import listed
 from gcrules.core.errors import InputError, Span
 from gcrules.core.hints import near
 from gcrules.mechanisms.description.limb_file import Coupling, JointSpec, Subchain
@@ -103,7 +104,12 @@ def _joint(
             " star both and let the drive keep the ratio",
         )
     if name not in names:
-        raise _fault(text, span, f"no joint of this limb bears the name {name}", near(name, names) or _EXAMPLE)
+        raise _fault(
+            text,
+            span,
+            f"no joint of this limb bears the name {name}",
+            near(name, names) or (f"its named joints are {listed(list(names))}" if names else _EXAMPLE),
+        )
     joint = joints[names[name]]
     if len(JOINTS[joint.kind].freedoms) != 1:
         raise _fault(

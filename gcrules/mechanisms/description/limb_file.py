@@ -25,6 +25,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from gcrules.core.errors import InputError, Span
+from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
 from gcrules.mechanisms.description.relations import Term, Values, combined, pair_or_name
 from gcrules.screws import JOINTS, Field, Joint, Limb
@@ -215,10 +216,10 @@ class LimbSpec:
             count = end
         return tuple(own[leaders.get(k, k)] for k in range(len(own)))
 
-    @property
+    @cached_property
     def ratios(self) -> Mapping[int, Fraction]:
         """Of each joint that follows how much it moves for each unit of its leader."""
-        return {c.joint: c.ratio for c in self.couplings}
+        return FrozenMap({c.joint: c.ratio for c in self.couplings})
 
     @property
     def freedoms(self) -> int:

@@ -34,19 +34,15 @@ from gcrules.mechanisms.modes.limb_solutions import LimbSolutions, amounts_at, l
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import RATIONALS
 
-__all__ = ["LimbChoices", "at_places", "choices_of", "in_working_mode", "is_working_mode", "reached_at"]
+__all__ = ["LimbChoices", "at_places", "choices_of", "in_working_mode", "reached_at"]
 
 _SIGNS = "+-"
 _NAME = re.compile(r"home|[+\-−]+|\d+(\.\d+)*")
+_WORDS = re.compile(r"working(?: mode)?\s+")
 _DENOMINATORS = 10**6  # of coordinates that are tried to be exact
 _SHOWN = 8  # names in a hint
 
 Numbers = tuple[int, ...]
-
-
-def is_working_mode(name: str) -> bool:
-    """Whether a text is written like the name of a working mode."""
-    return _NAME.fullmatch(name.strip()) is not None
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,17 +73,21 @@ class LimbChoices:
 
     def mode(self, name: str) -> Numbers:
         """The mode of this name, in signs or in numbers. Raises InputError for what is none."""
-        robot, text = self.linkage.robot, name.strip().replace("−", "-")
-        if not is_working_mode(text):
-            raise InputError(f"{name[:40]!r} is no name of a working mode", hint=self._examples())
+        robot, text = self.linkage.robot, _WORDS.sub("", name.strip()).replace("−", "-")
+        if _NAME.fullmatch(text) is None:
+            raise InputError(
+                f"{name[:40]!r} names no mode",
+                hint='write "assembly 2" (gcrules modes), "operation 2" (gcrules modes --operation) or a working mode:'
+                f" {self._examples()}",
+            )
         if text == "home":
             return (0,) * len(self.limbs)
         parts = [_SIGNS.index(c) for c in text] if text[0] in _SIGNS else [int(n) - 1 for n in text.split(".")]
         if len(parts) != len(self.limbs):
             raise InputError(
-                f"the mode {text} has {len(parts)} parts, and {robot.id} has {len(self.limbs)} limbs: one for each,"
-                f" {listed([limb.name for limb in robot.limbs])}",
-                hint=self._examples(),
+                f"the mode {text} has {len(parts)} part{'s' * (len(parts) > 1)}, and {robot.id} has"
+                f" {len(self.limbs)} limbs: one for each, {listed([limb.name for limb in robot.limbs])}",
+                hint=f'did you mean "assembly {text}"?' if text.isdigit() else self._examples(),
             )
         for part, own, limb in zip(parts, self.limbs, robot.limbs, strict=True):
             if own.moving and part:
@@ -141,14 +141,18 @@ def in_working_mode(choices: LimbChoices, mode: Sequence[int]) -> Robot:
 
 
 def reached_at(m: Linkage, platform: Floats) -> Configuration:
-    """A configuration of the robot whose platform went by a motion (4, 4) from home, each limb standing as near to
-    home as it can. Raises InputError where a limb does not reach it, or the robot leaves its family there.
+    """A configuration of the robot whose platform went by a motion (4, 4) from home, each limb in that of the solutions
+    found from random starts which is nearest to home. Raises InputError where a limb does not reach it, or the robot
+    leaves its family there.
     """
     amounts = []
     for place, limb in enumerate(m.robot.limbs):
         every = amounts_at(m, place, platform)
         if not len(every):
-            raise InputError(f"{limb.name} of {m.robot.id} does not reach that pose")
+            raise InputError(
+                f"{limb.name} of {m.robot.id} does not reach that pose",
+                hint="it may be a limit of poses that are reached: give the file another home in that mode",
+            )
         units = np.where(m.home.chains[place].turns, 1.0, m.size)
         amounts.append(every[np.linalg.norm(every / units, axis=1).argmin()])
     links = tuple(c.links(a) for c, a in zip(m.home.chains, amounts, strict=True))

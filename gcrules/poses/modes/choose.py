@@ -57,7 +57,7 @@ def in_mode(loaded: Loaded, name: str) -> Loaded:
         return _analysed_anew(loaded, _in_working_mode(loaded.robot, name))
     if not isinstance(loaded, Robot):
         raise InputError(
-            "the working mode of a robot without joints: legs between two points have one way to hold the platform",
+            "legs between two points have one way to hold the platform, and so one working mode",
             hint='working modes are those of robots that are described by their joints, such as delta; "assembly 2" is'
             " an assembly mode",
         )
@@ -77,7 +77,8 @@ def _in_assembly_mode(loaded: Loaded, number: int) -> Loaded:
     found = assembly_modes(loaded)
     mode = next((one for one in found.modes if one.number == number), None)
     if mode is None:
-        some = f"it has assembly modes 1 to {len(found.modes)}" if found.modes else "none was found"
+        several = len(found.modes) > 1
+        some = f"it has assembly modes 1 to {len(found.modes)}" if several else "that of home is the only one"
         raise InputError(f"there is no assembly mode {number} with the actuators of home: {some}", hint=_LISTS)
     if mode.given:
         return loaded
@@ -99,7 +100,8 @@ def _in_operation_mode(loaded: Loaded, number: int) -> Loaded:
     mode = next((one for one in modes if one.number == number), None)
     if mode is None:
         raise InputError(
-            f"{robot.id} has no operation mode {number}: its modes are 1 to {len(modes)}",
+            f"{robot.id} has no operation mode {number}: "
+            + (f"its modes are 1 to {len(modes)}" if len(modes) > 1 else "it has one, that of home"),
             hint="`gcrules modes --operation` lists them",
         )
     if mode.home:

@@ -21,13 +21,13 @@ from gcrules.poses.modes.conditions import forms_of_pairs, motions
 from gcrules.poses.modes.report import (
     AssemblyMode,
     AssemblyModes,
-    Certificate,
+    BoxCertificate,
     Completeness,
     FactorSign,
     SolutionCurve,
     in_order,
 )
-from gcrules.poses.modes.singular_ends import Curve, MultipleSolution, curves_of, grouped
+from gcrules.poses.modes.singular_ends import MultipleSolution, SelfMotion, curves_of, grouped
 from gcrules.poses.modes.zeros import NEEDED, Zeros, rank_of, zeros_of
 from gcrules.poses.numbers.arrays import from_poses
 from gcrules.poses.numbers.report import PoseReport
@@ -58,7 +58,7 @@ def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Thresh
         zeros = zeros_of(legs.forms, legs.sizes)
         several, curves, unclear = grouped(legs.forms, zeros.singular)
     found = [] if zeros is None else list(_regular(legs, zeros, threshold))
-    found += [_mode(legs, s.x, Certificate(False, _MULTIPLE), threshold, s.paths) for s in several]
+    found += [_mode(legs, s.x, BoxCertificate(False, _MULTIPLE), threshold, s.paths) for s in several]
     return AssemblyModes(
         mechanism=m,
         title=m.title,
@@ -136,7 +136,7 @@ class _Legs:
         motion[:3, :3], motion[:3, 3] = turn, shift / self.m.rig.size + self.away - turn @ self.away
         return study(motion)
 
-    def holds(self, c: Curve) -> bool:
+    def holds(self, c: SelfMotion) -> bool:
         """Whether the given pose lies on a curve."""
         known = self.given_parameters
         return known is not None and c.near(known)
@@ -200,15 +200,15 @@ def _regular(legs: _Legs, zeros: Zeros, threshold: Threshold) -> list[AssemblyMo
         if b.unreal[k] or (np.abs(b.y[k].imag).max() > 0):
             continue
         turn, shift = b.bounds(k)
-        certificate = Certificate(False, _UNPROVED)
+        certificate = BoxCertificate(False, _UNPROVED)
         if proved[k]:
-            certificate = Certificate(True, _METHOD, True, turn, (shift + turn * away) * legs.m.rig.size)
+            certificate = BoxCertificate(True, _METHOD, True, turn, (shift + turn * away) * legs.m.rig.size)
         found.append(_mode(legs, b.y[k].real, certificate, threshold))
     return found
 
 
 def _mode(
-    legs: _Legs, x: Floats, certificate: Certificate, threshold: Threshold, multiplicity: int = 1
+    legs: _Legs, x: Floats, certificate: BoxCertificate, threshold: Threshold, multiplicity: int = 1
 ) -> AssemblyMode:
     known = legs.given_parameters
     given = known is not None and abs(known @ x) / np.linalg.norm(x) > 1 - _GIVEN
@@ -257,5 +257,5 @@ def _counts(z: Zeros, unclear: int) -> Completeness:
     )
 
 
-def _curve(legs: _Legs, c: Curve) -> SolutionCurve:
+def _curve(legs: _Legs, c: SelfMotion) -> SolutionCurve:
     return SolutionCurve(tuple(map(legs.pose, c.x)), c.closed, legs.holds(c))

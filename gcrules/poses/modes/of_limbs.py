@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -28,14 +27,14 @@ from gcrules.poses.modes.limb_joints import Held, configurations, same_spans, sp
 from gcrules.poses.modes.report import (
     AssemblyMode,
     AssemblyModes,
-    Certificate,
+    BoxCertificate,
     Completeness,
-    FactorSign,
     SolutionCurve,
+    factor_signs,
     in_order,
 )
 from gcrules.poses.modes.search import search
-from gcrules.poses.modes.singular_ends import Curve, grouped
+from gcrules.poses.modes.singular_ends import SelfMotion, grouped
 from gcrules.poses.modes.zeros import NEEDED, zeros_of
 from gcrules.screws.pose import Pose
 from gcrules.screws.study import study
@@ -44,7 +43,6 @@ from gcrules.screws.threshold import Threshold
 __all__ = ["forms_of", "modes_of_limbs"]
 
 _INDEPENDENT = 1e-9  # least singular value of independent forms of length 1
-_ZERO = 1e-9  # of a factor
 _ROUNDING = 1e-13
 _SQUARE = "exactly one solution in its box of joints (Krawczyk's operator)"
 _UNIQUE = "the only solution in its box of joints (Krawczyk's operator); that the over-constrained loops close there is"
@@ -53,7 +51,7 @@ _UNPROVED = "not proved: it is singular, or nearly so"
 
 def modes_of_limbs(m: Limbs, at: Any, actuators: Any, degrees: bool, threshold: Threshold) -> AssemblyModes:
     """All of them, for the actuators at a pose, at home if there is none, or for amounts that are given."""
-    robot = _Held.of(m, at, actuators, degrees)
+    robot = _HeldRobot.of(m, at, actuators, degrees)
     known = None if m.linkage.looped else forms_of(robot.linkage, robot.held)
     if known is None or len(known) < NEEDED:
         found, curves, count, notes = _sought(robot)
@@ -74,13 +72,13 @@ def modes_of_limbs(m: Limbs, at: Any, actuators: Any, degrees: bool, threshold: 
     )
 
 
-def _missed(robot: _Held, modes: Sequence[AssemblyMode], curves: Sequence[SolutionCurve]) -> bool:
+def _missed(robot: _HeldRobot, modes: Sequence[AssemblyMode], curves: Sequence[SolutionCurve]) -> bool:
     """Whether the configuration that the actuators come from is neither a mode nor on a curve."""
     return robot.given is not None and not any(one.given for one in modes) and not any(c.through_given for c in curves)
 
 
 @dataclass(frozen=True, eq=False)
-class _Held:
+class _HeldRobot:
     """The robot with its actuators held at what is `asked`; `given` is the configuration that they come from."""
 
     m: Limbs
@@ -90,7 +88,7 @@ class _Held:
     asked: str
 
     @classmethod
-    def of(cls, m: Limbs, at: Any, actuators: Any, degrees: bool) -> _Held:
+    def of(cls, m: Limbs, at: Any, actuators: Any, degrees: bool) -> _HeldRobot:
         linkage = m.linkage
         turned = with_turned_balls(linkage)
         target = target_of(linkage, at, actuators, degrees)
@@ -104,7 +102,7 @@ class _Held:
         there = solve(linkage, target).configuration
         return cls(m, turned, Held.of(linkage, there.joint_values), there, f"the actuators at {target.text}")
 
-    def holds(self, c: Curve) -> bool:
+    def holds(self, c: SelfMotion) -> bool:
         """Whether the configuration that the actuators come from lies on a curve."""
         if self.given is None:
             return False
@@ -129,7 +127,7 @@ def forms_of(m: Linkage, held: Held) -> Floats:
 Found = tuple[list[tuple[Configuration, int]], list[SolutionCurve], Completeness, list[str]]
 
 
-def _solved(robot: _Held, forms: Floats) -> Found:
+def _solved(robot: _HeldRobot, forms: Floats) -> Found:
     """What the paths lead to."""
     m = robot.linkage
     zeros = zeros_of(forms, np.ones_like(forms))
@@ -159,7 +157,7 @@ def _solved(robot: _Held, forms: Floats) -> Found:
     return found, [_curve(robot, c) for c in curves], count, notes
 
 
-def _sought(robot: _Held) -> Found:
+def _sought(robot: _HeldRobot) -> Found:
     """What a search finds."""
     found = search(robot.linkage, robot.held)
     notes = [f"{n} of the starts led out of the robot's family: {why}" for why, n in found.outside.items()]
@@ -193,7 +191,7 @@ def _pose(m: Linkage, platform: Floats) -> Pose:
     return Pose((tx, ty, tz), (w, i, j, k))
 
 
-def _mode(robot: _Held, c: Configuration, threshold: Threshold, paths: int) -> AssemblyMode:
+def _mode(robot: _HeldRobot, c: Configuration, threshold: Threshold, paths: int) -> AssemblyMode:
     m = robot.linkage
     solution = Solution(c, Target((), np.zeros(0), text="assembly mode"))
     found = report_at(m, robot.m.analysis, solution, threshold)
@@ -206,11 +204,7 @@ def _mode(robot: _Held, c: Configuration, threshold: Threshold, paths: int) -> A
         actuators=robot.actuators(c.joint_values),
         margin=found.margin,
         verdict=found.verdict,
-        factors=tuple(
-            FactorSign(f.expression, f.value, int(np.sign(f.value)) if abs(f.value) > _ZERO else 0)
-            for f in found.factors
-            if f.live and isfinite(f.value)
-        ),
+        factors=factor_signs(found),
         certificate=_certificate(robot, c),
         report=report,
         given=given,
@@ -218,17 +212,17 @@ def _mode(robot: _Held, c: Configuration, threshold: Threshold, paths: int) -> A
     )
 
 
-def _certificate(robot: _Held, c: Configuration) -> Certificate:
+def _certificate(robot: _HeldRobot, c: Configuration) -> BoxCertificate:
     """By the equations of the loops, with the driven joints held."""
     m = robot.linkage
     leads = leading(m)
     wanted = Target(tuple(a.name for a in leads), np.zeros(len(leads)), driven=True)
     cells = Cells.around(m, wanted, Configurations.of([c]), np.zeros((1, len(leads))))
     if not cells.one_branch[0]:
-        return Certificate(False, _UNPROVED)
+        return BoxCertificate(False, _UNPROVED)
     if m.robot.family.plane or not _over_constrained(m, robot.held):
-        return Certificate(True, _SQUARE, True)
-    return Certificate(False, f"{_UNIQUE} numerical, to {max(c.residual, 1e-16):.0e}", True)
+        return BoxCertificate(True, _SQUARE, True)
+    return BoxCertificate(False, f"{_UNIQUE} numerical", True)
 
 
 def _over_constrained(m: Linkage, held: Held) -> bool:
@@ -239,6 +233,6 @@ def _over_constrained(m: Linkage, held: Held) -> bool:
     return 6 * loops > sum(map(len, held.free))
 
 
-def _curve(robot: _Held, c: Curve) -> SolutionCurve:
+def _curve(robot: _HeldRobot, c: SelfMotion) -> SolutionCurve:
     m = robot.linkage
     return SolutionCurve(tuple(_pose(m, _from_home(m, x)) for x in c.x), c.closed, robot.holds(c))

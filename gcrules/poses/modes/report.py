@@ -2,7 +2,7 @@ r"""All solutions of a direct kinematics as values: the modes, what is proved of
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any
@@ -15,11 +15,21 @@ from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.report import PoseReport
 from gcrules.screws.pose import Pose
 
-__all__ = ["AssemblyMode", "AssemblyModes", "Certificate", "Completeness", "FactorSign", "SolutionCurve", "in_order"]
+__all__ = [
+    "AssemblyMode",
+    "AssemblyModes",
+    "BoxCertificate",
+    "Completeness",
+    "FactorSign",
+    "SolutionCurve",
+    "factor_signs",
+    "in_order",
+    "signs_of",
+]
 
 
 @dataclass(frozen=True)
-class Certificate:
+class BoxCertificate:
     """What is proved of a solution. Where it is `proved`, there is exactly one solution near the pose that is given: by
     the motion from it the platform turns by no more than `turn` (rad) and its centre moves by no more than `shift` (in
     the unit of lengths); None where this is told by joints. Where it is only `unique` it is proved that there is no
@@ -58,6 +68,21 @@ class FactorSign:
         }
 
 
+_ZERO = 1e-6  # of a factor, where the robot is singular
+
+
+def factor_signs(found: RobotPose) -> tuple[FactorSign, ...]:
+    """The factors of a robot's condition whose zeros are singularities; 0 only where it is singular."""
+    zero = _ZERO if found.verdict == "singular" else 0.0
+    live = (f for f in found.factors if f.live and isfinite(f.value))
+    return tuple(FactorSign(f.expression, f.value, (f.value > zero) - (f.value < -zero)) for f in live)
+
+
+def signs_of(factors: Sequence[FactorSign]) -> str:
+    """Their signs, such as "+-+"; 0 where one vanishes."""
+    return "".join("-0+"[f.sign + 1] for f in factors)
+
+
 @dataclass(frozen=True)
 class AssemblyMode:
     """One real solution: the platform's pose from that of the file, about the same centre as the poses of `gc.pose`.
@@ -75,7 +100,7 @@ class AssemblyMode:
     margin: float
     verdict: str
     factors: tuple[FactorSign, ...]
-    certificate: Certificate
+    certificate: BoxCertificate
     report: PoseReport | RobotPose
     given: bool = False
     multiplicity: int = 1
@@ -85,8 +110,8 @@ class AssemblyMode:
 
     @property
     def signs(self) -> str:
-        """The signs of the factors, such as "+−+"; 0 where one vanishes."""
-        return "".join("−0+"[f.sign + 1] for f in self.factors)
+        """The signs of the factors, such as "+-+"; 0 where one vanishes."""
+        return signs_of(self.factors)
 
     def to_json(self) -> dict[str, Any]:
         return {

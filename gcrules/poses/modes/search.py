@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import loop_gaps, loop_rows, units_of
@@ -61,7 +62,7 @@ def search(m: Linkage, held: Held) -> Search:
         quiet = quiet + _STARTS if len(found) == before else 0
         if quiet >= _QUIET * _STARTS or len(found) > _MANY:
             break
-    return Search(tuple(found), outside, starts, quiet, len(found) > _MANY)
+    return Search(tuple(found), FrozenMap(outside), starts, quiet, len(found) > _MANY)
 
 
 def _closed(m: Linkage, held: Held, rng: np.random.Generator, *, home_too: bool) -> list[list[Floats]]:

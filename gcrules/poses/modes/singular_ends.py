@@ -11,7 +11,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.modes.conditions import Complexes
 from gcrules.poses.modes.curves import curve_through, project, sharpened
 
-__all__ = ["Curve", "MultipleSolution", "curves_of", "grouped"]
+__all__ = ["MultipleSolution", "SelfMotion", "curves_of", "grouped"]
 
 _TOGETHER = 1e-5  # of 1 − |cos|: singular ends are known to about the root of the last t
 _REAL, _PERHAPS = 1e-3, 0.03  # imaginary parts of ends that are real, and of those that are looked at: threefold ones
@@ -29,7 +29,7 @@ class MultipleSolution:
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class SelfMotion:
     """Points x (N, 8) of a curve, one after the other."""
 
     x: Floats
@@ -43,12 +43,12 @@ class Curve:
         return bool(away <= apart)
 
 
-def grouped(forms: Floats, ends: Complexes) -> tuple[list[MultipleSolution], list[Curve], int]:
+def grouped(forms: Floats, ends: Complexes) -> tuple[list[MultipleSolution], list[SelfMotion], int]:
     """Singular ends (N, 8) of paths: real multiple solutions, the curves that such lie on, and how many ends look real
     and are near no solution that could be found. Ends that are not real are in none of them.
     """
     several: list[MultipleSolution] = []
-    curves: list[Curve] = []
+    curves: list[SelfMotion] = []
     unclear = 0
     for x, paths in _clusters(ends):
         largest = x[int(np.argmax(np.abs(x)))]
@@ -64,7 +64,7 @@ def grouped(forms: Floats, ends: Complexes) -> tuple[list[MultipleSolution], lis
             continue
         curve = curve_through(forms, at)
         if curve is not None:
-            curves.append(Curve(*curve))
+            curves.append(SelfMotion(*curve))
             continue
         at = sharpened(forms, at)
         same = next((k for k, one in enumerate(several) if abs(one.x @ at) > 1 - _SAME), None)
@@ -85,12 +85,12 @@ def _clusters(ends: Complexes) -> list[tuple[Complexes, int]]:
     return found
 
 
-def curves_of(forms: Floats, given: Floats | None) -> list[Curve]:
+def curves_of(forms: Floats, given: Floats | None) -> list[SelfMotion]:
     """Curves of real solutions of forms that depend on each other: the one through a `given` solution (8,), and those
     that a search from random motions meets.
     """
     rng = np.random.default_rng(40)
-    found: list[Curve] = []
+    found: list[SelfMotion] = []
     starts = [given] if given is not None else []
     starts += list(rng.normal(size=(_SEARCHES, 8)))
     for start in starts:
@@ -100,5 +100,5 @@ def curves_of(forms: Floats, given: Floats | None) -> list[Curve]:
             continue
         curve = curve_through(forms, at)
         if curve is not None:
-            found.append(Curve(*curve))
+            found.append(SelfMotion(*curve))
     return found

@@ -19,7 +19,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.modes.conditions import Complexes
 
-__all__ = ["Accuracy", "Ends", "follow", "jacobians", "residuals"]
+__all__ = ["Accuracy", "PathEnds", "follow", "jacobians", "residuals"]
 
 Truths = NDArray[np.bool_]
 
@@ -47,7 +47,7 @@ _NUDGE = 1e-14
 
 
 @dataclass(frozen=True, eq=False)
-class Ends:
+class PathEnds:
     """Where N paths are at last: Study parameters (N, 8) of length 1, the t (N,) there, 0 of those that ended, and the
     exponent (N,) with which |h| shrinks as t does, not a number where there is none. `steps` are those of all at once.
     """
@@ -58,7 +58,7 @@ class Ends:
     steps: int
 
 
-def follow(start: Complexes, end: Complexes, x: Complexes, accuracy: Accuracy) -> Ends:
+def follow(start: Complexes, end: Complexes, x: Complexes, accuracy: Accuracy) -> PathEnds:
     """The solutions x (N, 8) of the start, quadrics (7, 8, 8), as it becomes the end."""
     number = len(x)
     x = x / np.linalg.norm(x, axis=1, keepdims=True)
@@ -100,7 +100,7 @@ def follow(start: Complexes, end: Complexes, x: Complexes, accuracy: Accuracy) -
     with np.errstate(divide="ignore", invalid="ignore"):
         early, late = (np.log(_height(x) / mark[:, 1]) / np.log(t / mark[:, 0]) for mark in marks)
         exponents = np.where(t < marks[1, :, 0] / _APART, late, np.where(t < marks[0, :, 0] / _APART, early, np.nan))
-    return Ends(x, t, np.where(t > 0, exponents, np.nan), steps)
+    return PathEnds(x, t, np.where(t > 0, exponents, np.nan), steps)
 
 
 def _height(x: Complexes) -> Floats:

@@ -27,6 +27,7 @@ from gcrules.mechanisms.modes.limb_solutions import STARTS
 from gcrules.mechanisms.modes.working_modes import LimbChoices, choices_of, in_working_mode
 from gcrules.poses.limbs.pose_report import report_of_limbs
 from gcrules.poses.limbs.report import RobotPose
+from gcrules.poses.modes.report import factor_signs, signs_of
 from gcrules.screws.threshold import DEFAULT, Threshold
 
 __all__ = ["LISTED", "LimbWays", "WorkingMode", "WorkingModes", "working_modes"]
@@ -69,12 +70,8 @@ class WorkingMode:
 
     @property
     def signs(self) -> str:
-        """The signs of the condition's factors whose zeros are singularities: +, −, or 0 where it is singular."""
-        if self.pose is None:
-            return ""
-        zero = self.pose.verdict == "singular"
-        live = [f.value for f in self.pose.factors if f.live]
-        return "".join("0" if zero and abs(v) <= _ZERO else "+" if v > 0 else "-" for v in live)
+        """The signs of the condition's factors whose zeros are singularities: +, -, or 0 where one vanishes."""
+        return "" if self.pose is None else signs_of(factor_signs(self.pose))
 
     def to_json(self) -> dict[str, Any]:
         return {
@@ -85,9 +82,6 @@ class WorkingMode:
             "signs": self.signs,
             "fault": self.fault or None,
         }
-
-
-_ZERO = 1e-6
 
 
 @dataclass(frozen=True)
@@ -148,7 +142,7 @@ def working_modes(
     m = mechanism(source, about=about, plugins=plugins)
     if not isinstance(m, Limbs):
         raise InputError(
-            "working modes of legs between two points: each has one way to hold the platform",
+            "legs between two points have one way to hold the platform, and so one working mode",
             hint="they are those of robots that are described by their joints, such as delta",
         )
     choices = choices_of(m.robot)

@@ -10,7 +10,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.modes.certificates import Boxes, boxes
 from gcrules.poses.modes.conditions import FORMS, Complexes, quadrics
 from gcrules.poses.modes.start import start
-from gcrules.poses.modes.tracking import Accuracy, Ends, follow, jacobians
+from gcrules.poses.modes.tracking import Accuracy, PathEnds, follow, jacobians
 
 __all__ = ["NEEDED", "Zeros", "rank_of", "zeros_of"]
 
@@ -67,7 +67,7 @@ def zeros_of(forms: Floats, sizes: Floats) -> Zeros:
     if len(forms) > NEEDED:
         mixture = np.linalg.qr(rng.normal(size=(len(forms), NEEDED)))[0].T
         six, known = mixture @ forms, np.abs(mixture) @ sizes
-    best: tuple[int, Ends, Floats] | None = None
+    best: tuple[int, PathEnds, Floats] | None = None
     for accuracy in _TRIALS:
         ends = _tracked(six, rng, accuracy)
         kinds = _kinds(quadrics(six), ends)
@@ -109,14 +109,14 @@ def _fits(forms: Floats, x: Complexes) -> np.ndarray[tuple[int], np.dtype[np.boo
     return np.asarray((np.abs(values) <= _SATISFIED).all(axis=1))
 
 
-def _tracked(six: Floats, rng: np.random.Generator, accuracy: Accuracy) -> Ends:
+def _tracked(six: Floats, rng: np.random.Generator, accuracy: Accuracy) -> PathEnds:
     forms, known = start()
     mixed = np.linalg.qr(rng.normal(size=(NEEDED, NEEDED)) + 1j * rng.normal(size=(NEEDED, NEEDED)))[0] @ forms
     basis = np.linalg.qr(six.T)[0].T
     return follow(quadrics(mixed), quadrics(basis), known.copy(), accuracy)
 
 
-def _kinds(system: Complexes, ends: Ends) -> Floats:
+def _kinds(system: Complexes, ends: PathEnds) -> Floats:
     """What each path ended at. Two that end at one regular zero are both lost: a path went over to another one."""
     x = ends.x
     height = np.abs((x[:, :4] ** 2).sum(axis=1))

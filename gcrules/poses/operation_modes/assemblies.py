@@ -14,7 +14,7 @@ from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
 from gcrules.poses.operation_modes.orientations import Form
-from gcrules.poses.operation_modes.strata import Bundle
+from gcrules.poses.operation_modes.strata import PoseBundle
 from gcrules.screws.study import study
 
 __all__ = ["STARTS", "Membership", "random_assemblies"]
@@ -116,7 +116,7 @@ def _from_the_origin(place: Floats, origin: Floats) -> Floats:
 class Membership:
     """Whether poses in floats are in the closure of a stratum, as `rational_poses.inside` decides for exact ones."""
 
-    def __init__(self, one: Bundle) -> None:
+    def __init__(self, one: PoseBundle) -> None:
         self._rank = len(one.stratum.rows)
         self._forms = [_terms([f])[0] for f in one.stratum.orientations.basis]
         self._rows = [_terms(row) for row in one.rows]

@@ -56,7 +56,7 @@ def motion_in_words(poses: Sequence[DualQuaternion], orientations: Orientations,
     )
 
 
-_GENERAL = "general motion: all orientations, which give the shift"
+_GENERAL = "general motion: all orientations; each fixes the shift"
 
 
 def _freedoms(n: int) -> str:

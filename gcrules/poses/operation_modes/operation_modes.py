@@ -38,7 +38,7 @@ from gcrules.poses.operation_modes.orientations import pieces
 from gcrules.poses.operation_modes.random_poses import holds, random_pose
 from gcrules.poses.operation_modes.rational_poses import HOME, common_pose, inside, witness
 from gcrules.poses.operation_modes.report import Assemblies, OperationMode, OperationModes, Transition
-from gcrules.poses.operation_modes.strata import Bundle, Stratum, rows_of, strata
+from gcrules.poses.operation_modes.strata import PoseBundle, Stratum, rows_of, strata
 from gcrules.poses.operation_modes.study import Motion, coupled, motions, velocities
 from gcrules.screws import RATIONALS
 
@@ -53,7 +53,7 @@ class _Candidate:
     tangent to what the limbs allow there.
     """
 
-    bundle: Bundle
+    bundle: PoseBundle
     poses: tuple[tuple[int, ...], ...]
     equations: tuple[Equation, ...]
     tangent: int
@@ -149,7 +149,7 @@ def _candidate(one: Stratum, equations: Sequence[Equation], random: Random, at_h
     own: list[Equation] = []
     for degree in (1, 2):
         own += sorted(of_degree(degree, [STUDY, *own], lambda: random_pose(one, random)), key=_order)
-    bundle = Bundle(one, (*one.rows, *rows_of(own)[0]))
+    bundle = PoseBundle(one, (*one.rows, *rows_of(own)[0]))
     if at_home is None:
         tangent = 6 - codimension(equations, poses[0])
     else:

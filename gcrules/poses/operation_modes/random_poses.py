@@ -11,7 +11,7 @@ from gcrules.core.linear_algebra import echelon, rank
 from gcrules.core.seeds import DRAWN, PRIME
 from gcrules.poses.operation_modes.limb_constraints import residue
 from gcrules.poses.operation_modes.orientations import Form, fraction
-from gcrules.poses.operation_modes.strata import Bundle, Stratum
+from gcrules.poses.operation_modes.strata import PoseBundle, Stratum
 
 __all__ = ["at_residues", "holds", "random_pose", "solved"]
 
@@ -96,7 +96,7 @@ def solved(
     return tuple(c if modulus is None else c % modulus for c in y)
 
 
-def holds(one: Bundle, pose: Sequence[int]) -> bool:
+def holds(one: PoseBundle, pose: Sequence[int]) -> bool:
     """Whether a pose in residues is seen to be in the closure of a stratum, as by `rational_poses.inside`."""
     x, y = pose[:4], (*pose[4:], 1)
     if any(at_residues(f, x) for f in one.stratum.orientations.basis):

@@ -11,7 +11,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.linear_algebra import content, echelon, rank
 from gcrules.poses.operation_modes.orientations import Form, Orientations, fraction
 from gcrules.poses.operation_modes.random_poses import solved
-from gcrules.poses.operation_modes.strata import Bundle, Row
+from gcrules.poses.operation_modes.strata import PoseBundle, Row
 
 __all__ = ["HOME", "at", "common_pose", "inside", "witness"]
 
@@ -37,7 +37,7 @@ def _evaluated(rows: Sequence[Row], x: Sequence[Fraction]) -> list[list[Fraction
     return [[at(f, x) for f in row] for row in rows]
 
 
-def inside(one: Bundle, pose: Sequence[Fraction]) -> bool | None:
+def inside(one: PoseBundle, pose: Sequence[Fraction]) -> bool | None:
     """Whether a pose is in the closure of a stratum. It is not where an equation of the stratum is not 0; it is where
     they have their full rank, so that near it too the poses are a bundle; else None.
     """
@@ -69,12 +69,12 @@ def _small(where: Orientations) -> Iterator[tuple[Fraction, ...]]:
             yield x
 
 
-def witness(one: Bundle) -> tuple[Fraction, ...] | None:
+def witness(one: PoseBundle) -> tuple[Fraction, ...] | None:
     """A pose of a stratum, home where it is one; None where none with small numbers is found."""
     return HOME if inside(one, HOME) else _pose([one], [one.stratum.orientations])
 
 
-def common_pose(one: Bundle, other: Bundle, shared: Sequence[Orientations]) -> tuple[Fraction, ...] | None:
+def common_pose(one: PoseBundle, other: PoseBundle, shared: Sequence[Orientations]) -> tuple[Fraction, ...] | None:
     """A pose in the closures of both strata, whose `shared` orientations are given: home where it is one."""
     if inside(one, HOME) and inside(other, HOME):
         return HOME
@@ -85,7 +85,7 @@ def common_pose(one: Bundle, other: Bundle, shared: Sequence[Orientations]) -> t
     return found
 
 
-def _limits(one: Bundle, shared: Sequence[Orientations]) -> Iterator[tuple[Fraction, ...]]:
+def _limits(one: PoseBundle, shared: Sequence[Orientations]) -> Iterator[tuple[Fraction, ...]]:
     """Poses in the closure of a stratum at orientations where its equations depend on each other: ends of curves in it
     that lead there.
     """
@@ -128,7 +128,7 @@ def _along(f: Form, x: Sequence[Fraction], step: Sequence[Fraction]) -> list[Fra
     return total
 
 
-def _pose(several: Sequence[Bundle], where: Sequence[Orientations]) -> tuple[Fraction, ...] | None:
+def _pose(several: Sequence[PoseBundle], where: Sequence[Orientations]) -> tuple[Fraction, ...] | None:
     for piece in where:
         for x in _small(piece):
             checkpoint()

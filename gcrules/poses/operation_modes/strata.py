@@ -14,7 +14,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.poses.operation_modes.limb_constraints import STUDY, Equation
 from gcrules.poses.operation_modes.orientations import Form, Orientations, as_form, pieces
 
-__all__ = ["Bundle", "Row", "Stratum", "rows_of", "strata"]
+__all__ = ["PoseBundle", "Row", "Stratum", "rows_of", "strata"]
 
 Row = tuple[Form, Form, Form, Form, Form]
 """a0 y0 + … + a3 y3 + c = 0."""
@@ -37,7 +37,7 @@ class Stratum:
 
 
 @dataclass(frozen=True)
-class Bundle:
+class PoseBundle:
     """A stratum with `rows` that are 0 in it, its own and more: where they have the rank of its own, the poses of its
     closure are those that solve them.
     """

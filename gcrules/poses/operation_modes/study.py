@@ -83,9 +83,9 @@ def _check_coupling(limb: LimbSpec, joint: int, own: Steps, leader: Steps, ratio
     if turning == {False} or (turning == {True} and abs(ratio) == 1):
         return
     raise InputError(
-        f"{limb.joints[joint]} of {limb.name} follows another joint by the ratio {ratio}: its poses are given by no"
-        " polynomials of degrees that are sought here",
-        hint="operation modes take joints that are geared 1 : 1, or slides",
+        f"{limb.joints[joint]} of {limb.name} follows another joint by the ratio {ratio}, and operation modes know"
+        " turns that are geared 1 : 1 only",
+        hint="slides may follow slides by any ratio",
     )
 
 

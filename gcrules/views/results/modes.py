@@ -36,8 +36,10 @@ def _lines(r: AssemblyModes) -> Iterator[str]:
     yield from wrapped(f"{r.verdict}; {r.completeness.text}")
     yield ""
     held = ", ".join(f"{n} = {_number(v)}" for n, v in r.actuators)
-    facts = [("held", f"{r.asked}: {held}"), ("certified", _certified(r))]
-    facts += [("poses", f"from that of the file, about ({', '.join(map(_number, r.centre))})")]
+    facts = [("held", f"{r.asked}: {held}")]
+    if r.modes:
+        facts.append(("certified", _certified(r)))
+        facts.append(("poses", f"from that of the file, about ({', '.join(map(_number, r.centre))})"))
     facts += [("curve", _curve(r, k)) for k in range(len(r.curves))]
     facts += [("note", note) for note in r.notes]
     yield from table(facts)
@@ -82,7 +84,7 @@ def _curve(r: AssemblyModes, k: int) -> str:
 
 def _rows(r: AssemblyModes) -> Iterator[str]:
     rows = [("mode", "verdict", "σ", "signs", "pose")]
-    rows += [(str(m.number), m.verdict, f"{m.margin:.4g}", m.signs, _place(m)) for m in r.modes]
+    rows += [(str(m.number), m.verdict, f"{m.margin:.4g}", m.signs.replace("-", "−"), _place(m)) for m in r.modes]
     widths = [max(len(row[k]) for row in rows) for k in range(4)]
     for row in rows:
         yield "  ".join([*(f"{word:<{w}}" for word, w in zip(row, widths, strict=False)), row[4]]).rstrip()
