@@ -25,11 +25,11 @@ import numpy as np
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
+from gcrules.mechanisms.kinematics.assembled import configuration_at
 from gcrules.mechanisms.kinematics.attachments import Values
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.mechanisms.kinematics.soundness import sound
 from gcrules.mechanisms.modes.limb_solutions import LimbSolutions, amounts_at, limb_solutions
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import RATIONALS
@@ -112,11 +112,8 @@ class LimbChoices:
         """The robot in a mode, the platform at home. Raises NotClosed where it leaves its family: where limbs share
         what they are named by, one of them cannot stand otherwise alone.
         """
-        m = self.linkage
-        amounts = tuple(limb.amounts[k] for limb, k in zip(self.limbs, mode, strict=True))
-        links = tuple(c.links(a) for c, a in zip(m.home.chains, amounts, strict=True))
-        values, chains, off = sound(m, m.home.values, m.home.chains, links, amounts)
-        return Configuration(values, links, amounts, chains, 0.0, off)
+        amounts = [limb.amounts[k] for limb, k in zip(self.limbs, mode, strict=True)]
+        return configuration_at(self.linkage, amounts)
 
 
 def choices_of(robot: Robot) -> LimbChoices:
@@ -155,12 +152,10 @@ def reached_at(m: Linkage, platform: Floats) -> Configuration:
             )
         units = np.where(m.home.chains[place].turns, 1.0, m.size)
         amounts.append(every[np.linalg.norm(every / units, axis=1).argmin()])
-    links = tuple(c.links(a) for c, a in zip(m.home.chains, amounts, strict=True))
     try:
-        values, chains, off = sound(m, m.home.values, m.home.chains, links, amounts)
+        return configuration_at(m, amounts)
     except NotClosed as fault:
         raise InputError(f"{m.robot.id} is none of its family in that pose: {fault}", hint=fault.hint) from None
-    return Configuration(values, links, tuple(amounts), chains, 0.0, off)
 
 
 def at_places(m: Linkage, places: Values, words: str) -> Robot:

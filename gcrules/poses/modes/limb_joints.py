@@ -9,15 +9,14 @@ from itertools import islice, product
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.mechanisms.kinematics.assembled import configuration_at
 from gcrules.mechanisms.kinematics.chains import shape_of
 from gcrules.mechanisms.kinematics.coordinates import principal
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
-from gcrules.mechanisms.kinematics.loops import loop_gaps
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed, inverse, logarithm
-from gcrules.mechanisms.kinematics.soundness import sound
 
-__all__ = ["Held", "configuration", "configurations", "same_spans", "spans_of", "with_turned_balls"]
+__all__ = ["Held", "configurations", "same_spans", "spans_of", "with_turned_balls"]
 
 _STARTS = 32
 _ITERATIONS = 60
@@ -80,7 +79,7 @@ def configurations(m: Linkage, held: Held, motion: Floats) -> list[Configuration
     for chosen in islice(product(*ways), _MOST):
         for amounts in _tries(chosen):
             try:
-                found.append(configuration(m, amounts))
+                found.append(configuration_at(m, amounts))
                 break
             except NotClosed as other:
                 fault = other
@@ -95,15 +94,6 @@ def _tries(chosen: Sequence[list[Floats]]) -> Iterator[tuple[Floats, ...]]:
     yield first
     for place, own in enumerate(chosen):
         yield from ((*first[:place], other, *first[place + 1 :]) for other in own[1:])
-
-
-def configuration(m: Linkage, amounts: Sequence[Floats]) -> Configuration:
-    """The one with these amounts of all joints. Raises NotClosed where the robot has left its family there."""
-    links = tuple(c.links(a) for c, a in zip(m.home.chains, amounts, strict=True))
-    gaps = loop_gaps(m.home.chains, [own[None] for own in links], np.eye(4)[None], m)
-    with np.errstate(invalid="ignore", divide="ignore"):  # names that lose their places are refused
-        values, chains, off = sound(m, m.home.values, m.home.chains, links, amounts)
-    return Configuration(values, links, tuple(amounts), chains, float(np.abs(gaps).max(initial=0.0)), off)
 
 
 def _limb_amounts(m: Linkage, place: int, held: Held, motion: Floats) -> list[list[Floats]]:

@@ -9,11 +9,12 @@ import numpy as np
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.kinematics.assembled import configuration_at
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import loop_gaps, loop_rows, units_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.poses.modes.limb_joints import Held, configuration, same_spans, spans_of
+from gcrules.poses.modes.limb_joints import Held, same_spans, spans_of
 
 __all__ = ["Search", "search"]
 
@@ -50,7 +51,7 @@ def search(m: Linkage, held: Held) -> Search:
         before = len(found)
         for amounts in _closed(m, held, rng, home_too=not number):
             try:
-                c = configuration(m, amounts)
+                c = configuration_at(m, amounts)
             except NotClosed as fault:
                 outside[str(fault)] = outside.get(str(fault), 0) + 1
                 continue
