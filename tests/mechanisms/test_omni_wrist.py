@@ -83,3 +83,18 @@ def test_it_is_singular_where_two_driven_legs_lie_in_one_plane() -> None:
     first, second = sigma.values()
     assert 0 < second < 0.002
     assert first / second == pytest.approx(10, rel=0.05)
+
+
+def test_the_constraints_may_lose_rank_and_the_sentence_says_so() -> None:
+    """In the working mode ++-- all wrenches have rank 5 at home, and the factor of the condition is not 0."""
+    found = gc.analyze("omni-wrist-iii")
+    assert "where the constraints of all limbs together lose rank" in found.statement
+    here = gc.pose(gc.load("omni-wrist-iii", mode="++--"), nearest=False)
+    assert here.verdict == "singular"
+    assert all(abs(f.value) > 0.1 for f in here.factors if f.live)
+
+
+@pytest.mark.parametrize("name", ["agile-eye", "3-rrr-spherical", "delta", "3-rps"])
+def test_where_constraints_cannot_lose_rank_nothing_is_added(name: str) -> None:
+    """Each limb alone has all constraints, or none is there twice."""
+    assert "lose rank" not in gc.analyze(name).statement

@@ -425,3 +425,36 @@ def test_the_centre_of_poses_changes_no_mode() -> None:
         places.append(sorted(tuple(round(float(c), 5) for c in rig.exact(m.pose)["b"]) for m in found.modes))
     assert np.allclose(places[0], places[1], atol=1e-4)
     assert np.allclose(places[0], places[2], atol=1e-4)
+
+
+# --- solutions that are near to each other ---------------------------------------------------------------------------
+
+NEAR = {
+    "regular": (1.5, 4, 7),
+    "singular": (2.0, 4, 4),
+}
+
+
+def nearly_similar(ratio: float, digits: int, digits_of_platform: int) -> dict[str, Any]:
+    """Two hexagons, similar but for rounding, one above the other."""
+    angles = np.radians([10, 50, 130, 170, 250, 290])
+    ring = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    base, body = np.round(ratio * ring, digits), np.round(ring, digits_of_platform)
+    points = {f"A{k}": [*map(str, p), "0"] for k, p in enumerate(base.tolist())}
+    points |= {f"B{k}": [*map(str, p), "2"] for k, p in enumerate(body.tolist())}
+    return {"legs": [f"A{k}B{k}" for k in range(6)], "points": points}
+
+
+@pytest.mark.parametrize("name", NEAR)
+def test_only_the_given_pose_is_the_given_pose(name: str) -> None:
+    """Solutions near home have poses, margins and signs of their own; each pose satisfies the lengths."""
+    data = nearly_similar(*NEAR[name])
+    found = gc.assembly_modes(data)
+    assert sum(mode.given for mode in found.modes) <= 1
+    poses = [(tuple(map(float, mode.pose.translation)), mode.pose.unit_quaternion) for mode in found.modes]
+    assert len(set(poses)) == len(poses)
+    for mode in found.modes:
+        again = gc.pose(data, mode.pose, nearest=False)
+        assert again.margin == pytest.approx(mode.margin, abs=1e-9)
+        if mode.verdict == "singular":
+            assert "0" in mode.signs

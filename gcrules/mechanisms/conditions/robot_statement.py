@@ -73,7 +73,11 @@ def _meaning(
     parts: Sequence[FactorCause],
     outside: str,
 ) -> Statement:
-    also = _CONSTRAINTS_TOO if any(line.limb == FRAME for line in structure.lines or ()) else ""
+    also = ""
+    if any(line.limb == FRAME for line in structure.lines or ()):
+        also = _CONSTRAINTS_TOO
+    elif _may_lose_constraints(structure):
+        also = _CONSTRAINTS_MAYBE
     live = _live(parts)
     if live and not cofactors and (any(p.meaning for p in live) or any(p.kind in ASIDE for p in parts)):
         mark = len({p.kind for p in live}) > 1 or live[0].kind == "constraint"
@@ -112,6 +116,21 @@ _WHEN: Mapping[tuple[bool, bool], str] = {
 _CONSTRAINTS_TOO = (
     " It is singular too where the constraints of all limbs together lose rank, which takes two conditions or more."
 )
+_CONSTRAINTS_MAYBE = (
+    " It is singular too where the constraints of all limbs together lose rank, if they do anywhere: that takes two"
+    " conditions or more, and is not looked for."
+)
+
+
+def _may_lose_constraints(structure: Equivalent) -> bool:
+    """Whether constraints that are there more than once may lose rank together; not where a limb alone has them all, as
+    a limb never applies fewer of them, unless it has bodies of its own.
+    """
+    if not structure.over:
+        return False
+    independent = sum(limb.constraints for limb in structure.limbs) - structure.over
+    whole = (limb.constraints >= independent and not limb.limb.subchains for limb in structure.limbs)
+    return not any(whole)
 
 
 def _redundant(

@@ -14,7 +14,7 @@ from gcrules.conditions.gained_motion import factors
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
-from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, change_about
 from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.modes.conditions import forms_of_pairs, motions
@@ -40,7 +40,9 @@ from gcrules.screws.threshold import Threshold
 __all__ = ["modes_of_legs"]
 
 _LONGEST = 1000  # sizes: of longer legs the conditions are nearly alike
-_GIVEN = 1e-6  # of 1 − cos between Study parameters: near enough to be the given pose
+_NEAR = 1e-3  # rad, and sizes: a multiple solution is known to a root of the accuracy of floats
+_ROUNDING = 1e-12  # rad, and sizes
+_ZERO = 1e-9  # of a factor, where the platform is singular, in parts of its value in the pose of the file
 _METHOD = "exactly one solution in its box (Krawczyk's operator)"
 _MULTIPLE = "singular: its box cannot hold exactly one regular solution"
 _UNPROVED = "not proved: floats do not tell that its box holds exactly one solution"
@@ -57,8 +59,10 @@ def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Thresh
     else:
         zeros = zeros_of(legs.forms, legs.sizes)
         several, curves, unclear = grouped(legs.forms, zeros.singular)
-    found = [] if zeros is None else list(_regular(legs, zeros, threshold))
-    found += [_mode(legs, s.x, BoxCertificate(False, _MULTIPLE), threshold, s.paths) for s in several]
+    places = [] if zeros is None else _regular(legs, zeros)
+    places += [_Place(s.x, BoxCertificate(False, _MULTIPLE), s.paths) for s in several]
+    given = _given(legs, places)
+    found = [_mode(legs, one, threshold, given=one is given) for one in places]
     return AssemblyModes(
         mechanism=m,
         title=m.title,
@@ -192,7 +196,16 @@ def _length(value: Any, name: str) -> float:
     return length
 
 
-def _regular(legs: _Legs, zeros: Zeros, threshold: Threshold) -> list[AssemblyMode]:
+@dataclass(frozen=True, eq=False)
+class _Place:
+    """Study parameters x (8,) of a solution, what is proved of it, and how many paths end there."""
+
+    x: Floats
+    certificate: BoxCertificate
+    paths: int = 1
+
+
+def _regular(legs: _Legs, zeros: Zeros) -> list[_Place]:
     found, b = [], zeros.boxes
     proved, away = b.proved, float(np.linalg.norm(legs.away))
     for k in range(len(b.y)):
@@ -203,15 +216,35 @@ def _regular(legs: _Legs, zeros: Zeros, threshold: Threshold) -> list[AssemblyMo
         certificate = BoxCertificate(False, _UNPROVED)
         if proved[k]:
             certificate = BoxCertificate(True, _METHOD, True, turn, (shift + turn * away) * legs.m.rig.size)
-        found.append(_mode(legs, b.y[k].real, certificate, threshold))
+        found.append(_Place(b.y[k].real, certificate))
     return found
 
 
-def _mode(
-    legs: _Legs, x: Floats, certificate: BoxCertificate, threshold: Threshold, multiplicity: int = 1
-) -> AssemblyMode:
+def _given(legs: _Legs, places: Sequence[_Place]) -> _Place | None:
+    """The solution that is the pose from which the lengths come: the nearest one, if that pose lies in its box, or near
+    to it where no box is known.
+    """
     known = legs.given_parameters
-    given = known is not None and abs(known @ x) / np.linalg.norm(x) > 1 - _GIVEN
+    if known is None or not places:
+        return None
+    there = legs.motion(known)
+
+    def apart(one: _Place) -> tuple[float, float]:
+        change = change_about(legs.away * legs.m.rig.size, there, legs.motion(one.x))
+        return float(np.linalg.norm(change[3:])), float(np.linalg.norm(change[:3])) / legs.m.rig.size
+
+    one = min(places, key=lambda one: sum(apart(one)))
+    turn, shift = apart(one)
+    if not one.certificate.proved:
+        return one if turn + shift <= _NEAR else None
+    box = one.certificate.turn or 0.0, (one.certificate.shift or 0.0) / legs.m.rig.size
+    return one if turn <= 2 * box[0] + _ROUNDING and shift <= 2 * box[1] + _ROUNDING else None
+
+
+def _mode(legs: _Legs, place: _Place, threshold: Threshold, *, given: bool) -> AssemblyMode:
+    x = place.x
+    if given and (known := legs.given_parameters) is not None:
+        x = known
     pose = legs.given if given and legs.given is not None else legs.pose(x)
     report = report_of_legs(legs.m, pose, threshold=threshold, nearest=False, quick=True)
     moved = coordinates(COORDINATES, legs.motion(x)[None], np.zeros(3))[0]
@@ -224,10 +257,10 @@ def _mode(
         margin=report.margin,
         verdict=report.verdict,
         factors=_signs(legs.m, report),
-        certificate=certificate,
+        certificate=place.certificate,
         report=report,
-        given=bool(given),
-        multiplicity=multiplicity,
+        given=given,
+        multiplicity=place.paths,
     )
 
 
@@ -236,10 +269,12 @@ def _signs(m: SixLegs, report: PoseReport) -> tuple[FactorSign, ...]:
     condition = m.analysis.condition
     every = factors(condition.expression)
     if len(every) < 2:
-        value = report.superbracket
+        value = 0 if report.verdict == "singular" else report.superbracket
         return (FactorSign("superbracket", report.value, (value > 0) - (value < 0)),)
-    points = m.rig.exact(report.pose)
+    points, home = m.rig.exact(report.pose), m.rig.exact(Pose())
     exact = [(f, evaluate(f, points)) for f in every]
+    if report.verdict == "singular":  # floats do not give the pose so well that rounding has no sign
+        exact = [(f, 0 if abs(v) <= _ZERO * abs(evaluate(f, home)) else v) for f, v in exact]
     return tuple(FactorSign(str(f), float(v), (v > 0) - (v < 0)) for f, v in exact)
 
 

@@ -13,6 +13,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.floats import without_noise
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.configurations import Configurations
+from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
@@ -21,6 +22,7 @@ from gcrules.mechanisms.kinematics.solve import Solution, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.pose_report import report_at, target_of
+from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.limbs.way_from_home import WayFromHome as Way
 from gcrules.poses.modes.conditions import about_centre, forms_of_limb, motions
 from gcrules.poses.modes.limb_joints import Held, configurations, same_spans, spans_of, with_turned_balls
@@ -36,7 +38,9 @@ from gcrules.poses.modes.report import (
 from gcrules.poses.modes.search import search
 from gcrules.poses.modes.singular_ends import SelfMotion, grouped
 from gcrules.poses.modes.zeros import NEEDED, zeros_of
+from gcrules.poses.numbers.report import PoseReport
 from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import COORDINATES, SHIFTS
 from gcrules.screws.study import study
 from gcrules.screws.threshold import Threshold
 
@@ -57,7 +61,7 @@ def modes_of_limbs(m: Limbs, at: Any, actuators: Any, degrees: bool, threshold: 
         found, curves, count, notes = _sought(robot)
     else:
         found, curves, count, notes = _solved(robot, known)
-    modes = [_mode(robot, c, threshold, paths) for c, paths in found]
+    modes = _one_given(robot, [_mode(robot, c, threshold, paths) for c, paths in found])
     return AssemblyModes(
         mechanism=m,
         title=m.title,
@@ -70,6 +74,26 @@ def modes_of_limbs(m: Limbs, at: Any, actuators: Any, degrees: bool, threshold: 
         completeness=replace(count, missed=_missed(robot, modes, curves)),
         notes=(*notes, *m.linkage.notes),
     )
+
+
+def _one_given(robot: _HeldRobot, modes: list[AssemblyMode]) -> list[AssemblyMode]:
+    """The modes, of which only the nearest one is the configuration that the actuators come from."""
+    if robot.given is None or sum(one.given for one in modes) < 2:
+        return modes
+    m = robot.linkage
+    home = coordinates(COORDINATES, robot.given.platform[None], m.centre)[0]
+
+    def apart(one: AssemblyMode) -> float:
+        change = np.array([one.coordinates[n] for n in COORDINATES]) - home
+        return float(np.abs(change / np.array([m.size if n in SHIFTS else 1.0 for n in COORDINATES])).max())
+
+    nearest = min((one for one in modes if one.given), key=apart)
+    return [one if one is nearest else replace(one, given=False, report=_elsewhere(one.report)) for one in modes]
+
+
+def _elsewhere(found: PoseReport | RobotPose) -> PoseReport | RobotPose:
+    """The numbers of a configuration to which no way from home is known."""
+    return replace(found, assembly=Way(doubt=0.0)) if isinstance(found, RobotPose) else found
 
 
 def _missed(robot: _HeldRobot, modes: Sequence[AssemblyMode], curves: Sequence[SolutionCurve]) -> bool:

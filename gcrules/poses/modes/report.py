@@ -270,9 +270,12 @@ class AssemblyModes(Shown):
         """How many there are, in words."""
         number = len(self.modes)
         words = f"{number or 'no'} real {'solution' if number == 1 else 'solutions'}"
+        if self.completeness.missed:
+            words += ", beside the given pose, to which no path led"
         if self.curves:
             curves = "a curve" if len(self.curves) == 1 else f"{len(self.curves)} curves"
-            return f"{curves} of solutions (self-motion)" + (f", and {words} beside" if number else "")
+            met = f"{curves} of solutions (self-motion), which may lie on a surface of them"
+            return met + (f", and {words} beside" if number else "")
         return words
 
     def picture(self) -> Any:

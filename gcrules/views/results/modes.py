@@ -33,7 +33,8 @@ def as_text(r: AssemblyModes, *, unicode: bool = False) -> str:
 
 
 def _lines(r: AssemblyModes) -> Iterator[str]:
-    yield from wrapped(f"{r.verdict}; {r.completeness.text}")
+    isolated = "of isolated solutions " * bool(r.curves and r.completeness.complete)
+    yield from wrapped(f"{r.verdict}; {isolated}{r.completeness.text}")
     yield ""
     held = ", ".join(f"{n} = {_number(v)}" for n, v in r.actuators)
     facts = [("held", f"{r.asked}: {held}")]
