@@ -39,11 +39,11 @@ def motion_in_words(poses: Sequence[DualQuaternion], orientations: Orientations,
     if turning == 0:
         return _translations(orientations, translations)
     if seen.point is not None and translations == 0:
-        at = _vector(seen.point[1])
+        at, held = _vector(seen.point[1]), _held(*seen.point)
         if seen.directions:
-            return f"turns about the axis through {at} along {_direction(seen.directions[0][1])}"
+            return f"turns about the axis through {at} along {_direction(seen.directions[0][1])}{held}"
         whole = "pure turns about" if turning == 3 else f"turns of {_freedoms(turning)} about"
-        return f"{whole} the point {at}"
+        return f"{whole} the point {at}{held}"
     if len(seen.directions) == 1:
         return _about_one(seen.directions[0], poses, translations)
     shifts = "no shift is free" if not translations else f"shifts of {_freedoms(translations)} in each of them"
@@ -54,6 +54,11 @@ def motion_in_words(poses: Sequence[DualQuaternion], orientations: Orientations,
         if translations
         else f"{_turns(orientations, poses)}, which give the shift"
     )
+
+
+def _held(own: Vector, base: Vector) -> str:
+    """Which point of the platform stays in a point of the base, if it is another one."""
+    return "" if own == base else f", where the platform's point {_vector(own)} stays"
 
 
 _GENERAL = "general motion: all orientations; each fixes the shift"
@@ -90,7 +95,7 @@ def _about_one(pair: tuple[Vector, Vector], poses: Sequence[DualQuaternion], tra
     normal = [int(c) for c in _whole(base)]
     rows = [[sum(n * c for n, c in zip(normal, shift_of(p), strict=True)), *_size(p)] for p in poses]
     if translations == 2 and rank(rows, PRIME) < 2:
-        return f"planar motion at right angles to {along}"
+        return f"planar motion at right angles to {along}" + ", after a shift along it" * bool(rows[0][0] % PRIME)
     shifts = f"shifts of {_freedoms(translations)}" if translations else "a shift that the turn gives"
     return f"turns about the direction {along}, with {shifts}"
 
