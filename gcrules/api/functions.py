@@ -50,7 +50,6 @@ from gcrules.rules.rewriting import rewrite as _rewrite
 from gcrules.rules.rule import RewriteRule
 from gcrules.rules.strategy import Strategy
 from gcrules.screws.threshold import DEFAULT
-from gcrules.views.report.report import report as _report
 
 __all__ = [
     "Analysis",
@@ -96,6 +95,7 @@ __all__ = [
 
 map_of = deferred("gcrules.poses.maps.maps:singular_map")
 _in_mode = deferred("gcrules.poses.modes.choose:in_mode")
+_report = deferred("gcrules.views.report.report:report")
 path_of = deferred("gcrules.poses.path_report:path")
 decided = deferred("gcrules.algebra.factoring.factorize:factor")
 shortened = deferred("gcrules.algebra.shortening.shorten:shorten")
@@ -321,7 +321,8 @@ def report(
     found = _analyze(source, plugins=plugins)
     along = None if path is None else path_of(found, path, about=about, threshold=threshold)
     mapped = None if over is None else map_of(found, over, at, about=about, limits=limits, threshold=threshold)
-    return _report(found, interactive=interactive, path=along, singular_map=mapped)
+    page: str = _report(found, interactive=interactive, path=along, singular_map=mapped)
+    return page
 
 
 @public

@@ -56,6 +56,16 @@ def test_import_loads_no_heavy_library() -> None:
     assert loaded & LOADED_WHEN_USED == set()
 
 
+def test_the_analysis_of_six_legs_loads_no_numbers_and_no_pages() -> None:
+    """From Python as from the shell: reports, robots of joints and NumPy are loaded when they are asked for."""
+    code = "import sys, gcrules; gcrules.analyze('ab af cb cd ed ef'); print(*sys.modules)"
+    loaded = set(
+        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    )
+    assert "gcrules.conditions.analysis" in loaded
+    assert not loaded & {"numpy", "sympy", "matplotlib", "gcrules.views.report.report"}
+
+
 def test_the_core_imports_nothing_above_it(root: Path) -> None:
     """Errors are part of the core, though they stand beside it."""
     modules = sorted((root / "gcrules" / "core").glob("*.py"))
