@@ -33,19 +33,21 @@ _GOLDEN = (5**0.5 - 1) / 2
 
 @dataclass(frozen=True, eq=False)
 class FirstSingular:
-    """The first singular configuration that is known, at a `part` of the course; None where there is none. Before it
-    all is proved regular but for the `undecided` stretches, and on one branch but from the part `doubt` on.
+    """The first singular configuration that is known, at a `part` of the course; None where there is none. Before the
+    part `clear`, a little short of it, all is proved regular but for the `undecided` stretches, and on one branch but
+    from the part `doubt` on.
     """
 
     solution: Solution | None
     part: float
+    clear: float
     undecided: tuple[Stretch, ...] = ()
     doubt: float | None = None
 
     @property
     def proved(self) -> bool:
-        """Whether nothing before it is singular, or nothing on the whole course."""
-        return not self.undecided and (self.doubt is None or self.doubt >= self.part)
+        """Whether nothing before `clear` is singular: nothing on the whole course, where there is no solution."""
+        return not self.undecided and (self.doubt is None or self.doubt >= self.clear)
 
 
 def first_singular(m: Linkage, wanted: Target) -> FirstSingular:
@@ -67,10 +69,10 @@ def first_singular(m: Linkage, wanted: Target) -> FirstSingular:
             undecided.append(stretch)
             continue
         there = goal(way.course, Solution(m.home, wanted), 0.0, part)
-        return FirstSingular(there, part, tuple(undecided), doubt)
+        return FirstSingular(there, part, min(stretch[0], part), tuple(undecided), doubt)
     if fault is not None:
         raise fault
-    return FirstSingular(None, 1.0, tuple(undecided), doubt)
+    return FirstSingular(None, 1.0, 1.0, tuple(undecided), doubt)
 
 
 def _driven(m: Linkage, wanted: Target) -> tuple[Way, float | None, InputError | None]:

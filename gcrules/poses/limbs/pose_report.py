@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from math import isfinite
+from math import floor, isfinite
 from typing import Any
 
 import numpy as np
@@ -134,9 +134,8 @@ def first_singular_pose(
         )
     text = f"{100 * found.part:.6g}% of the way to {wanted.text}"
     first = report_at(m.linkage, m.analysis, replace(found.solution, target=replace(wanted, text=text)), limit)
-    before = (
-        "proved: no configuration before it is singular" if found.proved else f"of the way before it {_open(found)}"
-    )
+    clear = f"proved: no configuration before {floor(1e6 * found.clear) / 1e4:g}% of the way is singular"
+    before = clear if found.proved else f"of the way before it {_open(found)}"
     return replace(first, notes=(*first.notes, before))
 
 
