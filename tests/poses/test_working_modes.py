@@ -133,21 +133,17 @@ def test_modes_have_the_numbers_of_the_robot_in_them() -> None:
         assert (mode.pose.verdict, mode.pose.margin) == (alone.verdict, pytest.approx(alone.margin, abs=1e-12))
 
 
-def test_modes_of_a_locus_are_those_of_the_robot_in_them() -> None:
-    """Two roads: the signs of the roots at which a factor of the locus vanishes, and the determinant in each mode."""
-    over, at = "x", "y=0.25, yaw=0deg"
-    locus = gc.locus("3-rrr", over=over, at=at)
-    singular = {mode for part in locus.parts for factor in part.factors for mode in factor.seen.modes}
-    crossed = set()
+def test_the_locus_vanishes_where_a_way_in_any_mode_crosses() -> None:
+    """Two roads: the exact polynomial over all modes at once, and the sign of the determinant along a way in each."""
+    (part,) = gc.locus("3-rrr", over="x", at="y=0, yaw=0deg").parts
+    crossed = {}
     for name in ("+++", "++-", "+-+", "+--", "-++", "-+-", "--+", "---"):
-        robot = gc.load("3-rrr", mode=name)
-        for end in (-2, 2):
-            try:
-                way = gc.path(robot, ["x=0, y=0.25, yaw=0deg", f"x={end}, y=0.25, yaw=0deg"], samples=8)
-            except InputError:
-                continue
-            crossed |= {name} if way.crossings else set()
-    assert crossed <= singular
+        way = gc.path(gc.load("3-rrr", mode=name), ["home", "x=2, y=0, yaw=0deg"], samples=8)
+        for crossing in way.crossings:
+            low, high = (part.form([2 * Fraction(end)]) for end in (crossing.lower, crossing.upper))
+            assert low * high < 0
+            crossed[name] = crossing.coordinates[0]
+    assert set(crossed) == {"++-", "+--", "--+", "---"}
 
 
 def test_exact_where_it_can_be() -> None:
@@ -160,9 +156,10 @@ def test_exact_where_it_can_be() -> None:
 
 
 def test_more_solutions_than_can_be_told_apart_have_no_number(monkeypatch: pytest.MonkeyPatch) -> None:
+    several, two = (choices(name).linkage for name in ("3-uru", "delta"))
     monkeypatch.setattr("gcrules.mechanisms.modes.limb_solutions.MOST", 2)
-    assert limb_solutions(choices("3-uru").linkage, 0).moving
-    assert not limb_solutions(choices("delta").linkage, 0).moving
+    assert limb_solutions(several, 0).moving
+    assert not limb_solutions(two, 0).moving
 
 
 @pytest.mark.parametrize(

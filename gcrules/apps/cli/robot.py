@@ -22,7 +22,7 @@ from gcrules.apps.cli.base import (
 from gcrules.apps.cli.files import OutputCommand, OutputFile, figure_option, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
-from gcrules.apps.cli.sources import mode_option
+from gcrules.apps.cli.sources import in_mode, mode_option
 from gcrules.core.budget import checkpoint
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReached
@@ -40,7 +40,6 @@ from gcrules.rules.plugin import ROBOT_FILE
 
 __all__ = ["robot"]
 
-_in_mode = deferred("gcrules.poses.modes.choose:in_mode")
 _home_remark = deferred("gcrules.poses.limbs.remark:home_remark")  # numpy, for numbers only
 _pose = deferred("gcrules.poses.pose:pose")
 _singular = deferred("gcrules.poses.pose:singular")
@@ -251,11 +250,9 @@ def pose_command(
 
 def _read(name: str, folders: tuple[str, ...], mode: str | None) -> Robot:
     """The robot, with its home in a mode."""
-    found = read_robot(name, folders)
-    if mode is None:
-        return found
-    chosen: Robot = _in_mode(found, mode)
-    return chosen
+    found = in_mode(read_robot(name, folders), mode)
+    assert isinstance(found, Robot)
+    return found
 
 
 @robot.command("new", cls=OutputCommand, short_help="Write a robot file to begin with.")

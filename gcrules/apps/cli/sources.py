@@ -13,7 +13,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.load import Loaded, is_path, load
 
-__all__ = ["mode_option", "read_source", "warn"]
+__all__ = ["in_mode", "mode_option", "read_source", "warn"]
 
 _in_mode = deferred("gcrules.poses.modes.choose:in_mode")  # numpy
 
@@ -33,10 +33,12 @@ def read_source(words: str | Sequence[str], *, mode: str | None = None, **option
         words = (words,)
     if len(words) > 1 and any(word == "-" or is_path(word) for word in words):
         raise InputError("expected one geometry file, or legs", hint="give one file at a time")
-    loaded = load(" ".join(words), stdin=read_stdin, **options)
-    if mode is None:
-        return loaded
-    found: Loaded = _in_mode(loaded, mode)
+    return in_mode(load(" ".join(words), stdin=read_stdin, **options), mode)
+
+
+def in_mode(loaded: Loaded, mode: str | None) -> Loaded:
+    """What was loaded, with its home in the mode that --mode names. Raises InputError for modes that there are not."""
+    found: Loaded = loaded if mode is None else _in_mode(loaded, mode)
     return found
 
 

@@ -60,7 +60,7 @@ def first_singular(m: Linkage, wanted: Target) -> FirstSingular:
     undecided: list[Stretch] = []
     for stretch in _stretches(way, changes):
         checkpoint()
-        inside = [c for c in changes if stretch[0] <= c[0] and c[1] <= stretch[1]]
+        inside = [c for c in changes if _meet(c, stretch)]
         try:
             part = _crossing(way, inside[0]) if inside else _least(way, stretch)
         except InputError:
@@ -93,8 +93,12 @@ def _driven(m: Linkage, wanted: Target) -> tuple[Way, float | None, InputError |
 def _stretches(way: Way, changes: tuple[Stretch, ...]) -> Iterator[Stretch]:
     """Where something may be singular, in order: what is not proved, and changes of sign outside of that."""
     left = way.unproved()
-    alone = [c for c in changes if not any(a <= c[1] and c[0] <= b for a, b in left)]
+    alone = [c for c in changes if not any(_meet(c, one) for one in left)]
     yield from sorted([*left, *alone])
+
+
+def _meet(one: Stretch, other: Stretch) -> bool:
+    return one[0] <= other[1] and other[0] <= one[1]
 
 
 def _singular(m: Linkage, c: Configuration) -> float:

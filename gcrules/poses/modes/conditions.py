@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.screws.study import quaternion_product
 
 __all__ = [
     "COORDINATES",
@@ -44,21 +45,9 @@ _SAMPLES = 60  # of the motions of a limb, more than there are coordinates
 _NONE = 1e-10  # singular values below it, in parts of the largest, are 0: amounts are random, so gaps are wide
 
 
-def _products() -> Floats:
-    """T[k, i, j]: the part of e_k in the product e_i e_j of quaternions."""
-    table = np.zeros((4, 4, 4))
-    for i, j, k, sign in (
-        *((0, n, n, 1) for n in range(4)),
-        *((n, 0, n, 1) for n in range(1, 4)),
-        *((n, n, 0, -1) for n in range(1, 4)),
-        *((a, b, c, 1) for a, b, c in ((1, 2, 3), (2, 3, 1), (3, 1, 2))),
-        *((b, a, c, -1) for a, b, c in ((1, 2, 3), (2, 3, 1), (3, 1, 2))),
-    ):
-        table[k, i, j] = sign
-    return table
-
-
-_T = _products()
+_UNITS = np.eye(4).tolist()
+_T = np.array([[quaternion_product(a, b) for b in _UNITS] for a in _UNITS]).transpose(2, 0, 1)
+"""_T[k, i, j]: the part of e_k in the product e_i e_j of quaternions."""
 _CONJUGATE = np.diag([1.0, -1.0, -1.0, -1.0])
 
 

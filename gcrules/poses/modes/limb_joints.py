@@ -30,7 +30,9 @@ _WAYS = 3  # amounts with the same spans: turns of pins about the other side, id
 
 @dataclass(frozen=True, eq=False)
 class Held:
-    """The amounts of all coordinates of each limb from home, of which the `free` ones may take any."""
+    """For each limb the amounts of all its coordinates from home (rad, the file's unit of length), and the places of
+    those that are `free`: they may take any amount.
+    """
 
     amounts: tuple[Floats, ...]
     free: tuple[tuple[int, ...], ...]
