@@ -60,6 +60,7 @@ from gcrules.screws import (
     reciprocal,
     revolute,
 )
+from gcrules.screws.margin import jacobian as leg_jacobian
 
 Vec = tuple[Any, ...]
 
@@ -424,3 +425,19 @@ def test_values_can_be_hashed_and_compared() -> None:
     assert one == other
     assert len({one, other}) == len({one.locked_system(), other.locked_system()}) == 1
     assert str(one) == "RP\u0332S"
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_turned_platforms_have_the_margins_of_their_jacobians(seed: int) -> None:
+    """The bounds that are proved around a pose rest on the short way; the long one makes every leg anew."""
+    rng = np.random.default_rng(seed)
+    base, ends = rng.normal(size=(6, 3)), rng.normal(size=(6, 3)) + np.array([0.0, 0.0, 3.0])
+    here = leg_jacobian(base, ends[None])
+    turns = np.linalg.qr(rng.normal(size=(20, 3, 3)))[0]
+    turns *= np.sign(np.linalg.det(turns))[:, None, None]
+    sigma, lengths = here.turned(turns, base)
+    centre = ends.mean(axis=0)
+    long = leg_jacobian(base, (ends - centre) @ np.swapaxes(turns, 1, 2) + centre)
+    assert np.allclose(sigma, long.sigma, atol=1e-12)
+    assert (sigma <= long.sigma + 1e-15).all(), "never too large"
+    assert np.allclose(lengths, long.lengths, rtol=1e-12)
