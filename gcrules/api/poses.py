@@ -15,6 +15,7 @@ from gcrules.poses.modes.modes import assembly_modes as _assembly_modes
 from gcrules.poses.modes.working import working_modes as _working_modes
 from gcrules.poses.operation_modes.operation_modes import operation_modes as _operation_modes
 from gcrules.poses.path_report import path as _path
+from gcrules.poses.plans.plan import plan as _plan
 from gcrules.poses.pose import pose as _pose
 from gcrules.poses.pose import singular as _singular
 from gcrules.views.code.source_code import source_code as _source_code
@@ -26,6 +27,7 @@ __all__ = [
     "locus",
     "operation_modes",
     "path",
+    "plan",
     "pose",
     "singular",
     "singular_map",
@@ -37,6 +39,7 @@ compiled = public(_compiled)
 locus = public(_locus)
 operation_modes = public(_operation_modes)
 path = public(_path)
+plan = public(_plan)
 pose = public(_pose)
 singular = public(_singular)
 singular_map = public(_singular_map)

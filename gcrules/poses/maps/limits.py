@@ -24,9 +24,11 @@ from gcrules.screws.pose import check_unit, read_number
 __all__ = ["LengthLimits", "parse_limits"]
 
 _ALL = ("leg lengths", "leg length", "legs", "lengths", "all")
-_ACTUATORS = ("actuators", "actuator", "all")
 _ANGLES = ("deg", "degree", "degrees", "°", "rad", "radian", "radians")
-_RANGES = 'write "actuators -0.1..0.2", or for single ones "q1 -30..30 deg, q2 0.."'
+_RANGES = {
+    "actuator": 'write "actuators -0.1..0.2", or for single ones "q1 -30..30 deg, q2 0.."',
+    "coordinate": 'write "x -0.1..0.2, z 0.., yaw -30..30 deg"',
+}
 _FORM = 'write "leg lengths 1..3", or for single legs "ab 1..3, cd 2..", in the unit of the file'
 
 
@@ -86,9 +88,17 @@ def _range(name: str, low: float, high: float) -> str:
     return f"{below}{name}{f' ≤ {high:g}' if high < math.inf else ''}"
 
 
-def parse_limits(text: str, names: Sequence[str], unit: str = "", angles: Sequence[bool] = ()) -> LengthLimits:
+def parse_limits(
+    text: str,
+    names: Sequence[str],
+    unit: str = "",
+    angles: Sequence[bool] = (),
+    *,
+    noun: str = "actuator",
+    option: str = "--limits",
+) -> LengthLimits:
     """Read ranges "low..high" of all legs or of single ones (either bound may be left out); later ones count. With
-    `angles`, one for each name, they are actuators of a robot of joints.
+    `angles`, one for each name, they are actuators of a robot of joints, or what else the `noun` says.
 
     Raises InputError for unknown legs, for reversed or empty ranges, negative lengths, and for other units.
     """
@@ -99,12 +109,12 @@ def parse_limits(text: str, names: Sequence[str], unit: str = "", angles: Sequen
         if not parts:
             raise InputError("there are no limits", hint=_FORM)
         for part in parts:
-            legs, least, most, word = _part(part, names, unit, kinds)
+            legs, least, most, word = _part(part, names, unit, kinds, noun)
             for leg in legs:
                 scale = _scale(leg, kinds[leg], word, unit) if kinds else 1.0
                 low[leg], high[leg] = least * scale, most * scale
     except GcrulesError as fault:
-        raise fault.located(text, "--limits", Span(0, max(len(text), 1))) from None
+        raise fault.located(text, option, Span(0, max(len(text), 1))) from None
     return LengthLimits(tuple(names), tuple(low.values()), tuple(high.values()), unit, tuple(angles))
 
 
@@ -115,17 +125,17 @@ def _scale(name: str, angle: bool, word: str | None, unit: str) -> float:
         raise InputError(f"{name} is an angle without a unit", hint='end with deg or rad: "q1 -30..30 deg"')
     if angle != turned:
         kinds = ("an angle", "lengths") if angle else ("a length", "angles")
-        raise InputError(f"{name} is {kinds[0]}, {word} a unit of {kinds[1]}", hint=_RANGES)
+        raise InputError(f"{name} is {kinds[0]}, {word} a unit of {kinds[1]}", hint='as in "q1 -30..30 deg, q2 0..1"')
     if word is not None and not angle:
         check_unit(word, unit)
     return math.radians(1.0) if word is not None and angle and not word.lower().startswith("rad") else 1.0
 
 
 def _part(
-    part: str, names: Sequence[str], unit: str, kinds: Mapping[str, bool]
+    part: str, names: Sequence[str], unit: str, kinds: Mapping[str, bool], noun: str
 ) -> tuple[Sequence[str], float, float, str | None]:
     match = re.fullmatch(r"(.*?)\s*(\S*?)\.\.(\S*?)(?:\s+([^\s.]+))?", part.replace("°", " °"))
-    form, every = (_RANGES, _ACTUATORS) if kinds else (_FORM, _ALL)
+    form, every = (_RANGES[noun], (f"{noun}s", noun, "all")) if kinds else (_FORM, _ALL)
     if not match:
         raise InputError(f"{part[:60]!r} is no range{'' if kinds else ' of lengths'}", hint=form)
     who, first, last, word = match.groups()
@@ -134,8 +144,10 @@ def _part(
     known = {n.replace(" ", "").lower(): n for n in names}
     leg = known.get(who.replace(" ", "").lower())
     if leg is None and who and who.lower() not in every:
-        one, all_ = ("actuator", "the actuators are") if kinds else ("leg", "the legs are")
-        raise InputError(f"{who[:40]!r} is no {one}", hint=near(who, tuple(names)) or f"{all_} {', '.join(names)}")
+        one = noun if kinds else "leg"
+        raise InputError(
+            f"{who[:40]!r} is no {one}", hint=near(who, tuple(names)) or f"the {one}s are {', '.join(names)}"
+        )
     if not (first or last):
         raise InputError("a range without bounds", hint=form)
     least = float(read_number(first)) if first else -math.inf if kinds else 0.0

@@ -15,7 +15,7 @@ from gcrules.poses.numbers.extensors import normalised
 from gcrules.poses.numbers.incidence_measures import NEAR_ZERO
 from gcrules.rules.condition import Condition
 
-__all__ = ["causes", "near_causes", "nearest_cause"]
+__all__ = ["causes", "factor_words", "near_causes", "nearest_cause"]
 
 Points = Mapping[str, Sequence[Fraction]]
 
@@ -33,7 +33,7 @@ def causes(conditions: Sequence[Condition], points: Points, names: Sequence[str]
             found.setdefault(condition.sentence)
         elif evaluate(condition.cofactor, points) != 0:
             for part in vanishing(condition.expression, points):
-                words = _words(part, condition, tuple(names))
+                words = factor_words(part, condition, tuple(names))
                 found |= dict.fromkeys(f"{w[0].upper()}{w[1:]}{_place(part, points, unit)}." for w in words)
     return tuple(found)
 
@@ -57,11 +57,11 @@ def _sizes(conditions: Sequence[Condition], points: Arrays, names: Sequence[str]
         for condition in conditions
         if float(normalised(condition.cofactor, points)[0]) >= NEAR_ZERO
         for part in factors(condition.expression)
-        for words in _words(part, condition, tuple(names))
+        for words in factor_words(part, condition, tuple(names))
     ]
 
 
-def _words(part: Expr, condition: Condition, names: tuple[str, ...]) -> Iterator[str]:
+def factor_words(part: Expr, condition: Condition, names: tuple[str, ...]) -> Iterator[str]:
     """What it means that a factor vanishes, without a full stop; nothing for a superbracket."""
     if isinstance(part, Bracket):
         corners = " ".join(text(p, names=names) for p in part.children)

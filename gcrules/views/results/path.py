@@ -21,7 +21,7 @@ from gcrules.views.results.path_account import (
     listed_verdicts,
 )
 
-__all__ = ["account", "as_latex", "as_text"]
+__all__ = ["account", "as_latex", "as_text", "written_pose"]
 
 KINDS = {
     "crosses": "crosses: the superbracket changes its sign",
@@ -66,7 +66,7 @@ def _place(z: Zero, unit: str) -> PathPlace:
     times = f", a zero of multiplicity {z.multiplicity}" if z.multiplicity > 1 else ""
     exactly = f" = {z.lower}" if z.exact and z.lower.denominator > 1 and len(str(z.lower)) < 12 else ""
     kind = f"{KINDS[z.kind]}{times}"
-    return PathPlace(z.parameter, exactly, kind, _pose(z.pose), z.causes, _gained(z.dependence, unit))
+    return PathPlace(z.parameter, exactly, kind, written_pose(z.pose), z.causes, _gained(z.dependence, unit))
 
 
 def _gained(d: Dependence | None, unit: str) -> tuple[str, ...]:
@@ -106,7 +106,7 @@ def _count(number: int, word: str) -> str:
     return f"{number:,} {word}{'s' * (number != 1)}"
 
 
-def _pose(p: Pose) -> str:
+def written_pose(p: Pose) -> str:
     """Text for --at, to six digits."""
     shift = _numbers([float(c) for c in p.translation])
     turn = _numbers([math.degrees(c) for c in p.rotation_vector]) if p.angle > 1e-12 else ""

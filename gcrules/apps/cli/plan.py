@@ -1,0 +1,78 @@
+"""The command plan: a way from one pose to another without a singularity."""
+
+from __future__ import annotations
+
+import click
+
+from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, output_options
+from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.sources import mode_option, read_source, warn
+from gcrules.core.files import write_file
+from gcrules.core.streams import is_stdout
+from gcrules.poses.plans.plan import STATES
+from gcrules.poses.plans.plan import plan as planned
+
+__all__ = ["plan"]
+
+_CODES = {"way": 0, "none": 1, "undecided": 3}
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("file", metavar="FILE.yaml|ID")
+@mode_option
+@click.option("--from", "start", required=True, metavar="POSE", help="The pose to start from, as in gcrules path.")
+@click.option("--to", "goal", required=True, metavar="POSE", help="The pose to go to.")
+@click.option("--margin", type=float, metavar="SIGMA", help="The least margin on the way; by default a regular one.")
+@click.option("--limits", metavar="RANGES", help='Of legs or actuators: "leg lengths 1..3", "q1 -30..30 deg".')
+@click.option("--within", metavar="RANGES", help='Of coordinates from home: "z -100..50, turn ..40 deg".')
+@about_option
+@click.option("--states", default=STATES, show_default=True, metavar="N", help="Give up at so many states.")
+@click.option("--seed", default=0, show_default=True, metavar="N", help="Another seed draws other poses.")
+@click.option("--csv", "table", type=OutputFile(alone=True), metavar="FILE.csv", help="Write the poses of the way.")
+@time_limit()
+@output_options()
+def plan(
+    file: str,
+    mode: str | None,
+    start: str,
+    goal: str,
+    margin: float | None,
+    limits: str | None,
+    within: str | None,
+    about: str,
+    states: int,
+    seed: int,
+    table: str | None,
+    out: Output,
+) -> None:
+    """Find a way from one pose to another without a singularity, or prove that there is none.
+
+    \b
+    gcrules plan robot.yaml --from home --to "0 0 -300; rotvec 0 0 60 deg"
+    gcrules plan 3-rps --from home --to "z=0.2, roll=20deg, pitch=10deg" --margin 0.2
+    gcrules plan robot.yaml --from home --to "50 0 10" --limits "leg lengths 300..700" --csv way.csv
+
+    Poses are drawn at random and joined by straight ways; the way that is found is made shorter and is proved as by
+    gcrules path. There is none, proved, where a factor of the condition has opposite signs in both poses. Exit code 0:
+    a way, 1: there is none, 3: not decided. "-" reads the file from standard input.
+    """
+    loaded = warn(read_source(file, mode=mode))
+    with working("searching"):
+        found = planned(
+            loaded,
+            start,
+            goal,
+            margin=margin,
+            limits=limits,
+            within=within,
+            states=states,
+            seed=seed,
+            about=about,
+        )
+    code = _CODES[found.outcome]
+    if table is not None and code == 0:
+        write_file(table, found.csv())
+    if table is None or out.path is not None or not is_stdout(table) or code:
+        out.show(found)
+    click.get_current_context().exit(code)

@@ -1,0 +1,52 @@
+r"""The sign of the determinant of the undriven joints' screws, which closes the loops when the actuators are locked.
+
+With the actuators locked the links can move where the screws of all other joints, as columns of the loops' equations,
+depend on each other. Where there are as many of these joints as equations they are a square matrix. Its determinant is
+a continuous function of the configuration, whatever the way to it and whichever branch it lies on, and is 0 exactly
+where something can move. So between two configurations in which it has opposite signs every way is singular somewhere.
+
+Robots with freedoms that are idle, such as rods that spin about themselves, with more actuators than freedoms, or
+whose loops ask for less than six equations, have no such matrix: their sign is 0. Derived here.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.mechanisms.kinematics.configurations import Configurations
+from gcrules.mechanisms.kinematics.linkage import Linkage
+from gcrules.mechanisms.kinematics.loops import loop_rows, units_of
+
+__all__ = ["closing_signs", "has_closing_sign"]
+
+_PLANE = (2, 3, 4)
+_ZERO = 1e-9  # of the determinant, in parts of the product of its columns' lengths
+
+
+def has_closing_sign(m: Linkage) -> bool:
+    """Whether there are as many undriven joints as equations of the loops."""
+    here = Configurations.of([m.home])
+    twists = [c.shared_twists for c in here.chains]
+    equations = loop_rows(twists, here.platform, m).shape[1] // (2 if m.robot.family.plane else 1)
+    return bool(equations == len(_undriven(m)))
+
+
+def closing_signs(m: Linkage, here: Configurations) -> NDArray[np.int8]:
+    """The sign (N,) in configurations; 0 where it is 0 within rounding, or there is none."""
+    if not has_closing_sign(m):
+        return np.zeros(len(here), dtype=np.int8)
+    rows = loop_rows([c.shared_twists for c in here.chains], here.platform, m) * units_of(m)
+    if m.robot.family.plane:
+        rows = rows.reshape(len(here), -1, 6, rows.shape[2])[:, :, _PLANE].reshape(len(here), -1, rows.shape[2])
+    square = rows[:, :, _undriven(m)]
+    square = square / np.maximum(np.linalg.norm(square, axis=1, keepdims=True), 1e-300)
+    found = np.linalg.det(square)
+    return np.asarray(np.where(np.abs(found) > _ZERO, np.sign(found), 0), dtype=np.int8)
+
+
+def _undriven(m: Linkage) -> list[int]:
+    """The places of the coordinates that are not driven, among those of all limbs."""
+    starts = np.cumsum([0, *(len(c.turns) for c in m.home.chains)])
+    driven = {int(starts[a.place]) + a.coordinate for a in m.actuators}
+    return [k for k in range(int(starts[-1])) if k not in driven]

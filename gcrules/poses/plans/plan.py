@@ -1,0 +1,216 @@
+r"""Where a robot can go without a singularity: a search for a way, and its proof; or the proof that there is none.
+
+The search draws poses at random and looks at ways between them at samples (`roadmap`); the way that is found is made
+shorter and smoother, and then proved by `gcrules.poses.path_report`. Ways that are not proved are left out, and the
+search goes on.
+
+>>> from gcrules.mechanisms.mechanism import mechanism
+>>> found = plan_of(mechanism("3-rpr"), "home", "x=0.1, y=0, yaw=10deg")
+>>> found.outcome, len(found.poses), found.path.verdict
+('way', 2, 'regular')
+>>> there = plan_of(mechanism("3-rpr"), "home", "x=0, y=0, yaw=60deg")
+>>> there.outcome, there.opposed[0].expression
+('none', 'A1B1 /\\ A2B2 /\\ A3B3')
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from gcrules.core.budget import checkpoint
+from gcrules.core.budget import report as report_progress
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.load import Folders, Source
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.methods import Methods, method
+from gcrules.poses.plans.leg_problem import leg_problem
+from gcrules.poses.plans.limb_problem import limb_problem
+from gcrules.poses.plans.problem import Problem, Proved
+from gcrules.poses.plans.report import OpposedSign, Plan, Search, Waypoint
+from gcrules.poses.plans.roadmap import Roadmap, shortened
+from gcrules.poses.plans.smoothing import rounded_corners
+from gcrules.screws.pose import exact_float
+from gcrules.screws.verdict import CLOSE
+
+__all__ = ["STATES", "plan", "plan_of"]
+
+STATES = 3000
+_MOST = 200_000
+_FIRST, _LATER = 32, 256  # poses that are drawn at once
+_SPREADS = (0.1, 0.25, 0.5, 1.0)  # sizes, and rad: how far around the straight way
+_TRIES = 40  # poses that are drawn for each state
+_SAME = 1e-12
+_ATTEMPTS = 8  # ways that are tried to be proved
+
+
+def plan(
+    source: Source,
+    start: Any,
+    goal: Any,
+    *,
+    margin: float | None = None,
+    limits: str | None = None,
+    within: str | None = None,
+    states: int = STATES,
+    seed: int = 0,
+    about: str | Sequence[Any] = "centroid",
+    plugins: Folders = (),
+) -> Plan:
+    """A way of a robot from one pose to another without a singularity, proved; or the proof that there is none.
+
+    `source` and `about` are those of `pose`; `start` and `goal` are poses as for `path`, "home" among them. Everywhere
+    on the way the margin σ is at least `margin`, by default that from which on a pose counts as regular. `limits` are
+    ranges of the legs' lengths or the actuators' amounts as for `map`, `within` ranges of the platform's coordinates
+    from home: x, y, z and turn of a platform on six legs ("z -100..50, turn ..40 deg"), else those that name its poses.
+    The search ends at so many `states`; it is the same one for the same `seed`.
+
+    Raises InputError where start or goal do not keep to what is asked for, and for what is no pose.
+    """
+    found = mechanism(source, about=about, plugins=plugins)
+    return plan_of(found, start, goal, margin=margin, limits=limits, within=within, states=states, seed=seed)
+
+
+def plan_of(
+    found: Mechanism,
+    start: Any,
+    goal: Any,
+    *,
+    margin: float | None = None,
+    limits: str | None = None,
+    within: str | None = None,
+    states: int = STATES,
+    seed: int = 0,
+) -> Plan:
+    """The plan of a mechanism; arguments and errors as for `plan`."""
+    asked = CLOSE if margin is None else exact_float(margin, "the margin")
+    if not 0 < asked < 1:
+        raise InputError(f"the margin {asked:g} does not lie between 0 and 1", hint="0 is singular, 1 as far as can be")
+    if not 1 <= states <= _MOST:
+        raise InputError(f"{states} states, expected 1 to {_MOST:,}")
+    if seed < 0:
+        raise InputError(f"the seed {seed} is negative")
+    problem = method(_PROBLEM, found, "a plan")(start, goal, asked, limits, within)
+    return _solved(problem, asked, states, seed)
+
+
+def _solved(p: Problem, asked: float, states: int, seed: int) -> Plan:
+    if opposed := p.opposed():
+        return _plan(p, asked, "none", _no_way(opposed), opposed=opposed)
+    road = Roadmap(p.space, p.roots)
+    random = np.random.default_rng(seed)
+    first: Proved | None = None
+    for _ in range(_ATTEMPTS):
+        reached = _grown(p, road, random, states)
+        search = Search(p.region, p.limits, len(road.rows), seed)
+        if reached is None:
+            break
+        nodes = road.way(0, reached)
+        for way in _drafts(p, road.rows[nodes]):
+            proved = p.prove(way)
+            if not proved.failures:
+                return _plan(p, asked, "way", _found(p, proved, way), way=way, proved=proved, search=search)
+            first = first or proved
+        road.forget((nodes[k], nodes[k + 1]) for k in proved.failures)
+    return _plan(p, asked, "undecided", _undecided(road, first), search=search)
+
+
+def _grown(p: Problem, road: Roadmap, random: Any, states: int) -> int | None:
+    """The state at the goal, once ways lead there; None where there are too many states before."""
+    drawn = 0
+    while True:
+        reached = _at_goal(p, road)
+        if reached is not None or len(road.rows) >= states or drawn > _TRIES * states:
+            return reached
+        checkpoint()
+        report_progress(f"{len(road.rows):,} states, {drawn:,} poses drawn")
+        number = _FIRST if drawn < _LATER else _LATER
+        spread = _SPREADS[min(drawn // (4 * _LATER), len(_SPREADS) - 1)]
+        goals = p.space.drawn(random, number, np.stack([p.roots[0], p.end]), spread)
+        if len(p.roots) < 2:
+            goals = np.concatenate([goals, p.end[None]])
+        if len(goals):
+            road.grow(goals)
+        drawn += number
+
+
+def _at_goal(p: Problem, road: Roadmap) -> int | None:
+    if len(p.roots) > 1:
+        return 1 if road.joined(0, 1) else None
+    apart = p.space.lengths(road.rows, np.repeat(p.end[None], len(road.rows), axis=0))
+    return next((int(n) for n in np.flatnonzero(apart <= _SAME) if road.joined(0, int(n))), None)
+
+
+def _drafts(p: Problem, rows: Floats) -> Iterator[list[Waypoint]]:
+    """Ways through the states to be proved: shorter ones with few digits, the smoothest first, and the way itself."""
+    short = shortened(p.space, rows)
+    smooth = rounded_corners(p.space, short)
+    for each in [smooth, short] if len(smooth) > len(short) else [short]:
+        yield _waypoints(p, each, rounded=True)
+    yield _waypoints(p, rows, rounded=False)
+
+
+def _waypoints(p: Problem, rows: Floats, *, rounded: bool) -> list[Waypoint]:
+    return [p.start, *(p.waypoint(row, rounded=rounded) for row in rows[1:-1]), p.goal]
+
+
+def _plan(
+    p: Problem,
+    asked: float,
+    outcome: str,
+    reason: str,
+    *,
+    way: Sequence[Waypoint] = (),
+    proved: Proved | None = None,
+    opposed: tuple[OpposedSign, ...] = (),
+    search: Search | None = None,
+) -> Plan:
+    return Plan(
+        title=p.title,
+        unit=p.unit,
+        outcome=outcome,
+        reason=reason,
+        asked=asked,
+        start=p.start,
+        goal=p.goal,
+        poses=tuple(way),
+        path=proved.path if proved else None,
+        least=proved.least if proved else 0.0,
+        proved=p.proves_margin,
+        length=p.length(way) if way else 0.0,
+        straight=p.length([p.start, p.goal]),
+        size=p.size,
+        opposed=opposed,
+        search=search,
+        notes=p.notes,
+    )
+
+
+def _found(p: Problem, proved: Proved, way: Sequence[Waypoint]) -> str:
+    pieces = len(way) - 1
+    words = "The straight way is free" if pieces == 1 else f"A way of {pieces} straight pieces is free"
+    sure = "everywhere on it" if p.proves_margin else "at all samples of it"
+    return f"{words} of singular poses, proved; the margin σ is at least {proved.least:.4g} {sure}."
+
+
+def _no_way(opposed: Sequence[OpposedSign]) -> str:
+    words = ", and through one in which ".join(o.statement.rstrip(".") for o in opposed)
+    return f"There is none, proved: every way passes through a pose in which {words}."
+
+
+def _undecided(road: Roadmap, first: Proved | None) -> str:
+    if first is not None:
+        return f"Not decided: the ways that were found are not proved. {first.path.reason}"
+    return (
+        f"Not decided: of the {len(road.rows):,} states that were reached none joins start and goal, and no sign tells"
+        " that there is no way."
+    )
+
+
+_PROBLEM: Methods[Problem] = {SixLegs: leg_problem, Limbs: limb_problem}
+"""The method for each kind of mechanism."""

@@ -1,0 +1,63 @@
+r"""Where poses of a plan may lie: ranges of coordinates, from home.
+
+>>> region = Region(("x", "turn"), (-1.0, 0.0), (1.0, 0.5), (False, True))
+>>> region.text("mm"), region.holds([[0.5, 0.2], [2.0, 0.2]]).tolist()
+('-1 ≤ x ≤ 1 mm, 0 ≤ turn ≤ 28.6479 deg', [True, False])
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.poses.maps.limits import LengthLimits, parse_limits
+
+__all__ = ["Region", "Truths"]
+
+Truths = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Region:
+    """The least and the largest value of each coordinate, from home: rad where it is an angle, else the file's unit."""
+
+    names: tuple[str, ...]
+    low: tuple[float, ...]
+    high: tuple[float, ...]
+    angles: tuple[bool, ...]
+
+    def within(self, text: str | None, unit: str = "") -> Region:
+        """With the ranges that a user gives for some of the coordinates. Raises InputError."""
+        if text is None:
+            return self
+        given = parse_limits(text, self.names, unit, self.angles, noun="coordinate", option="--within")
+        low = tuple(np.where(np.isinf(given.low), self.low, np.maximum(self.low, given.low)).tolist())
+        high = tuple(np.where(np.isinf(given.high), self.high, np.minimum(self.high, given.high)).tolist())
+        return Region(self.names, low, high, self.angles)
+
+    def around(self, values: Floats, room: Floats) -> Region:
+        """Widened so that it holds values (N, names) with some room (names,)."""
+        low = np.minimum(self.low, (values - room).min(axis=0))
+        high = np.maximum(self.high, (values + room).max(axis=0))
+        return Region(self.names, tuple(low.tolist()), tuple(high.tolist()), self.angles)
+
+    def holds(self, values: Any) -> Truths:
+        """Which values (N, names) lie in it, but for rounding."""
+        found = np.asarray(values)
+        room = 1e-12 * np.maximum(np.abs(self.low), np.abs(self.high))
+        return np.asarray(((found >= self.low - room) & (found <= self.high + room)).all(axis=1))
+
+    def drawn(self, random: np.random.Generator, number: int) -> Floats:
+        """Values (number, names) at random."""
+        return random.uniform(self.low, self.high, (number, len(self.names)))
+
+    def text(self, unit: str = "") -> str:
+        """The ranges in words."""
+        return LengthLimits(self.names, self.low, self.high, unit, self.angles).text
+
+    def to_json(self) -> dict[str, list[float | None]]:
+        return LengthLimits(self.names, self.low, self.high, "", self.angles).to_json()

@@ -1,0 +1,133 @@
+r"""The answer to where a robot can go: a way that is proved, the proof that there is none, or neither."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from gcrules.core.shown import Shown
+from gcrules.poses.limbs.path_report import RobotPath
+from gcrules.poses.paths.report import PathReport
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import ANGLES
+
+__all__ = ["OUTCOMES", "OpposedSign", "Plan", "Search", "Waypoint"]
+
+Waypoint = Pose | Mapping[str, float]
+"""A pose; of a robot with fewer than six freedoms coordinates by name, angles in radians."""
+
+OUTCOMES = ("way", "none", "undecided")
+
+
+@dataclass(frozen=True)
+class OpposedSign:
+    """What has one sign at the start and the other one at the goal, so that it is 0 somewhere on every way between
+    them: the expression with its two values, and what is singular there, in words.
+    """
+
+    expression: str
+    start: float
+    goal: float
+    statement: str
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "expression": self.expression,
+            "start": self.start,
+            "goal": self.goal,
+            "statement": self.statement,
+        }
+
+
+@dataclass(frozen=True)
+class Search:
+    """What a search had: the `region` of coordinates and the `limits` of actuators in words ("" for none), how many
+    `states` it came to, and the `seed` of its draws.
+    """
+
+    region: str
+    limits: str
+    states: int
+    seed: int
+
+    def to_json(self) -> dict[str, Any]:
+        return {"region": self.region, "limits": self.limits or None, "states": self.states, "seed": self.seed}
+
+
+@dataclass(frozen=True)
+class Plan(Shown):
+    """Where a robot can go without a singularity.
+
+    `outcome` is way | none | undecided, `reason` says it in a sentence. A way goes straight through the `poses`, and
+    `path` is its proof: nothing on it is singular. Its margin is `asked` at least: of a platform on six legs everywhere
+    (`proved`), and so are its limits; of a robot of joints at the samples of the path, at whose least it is `least`.
+    That there is none is proved by what is `opposed`. `length` is how long the way is, lengths in parts of the robot's
+    `size`, angles in rad, and `straight` that from start to goal.
+    """
+
+    title: str
+    unit: str
+    outcome: str
+    reason: str
+    asked: float
+    start: Waypoint
+    goal: Waypoint
+    poses: tuple[Waypoint, ...]
+    path: PathReport | RobotPath | None
+    least: float
+    proved: bool
+    length: float
+    straight: float
+    size: float
+    opposed: tuple[OpposedSign, ...]
+    search: Search | None
+    notes: tuple[str, ...] = ()
+
+    def to_json(self) -> dict[str, Any]:
+        """One JSON object, with the proof."""
+        way = self.path is not None
+        return {
+            "schema": 1,
+            "title": self.title,
+            "unit": self.unit,
+            "outcome": self.outcome,
+            "reason": self.reason,
+            "margin_asked": self.asked,
+            "start": _json(self.start),
+            "goal": _json(self.goal),
+            "poses": [_json(p) for p in self.poses],
+            "least_margin": self.least if way else None,
+            "margin_proved": self.proved if way else None,
+            "length": self.length if way else None,
+            "straight_length": self.straight,
+            "size": self.size,
+            "opposed": [o.to_json() for o in self.opposed],
+            "search": self.search.to_json() if self.search else None,
+            "path": self.path.to_json() if self.path is not None else None,
+            "notes": list(self.notes),
+        }
+
+    def csv(self) -> str:
+        """A table of the way's poses; that of a platform on six legs `gcrules path --poses` reads."""
+        if not self.poses:
+            return ""
+        first = self.poses[0]
+        if isinstance(first, Pose):
+            unit = f" [{self.unit}]" if self.unit else ""
+            header = [*(f"{n}{unit}" for n in "xyz"), "qw", "qx", "qy", "qz"]
+            rows = [[*map(float, p.translation), *p.unit_quaternion] for p in self.poses if isinstance(p, Pose)]
+        else:
+            header = [f"{n} [rad]" if n in ANGLES else n for n in first]
+            rows = [list(p.values()) for p in self.poses if not isinstance(p, Pose)]
+        lines = [header, *([repr(x + 0.0).removesuffix(".0") for x in row] for row in rows)]
+        return "".join(f"{','.join(line)}\n" for line in lines)
+
+    def __repr__(self) -> str:
+        if self.path is None:
+            return f"<Plan {self.outcome}: {self.reason}>"
+        return f"<Plan way of {len(self.poses)} poses, margin at least {self.least:.4g}>"
+
+
+def _json(pose: Waypoint) -> dict[str, Any]:
+    return pose.to_json() if isinstance(pose, Pose) else dict(pose)

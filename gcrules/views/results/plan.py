@@ -1,0 +1,81 @@
+r"""A plan as text and as LaTeX: the answer, the way, what excludes one, and how it was sought."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gcrules.mechanisms.kinematics.targets import written
+from gcrules.poses.plans.report import Plan, Waypoint
+from gcrules.screws.pose import Pose
+from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
+from gcrules.views.results.path import written_pose
+from gcrules.views.text_tables import ASCII, wrapped
+
+__all__ = ["as_latex", "as_text"]
+
+
+def as_text(p: Plan, *, unicode: bool = False) -> str:
+    """The whole plan; without `unicode` in ASCII."""
+    found = "\n".join(_lines(p))
+    return found if unicode else found.translate(ASCII)
+
+
+def _lines(p: Plan) -> Iterator[str]:
+    yield from wrapped(p.reason)
+    yield ""
+    if p.poses:
+        yield "Way, straight from pose to pose"
+        for k, pose in enumerate(p.poses):
+            yield from wrapped(f"{k}. {_pose(pose)}", "  ", "     ")
+        yield ""
+    if p.opposed:
+        yield "Opposite signs at start and goal"
+        for o in p.opposed:
+            yield from wrapped(f"{o.expression}: {o.start:.4g} and {o.goal:.4g}", "  ", "    ")
+        yield ""
+    for name, words in _facts(p):
+        yield from wrapped(words, f"{name:<9}", " " * 9)
+
+
+def _facts(p: Plan) -> Iterator[tuple[str, str]]:
+    if not p.poses:
+        yield "start", _pose(p.start)
+        yield "goal", _pose(p.goal)
+    sure = "proved everywhere" if p.proved else "at the samples of the path"
+    if p.poses:
+        yield "margin", f"σ ≥ {p.least:.4g}, {sure}; asked for: {p.asked:.4g}"
+        yield (
+            "length",
+            f"{p.length:.4g}, the straight way {p.straight:.4g} (rad, and lengths by the robot's size {p.size:.4g})",
+        )
+    elif p.outcome == "undecided":
+        yield "margin", f"σ ≥ {p.asked:.4g} asked for"
+    if p.search is not None:
+        yield "sought", f"{p.search.states:,} states, seed {p.search.seed}, in {p.search.region}"
+        if p.search.limits:
+            yield "limits", p.search.limits
+    yield "proof", _proof(p)
+    for note in p.notes:
+        yield "note", note
+
+
+def _proof(p: Plan) -> str:
+    if p.outcome == "way":
+        return "that of `gcrules path` through these poses"
+    if p.outcome == "none":
+        return "a continuous number that is 0 in singular poses only has opposite signs at start and goal"
+    return "none; more states, another seed or a smaller margin may decide it"
+
+
+def _pose(pose: Waypoint) -> str:
+    return written_pose(pose) if isinstance(pose, Pose) else written(pose).strip('"')
+
+
+def as_latex(p: Plan) -> str:
+    """A tabular: the outcome, and the way or what excludes one; needs no package."""
+    rows = [("outcome", p.outcome)]
+    if p.poses:
+        rows.append(("least margin $\\sigma$", latex_quantity(p.least)))
+        rows += [(f"pose {k}", latex_words(_pose(pose))) for k, pose in enumerate(p.poses)]
+    rows += [("impossible without", latex_words(o.statement)) for o in p.opposed]
+    return latex_table(rows)
