@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from commands import Run, shell
+from places import EXAMPLES
 
 from gcrules.apps.cli import COMMANDS, cli
 from gcrules.apps.cli.catalog import COMMANDS as CATALOG_COMMANDS
@@ -14,6 +15,12 @@ from gcrules.apps.cli.catalog import COMMANDS as CATALOG_COMMANDS
 MANY_TERMS = "([abcd] + [aefg])**30 ([aceg] + [bdfh])**30"
 
 OCTAHEDRON = "ab af cb cd ed ef"
+
+AROUND = (
+    str(EXAMPLES / "octahedral.yaml"),
+    *("--from", "-36.9 75 87.5; rotvec 85.27 -39.32 115.91 deg"),
+    *("--to", "215.1 70.5 125.5; rotvec 2.3 -27.94 46.06 deg"),
+)
 
 EXIT_CODES: list[tuple[str, tuple[str, ...], int]] = [
     ("help", ("--help",), 0),
@@ -30,6 +37,9 @@ EXIT_CODES: list[tuple[str, tuple[str, ...], int]] = [
     ("outside the catalog", ("analyze", "ab bc ca de ef fd"), 0),
     ("listed", ("catalog", "list"), 0),
     ("shown", ("catalog", "show", "6-3.2"), 0),
+    ("a way", ("plan", "3-rpr", "--from", "home", "--to", "x=0.1, y=0, yaw=0deg"), 0),
+    ("no way", ("plan", "3-rpr", "--from", "home", "--to", "x=0, y=0, yaw=60deg"), 1),
+    ("no way known", ("plan", *AROUND, "--states", "1"), 3),
     ("syntax", ("expand", "[abcd"), 2),
     ("steps", ("expand", "[abc]"), 2),
     ("nested too deeply", ("expand", "(" * 20_000), 2),

@@ -18,13 +18,13 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.mechanisms.platform_analysis import analyze_legs
+from gcrules.poses.limits import parse_limits
 from gcrules.poses.maps import tracing
 from gcrules.poses.maps.axes import parse_axis, read_axes
 from gcrules.poses.maps.bernstein import coefficients, corners, halves, tolerance
 from gcrules.poses.maps.cells import CROSSED, FREE, UNDECIDED, certified
 from gcrules.poses.maps.grid import Grid, grid
 from gcrules.poses.maps.joining import joined
-from gcrules.poses.maps.limits import parse_limits
 from gcrules.poses.maps.maps import singular_map
 from gcrules.poses.maps.slices import SliceFactor, factors, middle, slice_polynomial
 from gcrules.poses.maps.tracing import traced

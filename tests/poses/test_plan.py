@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import pairwise
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,9 +18,14 @@ from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.limbs.pose_report import target_of
-from gcrules.poses.plans.closing_sign import closing_signs, has_closing_sign
+from gcrules.poses.limits import LengthLimits
+from gcrules.poses.numbers.arrays import matrices
+from gcrules.poses.paths.lengths import keeps_to
+from gcrules.poses.paths.segment import segments
+from gcrules.poses.plans.closing_sign import closing_signs
 from gcrules.screws.pose import Pose
 
+FOUR_DOF = EXAMPLES / "four-dof.yaml"
 OCTAHEDRAL = EXAMPLES / "octahedral.yaml"
 AROUND = "-36.9 75 87.5; rotvec 85.27 -39.32 115.91 deg", "215.1 70.5 125.5; rotvec 2.3 -27.94 46.06 deg"
 
@@ -63,13 +70,57 @@ def test_opposite_signs_exclude_a_way() -> None:
     assert len(gc.path(OCTAHEDRAL, ["home", "0 0 -490"]).zeros) % 2 == 1
 
 
-def test_limits_hold_between_samples() -> None:
+def test_factors_exclude_a_way_where_the_superbracket_does_not() -> None:
+    goal = "0.1 0.7 -0.4; rotvec 40 20 -60 deg"
+    home, there = (gc.pose(FOUR_DOF, at, nearest=False) for at in ("home", goal))
+    assert home.superbracket * there.superbracket > 0
+    found = gc.plan(FOUR_DOF, "home", goal)
+    assert found.outcome == "none"
+    assert [o.expression for o in found.opposed] == ["[A2S1S2S3]", "[A3B3S1S3]"]
+    assert "the tetrahedron A2 S1 S2 S3 is flat" in found.reason
+    for over in ("0 0 0.5", "1 1 1; rotvec 0 50 0 deg", "-0.5 0.5 0.2; rotvec 30 0 90 deg"):
+        assert len(gc.path(FOUR_DOF, ["home", over, goal]).zeros) >= 2
+
+
+def test_start_and_goal_keep_to_the_limits() -> None:
     found = gc.plan(OCTAHEDRAL, "home", "100 0 0", limits="leg lengths 200..900")
     assert found.outcome == "way"
     assert found.search is not None
     assert found.search.limits
     with pytest.raises(InputError, match="the goal does not keep to the limits"):
         gc.plan(OCTAHEDRAL, "home", "0 0 -300", limits="leg lengths 300..900")
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_limits_hold_between_samples(seed: int) -> None:
+    """Against lengths at many places: limits just outside of these are kept, others just inside of them are not."""
+    random = np.random.default_rng(seed)
+    m = mechanism(OCTAHEDRAL).six_legs()
+    ends = [Pose(_three(random.uniform(-150, 150, 3)), _turn(random)) for _ in range(2)]
+    (segment,) = segments(m.rig, ends)
+    shift, quaternion = segment.arrays(np.linspace(0, 1, 20_001))
+    lengths = np.linalg.norm(m.rig.ends(shift, matrices(quaternion)) - m.rig.base, axis=2)
+    low, high = lengths.min(axis=0), lengths.max(axis=0)
+    assert keeps_to(LengthLimits(m.actuators, _six(low - 0.1), _six(high + 0.1)), segment)
+    for leg in range(6):
+        for limit, sign in ((low, 1), (high, -1)):
+            inside = limit.copy()
+            inside[leg] += 0.01 * sign
+            bounds = (inside, high + 1) if sign > 0 else (low - 1, inside)
+            assert not keeps_to(LengthLimits(m.actuators, *map(_six, bounds)), segment)
+
+
+def _six(lengths: Any) -> tuple[float, ...]:
+    return tuple(lengths.tolist())
+
+
+def _three(numbers: Any) -> tuple[Fraction, Fraction, Fraction]:
+    x, y, z = map(Fraction, numbers.tolist())
+    return x, y, z
+
+
+def _turn(random: np.random.Generator) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+    return (Fraction(1), *_three(random.uniform(-0.5, 0.5, 3)))
 
 
 @pytest.mark.parametrize("margin", [0.9, -1.0])
@@ -100,33 +151,58 @@ def test_nothing_is_decided_with_few_states() -> None:
     assert found.path is None
 
 
+def test_a_region_may_be_wider_than_that_of_itself() -> None:
+    found = gc.plan(OCTAHEDRAL, *AROUND, margin=0.02, within="x -900..900, turn ..170 deg", states=2)
+    assert found.search is not None
+    assert "-900 ≤ x ≤ 900 mm" in found.search.region
+    assert "turn ≤ 170 deg" in found.search.region
+
+
+def test_a_table_is_read_as_a_path(tmp_path: Path) -> None:
+    table = tmp_path / "way.csv"
+    found = gc.plan(OCTAHEDRAL, *AROUND, margin=0.02)
+    table.write_text(found.csv(), encoding="utf-8")
+    again = gc.path(OCTAHEDRAL, table)
+    assert len(again.poses) == len(found.poses)
+    assert again.verdict == "regular"
+
+
+def test_none_is_about_a_configuration_of_a_robot_of_joints() -> None:
+    found = gc.plan("3-rps", "home", "z=-0.3, roll=0deg, pitch=60deg")
+    assert found.outcome == "none"
+    assert "the configuration at the goal to which the straight way from home leads" in found.reason
+
+
 WAYS = [
-    ("3-rpr", "x=0.2, y=-0.1, yaw=55deg"),
-    ("3-rpr", "x=-0.2, y=0.3, yaw=-70deg"),
-    ("3-rps", "z=-0.3, roll=0deg, pitch=60deg"),
-    ("3-rps", "z=0.1, roll=30deg, pitch=-20deg"),
-    ("3-prs", "z=0.1, roll=50deg, pitch=-30deg"),
-    ("delta", "x=0.3, y=0.4, z=-1"),
-    ("3-upu", "x=0.3, y=0.1, z=-0.2"),
-    ("tricept", "x=0.2, y=0.1, z=0.1"),
-    ("6-pus", "x=0.1, y=0.1, z=0.1, roll=10deg, pitch=20deg, yaw=40deg"),
+    ("3-rpr", "x=0.2, y=-0.1, yaw=55deg", 1),
+    ("3-rpr", "x=-0.2, y=0.3, yaw=-70deg", 0),
+    ("3-rps", "z=-0.3, roll=0deg, pitch=60deg", 1),
+    ("3-rps", "z=0.1, roll=30deg, pitch=-20deg", 0),
+    ("3-prs", "z=0.1, roll=50deg, pitch=-30deg", 1),
+    ("delta", "x=0.3, y=0.4, z=-1", 0),
+    ("3-upu", "x=0.3, y=0.1, z=-0.2", 0),
+    ("tricept", "x=0.2, y=0.1, z=0.1", 0),
+    ("6-pus", "x=0.1, y=0.1, z=0.1, roll=10deg, pitch=20deg, yaw=40deg", 0),
 ]
 
 
-@pytest.mark.parametrize(("robot", "pose"), WAYS)
-def test_closing_signs_change_at_each_crossing(robot: str, pose: str) -> None:
+@pytest.mark.parametrize(("robot", "pose", "crossings"), WAYS)
+def test_closing_signs_change_at_each_crossing(robot: str, pose: str, crossings: int) -> None:
     m = mechanism(robot)
     assert isinstance(m, Limbs)
-    assert has_closing_sign(m.linkage)
-    try:
-        path = gc.path(m.robot, ["home", pose], samples=8)
-    except InputError as fault:
-        pytest.skip(f"not reached: {fault.message}")
-    if path.undecided:
-        pytest.skip("some of the way is not decided")
+    path = gc.path(m.robot, ["home", pose], samples=8)
+    assert not path.undecided
+    assert path.branch_doubt is None
     wanted = target_of(m.linkage, pose, None)
     assert wanted is not None
-    a, b = closing_signs(
-        m.linkage, Configurations.of([m.linkage.home, solve(m.linkage, wanted).configuration])
-    ).tolist()
+    both = Configurations.of([m.linkage.home, solve(m.linkage, wanted).configuration])
+    a, b = closing_signs(m.linkage, both).tolist()
     assert a * b == (-1) ** len(path.crossings)
+    assert len(path.crossings) == crossings
+
+
+@pytest.mark.parametrize("robot", ["3-rrr-spherical", "orthoglide", "4-rpr", "par4"])
+def test_robots_without_a_closing_sign(robot: str) -> None:
+    m = mechanism(robot)
+    assert isinstance(m, Limbs)
+    assert closing_signs(m.linkage, Configurations.of([m.linkage.home])).tolist() == [0]

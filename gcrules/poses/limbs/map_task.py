@@ -33,8 +33,8 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.boxes import proved_cells
 from gcrules.poses.limbs.sweep import Sweep
+from gcrules.poses.limits import LengthLimits, parse_limits
 from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, read_axes
-from gcrules.poses.maps.limits import LengthLimits, parse_limits
 from gcrules.poses.maps.summary import MapSummary
 from gcrules.poses.maps.task import Chunk
 from gcrules.screws.pose import exact_float

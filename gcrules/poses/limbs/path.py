@@ -51,7 +51,7 @@ from gcrules.screws.pose_text import HOME
 from gcrules.screws.threshold import Threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import SOLVED, decide
 
-__all__ = ["path_of_limbs"]
+__all__ = ["path_of_limbs", "path_targets"]
 
 Truths = NDArray[np.bool_]
 
@@ -67,7 +67,7 @@ def path_of_limbs(found: Limbs, poses: Sequence[Any], *, samples: Any = SAMPLES,
     Raises InputError for what is no path, and where the robot does not assemble on it.
     """
     m = found.linkage
-    targets = _targets(m, poses)
+    targets = path_targets(m, poses)
     number = len(targets) - 1
     each = per_segment(samples, number, MAX_SAMPLES)
     check_target(m, targets[0])
@@ -111,7 +111,8 @@ def _places(way: Itinerary, each: int) -> tuple[Floats, Truths]:
     return np.append(np.concatenate(parameters), len(way.courses)), np.append(np.concatenate(sampled), True)
 
 
-def _targets(m: Linkage, poses: Sequence[Any]) -> list[Target]:
+def path_targets(m: Linkage, poses: Sequence[Any]) -> list[Target]:
+    """What poses ask for, two or more, all by the same coordinates. Raises InputError."""
     given = list(poses)
     if len(given) < 2:
         raise InputError(f"a path needs two poses or more, found {len(given)}", hint="for one pose: gcrules pose")

@@ -35,11 +35,11 @@ from gcrules.mechanisms.platform_analysis import with_platform
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.compiled import compiled
 from gcrules.poses.limbs.map_task import limbs_task
+from gcrules.poses.limits import parse_limits
 from gcrules.poses.maps.axes import GridAxis, read_axes
 from gcrules.poses.maps.cells import CROSSED, FREE, MEANINGS, OUTSIDE, UNDECIDED
 from gcrules.poses.maps.grid import grid
 from gcrules.poses.maps.joining import joined
-from gcrules.poses.maps.limits import parse_limits
 from gcrules.poses.maps.marching import marched
 from gcrules.poses.maps.report import Curve, SingularMap
 from gcrules.poses.maps.slices import factors, middle, slice_polynomial, vanishes

@@ -15,7 +15,7 @@ from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.core.version import __version__
-from gcrules.poses.maps.limits import LengthLimits
+from gcrules.poses.limits import LengthLimits
 from gcrules.poses.maps.mesh import Mesh
 from gcrules.poses.maps.slices import SliceFactor
 from gcrules.poses.maps.store import Store

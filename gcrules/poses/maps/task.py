@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.mechanisms.kinematics.amplification import INDICES
+from gcrules.poses.limits import LengthLimits
 from gcrules.poses.maps.axes import GridAxis
-from gcrules.poses.maps.limits import LengthLimits
 
 if TYPE_CHECKING:
     from gcrules.poses.maps.slices import SliceFactor

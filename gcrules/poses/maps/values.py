@@ -20,9 +20,9 @@ from gcrules.core.version import __version__
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.leg_amplification import amplified_by_legs
 from gcrules.poses.compiling.compiled import CompiledCondition
+from gcrules.poses.limits import LengthLimits
 from gcrules.poses.maps.cells import CROSSED, FREE, UNDECIDED, certified
 from gcrules.poses.maps.grid import Grid
-from gcrules.poses.maps.limits import LengthLimits
 from gcrules.poses.maps.regular_cells import regular_cells
 from gcrules.poses.maps.slices import MEMBERS, SliceFactor, middle
 from gcrules.poses.maps.summary import MapSummary

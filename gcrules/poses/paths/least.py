@@ -79,16 +79,11 @@ def _bounds(rig: MovingPlatform, path: Sequence[Segment], cells: Floats) -> tupl
 
 
 def _chunk(rig: MovingPlatform, path: Sequence[Segment], cells: Floats) -> tuple[Floats, Floats, Floats]:
-    middle = cells[:, 1:].mean(axis=1)
     shift, quaternion = np.empty((len(cells), 3)), np.empty((len(cells), 4))
     angle, moved = np.empty(len(cells)), np.empty(len(cells))
     for k in np.unique(cells[:, 0]):
         here = cells[:, 0] == k
-        s = path[int(k)]
-        shift[here], quaternion[here] = s.arrays(middle[here])
-        start, there, end = (s.turned(x) for x in (cells[here, 1], middle[here], cells[here, 2]))
-        angle[here] = np.maximum(there - start, end - there)
-        moved[here] = s.distance * (cells[here, 2] - cells[here, 1]) / 2
+        shift[here], quaternion[here], moved[here], angle[here] = path[int(k)].spans(cells[here, 1:])
     ends = np.einsum("nij,kj->nki", matrices(quaternion), rig.arms)
     ends += (np.array([float(c) for c in rig.centre]) + shift)[:, None, :]
     lengths = np.linalg.norm(ends - rig.base, axis=2)

@@ -1,4 +1,4 @@
-r"""Whether the legs keep to limits on all of a path: bounds of their lengths between samples.
+r"""Whether the legs keep to limits on all of a segment of a path: bounds of their lengths between samples.
 
 The end of a leg on the platform moves by no more than the centre does, and by its distance from the centre times the
 angle of the turn; a leg's length changes by no more than its end moves. Stretches in which that does not suffice are
@@ -7,12 +7,10 @@ halved. Derived here.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from gcrules.core.budget import checkpoint
-from gcrules.poses.maps.limits import LengthLimits
+from gcrules.poses.limits import LengthLimits
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.paths.segment import Segment
 
@@ -23,12 +21,8 @@ _PIECES = 16
 _ROUNDING = 1e-12  # of the robot's size
 
 
-def keeps_to(limits: LengthLimits, path: Sequence[Segment]) -> bool:
-    """Whether it is proved that the legs keep to them on the whole path."""
-    return all(_keeps(limits, s) for s in path)
-
-
-def _keeps(limits: LengthLimits, s: Segment) -> bool:
+def keeps_to(limits: LengthLimits, s: Segment) -> bool:
+    """Whether it is proved that the legs keep to them on the whole segment."""
     rig = s.rig
     reach = np.linalg.norm(rig.arms, axis=1)
     low, high = np.array(limits.low), np.array(limits.high)
@@ -36,17 +30,13 @@ def _keeps(limits: LengthLimits, s: Segment) -> bool:
     cells = np.stack([edges[:-1], edges[1:]], axis=1)
     for _ in range(_HALVINGS):
         checkpoint()
-        middle = cells.mean(axis=1)
-        shift, quaternion = s.arrays(middle)
-        start, there, end = (s.turned(x) for x in (cells[:, 0], middle, cells[:, 1]))
-        angle = np.maximum(there - start, end - there)
-        moved = (s.distance * (cells[:, 1] - cells[:, 0]) / 2)[:, None] + reach * angle[:, None]
+        shift, quaternion, moved, angle = s.spans(cells)
         ends = np.einsum("nij,kj->nki", matrices(quaternion), rig.arms)
         ends += (rig.centre_of_turns + shift)[:, None, :]
         lengths = np.linalg.norm(ends - rig.base, axis=2)
         if ((lengths < low) | (lengths > high)).any():
             return False
-        room = moved + _ROUNDING * rig.size
+        room = moved[:, None] + reach * angle[:, None] + _ROUNDING * rig.size
         left = ((lengths - room < low) & (low > 0) | (lengths + room > high)).any(axis=1)
         if not left.any():
             return True

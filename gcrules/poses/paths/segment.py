@@ -83,6 +83,15 @@ class Segment:
         )
         return t0 + s[:, None] * (t1 - t0), q0 + s[:, None] * (q1 - q0)
 
+    def spans(self, cells: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+        """The middles of parts (N, 2) of the segment as `arrays`, and how far the centre is from there at most within
+        them, and how far the platform is turned, in radians: (N,) each.
+        """
+        middle = cells.mean(axis=1)
+        start, there, end = (self.turned(x) for x in (cells[:, 0], middle, cells[:, 1]))
+        moved = self.distance * (cells[:, 1] - cells[:, 0]) / 2
+        return (*self.arrays(middle), moved, np.maximum(there - start, end - there))
+
     @property
     def degree(self) -> int:
         """What the degree of `polynomial` is at most."""

@@ -18,28 +18,20 @@ from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.loops import loop_rows, units_of
 
-__all__ = ["closing_signs", "has_closing_sign"]
+__all__ = ["closing_signs"]
 
 _PLANE = (2, 3, 4)
 _ZERO = 1e-9  # of the determinant, in parts of the product of its columns' lengths
 
 
-def has_closing_sign(m: Linkage) -> bool:
-    """Whether there are as many undriven joints as equations of the loops."""
-    here = Configurations.of([m.home])
-    twists = [c.shared_twists for c in here.chains]
-    equations = loop_rows(twists, here.platform, m).shape[1] // (2 if m.robot.family.plane else 1)
-    return bool(equations == len(_undriven(m)))
-
-
 def closing_signs(m: Linkage, here: Configurations) -> NDArray[np.int8]:
     """The sign (N,) in configurations; 0 where it is 0 within rounding, or there is none."""
-    if not has_closing_sign(m):
-        return np.zeros(len(here), dtype=np.int8)
     rows = loop_rows([c.shared_twists for c in here.chains], here.platform, m) * units_of(m)
     if m.robot.family.plane:
         rows = rows.reshape(len(here), -1, 6, rows.shape[2])[:, :, _PLANE].reshape(len(here), -1, rows.shape[2])
     square = rows[:, :, _undriven(m)]
+    if square.shape[1] != square.shape[2]:
+        return np.zeros(len(here), dtype=np.int8)
     square = square / np.maximum(np.linalg.norm(square, axis=1, keepdims=True), 1e-300)
     found = np.linalg.det(square)
     return np.asarray(np.where(np.abs(found) > _ZERO, np.sign(found), 0), dtype=np.int8)

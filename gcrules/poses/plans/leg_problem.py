@@ -8,21 +8,19 @@ from typing import Any
 
 import numpy as np
 
-from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.maps.limits import parse_limits
+from gcrules.poses.limits import parse_limits
 from gcrules.poses.numbers.arrays import from_poses
-from gcrules.poses.numbers.pose_arguments import one_pose
+from gcrules.poses.numbers.pose_arguments import read_one
 from gcrules.poses.path_report import path_of_legs
 from gcrules.poses.paths.lengths import keeps_to
 from gcrules.poses.paths.segment import segments
-from gcrules.poses.plans.leg_space import LegSpace, region_of, row_of
+from gcrules.poses.plans.leg_space import MOST_TURNED, LegSpace, region_of, row_of
 from gcrules.poses.plans.opposed import opposed_legs
 from gcrules.poses.plans.problem import Proved, margin_kept
 from gcrules.poses.plans.report import OpposedSign, Waypoint
 from gcrules.screws.pose import Pose
-from gcrules.screws.pose_text import HOME
 
 __all__ = ["LegProblem", "leg_problem"]
 
@@ -39,14 +37,7 @@ class LegProblem:
     asked: float
     space: LegSpace
     proves_margin: bool = True
-
-    @property
-    def title(self) -> str:
-        return self.m.title
-
-    @property
-    def unit(self) -> str:
-        return self.m.unit
+    whereto: str = "the goal"
 
     @property
     def size(self) -> float:
@@ -58,15 +49,7 @@ class LegProblem:
 
     @property
     def end(self) -> Floats:
-        return row_of(self.goal)
-
-    @property
-    def region(self) -> str:
-        return self.space.region.text(self.unit)
-
-    @property
-    def limits(self) -> str:
-        return self.space.limits.text if self.space.limits else ""
+        return np.asarray(self.roots[-1])
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -78,14 +61,12 @@ class LegProblem:
     def prove(self, way: Sequence[Waypoint]) -> Proved:
         poses = [p for p in way if isinstance(p, Pose)]
         path = path_of_legs(self.m, poses, samples=max(_SAMPLES, len(poses) - 1))
-        failures = {int(z.lower) for z in path.zeros} | {s.start for s in path.stretches}
+        failures = [float(z.lower) for z in path.zeros] + [float(stretch.start) for stretch in path.stretches]
         if path.least.bound < self.asked:
-            failures.add(int(path.least.parameter))
-        if self.space.limits is not None:
-            ways = segments(self.m.rig, poses)
-            failures |= {k for k, s in enumerate(ways) if not keeps_to(self.space.limits, [s])}
-        last = len(poses) - 2
-        return Proved(path, path.least.bound, tuple(sorted({min(k, last) for k in failures})))
+            failures.append(path.least.parameter)
+        if (limits := self.space.limits) is not None:
+            failures += [k for k, s in enumerate(segments(self.m.rig, poses)) if not keeps_to(limits, s)]
+        return Proved.of(path, path.least.bound, failures, len(poses) - 1)
 
     def waypoint(self, state: Floats, *, rounded: bool) -> Pose:
         return self.space.waypoint(state, rounded=rounded)
@@ -97,22 +78,13 @@ class LegProblem:
 
 def leg_problem(m: SixLegs, start: Any, goal: Any, asked: float, limits: str | None, within: str | None) -> LegProblem:
     """What is asked for. Raises InputError where start or goal do not keep to it."""
-    first, last = (_pose(m, given, name) for given, name in ((start, "start"), (goal, "goal")))
+    first, last = (read_one(given, m.unit) for given in (start, goal))
     m.rig.ends(*from_poses([first, last]))  # refuses poses that are too far away, and legs of no length
     reach = None if limits is None else parse_limits(limits, m.actuators, m.unit)
     rows = np.stack([row_of(first), row_of(last)])
     room = np.array([m.rig.size / 2] * 3 + [0.0])
-    region = region_of(m.rig)
-    values = LegSpace(m.rig, region, 0.0).coordinates(rows)
-    region = region.around(values, room).within(within, m.unit)
+    near = region_of(m.rig)
+    region = near.around(LegSpace(m.rig, near, 0.0).coordinates(rows), room).within(within, m.unit)
+    region = region.clipped("turn", 0.0, MOST_TURNED)
     kept = margin_kept(LegSpace(m.rig, region, 0.0, reach), rows, asked)
     return LegProblem(m, first, last, asked, LegSpace(m.rig, region, kept, reach))
-
-
-def _pose(m: SixLegs, given: Any, name: str) -> Pose:
-    if isinstance(given, str) and given.strip().lower() == HOME:
-        return Pose()
-    found = one_pose(given, {}, False, m.unit)
-    if found is None:
-        raise InputError(f"the {name} is no pose", hint='write text such as "0 0 5; euler zyx 10 0 0 deg"')
-    return found

@@ -14,7 +14,7 @@ import numpy as np
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.moving_platform import MovingPlatform
-from gcrules.poses.maps.limits import LengthLimits
+from gcrules.poses.limits import LengthLimits
 from gcrules.poses.numbers.arrays import from_vectors, matrices
 from gcrules.poses.plans.region import Region, Truths
 from gcrules.poses.plans.space import Ways
@@ -24,20 +24,21 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import from_vector
 from gcrules.screws.study import quaternion_product
 
-__all__ = ["NAMES", "LegSpace", "region_of", "row_of"]
+__all__ = ["MOST_TURNED", "NAMES", "LegSpace", "region_of", "row_of"]
 
 NAMES = ("x", "y", "z", "turn")
 """The coordinates of a region: a translation, and by how much the platform is turned from home, at most 180°."""
 
 _STEP = 0.04  # rad, or sizes: the distance of samples
 _BLOCK = 4096
-_MOST_TURNED = np.pi * (1 - 1e-6)
+MOST_TURNED = np.pi * (1 - 1e-6)
+"""More than that no turn is, but for the half turn, whose axis has no sense."""
 
 
 def region_of(rig: MovingPlatform) -> Region:
     """All translations by up to the robot's size, with all turns."""
     s = rig.size
-    return Region(NAMES, (-s, -s, -s, 0.0), (s, s, s, _MOST_TURNED), (False, False, False, True))
+    return Region(NAMES, (-s, -s, -s, 0.0), (s, s, s, MOST_TURNED), (False, False, False, True))
 
 
 def row_of(pose: Pose) -> Floats:
@@ -61,9 +62,6 @@ class LegSpace:
 
     def reach(self, states: Floats) -> Floats:
         return np.asarray(np.linalg.norm(self._ends(states) - self.rig.base, axis=2))
-
-    def good(self, states: Floats) -> Truths:
-        return np.asarray(self._looked_at(states)[0])
 
     def margins(self, states: Floats) -> Floats:
         return np.abs(self._looked_at(states)[1])
@@ -93,7 +91,7 @@ class LegSpace:
         turn = from_vectors(random.normal(size=(half, 3)) * spread)
         along[:, 3:] = np.stack(quaternion_product(tuple(turn.T), tuple(along[:, 3:].T)), axis=1)
         found = np.concatenate([along, states[half:]])
-        return found[self.good(found)]
+        return np.asarray(found[self._looked_at(found)[0]])
 
     def between(self, states: Floats, others: Floats, parts: Floats) -> Floats:
         towards = others.copy()
@@ -115,9 +113,8 @@ class LegSpace:
         stop = np.minimum.reduceat(bad, first)  # the first bad sample of each way
         whole = stop >= np.append(first[1:], len(way))
         last = np.maximum(np.where(whole, np.append(first[1:], len(way)), stop) - 1, first)
-        margins = np.where(np.arange(len(way)) <= last[way], np.abs(signed), np.inf)
         ends = np.where(whole[:, None], goals, samples[last])
-        return Ways(ends, np.where(whole, 1.0, part[last]), np.minimum.reduceat(margins, first))
+        return Ways(ends, np.where(whole, 1.0, part[last]))
 
     def waypoint(self, state: Floats, *, rounded: bool) -> Pose:
         """The pose of a state; rounded it can be written with few digits."""

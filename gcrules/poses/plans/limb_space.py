@@ -29,7 +29,7 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.many import Solved
 from gcrules.poses.limbs.straight import led, number_of_steps
 from gcrules.poses.limbs.sweep import blocks
-from gcrules.poses.maps.limits import LengthLimits
+from gcrules.poses.limits import LengthLimits
 from gcrules.poses.plans.closing_sign import closing_signs
 from gcrules.poses.plans.region import Region, Truths
 from gcrules.poses.plans.space import Ways
@@ -83,30 +83,25 @@ class LimbSpace:
             self.course, self._home, zero, lambda _, part: part * place, place, steps, halvings=_MOST_HALVINGS
         )
         row = np.concatenate([place, amounts], axis=1)
-        there = self.at(row)
-        near = float(np.abs(there.platform[0] - c.platform).max()) <= _ALIKE * max(m.size, 1.0)
-        driven = np.array([c.joint_values[a.place][a.coordinate] for a in m.actuators])
-        if not (good[0] and near and np.allclose(self.reach(row)[0], driven, atol=_ALIKE * max(m.size, 1.0))):
+        there, close = self.at(row), _ALIKE * max(m.size, 1.0)
+        near = np.allclose(there.here.platform[0], c.platform, rtol=0.0, atol=close)
+        driven = [c.joint_values[a.place][a.coordinate] for a in m.actuators]
+        if not (good[0] and near and np.allclose(there.actuators[0], driven, rtol=0.0, atol=close)):
             raise InputError(
                 "the straight way of the coordinates from home leads to another configuration than that of the pose",
                 hint="choose start and goal nearer to home, or another --mode",
             )
         return np.asarray(row[0])
 
-    def at(self, states: Floats) -> Configurations:
+    def at(self, states: Floats) -> Solved:
         """The configurations of states, with the screws that the names make there."""
-        return Solved.of(self.m, states[:, len(self.names) :]).here
+        return Solved.of(self.m, states[:, len(self.names) :])
 
     def coordinates(self, states: Floats) -> Floats:
         return np.asarray(states[:, : len(self.names)])
 
     def reach(self, states: Floats) -> Floats:
-        here = self.at(states)
-        driven = [here.joint_values[a.place][:, a.coordinate] for a in self.m.linkage.actuators]
-        return np.stack(driven, axis=1)
-
-    def good(self, states: Floats) -> Truths:
-        return np.asarray(self._looked_at(states)[0])
+        return self.at(states).actuators
 
     def margins(self, states: Floats) -> Floats:
         return np.abs(self._looked_at(states)[1])
@@ -144,7 +139,7 @@ class LimbSpace:
 
     def gone(self, states: Floats, goals: Floats) -> Ways:
         parts = [self._gone(states[some], goals[some]) for some in blocks(len(states))]
-        return Ways(*(np.concatenate(p) for p in zip(*((w.ends, w.parts, w.least) for w in parts), strict=True)))
+        return Ways(*(np.concatenate(p) for p in zip(*((w.ends, w.parts) for w in parts), strict=True)))
 
     def _gone(self, states: Floats, goals: Floats) -> Ways:
         n, m = len(self.names), self.m.linkage
@@ -152,7 +147,7 @@ class LimbSpace:
         grown = wrapped(self.names, goals[:, :n] - begin)
         good, start = self._looked_at(states)
         steps = np.where(good, _FINER * number_of_steps(self.course, grown), 0)
-        reached, least = np.zeros(len(states)), np.abs(start)
+        reached = np.zeros(len(states))
         amounts = states[:, n:].copy()
 
         def accept(now: Configurations, joints: Joints, on: Places, step: Floats) -> Truths:
@@ -168,7 +163,6 @@ class LimbSpace:
             fine[k[~kept]] = False
             ahead = some[kept]
             amounts[ahead], reached[ahead] = there[kept], far[kept]
-            least[ahead] = np.minimum(least[ahead], np.abs(signed[kept]))
             return fine
 
         _, whole = led(
@@ -183,7 +177,7 @@ class LimbSpace:
         )
         ends = np.concatenate([begin + reached[:, None] * grown, amounts], axis=1)
         still = ~np.any(grown, axis=1) & good
-        return Ways(ends, np.where(whole | still, 1.0, np.minimum(reached, 1 - 1e-9)), least)
+        return Ways(ends, np.where(whole | still, 1.0, np.minimum(reached, 1 - 1e-9)))
 
     def waypoint(self, state: Floats, *, rounded: bool) -> Mapping[str, float]:
         """The coordinates of a state; rounded they can be written with few digits."""
@@ -204,13 +198,13 @@ class LimbSpace:
         for part in blocks(len(inside)):
             checkpoint()
             some = inside[part]
-            here = self.at(states[some])
-            sigma = margins(m, here).sigma
-            sign = closing_signs(m, here)
+            there = self.at(states[some])
+            sigma = margins(m, there.here).sigma
+            sign = closing_signs(m, there.here)
             signed[some] = sigma * np.where(sign == 0, 1.0, sign)
             good[some] = sigma >= self.margin
             if self.limits is not None:
-                good[some] &= self.limits.allow(self.reach(states[some]))
+                good[some] &= self.limits.allow(there.actuators)
         return good, signed
 
 

@@ -10,6 +10,7 @@ from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import ONE
 from gcrules.algebra.language.text import text
 from gcrules.conditions.gained_motion import factors
+from gcrules.core.floats import as_float
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import Configuration
 from gcrules.mechanisms.limbs import Limbs
@@ -43,22 +44,22 @@ def opposed_legs(m: SixLegs, start: Pose, goal: Pose) -> tuple[OpposedSign, ...]
         a, b = (evaluate(part, points) for points in (one, other))
         if a * b < 0:
             words = " and ".join(factor_words(part, condition, tuple(names))) or _COMPLEX
-            found.append(OpposedSign(text(part, names=names), float(a), float(b), words))
+            found.append(OpposedSign(text(part, names=names), as_float(a), as_float(b), words))
     if found:
         return tuple(found)
     a, b = (superbracket_at(m.analysis.structure.oriented, points) for points in (one, other))
-    return (OpposedSign("superbracket", float(a), float(b), _COMPLEX),) if a * b < 0 else ()
+    return (OpposedSign("superbracket", as_float(a), as_float(b), _COMPLEX),) if a * b < 0 else ()
 
 
 def opposed_limbs(m: Limbs, start: Configuration, goal: Configuration) -> tuple[OpposedSign, ...]:
     """The factors of the condition with opposite signs, where the determinant has them, or else the determinant alone;
-    none where the determinant has one sign, or there is none.
+    none where the determinant has one sign, or there is none. The quotient of a factor and a cofactor may change its
+    sign where the cofactor vanishes, so it does not count.
     """
     a, b = closing_signs(m.linkage, Configurations.of([start, goal])).tolist()
     if a * b >= 0:
         return ()
     pairs = zip(robot_factors(m.analysis, start.values), robot_factors(m.analysis, goal.values), strict=True)
-    found = [
-        OpposedSign(p.expression, p.value, q.value, cause_of(p)) for p, q in pairs if p.live and p.value * q.value < 0
-    ]
+    plain = ((p, q) for p, q in pairs if p.live and not p.cofactor)
+    found = [OpposedSign(p.expression, p.value, q.value, cause_of(p)) for p, q in plain if p.value * q.value < 0]
     return tuple(found) or (OpposedSign(DETERMINANT, float(a), float(b), "the robot is singular"),)

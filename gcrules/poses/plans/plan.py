@@ -4,11 +4,10 @@ The search draws poses at random and looks at ways between them at samples (`roa
 shorter and smoother, and then proved by `gcrules.poses.path_report`. Ways that are not proved are left out, and the
 search goes on.
 
->>> from gcrules.mechanisms.mechanism import mechanism
->>> found = plan_of(mechanism("3-rpr"), "home", "x=0.1, y=0, yaw=10deg")
+>>> found = plan("3-rpr", "home", "x=0.1, y=0, yaw=10deg")
 >>> found.outcome, len(found.poses), found.path.verdict
 ('way', 2, 'regular')
->>> there = plan_of(mechanism("3-rpr"), "home", "x=0, y=0, yaw=60deg")
+>>> there = plan("3-rpr", "home", "x=0, y=0, yaw=60deg")
 >>> there.outcome, there.opposed[0].expression
 ('none', 'A1B1 /\\ A2B2 /\\ A3B3')
 """
@@ -26,7 +25,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
-from gcrules.mechanisms.mechanism import Mechanism, mechanism
+from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.plans.leg_problem import leg_problem
@@ -38,7 +37,7 @@ from gcrules.poses.plans.smoothing import rounded_corners
 from gcrules.screws.pose import exact_float
 from gcrules.screws.verdict import CLOSE
 
-__all__ = ["STATES", "plan", "plan_of"]
+__all__ = ["STATES", "plan"]
 
 STATES = 3000
 _MOST = 200_000
@@ -72,22 +71,6 @@ def plan(
 
     Raises InputError where start or goal do not keep to what is asked for, and for what is no pose.
     """
-    found = mechanism(source, about=about, plugins=plugins)
-    return plan_of(found, start, goal, margin=margin, limits=limits, within=within, states=states, seed=seed)
-
-
-def plan_of(
-    found: Mechanism,
-    start: Any,
-    goal: Any,
-    *,
-    margin: float | None = None,
-    limits: str | None = None,
-    within: str | None = None,
-    states: int = STATES,
-    seed: int = 0,
-) -> Plan:
-    """The plan of a mechanism; arguments and errors as for `plan`."""
     asked = CLOSE if margin is None else exact_float(margin, "the margin")
     if not 0 < asked < 1:
         raise InputError(f"the margin {asked:g} does not lie between 0 and 1", hint="0 is singular, 1 as far as can be")
@@ -95,19 +78,21 @@ def plan_of(
         raise InputError(f"{states} states, expected 1 to {_MOST:,}")
     if seed < 0:
         raise InputError(f"the seed {seed} is negative")
+    found = mechanism(source, about=about, plugins=plugins)
     problem = method(_PROBLEM, found, "a plan")(start, goal, asked, limits, within)
     return _solved(problem, asked, states, seed)
 
 
 def _solved(p: Problem, asked: float, states: int, seed: int) -> Plan:
     if opposed := p.opposed():
-        return _plan(p, asked, "none", _no_way(opposed), opposed=opposed)
+        return _plan(p, asked, "none", _no_way(p, opposed), opposed=opposed)
     road = Roadmap(p.space, p.roots)
     random = np.random.default_rng(seed)
     first: Proved | None = None
     for _ in range(_ATTEMPTS):
         reached = _grown(p, road, random, states)
-        search = Search(p.region, p.limits, len(road.rows), seed)
+        limits = p.space.limits.text if p.space.limits else ""
+        search = Search(p.space.region.text(p.m.unit), limits, len(road.rows), seed)
         if reached is None:
             break
         nodes = road.way(0, reached)
@@ -171,8 +156,8 @@ def _plan(
     search: Search | None = None,
 ) -> Plan:
     return Plan(
-        title=p.title,
-        unit=p.unit,
+        title=p.m.title,
+        unit=p.m.unit,
         outcome=outcome,
         reason=reason,
         asked=asked,
@@ -198,9 +183,9 @@ def _found(p: Problem, proved: Proved, way: Sequence[Waypoint]) -> str:
     return f"{words} of singular poses, proved; the margin σ is at least {proved.least:.4g} {sure}."
 
 
-def _no_way(opposed: Sequence[OpposedSign]) -> str:
+def _no_way(p: Problem, opposed: Sequence[OpposedSign]) -> str:
     words = ", and through one in which ".join(o.statement.rstrip(".") for o in opposed)
-    return f"There is none, proved: every way passes through a pose in which {words}."
+    return f"There is none, proved: every way to {p.whereto} passes through a pose in which {words}."
 
 
 def _undecided(road: Roadmap, first: Proved | None) -> str:

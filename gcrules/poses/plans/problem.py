@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.paths.report import PathReport
 from gcrules.poses.plans.report import OpposedSign, Waypoint
@@ -28,17 +29,22 @@ class Proved:
     least: float
     failures: tuple[int, ...]
 
+    @classmethod
+    def of(cls, path: PathReport | RobotPath, least: float, places: Iterable[float], pieces: int) -> Proved:
+        """With failures at these parameters of a path of so many segments."""
+        return cls(path, least, tuple(sorted({min(int(p), pieces - 1) for p in places})))
+
 
 class Problem(Protocol):
-    """From `start` to `goal`: the states `roots` (1 or 2, width) are the start and, where its configuration is known,
-    the goal, of which `end` (width,) has the pose. `region` and `limits` are words; `proves_margin` tells whether the
-    margin of a path is proved between samples, `notes` what is to be said of any answer.
+    """From `start` to `goal` of a mechanism `m`, whose `size` makes lengths numbers: the states `roots` (1 or 2, width)
+    are the start and, where its configuration is known, the goal, of which `end` (width,) has the pose.
+
+    `whereto` says in words what the goal is; `proves_margin` tells whether the margin of a path is proved between
+    samples, `notes` what is to be said of any answer.
     """
 
     @property
-    def title(self) -> str: ...
-    @property
-    def unit(self) -> str: ...
+    def m(self) -> Mechanism: ...
     @property
     def size(self) -> float: ...
     @property
@@ -52,9 +58,7 @@ class Problem(Protocol):
     @property
     def end(self) -> Floats: ...
     @property
-    def region(self) -> str: ...
-    @property
-    def limits(self) -> str: ...
+    def whereto(self) -> str: ...
     @property
     def proves_margin(self) -> bool: ...
     @property

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.poses.maps.limits import LengthLimits, parse_limits
+from gcrules.poses.limits import LengthLimits, parse_limits
 
 __all__ = ["Region", "Truths"]
 
@@ -31,13 +31,23 @@ class Region:
     angles: tuple[bool, ...]
 
     def within(self, text: str | None, unit: str = "") -> Region:
-        """With the ranges that a user gives for some of the coordinates. Raises InputError."""
+        """With the ranges that a user gives, in place of its own ones. Raises InputError."""
         if text is None:
             return self
         given = parse_limits(text, self.names, unit, self.angles, noun="coordinate", option="--within")
-        low = tuple(np.where(np.isinf(given.low), self.low, np.maximum(self.low, given.low)).tolist())
-        high = tuple(np.where(np.isinf(given.high), self.high, np.minimum(self.high, given.high)).tolist())
+        low = tuple(np.where(np.isinf(given.low), self.low, given.low).tolist())
+        high = tuple(np.where(np.isinf(given.high), self.high, given.high).tolist())
         return Region(self.names, low, high, self.angles)
+
+    def clipped(self, name: str, low: float, high: float) -> Region:
+        """With no values of this coordinate, if it is one of them, beyond those."""
+        mine = [n == name for n in self.names]
+        return Region(
+            self.names,
+            tuple(max(v, low) if m else v for v, m in zip(self.low, mine, strict=True)),
+            tuple(min(v, high) if m else v for v, m in zip(self.high, mine, strict=True)),
+            self.angles,
+        )
 
     def around(self, values: Floats, room: Floats) -> Region:
         """Widened so that it holds values (N, names) with some room (names,)."""
@@ -58,6 +68,3 @@ class Region:
     def text(self, unit: str = "") -> str:
         """The ranges in words."""
         return LengthLimits(self.names, self.low, self.high, unit, self.angles).text
-
-    def to_json(self) -> dict[str, list[float | None]]:
-        return LengthLimits(self.names, self.low, self.high, "", self.angles).to_json()

@@ -12,12 +12,10 @@ from gcrules.poses.paths.report import PathReport
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import ANGLES
 
-__all__ = ["OUTCOMES", "OpposedSign", "Plan", "Search", "Waypoint"]
+__all__ = ["OpposedSign", "Plan", "Search", "Waypoint"]
 
 Waypoint = Pose | Mapping[str, float]
-"""A pose; of a robot with fewer than six freedoms coordinates by name, angles in radians."""
-
-OUTCOMES = ("way", "none", "undecided")
+"""A pose; of a robot of joints coordinates by name, angles in radians."""
 
 
 @dataclass(frozen=True)

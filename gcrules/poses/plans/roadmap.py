@@ -18,7 +18,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.plans.space import Space
 
-__all__ = ["Roadmap", "cost", "shortened"]
+__all__ = ["Roadmap", "shortened"]
 
 Places = NDArray[np.intp]
 
@@ -29,7 +29,7 @@ _DEAR = 1e9  # of a way that is there but was not found good again
 _EACH = 0.05  # rad, or sizes: by so much longer a way counts for each straight piece
 
 
-def cost(length: Floats) -> Floats:
+def _cost(length: Floats) -> Floats:
     """How dear straight ways are (K,): their lengths, and a little for each."""
     return length + _EACH
 
@@ -43,23 +43,15 @@ class Roadmap:
         self.roots = len(roots)
         self.graph: nx.Graph[int] = nx.Graph()
         self.graph.add_nodes_from(range(len(roots)))
-        self.lead([(i, j) for i, j in combinations(range(len(roots)), 2)])
+        if len(roots) > 1:
+            self._lead(*(np.array(ends) for ends in zip(*combinations(range(len(roots)), 2), strict=True)))
 
     def joined(self, one: int, other: int) -> bool:
         """Whether ways lead from one state to the other."""
         return nx.has_path(self.graph, one, other)
 
-    @property
-    def parts(self) -> list[set[int]]:
-        """The roots in sets that are joined by ways."""
-        found = [{n for n in part if n < self.roots} for part in nx.connected_components(self.graph)]
-        return sorted((part for part in found if part), key=min)
-
-    def lead(self, pairs: Sequence[tuple[int, int]]) -> None:
-        """Try straight ways between states, both ways."""
-        if not pairs:
-            return
-        first, last = (np.array(p) for p in zip(*pairs, strict=True))
+    def _lead(self, first: Places, last: Places) -> None:
+        """Try straight ways from states to others."""
         ways = self.space.gone(self.rows[first], self.rows[last])
         good = ways.whole & self.space.alike(ways.ends, self.rows[last])
         self._join(first[good], last[good])
@@ -71,7 +63,7 @@ class Roadmap:
         if not len(source):
             return
         ways = self.space.gone(self.rows[source], goals[goal])
-        length = self.space.apart(goals, self.rows)[goal, source] * ways.parts
+        length = self.space.lengths(self.rows[source], goals[goal]) * ways.parts
         known: dict[int, list[int]] = {}  # the states found at each goal
         order = np.argsort(length, kind="stable")
         for k in order[ways.whole[order]].tolist():
@@ -119,7 +111,7 @@ class Roadmap:
 
     def _join(self, first: Sequence[int] | Places, last: Sequence[int] | Places) -> None:
         one, other = np.asarray(first, dtype=np.intp), np.asarray(last, dtype=np.intp)
-        price = cost(self.space.lengths(self.rows[one], self.rows[other]))
+        price = _cost(self.space.lengths(self.rows[one], self.rows[other]))
         for a, b, c in zip(one.tolist(), other.tolist(), price.tolist(), strict=True):
             self.graph.add_edge(a, b, cost=c)
 
@@ -138,7 +130,7 @@ def shortened(space: Space, rows: Floats, most: int = 24) -> Floats:
         good = ways.whole & space.alike(ways.ends, best[last])
         graph: nx.Graph[int] = nx.Graph()
         graph.add_edges_from((a, a + 1, {"cost": _DEAR}) for a, _ in pairwise(range(len(best))))
-        prices = cost(space.lengths(best[first], best[last]))
+        prices = _cost(space.lengths(best[first], best[last]))
         for a, b, price in zip(first[good].tolist(), last[good].tolist(), prices[good].tolist(), strict=True):
             graph.add_edge(a, b, cost=price)
         kept = nx.shortest_path(graph, 0, len(best) - 1, weight="cost")

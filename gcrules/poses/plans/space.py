@@ -12,7 +12,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.poses.maps.limits import LengthLimits
+from gcrules.poses.limits import LengthLimits
 from gcrules.poses.plans.region import Region, Truths
 
 __all__ = ["Space", "Ways"]
@@ -21,12 +21,11 @@ __all__ = ["Space", "Ways"]
 @dataclass(frozen=True, eq=False)
 class Ways:
     """What came of going straight from states to others, K times: the last good states `ends` (K, width), after which
-    `parts` (K,) of the ways, 1 where the end is reached, and the `least` margins (K,) met at samples on the way there.
+    `parts` (K,) of the ways, 1 where the end is reached.
     """
 
     ends: Floats
     parts: Floats
-    least: Floats
 
     @property
     def whole(self) -> Truths:
@@ -47,9 +46,6 @@ class Space(Protocol):
 
     def reach(self, states: Floats) -> Floats:
         """What the limits are for, (N, names): lengths of legs, or amounts of actuators."""
-
-    def good(self, states: Floats) -> Truths:
-        """Which states (N, width) keep to all that is asked for."""
 
     def margins(self, states: Floats) -> Floats:
         """Their margins σ, (N,)."""

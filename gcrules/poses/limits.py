@@ -107,7 +107,7 @@ def parse_limits(
     try:
         parts = [p.strip() for p in text.split(",") if p.strip()]
         if not parts:
-            raise InputError("there are no limits", hint=_FORM)
+            raise InputError("there are no limits", hint=_RANGES[noun] if kinds else _FORM)
         for part in parts:
             legs, least, most, word = _part(part, names, unit, kinds, noun)
             for leg in legs:
