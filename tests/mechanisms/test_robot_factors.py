@@ -18,6 +18,7 @@ from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.language.text import text
 from gcrules.apps.cli import cli
 from gcrules.core.errors import GcrulesError, InputError
+from gcrules.core.seeds import repeated
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.common_factor import Subset
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause, at_member
@@ -243,6 +244,20 @@ def test_chosen_lines_that_depend_on_each_other_are_left_out() -> None:
 
 
 # --- wrenches that are screws ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("seed", [16, 55, 56])  # eight members each were of one kind
+def test_a_kind_that_some_members_have_is_not_told_of_all(seed: int) -> None:
+    """Of the constraint and the actuator's wrench most members have two forces in their system, others none."""
+    r = read_robot(DATA / "moved" / "3-5r.yaml")
+    kinds = {
+        r.limbs[0].at(r.family.member(n, RATIONALS), RATIONALS).locked_system(RATIONALS).classify().kind
+        for n in range(40)
+    }
+    assert kinds == {"two forces", "two screws"}
+    with repeated(seed):
+        found = analyze_robot(r).structure.limbs
+    assert {one.kind for one in found} == {"2-system of screws, its constraint a screw of finite pitch"}
 
 
 def test_screws_at_home() -> None:
