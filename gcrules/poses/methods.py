@@ -14,7 +14,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 
-__all__ = ["Methods", "has_six_legs", "method", "on_six_legs"]
+__all__ = ["Methods", "as_six_legs", "has_six_legs", "method", "on_six_legs"]
 
 Answer = TypeVar("Answer")
 Methods = Mapping[type[Mechanism], Callable[..., Answer]]
@@ -34,10 +34,14 @@ def on_six_legs(found: Mechanism, what: str) -> SixLegs:
         raise InputError(f"{what} is for platforms on six legs; {fault.message}", hint=fault.hint) from None
 
 
+def as_six_legs(found: Mechanism) -> SixLegs | None:
+    """The mechanism as a platform on six legs, which a robot is whose limbs are six legs; None if it is none."""
+    try:
+        return found.six_legs()
+    except InputError:
+        return None
+
+
 def has_six_legs(found: Mechanism) -> bool:
     """Whether the mechanism is a platform on six legs, or a robot whose limbs are six legs."""
-    try:
-        found.six_legs()
-    except InputError:
-        return False
-    return True
+    return as_six_legs(found) is not None

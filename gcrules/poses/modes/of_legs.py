@@ -9,8 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from gcrules.algebra.evaluate import evaluate
-from gcrules.conditions.gained_motion import factors
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
@@ -23,7 +21,6 @@ from gcrules.poses.modes.report import (
     AssemblyModes,
     BoxCertificate,
     Completeness,
-    FactorSign,
     SolutionCurve,
     in_order,
 )
@@ -32,6 +29,8 @@ from gcrules.poses.modes.zeros import NEEDED, Zeros, rank_of, zeros_of
 from gcrules.poses.numbers.arrays import from_poses
 from gcrules.poses.numbers.report import PoseReport
 from gcrules.poses.pose_report import report_of_legs
+from gcrules.poses.signs.of_legs import signs_of_legs
+from gcrules.poses.signs.sign import FactorSign
 from gcrules.screws.pose import Pose, exact_float
 from gcrules.screws.pose_text import COORDINATES, Amount, read_named
 from gcrules.screws.study import study
@@ -265,17 +264,17 @@ def _mode(legs: _Legs, place: _Place, threshold: Threshold, *, given: bool) -> A
 
 
 def _signs(m: SixLegs, report: PoseReport) -> tuple[FactorSign, ...]:
-    """The factors of the condition, exact at the pose that is given; of one without factors the superbracket."""
-    condition = m.analysis.condition
-    every = factors(condition.expression)
-    if len(every) < 2:
-        value = 0 if report.verdict == "singular" else report.superbracket
-        return (FactorSign("superbracket", report.value, (value > 0) - (value < 0)),)
-    points, home = m.rig.exact(report.pose), m.rig.exact(Pose())
-    exact = [(f, evaluate(f, points)) for f in every]
-    if report.verdict == "singular":  # floats do not give the pose so well that rounding has no sign
-        exact = [(f, 0 if abs(v) <= _ZERO * abs(evaluate(f, home)) else v) for f, v in exact]
-    return tuple(FactorSign(str(f), float(v), (v > 0) - (v < 0)) for f, v in exact)
+    """The signs that its poses have; where it is singular floats do not give the pose so well that rounding has one."""
+    there = signs_of_legs(m, report.pose)
+    if report.verdict != "singular":
+        return there
+    if len(there) == 1:
+        return (replace(there[0], sign=0),)
+    home = signs_of_legs(m, Pose())
+    return tuple(
+        replace(s, value=0.0, sign=0) if abs(s.value) <= _ZERO * abs(h.value) else s
+        for s, h in zip(there, home, strict=True)
+    )
 
 
 def _counts(z: Zeros, unclear: int) -> Completeness:

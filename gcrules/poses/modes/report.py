@@ -2,7 +2,7 @@ r"""All solutions of a direct kinematics as values: the modes, what is proved of
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any
@@ -13,6 +13,7 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.report import PoseReport
+from gcrules.poses.signs.sign import FactorSign, signs_of
 from gcrules.screws.pose import Pose
 
 __all__ = [
@@ -20,11 +21,9 @@ __all__ = [
     "AssemblyModes",
     "BoxCertificate",
     "Completeness",
-    "FactorSign",
     "SolutionCurve",
     "factor_signs",
     "in_order",
-    "signs_of",
 ]
 
 
@@ -52,22 +51,6 @@ class BoxCertificate:
         }
 
 
-@dataclass(frozen=True)
-class FactorSign:
-    """A factor of the condition at a solution: between two modes in which it has other signs every way is singular."""
-
-    expression: str
-    value: float
-    sign: int
-
-    def to_json(self) -> dict[str, Any]:
-        return {
-            "expression": self.expression,
-            "value": self.value if isfinite(self.value) else None,
-            "sign": self.sign,
-        }
-
-
 _ZERO = 1e-6  # of a factor, where the robot is singular
 
 
@@ -76,11 +59,6 @@ def factor_signs(found: RobotPose) -> tuple[FactorSign, ...]:
     zero = _ZERO if found.verdict == "singular" else 0.0
     live = (f for f in found.factors if f.live and isfinite(f.value))
     return tuple(FactorSign(f.expression, f.value, (f.value > zero) - (f.value < -zero)) for f in live)
-
-
-def signs_of(factors: Sequence[FactorSign]) -> str:
-    """Their signs, such as "+-+"; 0 where one vanishes."""
-    return "".join("-0+"[f.sign + 1] for f in factors)
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,8 @@ from gcrules.mechanisms.modes.limb_solutions import STARTS
 from gcrules.mechanisms.modes.working_modes import LimbChoices, choices_of, in_working_mode
 from gcrules.poses.limbs.pose_report import report_of_limbs
 from gcrules.poses.limbs.report import RobotPose
-from gcrules.poses.modes.report import factor_signs, signs_of
+from gcrules.poses.modes.report import factor_signs
+from gcrules.poses.signs.sign import signs_of
 from gcrules.screws.threshold import DEFAULT, Threshold
 
 __all__ = ["LISTED", "LimbWays", "WorkingMode", "WorkingModes", "working_modes"]

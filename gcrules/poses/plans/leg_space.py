@@ -31,8 +31,10 @@ NAMES = ("x", "y", "z", "turn")
 
 _STEP = 0.04  # rad, or sizes: the distance of samples
 _BLOCK = 4096
-MOST_TURNED = np.pi * (1 - 1e-6)
-"""More than that no turn is, but for the half turn, whose axis has no sense."""
+MOST_TURNED = np.pi
+"""No turn is by more."""
+
+_HALF_TURN = 1e-9  # of the cosine of half the angle: a half turn has no shorter way
 
 
 def region_of(rig: MovingPlatform) -> Region:
@@ -62,6 +64,9 @@ class LegSpace:
 
     def reach(self, states: Floats) -> Floats:
         return np.asarray(np.linalg.norm(self._ends(states) - self.rig.base, axis=2))
+
+    def good(self, states: Floats) -> Truths:
+        return self._looked_at(states)[0]
 
     def margins(self, states: Floats) -> Floats:
         return np.abs(self._looked_at(states)[1])
@@ -109,6 +114,7 @@ class LegSpace:
         samples = self.between(states[way], goals[way], part)
         good, signed = self._looked_at(samples)
         good &= signed * signed[first[way]] > 0
+        good &= (np.abs((states[:, 3:] * goals[:, 3:]).sum(axis=1)) > _HALF_TURN)[way] | (part == 0)
         bad = np.where(good, len(way), np.arange(len(way)))
         stop = np.minimum.reduceat(bad, first)  # the first bad sample of each way
         whole = stop >= np.append(first[1:], len(way))

@@ -1,7 +1,7 @@
 r"""Configurations of a robot of joints as states: coordinates of its platform, and the amounts of all joints from home.
 
 Straight ways are those along which the coordinates grow evenly; the loops are closed step by step. The sign of a
-determinant of the undriven joints' screws tells that nothing singular was stepped over.
+determinant of the undriven joints' screws, or of the condition's factors, tells that nothing singular was stepped over.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates, wrapped
 from gcrules.mechanisms.kinematics.linkage import Configuration
-from gcrules.mechanisms.kinematics.loops import Course, Joints, units_of
+from gcrules.mechanisms.kinematics.loops import Course, Joints
 from gcrules.mechanisms.kinematics.margin import margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.soundness import stays_still
@@ -30,9 +30,9 @@ from gcrules.poses.limbs.many import Solved
 from gcrules.poses.limbs.straight import led, number_of_steps
 from gcrules.poses.limbs.sweep import blocks
 from gcrules.poses.limits import LengthLimits
-from gcrules.poses.plans.closing_sign import closing_signs
 from gcrules.poses.plans.region import Region, Truths
 from gcrules.poses.plans.space import Ways
+from gcrules.poses.signs.of_limbs import one_sign
 from gcrules.screws.pose_text import ANGLES
 
 __all__ = ["LimbSpace"]
@@ -68,6 +68,20 @@ class LimbSpace:
     def weights(self) -> Floats:
         return self.course.weights
 
+    @cached_property
+    def joints(self) -> int:
+        """How many amounts of joints a state has."""
+        return sum(len(c.turns) for c in self.m.linkage.home.chains)
+
+    def from_home(self, places: Floats) -> tuple[Floats, Truths]:
+        """The states (N, width) to which the straight ways from home lead at coordinates (N, names), and which do."""
+        steps = _FINER * number_of_steps(self.course, places)
+        zero = np.zeros((len(places), self.joints))
+        amounts, good = led(
+            self.course, self._home, zero, lambda on, part: part * places[on], places, steps, halvings=_MOST_HALVINGS
+        )
+        return np.concatenate([places, amounts], axis=1), good
+
     def row_of(self, c: Configuration) -> Floats:
         """The state of a configuration to which a way from home led. Raises InputError where the straight way of the
         coordinates leads to another one.
@@ -76,13 +90,7 @@ class LimbSpace:
         a state do not.
         """
         m = self.m.linkage
-        place = coordinates(self.names, c.platform[None], m.centre)
-        zero = np.zeros((1, sum(len(a) for a in c.joint_values)))
-        steps = _FINER * number_of_steps(self.course, place)
-        amounts, good = led(
-            self.course, self._home, zero, lambda _, part: part * place, place, steps, halvings=_MOST_HALVINGS
-        )
-        row = np.concatenate([place, amounts], axis=1)
+        row, good = self.from_home(coordinates(self.names, c.platform[None], m.centre))
         there, close = self.at(row), _ALIKE * max(m.size, 1.0)
         near = np.allclose(there.here.platform[0], c.platform, rtol=0.0, atol=close)
         driven = [c.joint_values[a.place][a.coordinate] for a in m.actuators]
@@ -103,6 +111,9 @@ class LimbSpace:
     def reach(self, states: Floats) -> Floats:
         return self.at(states).actuators
 
+    def good(self, states: Floats) -> Truths:
+        return self._looked_at(states)[0]
+
     def margins(self, states: Floats) -> Floats:
         return np.abs(self._looked_at(states)[1])
 
@@ -116,11 +127,15 @@ class LimbSpace:
         return np.asarray(np.linalg.norm(wrapped(self.names, states[:, :n] - others[:, :n]) / self.weights, axis=1))
 
     def alike(self, states: Floats, others: Floats) -> Truths:
-        n, units = len(self.names), units_of(self.m.linkage)
-        change = (states[:, n:] - others[:, n:]) / units
-        round_ = np.concatenate([c.turns for c in self.m.linkage.home.chains])
-        change = np.where(round_, (change + np.pi) % (2 * np.pi) - np.pi, change)
-        return np.asarray((np.abs(change) <= _ALIKE).all(axis=1))
+        """By the platform and the places of all names: amounts of joints with three freedoms are not unique."""
+        here, there = self.at(states), self.at(others)
+        sorts, size = self.m.linkage.robot.family.sorts, self.m.linkage.size
+        units = np.where(np.arange(4) < 3, 1.0, size)
+        apart = (np.abs(here.here.platform - there.here.platform) / units).max(axis=(1, 2))
+        for name, place in here.values.items():
+            unit = size if sorts[name] == "point" else max(float(np.linalg.norm(place, axis=-1).max()), 1e-300)
+            apart = np.maximum(apart, np.abs(place - there.values[name]).max(axis=-1) / unit)
+        return np.asarray(apart <= _ALIKE)
 
     def drawn(self, random: Any, number: int, ends: Floats, spread: float) -> Floats:
         n, half = len(self.names), number // 2
@@ -200,7 +215,7 @@ class LimbSpace:
             some = inside[part]
             there = self.at(states[some])
             sigma = margins(m, there.here).sigma
-            sign = closing_signs(m, there.here)
+            sign = one_sign(self.m, there)
             signed[some] = sigma * np.where(sign == 0, 1.0, sign)
             good[some] = sigma >= self.margin
             if self.limits is not None:

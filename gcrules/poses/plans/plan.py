@@ -14,7 +14,7 @@ search goes on.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -22,22 +22,24 @@ import numpy as np
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import Methods, method
+from gcrules.poses.plans.domain import Proved
+from gcrules.poses.plans.drafts import drafts
 from gcrules.poses.plans.leg_problem import leg_problem
 from gcrules.poses.plans.limb_problem import limb_problem
-from gcrules.poses.plans.problem import Problem, Proved
+from gcrules.poses.plans.problem import Problem
 from gcrules.poses.plans.report import OpposedSign, Plan, Search, Waypoint
-from gcrules.poses.plans.roadmap import Roadmap, shortened
-from gcrules.poses.plans.smoothing import rounded_corners
+from gcrules.poses.plans.roadmap import Roadmap
+from gcrules.poses.signs.of_limbs import DETERMINANT
+from gcrules.poses.signs.sign import ConditionSign
 from gcrules.screws.pose import exact_float
 from gcrules.screws.verdict import CLOSE
 
-__all__ = ["STATES", "plan"]
+__all__ = ["STATES", "asked_margin", "check_search", "plan"]
 
 STATES = 3000
 _MOST = 200_000
@@ -71,38 +73,55 @@ def plan(
 
     Raises InputError where start or goal do not keep to what is asked for, and for what is no pose.
     """
-    asked = CLOSE if margin is None else exact_float(margin, "the margin")
-    if not 0 < asked < 1:
-        raise InputError(f"the margin {asked:g} does not lie between 0 and 1", hint="0 is singular, 1 as far as can be")
-    if not 1 <= states <= _MOST:
-        raise InputError(f"{states} states, expected 1 to {_MOST:,}")
-    if seed < 0:
-        raise InputError(f"the seed {seed} is negative")
+    asked = asked_margin(margin)
+    check_search(states, seed)
     found = mechanism(source, about=about, plugins=plugins)
     problem = method(_PROBLEM, found, "a plan")(start, goal, asked, limits, within)
     return _solved(problem, asked, states, seed)
 
 
+def asked_margin(margin: float | None) -> float:
+    """The least margin that is asked for, or that of regular poses. Raises InputError."""
+    asked = CLOSE if margin is None else exact_float(margin, "the margin")
+    if not 0 < asked < 1:
+        raise InputError(f"the margin {asked:g} does not lie between 0 and 1", hint="0 is singular, 1 as far as can be")
+    return asked
+
+
+def check_search(states: int, seed: int) -> None:
+    """Raises InputError for a search with no states or too many, and for no seed."""
+    if not 1 <= states <= _MOST:
+        raise InputError(f"{states} states, expected 1 to {_MOST:,}")
+    if seed < 0:
+        raise InputError(f"the seed {seed} is negative")
+
+
 def _solved(p: Problem, asked: float, states: int, seed: int) -> Plan:
-    if opposed := p.opposed():
+    if opposed := _named(p.opposed()):
         return _plan(p, asked, "none", _no_way(p, opposed), opposed=opposed)
-    road = Roadmap(p.space, p.roots)
+    road = Roadmap(p.domain.space, p.roots)
     random = np.random.default_rng(seed)
     first: Proved | None = None
     for _ in range(_ATTEMPTS):
         reached = _grown(p, road, random, states)
-        limits = p.space.limits.text if p.space.limits else ""
-        search = Search(p.space.region.text(p.m.unit), limits, len(road.rows), seed)
+        limits = p.domain.space.limits.text if p.domain.space.limits else ""
+        search = Search(p.domain.space.region.text(p.domain.m.unit), limits, len(road.rows), seed)
         if reached is None:
             break
         nodes = road.way(0, reached)
-        for way in _drafts(p, road.rows[nodes]):
-            proved = p.prove(way)
+        for way in drafts(p.domain, p.start, p.goal, road.rows[nodes]):
+            proved = p.domain.prove(way)
             if not proved.failures:
                 return _plan(p, asked, "way", _found(p, proved, way), way=way, proved=proved, search=search)
             first = first or proved
         road.forget((nodes[k], nodes[k + 1]) for k in proved.failures)
     return _plan(p, asked, "undecided", _undecided(road, first), search=search)
+
+
+def _named(pairs: Sequence[tuple[ConditionSign, ConditionSign]]) -> tuple[OpposedSign, ...]:
+    """What has opposite signs; the determinant only where nothing else has."""
+    named = [(a, b) for a, b in pairs if a.expression != DETERMINANT] or pairs
+    return tuple(OpposedSign(a.expression, a.value, b.value, a.statement) for a, b in named)
 
 
 def _grown(p: Problem, road: Roadmap, random: Any, states: int) -> int | None:
@@ -116,7 +135,7 @@ def _grown(p: Problem, road: Roadmap, random: Any, states: int) -> int | None:
         report_progress(f"{len(road.rows):,} states, {drawn:,} poses drawn")
         number = _FIRST if drawn < _LATER else _LATER
         spread = _SPREADS[min(drawn // (4 * _LATER), len(_SPREADS) - 1)]
-        goals = p.space.drawn(random, number, np.stack([p.roots[0], p.end]), spread)
+        goals = p.domain.space.drawn(random, number, np.stack([p.roots[0], p.end]), spread)
         if len(p.roots) < 2:
             goals = np.concatenate([goals, p.end[None]])
         if len(goals):
@@ -127,21 +146,8 @@ def _grown(p: Problem, road: Roadmap, random: Any, states: int) -> int | None:
 def _at_goal(p: Problem, road: Roadmap) -> int | None:
     if len(p.roots) > 1:
         return 1 if road.joined(0, 1) else None
-    apart = p.space.lengths(road.rows, np.repeat(p.end[None], len(road.rows), axis=0))
+    apart = p.domain.space.lengths(road.rows, np.repeat(p.end[None], len(road.rows), axis=0))
     return next((int(n) for n in np.flatnonzero(apart <= _SAME) if road.joined(0, int(n))), None)
-
-
-def _drafts(p: Problem, rows: Floats) -> Iterator[list[Waypoint]]:
-    """Ways through the states to be proved: shorter ones with few digits, the smoothest first, and the way itself."""
-    short = shortened(p.space, rows)
-    smooth = rounded_corners(p.space, short)
-    for each in [smooth, short] if len(smooth) > len(short) else [short]:
-        yield _waypoints(p, each, rounded=True)
-    yield _waypoints(p, rows, rounded=False)
-
-
-def _waypoints(p: Problem, rows: Floats, *, rounded: bool) -> list[Waypoint]:
-    return [p.start, *(p.waypoint(row, rounded=rounded) for row in rows[1:-1]), p.goal]
 
 
 def _plan(
@@ -156,8 +162,8 @@ def _plan(
     search: Search | None = None,
 ) -> Plan:
     return Plan(
-        title=p.m.title,
-        unit=p.m.unit,
+        title=p.domain.m.title,
+        unit=p.domain.m.unit,
         outcome=outcome,
         reason=reason,
         asked=asked,
@@ -166,10 +172,10 @@ def _plan(
         poses=tuple(way),
         path=proved.path if proved else None,
         least=proved.least if proved else 0.0,
-        proved=p.proves_margin,
-        length=p.length(way) if way else 0.0,
-        straight=p.length([p.start, p.goal]),
-        size=p.size,
+        proved=p.domain.proves_margin,
+        length=p.domain.length(way) if way else 0.0,
+        straight=p.domain.length([p.start, p.goal]),
+        size=p.domain.size,
         opposed=opposed,
         search=search,
         notes=p.notes,
@@ -179,7 +185,7 @@ def _plan(
 def _found(p: Problem, proved: Proved, way: Sequence[Waypoint]) -> str:
     pieces = len(way) - 1
     words = "The straight way is free" if pieces == 1 else f"A way of {pieces} straight pieces is free"
-    sure = "everywhere on it" if p.proves_margin else "at all samples of it"
+    sure = "everywhere on it" if p.domain.proves_margin else "at all samples of it"
     return f"{words} of singular poses, proved; the margin σ is at least {proved.least:.4g} {sure}."
 
 

@@ -1,58 +1,34 @@
-"""What a plan is made for, of any kind of mechanism: states, start and goal, what excludes a way, what proves one."""
+"""What a plan is made for: start and goal in a domain, and what excludes a way between them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.mechanisms.mechanism import Mechanism
-from gcrules.poses.limbs.path_report import RobotPath
-from gcrules.poses.paths.report import PathReport
-from gcrules.poses.plans.report import OpposedSign, Waypoint
+from gcrules.poses.plans.domain import Domain
+from gcrules.poses.plans.report import Waypoint
 from gcrules.poses.plans.space import Space
+from gcrules.poses.signs.sign import ConditionSign
 
-__all__ = ["Problem", "Proved", "margin_kept"]
+__all__ = ["Problem", "margin_kept"]
 
 _SPARE = 1.03  # times the margin asked for
 
 
-@dataclass(frozen=True)
-class Proved:
-    """What is proved of a path: its `least` margin, and the places of the segments that do not keep to what is asked
-    for, or are not proved to do so.
-    """
-
-    path: PathReport | RobotPath
-    least: float
-    failures: tuple[int, ...]
-
-    @classmethod
-    def of(cls, path: PathReport | RobotPath, least: float, places: Iterable[float], pieces: int) -> Proved:
-        """With failures at these parameters of a path of so many segments."""
-        return cls(path, least, tuple(sorted({min(int(p), pieces - 1) for p in places})))
-
-
 class Problem(Protocol):
-    """From `start` to `goal` of a mechanism `m`, whose `size` makes lengths numbers: the states `roots` (1 or 2, width)
-    are the start and, where its configuration is known, the goal, of which `end` (width,) has the pose.
+    """From `start` to `goal` in a `domain`: the states `roots` (1 or 2, width) are the start and, where its
+    configuration is known, the goal, of which `end` (width,) has the pose.
 
-    `whereto` says in words what the goal is; `proves_margin` tells whether the margin of a path is proved between
-    samples, `notes` what is to be said of any answer.
+    `whereto` says in words what the goal is, `notes` what is to be said of any answer.
     """
 
     @property
-    def m(self) -> Mechanism: ...
-    @property
-    def size(self) -> float: ...
+    def domain(self) -> Domain: ...
     @property
     def start(self) -> Waypoint: ...
     @property
     def goal(self) -> Waypoint: ...
-    @property
-    def space(self) -> Space: ...
     @property
     def roots(self) -> Floats: ...
     @property
@@ -60,24 +36,10 @@ class Problem(Protocol):
     @property
     def whereto(self) -> str: ...
     @property
-    def proves_margin(self) -> bool: ...
-    @property
     def notes(self) -> tuple[str, ...]: ...
 
-    def opposed(self) -> tuple[OpposedSign, ...]:
-        """What has opposite signs at start and goal."""
-        ...
-
-    def prove(self, way: Sequence[Waypoint]) -> Proved:
-        """The path straight through waypoints, and what is proved of it."""
-        ...
-
-    def waypoint(self, state: Floats, *, rounded: bool) -> Waypoint:
-        """The pose of a state; rounded it has few digits."""
-        ...
-
-    def length(self, way: Sequence[Waypoint]) -> float:
-        """How long the way straight through waypoints is."""
+    def opposed(self) -> tuple[tuple[ConditionSign, ConditionSign], ...]:
+        """What has opposite signs at start and goal, in both."""
         ...
 
 

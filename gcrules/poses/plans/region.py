@@ -20,6 +20,8 @@ __all__ = ["Region", "Truths"]
 
 Truths = NDArray[np.bool_]
 
+_TURN = 2 * np.pi * (1 - 1e-12)
+
 
 @dataclass(frozen=True)
 class Region:
@@ -56,10 +58,14 @@ class Region:
         return Region(self.names, tuple(low.tolist()), tuple(high.tolist()), self.angles)
 
     def holds(self, values: Any) -> Truths:
-        """Which values (N, names) lie in it, but for rounding."""
+        """Which values (N, names) lie in it, but for rounding; all those of an angle whose range is a whole turn."""
         found = np.asarray(values)
         room = 1e-12 * np.maximum(np.abs(self.low), np.abs(self.high))
-        return np.asarray(((found >= self.low - room) & (found <= self.high + room)).all(axis=1))
+        inside = (found >= self.low - room) & (found <= self.high + room)
+        return np.asarray((inside | self._whole_turns()).all(axis=1))
+
+    def _whole_turns(self) -> Truths:
+        return np.array(self.angles) & (np.subtract(self.high, self.low) >= _TURN)
 
     def drawn(self, random: np.random.Generator, number: int) -> Floats:
         """Values (number, names) at random."""

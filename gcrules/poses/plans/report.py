@@ -12,7 +12,7 @@ from gcrules.poses.paths.report import PathReport
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import ANGLES
 
-__all__ = ["OpposedSign", "Plan", "Search", "Waypoint"]
+__all__ = ["OpposedSign", "Plan", "Search", "Waypoint", "pose_json"]
 
 Waypoint = Pose | Mapping[str, float]
 """A pose; of a robot of joints coordinates by name, angles in radians."""
@@ -92,9 +92,9 @@ class Plan(Shown):
             "outcome": self.outcome,
             "reason": self.reason,
             "margin_asked": self.asked,
-            "start": _json(self.start),
-            "goal": _json(self.goal),
-            "poses": [_json(p) for p in self.poses],
+            "start": pose_json(self.start),
+            "goal": pose_json(self.goal),
+            "poses": [pose_json(p) for p in self.poses],
             "least_margin": self.least if way else None,
             "margin_proved": self.proved if way else None,
             "length": self.length if way else None,
@@ -127,5 +127,5 @@ class Plan(Shown):
         return f"<Plan way of {len(self.poses)} poses, margin at least {self.least:.4g}>"
 
 
-def _json(pose: Waypoint) -> dict[str, Any]:
+def pose_json(pose: Waypoint) -> dict[str, Any]:
     return pose.to_json() if isinstance(pose, Pose) else dict(pose)

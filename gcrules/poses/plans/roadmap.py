@@ -7,7 +7,7 @@ Frazzoli (International Journal of Robotics Research 30, 2011), with many poses 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from itertools import combinations, pairwise
 
 import networkx as nx
@@ -22,6 +22,7 @@ __all__ = ["Roadmap", "shortened"]
 
 Places = NDArray[np.intp]
 
+_ROOTS = 8  # nearest roots to which ways are tried at first
 _NEAR = 3  # states of each part that are led to a new pose
 _LONGEST = 1.5  # rad, or sizes: no way is longer
 _SHORTEST = 0.05  # ways that end before that add no state
@@ -43,8 +44,18 @@ class Roadmap:
         self.roots = len(roots)
         self.graph: nx.Graph[int] = nx.Graph()
         self.graph.add_nodes_from(range(len(roots)))
-        if len(roots) > 1:
-            self._lead(*(np.array(ends) for ends in zip(*combinations(range(len(roots)), 2), strict=True)))
+        if pairs := self._near_roots():
+            self._lead(*(np.array(ends) for ends in zip(*pairs, strict=True)))
+
+    def _near_roots(self) -> list[tuple[int, int]]:
+        """Pairs of roots: each with those that are nearest to it."""
+        order = np.argsort(self.space.apart(self.rows, self.rows), axis=1, kind="stable")[:, : _ROOTS + 1].tolist()
+        return sorted({(min(a, b), max(a, b)) for a, near in enumerate(order) for b in near if a != b})
+
+    def parts(self) -> list[list[int]]:
+        """The roots that are joined with each other, each part in order."""
+        found = (sorted(n for n in part if n < self.roots) for part in nx.connected_components(self.graph))
+        return sorted(part for part in found if part)
 
     def joined(self, one: int, other: int) -> bool:
         """Whether ways lead from one state to the other."""
@@ -56,10 +67,10 @@ class Roadmap:
         good = ways.whole & self.space.alike(ways.ends, self.rows[last])
         self._join(first[good], last[good])
 
-    def grow(self, goals: Floats) -> None:
-        """Lead states to new poses (K, width)."""
+    def grow(self, goals: Floats, among: Collection[int] | None = None) -> None:
+        """Lead states to new poses (K, width): those that are joined with some root, or with one `among` the roots."""
         checkpoint()
-        source, goal = self._sources(goals)
+        source, goal = self._sources(goals, range(self.roots) if among is None else among)
         if not len(source):
             return
         ways = self.space.gone(self.rows[source], goals[goal])
@@ -84,17 +95,22 @@ class Roadmap:
         """The cheapest sequence of states between two that are joined."""
         return list(nx.shortest_path(self.graph, one, other, weight="cost"))
 
+    def costs(self, one: int) -> dict[int, float]:
+        """How dear the cheapest ways are from one state to the roots that are joined with it."""
+        every = nx.single_source_dijkstra_path_length(self.graph, one, weight="cost")
+        return {n: cost for n, cost in every.items() if n < self.roots}
+
     def forget(self, edges: Iterable[tuple[int, int]]) -> None:
         """Leave out ways that turned out to be none."""
         self.graph.remove_edges_from(list(edges))
 
-    def _sources(self, goals: Floats) -> tuple[Places, Places]:
-        """The states that are led to goals: of each part with a root the nearest ones, not too far away."""
+    def _sources(self, goals: Floats, among: Collection[int]) -> tuple[Places, Places]:
+        """The states that are led to goals: of each part with one of the roots the nearest ones, not too far away."""
         far = self.space.apart(goals, self.rows)
         source, goal = [], []
         for part in nx.connected_components(self.graph):
             members = np.fromiter(part, dtype=np.intp, count=len(part))
-            if members.min() >= self.roots:
+            if part.isdisjoint(among):
                 continue
             near = far[:, members]
             count = min(_NEAR, len(members))

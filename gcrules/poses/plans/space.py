@@ -47,6 +47,9 @@ class Space(Protocol):
     def reach(self, states: Floats) -> Floats:
         """What the limits are for, (N, names): lengths of legs, or amounts of actuators."""
 
+    def good(self, states: Floats) -> Truths:
+        """Which states (N, width) keep to all that is asked for."""
+
     def margins(self, states: Floats) -> Floats:
         """Their margins σ, (N,)."""
 

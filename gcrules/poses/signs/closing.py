@@ -6,7 +6,7 @@ a continuous function of the configuration, whatever the way to it and whichever
 where something can move. So between two configurations in which it has opposite signs every way is singular somewhere.
 
 Robots with freedoms that are idle, such as rods that spin about themselves, with more actuators than freedoms, or
-whose loops ask for less than six equations, have no such matrix: their sign is 0. Derived here.
+whose loops ask for less than six equations, have no such matrix. Derived here.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ _PLANE = (2, 3, 4)
 _ZERO = 1e-9  # of the determinant, in parts of the product of its columns' lengths
 
 
-def closing_signs(m: Linkage, here: Configurations) -> NDArray[np.int8]:
-    """The sign (N,) in configurations; 0 where it is 0 within rounding, or there is none."""
+def closing_signs(m: Linkage, here: Configurations) -> NDArray[np.int8] | None:
+    """The sign (N,) in configurations, 0 where it is 0 within rounding; None for robots that have none."""
     rows = loop_rows([c.shared_twists for c in here.chains], here.platform, m) * units_of(m)
     if m.robot.family.plane:
         rows = rows.reshape(len(here), -1, 6, rows.shape[2])[:, :, _PLANE].reshape(len(here), -1, rows.shape[2])
     square = rows[:, :, _undriven(m)]
     if square.shape[1] != square.shape[2]:
-        return np.zeros(len(here), dtype=np.int8)
+        return None
     square = square / np.maximum(np.linalg.norm(square, axis=1, keepdims=True), 1e-300)
     found = np.linalg.det(square)
     return np.asarray(np.where(np.abs(found) > _ZERO, np.sign(found), 0), dtype=np.int8)

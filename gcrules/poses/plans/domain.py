@@ -1,0 +1,105 @@
+"""What ways of a mechanism are sought in and proved, for any kind of mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.mechanism import Mechanism
+from gcrules.poses.limbs.path_report import RobotPath
+from gcrules.poses.modes.report import AssemblyMode
+from gcrules.poses.paths.report import PathReport
+from gcrules.poses.plans.report import Waypoint
+from gcrules.poses.plans.space import Space
+from gcrules.poses.signs.sign import ConditionSign
+
+__all__ = ["Domain", "Place", "Proved", "samples_of"]
+
+
+@dataclass(frozen=True)
+class Proved:
+    """What is proved of a path: its `least` margin, and the places of the segments that do not keep to what is asked
+    for, or are not proved to do so.
+    """
+
+    path: PathReport | RobotPath
+    least: float
+    failures: tuple[int, ...]
+
+    @classmethod
+    def of(cls, path: PathReport | RobotPath, least: float, places: Iterable[float], pieces: int) -> Proved:
+        """With failures at these parameters of a path of so many segments."""
+        return cls(path, least, tuple(sorted({min(int(p), pieces - 1) for p in places})))
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """A pose with its state `row` (width,)."""
+
+    pose: Waypoint
+    row: Floats
+
+
+class Domain(Protocol):
+    """The states of a mechanism `m` in a `space`, with a margin `asked` at least, whose `size` makes lengths numbers.
+    `proves_margin` tells whether the margin of a path is proved between samples, `notes` what is to be said of any
+    answer.
+    """
+
+    @property
+    def m(self) -> Mechanism: ...
+    @property
+    def size(self) -> float: ...
+    @property
+    def asked(self) -> float: ...
+    @property
+    def space(self) -> Space: ...
+    @property
+    def notes(self) -> tuple[str, ...]: ...
+    @property
+    def proves_margin(self) -> bool: ...
+
+    def prove(self, way: Sequence[Waypoint], samples: int | None = None) -> Proved:
+        """The path straight through waypoints, looked at in so many samples of each piece, and what is proved of it."""
+        ...
+
+    def waypoint(self, state: Floats, *, rounded: bool) -> Waypoint:
+        """The pose of a state; rounded it has few digits."""
+        ...
+
+    def continued(self, way: Sequence[Waypoint]) -> list[Waypoint]:
+        """The same way, with angles that go on where they pass half a turn."""
+        ...
+
+    def length(self, way: Sequence[Waypoint]) -> float:
+        """How long the way straight through waypoints is."""
+        ...
+
+    def home(self) -> Place:
+        """The pose of the file."""
+        ...
+
+    def places(self, states: Floats) -> list[Place]:
+        """The poses of states, with few digits, and the states that the straight ways from home lead to there; only
+        those that keep to all that is asked for.
+        """
+        ...
+
+    def place_of(self, mode: AssemblyMode) -> Place | str:
+        """That of an assembly mode, or why it has none."""
+        ...
+
+    def ends_at(self, path: PathReport | RobotPath, place: Place) -> bool:
+        """Whether the path to its pose ends in its state."""
+        ...
+
+    def signs(self, place: Place) -> tuple[ConditionSign, ...]:
+        """Numbers that are 0 in singular poses only."""
+        ...
+
+
+def samples_of(usual: int, asked: int | None, pieces: int) -> int:
+    """How many samples a path of so many pieces has: the usual number, or so many of each piece."""
+    return max(usual, pieces) if asked is None else asked * pieces

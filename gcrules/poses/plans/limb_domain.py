@@ -1,0 +1,153 @@
+"""Configurations of a robot of joints on one branch, and paths whose margin is known at samples."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.kinematics.coordinates import wrapped
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.limbs.path import path_of_limbs
+from gcrules.poses.limbs.path_report import RobotPath
+from gcrules.poses.limits import parse_limits
+from gcrules.poses.modes.report import AssemblyMode
+from gcrules.poses.paths.report import PathReport
+from gcrules.poses.plans.domain import Place, Proved, samples_of
+from gcrules.poses.plans.limb_space import LimbSpace
+from gcrules.poses.plans.region import Region
+from gcrules.poses.plans.report import Waypoint
+from gcrules.poses.signs.of_limbs import signs_of_limbs
+from gcrules.poses.signs.sign import ConditionSign
+from gcrules.screws.pose_text import ANGLES
+from gcrules.screws.threshold import DEFAULT
+
+__all__ = ["LimbDomain", "limb_space"]
+
+_SAMPLES = 200  # of a path
+_ROOM = 0.5, np.pi / 2  # around home and others: sizes, rad
+_STEEPEST = np.radians(85)  # of the pitch, which stays below a right angle
+_ALIKE = 1e-6  # of actuators and coordinates: sizes, rad
+_ELSEWHERE = "the straight way from home does not lead there"
+_ANOTHER = "the straight way from home leads to another configuration at its pose"
+
+
+@dataclass(frozen=True, eq=False)
+class LimbDomain:
+    """A `Domain`: configurations to which ways from home lead, with a margin `asked` at least."""
+
+    m: Limbs
+    asked: float
+    space: LimbSpace
+    proves_margin: bool = False
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        return tuple(self.m.linkage.notes)
+
+    @property
+    def size(self) -> float:
+        return self.m.linkage.size
+
+    def prove(self, way: Sequence[Waypoint], samples: int | None = None) -> Proved:
+        path = path_of_limbs(
+            self.m,
+            list(way),
+            samples=samples_of(_SAMPLES, samples, len(way) - 1),
+            threshold=DEFAULT,
+        )
+        least, at = path.least
+        failures = [c.first for c in path.crossings] + [a for a, _ in path.undecided]
+        failures += path.parameters[path.verdicts == "singular"].tolist()
+        if least < self.asked:
+            failures.append(at)
+        if path.branch_doubt is not None:
+            failures.append(path.branch_doubt)
+        if self.space.limits is not None:
+            failures += path.parameters[~self.space.limits.allow(path.actuator_values)].tolist()
+        return Proved.of(path, least, failures, len(way) - 1)
+
+    def waypoint(self, state: Floats, *, rounded: bool) -> Waypoint:
+        return self.space.waypoint(state, rounded=rounded)
+
+    def continued(self, way: Sequence[Waypoint]) -> list[Waypoint]:
+        names, found = self.space.names, list(way[:1])
+        for pose in way[1:]:
+            last = self.unsolved(found[-1])[: len(names)]
+            change = self.unsolved(pose)[: len(names)] - last
+            turned = np.abs(wrapped(names, change) - change) > 1.0
+            values = np.where(turned, last + wrapped(names, change), last + change)
+            found.append(FrozenMap(zip(names, values.tolist(), strict=True)) if turned.any() else pose)
+        return found
+
+    def length(self, way: Sequence[Waypoint]) -> float:
+        rows = np.stack([self.unsolved(p) for p in way])
+        return float(self.space.lengths(rows[:-1], rows[1:]).sum())
+
+    def unsolved(self, pose: Waypoint) -> Floats:
+        """The state of a pose whose joints are not known."""
+        assert isinstance(pose, Mapping)
+        return np.concatenate([[pose[n] for n in self.space.names], np.zeros(self.space.joints)])
+
+    def home(self) -> Place:
+        zero = np.zeros(len(self.space.names) + self.space.joints)
+        return Place(FrozenMap(dict.fromkeys(self.space.names, 0.0)), zero)
+
+    def places(self, states: Floats) -> list[Place]:
+        poses = [self.waypoint(row, rounded=True) for row in states]
+        if not poses:
+            return []
+        rows, reached = self.space.from_home(np.stack([self.unsolved(p)[: len(self.space.names)] for p in poses]))
+        good = np.zeros(len(rows), dtype=bool)
+        good[reached] = self.space.at(rows[reached]).sound & self.space.good(rows[reached])
+        return [Place(p, row) for p, row, kept in zip(poses, rows, good.tolist(), strict=True) if kept]
+
+    def place_of(self, mode: AssemblyMode) -> Place | str:
+        names = self.space.names
+        pose = FrozenMap((n, mode.coordinates[n]) for n in names)
+        rows, reached = self.space.from_home(self.unsolved(pose)[None, : len(names)])
+        if not reached[0]:
+            return _ELSEWHERE
+        there = self.space.at(rows)
+        whole = dict(zip(mode.coordinates, there.coordinates[0].tolist(), strict=True))
+        units = {n: 1.0 if n in ANGLES else self.size for n in whole}
+        apart = [(whole[n] - v) / units[n] for n, v in mode.coordinates.items()]
+        driven = there.actuators[0] - [v for _, v in mode.actuators]
+        driven = driven / [1.0 if a.angle else self.size for a in self.m.linkage.actuators]
+        return Place(pose, rows[0]) if max(np.abs(apart).max(), np.abs(driven).max()) <= _ALIKE else _ANOTHER
+
+    def ends_at(self, path: PathReport | RobotPath, place: Place) -> bool:
+        assert isinstance(path, RobotPath)
+        return self.reach_alike(path.actuator_values[-1], self.space.reach(place.row[None])[0])
+
+    def reach_alike(self, one: Floats, other: Floats) -> bool:
+        """Whether amounts of the actuators are the same."""
+        units = np.array([1.0 if a.angle else self.size for a in self.m.linkage.actuators])
+        return bool((np.abs(one - other) <= _ALIKE * units).all())
+
+    def signs(self, place: Place) -> tuple[ConditionSign, ...]:
+        return signs_of_limbs(self.m, self.space.at(place.row[None]))
+
+
+def limb_space(
+    m: Limbs,
+    names: tuple[str, ...],
+    poses: Sequence[Mapping[str, float]],
+    margin: float,
+    limits: str | None,
+    within: str | None,
+) -> LimbSpace:
+    """The states around home and around poses that keep to what is asked for. Raises InputError."""
+    k = m.linkage
+    angles = tuple(n in ANGLES for n in names)
+    room = np.array([_ROOM[1] if a else _ROOM[0] * k.size for a in angles])
+    zero = (0.0,) * len(names)
+    places = np.array([list(zero), *([p[n] for n in names] for p in poses)])
+    region = Region(names, zero, zero, angles).around(places, room)
+    region = region.within(within, m.unit).clipped("pitch", -_STEEPEST, _STEEPEST)
+    kinds = {a.name: a.angle for a in k.actuators}
+    reach = None if limits is None else parse_limits(limits, tuple(kinds), m.unit, tuple(kinds.values()))
+    return LimbSpace(m, names, region, margin, reach)
