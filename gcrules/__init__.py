@@ -64,6 +64,7 @@ if TYPE_CHECKING:
         within,
     )
     from gcrules.api.poses import (
+        aspects,
         assembly_modes,
         compiled,
         export,
@@ -103,6 +104,7 @@ __all__ = [
     "Transversals",
     "__version__",
     "analyze",
+    "aspects",
     "assembly_modes",
     "compiled",
     "evaluate",
@@ -137,6 +139,7 @@ __all__ = [
 _ELSEWHERE = {
     **dict.fromkeys(
         (
+            "aspects",
             "assembly_modes",
             "compiled",
             "export",

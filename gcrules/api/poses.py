@@ -7,6 +7,7 @@ from typing import Any
 
 from gcrules.api.signatures import public
 from gcrules.mechanisms.load import Source
+from gcrules.poses.aspects.aspects import aspects as _aspects
 from gcrules.poses.compiling.compiled import compiled as _compiled
 from gcrules.poses.compiling.controller import controller as _controller
 from gcrules.poses.loci.locus import locus as _locus
@@ -21,6 +22,7 @@ from gcrules.poses.pose import singular as _singular
 from gcrules.views.code.source_code import source_code as _source_code
 
 __all__ = [
+    "aspects",
     "assembly_modes",
     "compiled",
     "export",
@@ -34,6 +36,7 @@ __all__ = [
     "working_modes",
 ]
 
+aspects = public(_aspects)
 assembly_modes = public(_assembly_modes)
 compiled = public(_compiled)
 locus = public(_locus)

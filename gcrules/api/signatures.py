@@ -161,6 +161,18 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "context": optional(instance("a context (gcrules.algebra.language.syntax.Context)", Context)),
     },
     "path": {"source": _SOURCE, "poses": _PATH, "samples": COUNT, "about": _ABOUT, "threshold": _THRESHOLD},
+    "aspects": {
+        "source": _SOURCE,
+        "margin": optional(NUMBER),
+        "limits": optional(TEXT),
+        "within": optional(TEXT),
+        "poses": COUNT,
+        "modes": FLAG,
+        "states": COUNT,
+        "seed": WHOLE,
+        "about": _ABOUT,
+        "plugins": _FOLDERS,
+    },
     "plan": {
         "source": _SOURCE,
         "start": _POSE,

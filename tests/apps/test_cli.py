@@ -39,6 +39,8 @@ EXIT_CODES: list[tuple[str, tuple[str, ...], int]] = [
     ("shown", ("catalog", "show", "6-3.2"), 0),
     ("a way", ("plan", "3-rpr", "--from", "home", "--to", "x=0.1, y=0, yaw=0deg"), 0),
     ("no way", ("plan", "3-rpr", "--from", "home", "--to", "x=0, y=0, yaw=60deg"), 1),
+    ("aspects", ("aspects", "examples/octahedral.yaml", "--poses", "2", "--no-modes"), 0),
+    ("aspects not decided", ("aspects", "examples/octahedral.yaml", "--poses", "1", "--states", "9"), 3),
     ("no way known", ("plan", *AROUND, "--states", "1"), 3),
     ("syntax", ("expand", "[abcd"), 2),
     ("steps", ("expand", "[abc]"), 2),

@@ -3,8 +3,7 @@ r"""How the poses of a robot hang together: which can be reached from which with
 Poses are drawn, and the assembly modes for the actuators' values at home are solved for. Poses in which the condition's
 factors have different signs are in different aspects. Those of equal signs are joined by a search for ways between them
 (`gcrules.poses.plans.roadmap`), and each way is proved by the exact path check. Sets that are left with equal signs may
-or may not hang together. Source of the word: Borrel and Liégeois (IEEE Conference on Robotics and Automation, 1986);
-of parallel robots Wenger and Chablat (Advances in Robot Kinematics, 1998).
+or may not hang together.
 
 >>> found = aspects("3-rpr", within="x -1..1, y -1..1, yaw -180..180 deg", poses=8)
 >>> found.least, found.most, [s.pattern for s in found.sets]

@@ -152,6 +152,8 @@ class LegSpace:
             kept = lengths.min(axis=1) > ROUNDING * self.rig.size
             if self.limits is not None:
                 kept &= self.limits.allow(lengths)
+            if not kept.any():
+                continue
             some = some[kept]
             j = jacobian(self.rig.base, ends[kept])
             signed[some] = j.sigma * np.sign(np.linalg.det(j.rows))

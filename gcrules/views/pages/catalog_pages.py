@@ -27,6 +27,7 @@ from gcrules.rules.condition import Condition
 from gcrules.rules.strategy import Strategy
 from gcrules.views.drawing.figures import graph_figure, incidence_in_words, robot_figure, thumbnail
 from gcrules.views.pages.catalog_index import GROUP_NAMES, HEAD, degrees_text, index_page, owner_name
+from gcrules.views.pages.class_aspects import aspects_section
 from gcrules.views.pages.markdown import block, inline, reference
 from gcrules.views.pages.page_names import page_names
 from gcrules.views.report.telling_poses import telling_regular, telling_singular
@@ -195,6 +196,7 @@ def _page(
         "",
         *_condition(a, a.condition),
         *_other_readings(a),
+        *aspects_section(a),
         *_table(a, poses),
         *_neighbours(links),
         *_sources(entry, bibliography),

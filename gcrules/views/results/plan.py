@@ -11,7 +11,7 @@ from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex
 from gcrules.views.results.path import written_pose
 from gcrules.views.text_tables import ASCII, wrapped
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["as_latex", "as_text", "waypoint_text"]
 
 
 def as_text(p: Plan, *, unicode: bool = False) -> str:
@@ -26,7 +26,7 @@ def _lines(p: Plan) -> Iterator[str]:
     if p.poses:
         yield "Way, straight from pose to pose"
         for k, pose in enumerate(p.poses):
-            yield from wrapped(f"{k}. {_pose(pose)}", "  ", "     ")
+            yield from wrapped(f"{k}. {waypoint_text(pose)}", "  ", "     ")
         yield ""
     if p.opposed:
         yield "Opposite signs at start and goal"
@@ -39,8 +39,8 @@ def _lines(p: Plan) -> Iterator[str]:
 
 def _facts(p: Plan) -> Iterator[tuple[str, str]]:
     if not p.poses:
-        yield "start", _pose(p.start)
-        yield "goal", _pose(p.goal)
+        yield "start", waypoint_text(p.start)
+        yield "goal", waypoint_text(p.goal)
     sure = "proved everywhere" if p.proved else "at the samples of the path"
     if p.poses:
         yield "margin", f"σ ≥ {p.least:.4g}, {sure}; asked for: {p.asked:.4g}"
@@ -67,7 +67,8 @@ def _proof(p: Plan) -> str:
     return "none; more states, another seed or a smaller margin may decide it"
 
 
-def _pose(pose: Waypoint) -> str:
+def waypoint_text(pose: Waypoint) -> str:
+    """A pose as it is written for a command."""
     return written_pose(pose) if isinstance(pose, Pose) else written(pose).strip('"')
 
 
@@ -76,6 +77,6 @@ def as_latex(p: Plan) -> str:
     rows = [("outcome", p.outcome)]
     if p.poses:
         rows.append(("least margin $\\sigma$", latex_quantity(p.least)))
-        rows += [(f"pose {k}", latex_words(_pose(pose))) for k, pose in enumerate(p.poses)]
+        rows += [(f"pose {k}", latex_words(waypoint_text(pose))) for k, pose in enumerate(p.poses)]
     rows += [("impossible without", latex_words(o.statement)) for o in p.opposed]
     return latex_table(rows)
