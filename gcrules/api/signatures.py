@@ -176,7 +176,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
     "plan": {
         "source": _SOURCE,
         "start": _POSE,
-        "goal": _POSE,
+        "goal": optional(_POSE),
         "margin": optional(NUMBER),
         "limits": optional(TEXT),
         "within": optional(TEXT),

@@ -208,3 +208,54 @@ def test_robots_without_a_closing_sign(robot: str) -> None:
     m = mechanism(robot)
     assert isinstance(m, Limbs)
     assert closing_signs(m.linkage, Configurations.of([m.linkage.home])) is None
+
+
+def test_the_way_out_ends_at_the_margin() -> None:
+    found = gc.plan(OCTAHEDRAL, "0 0 -349", margin=0.1)
+    assert found.outcome == "way"
+    assert found.end_margin is not None
+    assert found.end_margin >= 0.1
+    assert gc.pose(OCTAHEDRAL, "0 0 -349", nearest=False).margin < 0.01
+    assert gc.pose(OCTAHEDRAL, found.poses[-1], nearest=False).margin == pytest.approx(found.end_margin)
+    assert found.path is not None
+    assert not found.path.zeros
+    straight_up = gc.pose(OCTAHEDRAL, [f"0 0 {z}" for z in range(-349, 0)])
+    up = 349 - next(-z for z, sigma in zip(range(-349, 0), straight_up.margin, strict=True) if sigma >= 0.1)
+    assert found.length < up / found.size
+
+
+def test_the_way_out_of_a_robot_of_joints() -> None:
+    found = gc.plan("3-rps", "z=-0.2, roll=52deg, pitch=10deg", margin=0.3)
+    assert found.outcome == "way"
+    assert gc.pose("3-rps", found.poses[-1], nearest=False).margin >= 0.3
+    assert found.path is not None
+    assert not found.path.crossings
+
+
+def test_no_way_out_of_what_is_singular_or_safe() -> None:
+    with pytest.raises(InputError, match="the start is singular"):
+        gc.plan(EXAMPLES / "octahedral-singular.yaml", "home")
+    with pytest.raises(InputError, match="not less than"):
+        gc.plan("3-rps", "home")
+
+
+def test_no_way_out_within_narrow_limits() -> None:
+    found = gc.plan(OCTAHEDRAL, "0 0 -349", margin=0.4, within="z -350..-348")
+    assert found.outcome == "undecided"
+    assert found.text()
+
+
+def test_factors_tell_where_there_is_no_determinant() -> None:
+    """A spherical wrist, whose loops ask for less than six equations."""
+    found = gc.plan("3-sps-s", "home", "roll=20deg, pitch=20deg, yaw=170deg")
+    assert found.outcome in ("none", "way")
+    path = gc.path("3-sps-s", ["home", "roll=20deg, pitch=20deg, yaw=170deg"])
+    assert (found.outcome == "none") == (len(path.crossings) % 2 == 1)
+
+
+def test_chosen_lines_that_depend_on_each_other_are_no_singularity() -> None:
+    """CaPaMan: a bar becomes parallel to z, where the lines of its limb coincide and nothing is singular."""
+    goal = "x=0.2768573887, y=0.5516656795, pitch=-0.22640089766rad"
+    path = gc.path("capaman", ["home", goal], samples=8)
+    assert not path.crossings
+    assert gc.plan("capaman", "home", goal).outcome == "way"

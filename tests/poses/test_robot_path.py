@@ -110,7 +110,6 @@ def test_six_legs_take_the_exact_road() -> None:
 
 FAULTS = {
     "one pose": (["home"], "two poses or more"),
-    "nothing but home": (["home", "home"], "all poses of the path are home"),
     "other coordinates": (["z=0.1, roll=0deg, pitch=0deg", "x=0.1, roll=0deg, pitch=0deg"], "pose 1 gives x"),
     "too few": (["home", "z=0.1"], "too few coordinates"),
     "no pose": (["home", "z=a"], "expected a number"),

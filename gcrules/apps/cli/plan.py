@@ -22,7 +22,7 @@ _CODES = {"way": 0, "none": 1, "undecided": 3}
 @click.argument("file", metavar="FILE.yaml|ID")
 @mode_option
 @click.option("--from", "start", required=True, metavar="POSE", help="The pose to start from, as in gcrules path.")
-@click.option("--to", "goal", required=True, metavar="POSE", help="The pose to go to.")
+@click.option("--to", "goal", metavar="POSE", help="The pose to go to; without one the way out, to a larger margin.")
 @click.option("--margin", type=float, metavar="SIGMA", help="The least margin on the way; by default a regular one.")
 @click.option("--limits", metavar="RANGES", help='Of legs or actuators: "leg lengths 1..3", "q1 -30..30 deg".')
 @click.option("--within", metavar="RANGES", help='Of coordinates from home: "z -100..50, turn ..40 deg".')
@@ -36,7 +36,7 @@ def plan(
     file: str,
     mode: str | None,
     start: str,
-    goal: str,
+    goal: str | None,
     margin: float | None,
     limits: str | None,
     within: str | None,
@@ -52,10 +52,12 @@ def plan(
     gcrules plan robot.yaml --from home --to "0 0 -300; rotvec 0 0 60 deg"
     gcrules plan 3-rps --from home --to "z=0.2, roll=20deg, pitch=10deg" --margin 0.2
     gcrules plan robot.yaml --from home --to "50 0 10" --limits "leg lengths 300..700" --csv way.csv
+    gcrules plan robot.yaml --from "0 0 -349" --margin 0.1
 
     Poses are drawn at random and joined by straight ways; the way that is found is made shorter and is proved as by
-    gcrules path. There is none, proved, where a factor of the condition has opposite signs in both poses. Exit code 0:
-    a way, 1: there is none, 3: not decided. "-" reads the file from standard input.
+    gcrules path. There is none, proved, where a factor of the condition has opposite signs in both poses. Without --to
+    the way leads to the nearest pose with the margin that is found. Exit code 0: a way, 1: there is none, 3: not
+    decided. "-" reads the file from standard input.
     """
     loaded = warn(read_source(file, mode=mode))
     with working("searching"):

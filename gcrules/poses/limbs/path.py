@@ -36,7 +36,7 @@ from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.margin import limb_margins, margin, margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.mechanisms.kinematics.solve import check_target, solve
+from gcrules.mechanisms.kinematics.solve import check_target, free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.drive import drive
@@ -118,8 +118,9 @@ def path_targets(m: Linkage, poses: Sequence[Any]) -> list[Target]:
         raise InputError(f"a path needs two poses or more, found {len(given)}", hint="for one pose: gcrules pose")
     read = [_target(m, k, one) for k, one in enumerate(given)]
     known = next((t for t in read if t is not None), None)
-    if known is None:
-        raise InputError("all poses of the path are home", hint='give another one: "z=0.1, roll=0deg, …"')
+    if known is None:  # all are home
+        names = free_coordinates(m)
+        known = Target(names, np.zeros(len(names)), text=HOME)
     return [_alike(known, k, t) for k, t in enumerate(read)]
 
 

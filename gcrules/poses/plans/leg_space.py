@@ -57,6 +57,15 @@ class LegSpace:
     margin: float
     limits: LengthLimits | None = None
 
+    @property
+    def freedoms(self) -> int:
+        return 6
+
+    def moved(self, states: Floats, displacements: Floats) -> Floats:
+        turn = from_vectors(displacements[:, 3:])
+        turned = np.stack(quaternion_product(tuple(turn.T), tuple(states[:, 3:].T)), axis=1)
+        return np.concatenate([states[:, :3] + displacements[:, :3] * self.rig.size, turned], axis=1)
+
     def coordinates(self, states: Floats) -> Floats:
         """Those of the region, (N, 4)."""
         turn = 2 * np.arctan2(np.linalg.norm(states[:, 4:], axis=1), np.abs(states[:, 3]))

@@ -105,6 +105,15 @@ class LimbSpace:
         """The configurations of states, with the screws that the names make there."""
         return Solved.of(self.m, states[:, len(self.names) :])
 
+    @property
+    def freedoms(self) -> int:
+        return len(self.names)
+
+    def moved(self, states: Floats, displacements: Floats) -> Floats:
+        found = states.copy()
+        found[:, : len(self.names)] += displacements * self.weights
+        return found
+
     def coordinates(self, states: Floats) -> Floats:
         return np.asarray(states[:, : len(self.names)])
 

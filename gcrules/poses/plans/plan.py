@@ -14,7 +14,8 @@ search goes on.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -34,10 +35,11 @@ from gcrules.poses.plans.limb_problem import limb_problem
 from gcrules.poses.plans.problem import Problem
 from gcrules.poses.plans.report import OpposedSign, Plan, Search, Waypoint
 from gcrules.poses.plans.roadmap import Roadmap
+from gcrules.poses.plans.way_out import nearest_with_margin
 from gcrules.poses.signs.of_limbs import DETERMINANT
 from gcrules.poses.signs.sign import ConditionSign
 from gcrules.screws.pose import exact_float
-from gcrules.screws.verdict import CLOSE
+from gcrules.screws.verdict import CLOSE, SOLVED
 
 __all__ = ["STATES", "asked_margin", "check_search", "plan"]
 
@@ -47,13 +49,16 @@ _FIRST, _LATER = 32, 256  # poses that are drawn at once
 _SPREADS = (0.1, 0.25, 0.5, 1.0)  # sizes, and rad: how far around the straight way
 _TRIES = 40  # poses that are drawn for each state
 _SAME = 1e-12
+_KEPT = 0.9  # of the margin at the start, on a way out
+_SPARE = 1.005  # times the margin that a way out leads to: room for rounding
+_NO_WAY_OUT = "Not decided: no straight way was found to a pose with the margin asked for."
 _ATTEMPTS = 8  # ways that are tried to be proved
 
 
 def plan(
     source: Source,
     start: Any,
-    goal: Any,
+    goal: Any = None,
     *,
     margin: float | None = None,
     limits: str | None = None,
@@ -63,7 +68,8 @@ def plan(
     about: str | Sequence[Any] = "centroid",
     plugins: Folders = (),
 ) -> Plan:
-    """A way of a robot from one pose to another without a singularity, proved; or the proof that there is none.
+    """A way of a robot from one pose to another without a singularity, proved; or the proof that there is none. Without
+    a goal the way out: the shortest one that is found to a pose with the `margin`.
 
     `source` and `about` are those of `pose`; `start` and `goal` are poses as for `path`, "home" among them. Everywhere
     on the way the margin σ is at least `margin`, by default that from which on a pose counts as regular. `limits` are
@@ -71,13 +77,49 @@ def plan(
     from home: x, y, z and turn of a platform on six legs ("z -100..50, turn ..40 deg"), else those that name its poses.
     The search ends at so many `states`; it is the same one for the same `seed`.
 
+    On a way out the margin is never less than nine tenths of that at the start.
+
     Raises InputError where start or goal do not keep to what is asked for, and for what is no pose.
     """
     asked = asked_margin(margin)
     check_search(states, seed)
     found = mechanism(source, about=about, plugins=plugins)
-    problem = method(_PROBLEM, found, "a plan")(start, goal, asked, limits, within)
-    return _solved(problem, asked, states, seed)
+    of_kind = method(_PROBLEM, found, "a plan")
+
+    def problem(goal: Any, asked: float) -> Problem:
+        return of_kind(start, goal, asked, limits, within)
+
+    if goal is None:
+        return _way_out(problem, start, asked, states, seed)
+    return _solved(problem(goal, asked), asked, states, seed)
+
+
+def _way_out(problem: Callable[[Any, float], Problem], start: Any, asked: float, states: int, seed: int) -> Plan:
+    """To a pose with the margin asked for, from one that has less."""
+    p = problem(start, 0.0)
+    sigma = float(p.domain.space.margins(p.roots[:1])[0])
+    if sigma <= SOLVED:
+        raise InputError("the start is singular", hint="a way out begins in a pose that is regular, however close")
+    if sigma >= asked:
+        raise InputError(
+            f"at the start the margin is {sigma:.4g}, not less than the {asked:.4g} asked for",
+            hint="a way out leads to a larger margin: ask for more by --margin, or name a goal",
+        )
+    kept = _KEPT * sigma
+    p = problem(start, kept)
+    end = nearest_with_margin(p.domain.space, p.roots[0], asked * _SPARE, np.random.default_rng(seed))
+    if end is None:
+        return replace(_plan(p, asked, "undecided", _NO_WAY_OUT), end_margin=0.0)
+    found: Plan | None = None
+    for rounded in (True, False):
+        there = problem(p.domain.waypoint(end, rounded=rounded), kept)
+        margin = float(there.domain.space.margins(there.roots[-1:])[0])
+        if len(there.roots) > 1 and margin >= asked:
+            found = replace(_solved(there, kept, states, seed), asked=asked, end_margin=margin)
+            if found.outcome == "way":
+                reason = f"{found.reason} It ends at a margin of {margin:.4g}, and is the shortest that was found."
+                return replace(found, reason=reason)
+    return found or replace(_plan(p, asked, "undecided", _NO_WAY_OUT), end_margin=0.0)
 
 
 def asked_margin(margin: float | None) -> float:

@@ -60,8 +60,9 @@ class Plan(Shown):
     `outcome` is way | none | undecided, `reason` says it in a sentence. A way goes straight through the `poses`, and
     `path` is its proof: nothing on it is singular. Its margin is `asked` at least: of a platform on six legs everywhere
     (`proved`), and so are its limits; of a robot of joints at the samples of the path, at whose least it is `least`.
-    That there is none is proved by what is `opposed`. `length` is how long the way is, lengths in parts of the robot's
-    `size`, angles in rad, and `straight` that from start to goal.
+    A way out, with an `end_margin`, has `asked` at its end only. That there is none is proved by what is `opposed`.
+    `length` is how long the way is, lengths in parts of the robot's `size`, angles in rad, and `straight` that from
+    start to goal.
     """
 
     title: str
@@ -80,6 +81,7 @@ class Plan(Shown):
     size: float
     opposed: tuple[OpposedSign, ...]
     search: Search | None
+    end_margin: float | None = None
     notes: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
@@ -97,6 +99,7 @@ class Plan(Shown):
             "poses": [pose_json(p) for p in self.poses],
             "least_margin": self.least if way else None,
             "margin_proved": self.proved if way else None,
+            "end_margin": self.end_margin,
             "length": self.length if way else None,
             "straight_length": self.straight,
             "size": self.size,

@@ -41,6 +41,13 @@ class Space(Protocol):
     @property
     def limits(self) -> LengthLimits | None: ...
 
+    @property
+    def freedoms(self) -> int:
+        """How many numbers tell a displacement."""
+
+    def moved(self, states: Floats, displacements: Floats) -> Floats:
+        """The poses (K, width) after displacements (K, freedoms) of states, in parts of the size and rad."""
+
     def coordinates(self, states: Floats) -> Floats:
         """Those of the region, (N, names)."""
 

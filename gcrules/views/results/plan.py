@@ -40,10 +40,12 @@ def _lines(p: Plan) -> Iterator[str]:
 def _facts(p: Plan) -> Iterator[tuple[str, str]]:
     if not p.poses:
         yield "start", waypoint_text(p.start)
-        yield "goal", waypoint_text(p.goal)
+        if p.end_margin is None:
+            yield "goal", waypoint_text(p.goal)
     sure = "proved everywhere" if p.proved else "at the samples of the path"
     if p.poses:
-        yield "margin", f"σ ≥ {p.least:.4g}, {sure}; asked for: {p.asked:.4g}"
+        end = "" if p.end_margin is None else f"; {p.end_margin:.4g} at its end"
+        yield "margin", f"σ ≥ {p.least:.4g}, {sure}{end}; asked for: {p.asked:.4g}"
         yield (
             "length",
             f"{p.length:.4g}, the straight way {p.straight:.4g} (rad, and lengths by the robot's size {p.size:.4g})",
