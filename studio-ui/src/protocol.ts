@@ -320,12 +320,13 @@ export interface AlongArgs {
   threshold?: string;
 }
 
-/** From `start` (home without it) to `goal`, or to the pose that the text `to` names. */
+/** From `start` (home without it) to `goal`, or to the pose that the text `to` names; straight, or on a way around singular poses. */
 export interface PathArgs {
   source: Source;
   start?: Pose;
   goal: Pose;
   to?: string;
+  way?: "straight" | "around";
   threshold?: string;
 }
 
@@ -762,6 +763,16 @@ export interface PathStretch {
   words: string[];
 }
 
+export type PlanOutcome = "way" | "none" | "undecided";
+
+/** What came of looking for a way around singular poses; where there is none the path is the straight one. */
+export interface Detour {
+  outcome: PlanOutcome;
+  words: string;
+  /** Those that the way goes straight through, as `gcrules path --pose` takes them. */
+  poses: string[];
+}
+
 export interface PathAnswer {
   verdict: Verdict;
   reason: string;
@@ -774,6 +785,7 @@ export interface PathAnswer {
   /** Places that are left out. */
   more: number;
   stretches: PathStretch[];
+  detour: Detour | null;
   facts: FactItem[];
 }
 

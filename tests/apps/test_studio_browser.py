@@ -395,6 +395,19 @@ def test_a_path_leads_the_robot_to_its_singular_place(desk: Desk) -> None:
     assert desk.one("path-to").input_value() == "z=0.1, roll=110deg, pitch=0deg"
 
 
+def test_a_way_around_leads_past_singular_poses(desk: Desk) -> None:
+    motion(desk, "example", "octahedral")
+    desk.one("path-to").fill("0 0 -490")
+    desk.one("path-around").click()
+    desk.page.wait_for_selector("[data-testid=path-detour][data-outcome=none]")
+    assert "There is none, proved" in desk.text("path-detour")
+    assert desk.one("path-verdict").get_attribute("data-verdict") == "singular"
+    desk.one("path-to").fill("x=110.2, y=27.2, z=-654.7, roll=-130.4deg, pitch=46.3deg, yaw=-72.9deg")
+    desk.one("path-around").click()
+    desk.page.wait_for_selector("[data-testid=path-detour][data-outcome=way]")
+    assert desk.one("path-verdict").get_attribute("data-verdict") != "singular"
+
+
 def test_a_map_is_read_by_pointer_and_keys_and_leads_the_robot(desk: Desk) -> None:
     motion(desk, "example", "octahedral")
     desk.one("map-axis-1").select_option("x")

@@ -115,6 +115,27 @@ def test_the_way_back_from_the_pose_on_show_goes_through_the_same_poses(page: Pa
     assert out["samples"][-1]["margin"] == pytest.approx(there["margin"], rel=1e-9)
 
 
+DETOURS: dict[str, tuple[dict[str, str], str]] = {
+    "platform, none": (OCTAHEDRAL, "0 0 -490"),
+    "platform, free": (OCTAHEDRAL, "z=30"),
+    "3-RPS, none": (RPS, "z=-0.3, roll=0deg, pitch=60deg"),
+    "3-RPS, free": (RPS, "z=0.2, roll=20deg, pitch=10deg"),
+}
+
+
+@pytest.mark.parametrize(("source", "to"), DETOURS.values(), ids=DETOURS)
+def test_a_way_around_is_that_of_gc_plan(root: Path, page: Page, source: dict[str, str], to: str) -> None:
+    found = page.ask("path", source=source, goal=HOME, to=to, way="around")
+    same = gc.plan(opened(root, source), "home", to)
+    assert (found["detour"]["outcome"], found["detour"]["words"]) == (same.outcome, same.reason)
+    assert len(found["detour"]["poses"]) == len(same.poses)
+    if same.path is None:
+        assert found["places"]
+    else:
+        assert (found["verdict"], found["reason"]) == (same.path.verdict, same.path.reason)
+        assert found["end"] == len(same.poses) - 1
+
+
 def test_a_path_that_is_singular_throughout_says_so(page: Page) -> None:
     found = page.ask("path", source={"kind": "class", "id": "4-4.2"}, goal=HOME, to="z=1")
     always = found["stretches"] and all(s["singular"] for s in found["stretches"])

@@ -30,7 +30,12 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "nearest": lambda subject, args: nearest(subject, args["pose"], args.get("threshold")),
     "modes": lambda subject, args: modes_view(subject, args.get("threshold")),
     "path": lambda subject, args: path_view(
-        subject, args.get("start"), args["goal"], args.get("to"), args.get("threshold")
+        subject,
+        args.get("start"),
+        args["goal"],
+        args.get("to"),
+        args.get("threshold"),
+        around=args.get("way") == "around",
     ),
     "map": lambda subject, args: map_view(
         subject, args["over"], args["pose"], args.get("threshold"), args.get("measure")

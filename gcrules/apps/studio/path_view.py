@@ -9,7 +9,13 @@ import numpy as np
 
 from gcrules.apps.studio.items import fact
 from gcrules.apps.studio.numbers import exact_pose
-from gcrules.apps.studio.protocol.motion_views import PathAnswer, PathPlaceView, PathSampleView, PathStretchView
+from gcrules.apps.studio.protocol.motion_views import (
+    DetourView,
+    PathAnswer,
+    PathPlaceView,
+    PathSampleView,
+    PathStretchView,
+)
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
@@ -23,10 +29,13 @@ from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.path_report import path_of
 from gcrules.poses.paths.report import PathReport
+from gcrules.poses.plans.plan import plan_of
+from gcrules.poses.plans.report import Plan
 from gcrules.screws.pose import Pose
 from gcrules.views.forms import shown
 from gcrules.views.plots.path_plot import FRAME
 from gcrules.views.results.path_account import PathAccount, PathPlace, PathStretch
+from gcrules.views.results.plan import waypoint_text
 
 __all__ = ["path_view"]
 
@@ -39,17 +48,28 @@ PosedAt = Callable[[int], PoseJson | None]
 
 
 def path_view(
-    subject: Subject, start: PoseJson | None, goal: PoseJson, to: str | None, limit: str | None
+    subject: Subject, start: PoseJson | None, goal: PoseJson, to: str | None, limit: str | None, *, around: bool
 ) -> PathAnswer:
-    """The path from `start`, or home, to `goal`, or to the pose that the text says.
+    """The path from `start`, or home, to `goal`, or to the pose that the text says: straight, or on a way `around`
+    singular poses if one is found.
 
     Raises InputError where there is no such path.
     """
     m = subject.mechanism
     poses, posed = method(_ENDS, m, "a path")(start, goal, to)
+    detour = None
+    if around:
+        report("looking for a way")
+        found = plan_of(m, *poses)
+        detour = _detour(found)
+        poses = list(found.poses) or poses
     report("going along the path")
-    found = path_of(m, poses, threshold=threshold_of(limit, m.unit))
-    return _view(found, posed(found))
+    path = path_of(m, poses, threshold=threshold_of(limit, m.unit))
+    return _view(path, posed(path), detour)
+
+
+def _detour(found: Plan) -> DetourView:
+    return {"outcome": found.outcome, "words": found.reason, "poses": [waypoint_text(p) for p in found.poses]}
 
 
 def _of_legs(
@@ -77,7 +97,7 @@ _ENDS: Methods[tuple[list[Any], Callable[[Any], PosedAt]]] = {SixLegs: _of_legs,
 """The poses of a path, and what tells the page's pose of a sample of what was found."""
 
 
-def _view(found: Found, posed: PosedAt) -> PathAnswer:
+def _view(found: Found, posed: PosedAt, detour: DetourView | None) -> PathAnswer:
     a: PathAccount = shown(found, "account")
     margins = found.numbers.margin if isinstance(found, PathReport) else found.margins
     places = [p.parameter for p in a.places[:_MOST]]
@@ -102,6 +122,7 @@ def _view(found: Found, posed: PosedAt) -> PathAnswer:
         "places": [_place(p, poses.get(p.parameter)) for p in a.places[:_MOST]],
         "more": max(len(a.places) - _MOST, 0),
         "stretches": [_stretch(s) for s in a.stretches],
+        "detour": detour,
         "facts": [fact(name, value) for name, value in a.facts],
     }
 

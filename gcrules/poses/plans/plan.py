@@ -25,7 +25,7 @@ from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
-from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.plans.domain import Proved
@@ -41,7 +41,7 @@ from gcrules.poses.signs.sign import ConditionSign
 from gcrules.screws.pose import exact_float
 from gcrules.screws.verdict import CLOSE, SOLVED
 
-__all__ = ["STATES", "asked_margin", "check_search", "plan"]
+__all__ = ["STATES", "asked_margin", "check_search", "plan", "plan_of"]
 
 STATES = 3000
 _MOST = 200_000
@@ -81,9 +81,23 @@ def plan(
 
     Raises InputError where start or goal do not keep to what is asked for, and for what is no pose.
     """
+    found = mechanism(source, about=about, plugins=plugins)
+    return plan_of(found, start, goal, margin, limits, within, states, seed)
+
+
+def plan_of(
+    found: Mechanism,
+    start: Any,
+    goal: Any,
+    margin: float | None = None,
+    limits: str | None = None,
+    within: str | None = None,
+    states: int = STATES,
+    seed: int = 0,
+) -> Plan:
+    """The plan of a mechanism; arguments and errors as for `plan`."""
     asked = asked_margin(margin)
     check_search(states, seed)
-    found = mechanism(source, about=about, plugins=plugins)
     of_kind = method(_PROBLEM, found, "a plan")
 
     def problem(goal: Any, asked: float) -> Problem:

@@ -11,6 +11,7 @@ from gcrules.views.scene_data import Verdict
 
 __all__ = [
     "CellStatus",
+    "DetourView",
     "FrameView",
     "MapAnswer",
     "PathAnswer",
@@ -18,6 +19,7 @@ __all__ = [
     "PathSampleView",
     "PathStretchView",
     "PlacedPose",
+    "PlanOutcome",
 ]
 
 
@@ -58,6 +60,18 @@ class PathStretchView(TypedDict):
     words: list[str]
 
 
+PlanOutcome = Annotated[str, OneOf(("way", "none", "undecided"))]
+
+
+class DetourView(TypedDict):
+    """What came of looking for a way around singular poses; where there is none the path is the straight one."""
+
+    outcome: PlanOutcome
+    words: str
+    poses: list[str]
+    """Those that the way goes straight through, as `gcrules path --pose` takes them."""
+
+
 class PathAnswer(TypedDict):
     verdict: Verdict
     reason: str
@@ -70,6 +84,7 @@ class PathAnswer(TypedDict):
     more: int
     """Places that are left out."""
     stretches: list[PathStretchView]
+    detour: DetourView | None
     facts: list[FactItem]
 
 

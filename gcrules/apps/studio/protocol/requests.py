@@ -159,12 +159,15 @@ class AlongArgs(TypedDict):
 
 
 class PathArgs(TypedDict):
-    """From `start` (home without it) to `goal`, or to the pose that the text `to` names."""
+    """From `start` (home without it) to `goal`, or to the pose that the text `to` names; straight, or on a way around
+    singular poses.
+    """
 
     source: SourceJson
     start: NotRequired[PoseJson]
     goal: PoseJson
     to: NotRequired[Annotated[str, text(400)]]
+    way: NotRequired[Literal["straight", "around"]]
     threshold: NotRequired[_Threshold]
 
 

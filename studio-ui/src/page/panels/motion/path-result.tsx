@@ -1,6 +1,6 @@
 // σ along the path, along which the robot can be led by hand; its singular places; what is not decided.
 import { useSignal } from "@preact/signals";
-import type { PathAnswer, PathArgs, Pose } from "../../../protocol";
+import type { Detour, PathAnswer, PathArgs, Pose } from "../../../protocol";
 import { short } from "../../lib/format";
 import { useStore } from "../../parts/context";
 import { Drawing } from "../../parts/drawing";
@@ -13,7 +13,7 @@ const ICONS = { regular: "ok", close: "warn", singular: "stop" } as const;
 
 export function PathResult({ asked, result }: { asked: PathArgs; result: PathAnswer }) {
   const { edit, settle, moving } = useStore();
-  const { samples, places, stretches, end, frame, verdict, more } = result;
+  const { samples, places, stretches, end, frame, verdict, more, detour } = result;
   const at = useSignal(asked.to === undefined ? samples.length - 1 : 0); // where the robot was when it was asked
   const shown = samples[at.value];
 
@@ -43,6 +43,7 @@ export function PathResult({ asked, result }: { asked: PathArgs; result: PathAns
       <p class="word" role="status" data-testid="path-verdict" data-verdict={verdict}>
         <Icon name={ICONS[verdict]} size={18} /> {verdict === "close" ? "Close to singular" : verdict === "singular" ? "Singular" : "Regular"}
       </p>
+      {detour && <DetourNote detour={detour} show={(k) => lead(nearest(samples, k))} />}
       <p class="reason">{result.reason}</p>
       <Plot
         frame={frame}
@@ -114,6 +115,28 @@ export function PathResult({ asked, result }: { asked: PathArgs; result: PathAns
         </p>
       )}
       <Facts facts={result.facts} title="What was computed, and the proof" />
+    </div>
+  );
+}
+
+// What came of looking for a way around singular poses, and the poses it goes through.
+function DetourNote({ detour, show }: { detour: Detour; show: (parameter: number) => void }) {
+  return (
+    <div class={`detour ${detour.outcome}`} role="status" data-testid="path-detour" data-outcome={detour.outcome}>
+      <p>{detour.words}</p>
+      {detour.outcome !== "way" && <p class="sure">Shown below is the straight way.</p>}
+      {detour.poses.length > 2 && (
+        <ol>
+          {detour.poses.map((pose, k) => (
+            <li key={k}>
+              <code>{pose}</code>
+              <button type="button" onClick={() => show(k)} data-testid="path-detour-show">
+                Show
+              </button>
+            </li>
+          ))}
+        </ol>
+      )}
     </div>
   );
 }

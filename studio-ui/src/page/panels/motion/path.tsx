@@ -13,11 +13,11 @@ export function PathSection() {
   const now = path.now.value;
   const nowhere = to.trim() === "" && samePose(start ?? atHome(pose$.value), pose$.value);
 
-  function go(): void {
+  function go(around = false): void {
     const { source, pose, threshold } = doc.peek();
     if (!source) return;
     const typed = to.trim();
-    void path.start({ source, goal: pose, threshold, ...(start && { start }), ...(typed && { to: typed }) });
+    void path.start({ source, goal: pose, threshold, ...(start && { start }), ...(typed && { to: typed }), ...(around && { way: "around" as const }) });
   }
 
   return (
@@ -63,6 +63,15 @@ export function PathSection() {
           </label>
           <button type="submit" class="primary" disabled={now.state === "busy" || nowhere} data-testid="path-go">
             <Icon name="play" size={14} /> Follow
+          </button>
+          <button
+            type="button"
+            disabled={now.state === "busy" || nowhere}
+            title="Find a way to the same pose on which nothing is singular, or the proof that there is none"
+            data-testid="path-around"
+            onClick={() => go(true)}
+          >
+            Go around
           </button>
         </div>
       </form>
