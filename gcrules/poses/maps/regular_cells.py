@@ -1,16 +1,9 @@
-r"""Cells of any slice that are free of singular poses, proved by the legs' coordinates at their middles.
+r"""Cells of any slice that are free of singular poses, proved by the bounds of `leg_bounds` around their middles.
 
-Rows (l, b × l), l along a leg and b its end on the base, make a matrix J that is singular exactly where the pose is. In
-a cell the platform shifts by d and turns by a vector ω from the pose in the middle, so that the end of a leg, at a from
-the centre, moves by d + ω × a but for at most φ² |a| / 2, φ the largest turn. So |1 − J₀⁻¹ J| is in all entries at most
-a matrix A: the sum of |J₀⁻¹ ∂J| times the largest components of d and ω, and |J₀⁻¹| times what is left. Where the
-spectral radius of A is below 1, all J of the cell are regular; it is at most max (A v)ᵢ / vᵢ for each positive v
-(Collatz and Wielandt). Derived here, as for Krawczyk's operator.
-
-φ is at most the length of the change of a rotation vector, since the exponential map of rotations shortens distances,
-or the sum of the changes of Euler angles. Turning the direction of a tilt θ by δ turns the platform by at most
-2δ sin(θ/2): the unit quaternion moves on a circle of radius sin(θ/2). One angle alone turns about an axis that it does
-not change.
+The largest turn φ in a cell is at most the length of the change of a rotation vector, since the exponential map of
+rotations shortens distances, or the sum of the changes of Euler angles. Turning the direction of a tilt θ by δ turns
+the platform by at most 2δ sin(θ/2): the unit quaternion moves on a circle of radius sin(θ/2). One angle alone turns
+about an axis that it does not change.
 """
 
 from __future__ import annotations
@@ -21,6 +14,7 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.kinematics.rigid_motions import rotation_vector
 from gcrules.poses.maps.grid import Grid
+from gcrules.poses.regions.leg_bounds import are_regular
 
 __all__ = ["reach", "regular_cells"]
 
@@ -30,8 +24,6 @@ Booleans = NDArray[np.bool_]
 
 _DEPTH = {2: 4, 3: 2}  # halvings, by the number of axes
 _BLOCK = 2_500  # cells at once
-_ROUNDING = 1e-12
-_POWERS = 4  # of a matrix: they bring a vector near to the one by which its radius is bounded best
 
 
 def regular_cells(g: Grid, cells: Integers) -> Booleans:
@@ -62,37 +54,8 @@ def regular_cells(g: Grid, cells: Integers) -> Booleans:
 def _free(g: Grid, middle: Floats, half: float) -> Booleans:
     shifts, turn = reach(g, half)
     coordinates = g.coordinates(middle)
-    base = (g.rig.base - g.rig.base.mean(axis=0)) / g.rig.size  # a change of the origin changes no rank
-    rows = _moved(base, (g.ends(coordinates) - g.rig.base) / g.rig.size)
-    found = np.asarray(np.linalg.det(rows) != 0)
-    if not found.any():
-        return found
-    rows, coordinates = rows[found], coordinates[found]
-    inverse = np.linalg.inv(rows)
-    arms = np.swapaxes(g.arrays(coordinates)[1] @ g.rig.arms.T, 1, 2) / g.rig.size
-    bound = np.abs(np.eye(6) - inverse @ rows) + _ROUNDING * np.abs(inverse) @ np.abs(rows)
-    for along, far in shifts:
-        bound += far / g.rig.size * np.abs(inverse @ _moved(base, np.broadcast_to(along, base.shape)))
-    for axis in _axes(g, coordinates, half):
-        bound += turn * np.abs(inverse @ _moved(base, np.cross(axis[:, None], arms)))
-    left = turn**2 / 2 * np.linalg.norm(arms, axis=2, keepdims=True)
-    reached = np.concatenate([np.ones((6, 3)), np.repeat(np.linalg.norm(base, axis=1)[:, None], 3, axis=1)], axis=1)
-    found[found] = _radius(bound + np.abs(inverse) @ (left * reached)) < 1
-    return found
-
-
-def _moved(base: Floats, legs: Floats) -> Floats:
-    """The rows (l, b × l) of legs (..., 6, 3), or their change."""
-    return np.concatenate([legs, np.cross(base, legs)], axis=-1)
-
-
-def _radius(bound: Floats) -> Floats:
-    """An upper bound of the spectral radius of matrices without negative entries (N, n, n)."""
-    v = np.ones((*bound.shape[:2], 1))
-    for _ in range(_POWERS):
-        v = bound @ v + v / 8
-        v /= v.max(axis=1, keepdims=True)
-    return np.asarray((bound @ v / v).max(axis=(1, 2)))
+    rotations = np.asarray(g.arrays(coordinates)[1])
+    return are_regular(g.rig, g.ends(coordinates), rotations, shifts, _axes(g, coordinates, half), turn)
 
 
 def _axes(g: Grid, coordinates: Floats, half: float) -> list[Floats]:

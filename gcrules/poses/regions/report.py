@@ -1,0 +1,78 @@
+r"""The answer to how large a region around a pose is free of singular ones."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from gcrules.core.frozen import FrozenMap
+from gcrules.core.shown import Shown
+
+__all__ = ["FreeRegion"]
+
+
+@dataclass(frozen=True)
+class FreeRegion(Shown):
+    """A box, or a ball, around a pose in which it is proved that nothing is singular.
+
+    `centre` are the coordinates `names` of its middle, `weights` what one part of `scale` is of each: lengths in the
+    unit of the file, and rad where `angles` say so. A box holds all values that differ from those of the middle by at
+    most scale × weight, a ball those whose differences, in parts of the weights, have squares that add up to at most
+    scale². It is proved by so many `boxes`.
+
+    With the larger `tried` scale the proof ended: around the coordinates `worst`, of margin `margin`, 0 where the robot
+    is singular or does not assemble. None where no scale was tried that is not proved.
+    """
+
+    title: str
+    unit: str
+    shape: str
+    pose: str
+    names: tuple[str, ...]
+    angles: tuple[bool, ...]
+    driven: bool
+    centre: tuple[float, ...]
+    weights: tuple[float, ...]
+    scale: float
+    boxes: int
+    tried: float | None
+    worst: Mapping[str, float]
+    margin: float
+    notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "worst", FrozenMap(self.worst))
+
+    @property
+    def half_widths(self) -> tuple[float, ...]:
+        """By how much each coordinate may change alone."""
+        return tuple(self.scale * w for w in self.weights)
+
+    @property
+    def ranges(self) -> dict[str, tuple[float, float]]:
+        """The least and the largest value of each coordinate."""
+        ends = zip(self.names, self.centre, self.half_widths, strict=True)
+        return {name: (c - h, c + h) for name, c, h in ends}
+
+    def to_json(self) -> dict[str, Any]:
+        """One JSON object; lengths in the unit, angles in rad."""
+        return {
+            "schema": 1,
+            "title": self.title,
+            "unit": self.unit,
+            "shape": self.shape,
+            "pose": self.pose,
+            "driven": self.driven,
+            "ranges": {name: list(ends) for name, ends in self.ranges.items()},
+            "weights": dict(zip(self.names, self.weights, strict=True)),
+            "scale": self.scale,
+            "boxes": self.boxes,
+            "tried": self.tried,
+            "worst": dict(self.worst) if self.tried is not None else None,
+            "margin": self.margin if self.tried is not None else None,
+            "notes": list(self.notes),
+        }
+
+    def __repr__(self) -> str:
+        return f"<FreeRegion {self.shape} over {', '.join(self.names)}: {self.scale:.4g}>"
