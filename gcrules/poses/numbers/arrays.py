@@ -13,15 +13,31 @@ from gcrules.core.floats import as_float
 from gcrules.screws.pose import SILENT, UNIT_TOLERANCE, Pose
 from gcrules.screws.rotations import MANY, check_sequence, too_many_turns
 
-__all__ = ["finite_rows", "from_poses", "from_vectors", "matrices", "normalised_note", "read_arrays", "real_numbers"]
+__all__ = [
+    "Floats",
+    "finite_rows",
+    "from_poses",
+    "from_vectors",
+    "matrices",
+    "normalised_note",
+    "pose_rows",
+    "read_arrays",
+    "real_numbers",
+]
 
 Floats = NDArray[np.float64]
 
 
+def pose_rows(poses: Sequence[Pose]) -> tuple[Floats, Floats]:
+    """Translations (N, 3) and quaternions (N, 4; of any length) of poses, each number the float nearest to it."""
+    translations = np.array([[as_float(c) for c in p.translation] for p in poses]).reshape(-1, 3)
+    return translations, np.array([[float(c) for c in p.quaternion] for p in poses]).reshape(-1, 4)
+
+
 def from_poses(poses: Sequence[Pose]) -> tuple[Floats, Floats]:
     """Poses as arrays (N, 3) and (N, 3, 3)."""
-    translations = np.array([[as_float(c) for c in p.translation] for p in poses]).reshape(-1, 3)
-    return translations, matrices(np.array([p.unit_quaternion for p in poses]).reshape(-1, 4))
+    translations, quaternions = pose_rows(poses)
+    return translations, matrices(quaternions)
 
 
 def read_arrays(

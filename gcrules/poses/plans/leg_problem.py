@@ -15,7 +15,7 @@ from gcrules.poses.numbers.arrays import from_poses
 from gcrules.poses.numbers.pose_arguments import read_one
 from gcrules.poses.path_report import path_of_legs
 from gcrules.poses.paths.lengths import keeps_to
-from gcrules.poses.paths.segment import segments
+from gcrules.poses.paths.segments import segments
 from gcrules.poses.plans.leg_space import MOST_TURNED, LegSpace, region_of, row_of
 from gcrules.poses.plans.opposed import opposed_legs
 from gcrules.poses.plans.problem import Proved, margin_kept

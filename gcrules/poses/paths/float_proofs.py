@@ -1,0 +1,123 @@
+r"""What floats prove of the superbracket along many segments: that it has no zero, and of what degree it is.
+
+In 1 − s and s the motions and the number 1 are (1 − s) q₀ + s q₁, (1 − s) t₀ + s t₁ and (1 − s) + s. So n³ D is
+Σ c_k (1 − s)^(9 − k) s^k, and has no zero in [0, 1] if all c_k are above 0, or all below. In s the motions are
+q₀ + s (q₁ − q₀) and so on, and the highest power with a coefficient other than 0 is the degree.
+
+Rounding: a term of a coefficient is the product of three coefficients of `Forms`, which are rounded once, of 6
+components of quaternions, off by 8 units of 2⁻⁵³ of themselves at most, and of 3 of translations, rounded once; from
+there on it is rounded fewer than 60 times in each of three forms (sums of 40 products) and fewer than 60 times when
+these are multiplied and summed, whatever the order. So a coefficient is off by fewer than 350 times 2⁻⁵³ of the sum of
+the absolute values of its terms, which is found in the same way, and as exactly; `_RELATIVE` is five times as large.
+`_ABSOLUTE` is far above what is lost where numbers are too small for floats, 2⁻¹⁰⁷⁴ in each of fewer than 10⁶
+operations, times what they are multiplied by: `_LARGE` numbers prove nothing.
+
+Differences are off by δ. A polynomial changes from x to x + δ by no more than the sum of the absolute values of its
+terms grows from |x| to |x| + |δ|. Derived here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.core.budget import checkpoint
+from gcrules.poses.numbers.arrays import Floats
+from gcrules.poses.paths.forms import Forms, superbracket
+from gcrules.poses.paths.motions import Motions
+
+__all__ = ["FloatProofs"]
+
+Truths = NDArray[np.bool_]
+Integers = NDArray[np.int64]
+
+_PIECE = 250  # segments at once: their numbers stay in the cache
+_RELATIVE = 2e-13
+_ABSOLUTE = 1e-180
+_LARGE = 1e13
+_DIFFERENCE = 12 * 2.0**-53  # how much a difference is off at most, beside what it is a difference of
+
+
+@dataclass(frozen=True, eq=False)
+class FloatProofs:
+    """Of N `motions`: `turns` (N,) says whether the quaternion changes and `shifts` (N, 3) which coordinates do,
+    exactly.
+    """
+
+    forms: Forms
+    motions: Motions
+    turns: Truths
+    shifts: Truths
+
+    def without_zero(self) -> Truths:
+        """Where it is proved that the superbracket is not 0 anywhere in [0, 1], (N,)."""
+        found = []
+        for p in self._pieces(np.arange(len(self.turns))):
+            signs = self._signs(np.stack([p.q0, p.q1], 1), _with_one(np.stack([p.t0, p.t1], 1), (1.0, 1.0)))
+            found.append((signs[0] != 0) & (signs == signs[0]).all(axis=0))
+        return np.concatenate(found)
+
+    def powers(self, chosen: Integers) -> Integers:
+        """Of the chosen segments the highest powers with coefficients that are proved to be other than 0; −1 without
+        any.
+        """
+        found = [np.zeros(0, np.int64)]
+        for p in self._pieces(chosen):
+            q1, q_off = _difference(p.q0, p.q1, self.turns[p.numbers])
+            t1, t_off = _difference(p.t0, p.t1, self.shifts[p.numbers].T)
+            still, no = np.zeros_like(p.q0), np.zeros_like(p.t0)
+            signs = self._signs(
+                np.stack([p.q0, q1], 1),
+                _with_one(np.stack([p.t0, t1], 1), (1.0, 0.0)),
+                (np.stack([still, q_off], 1), _with_one(np.stack([no, t_off], 1), (0.0, 0.0))),
+            )
+            found.append(np.where(signs != 0, np.arange(len(signs))[:, None], -1).max(axis=0))
+        return np.concatenate(found)
+
+    def _pieces(self, chosen: Integers) -> Iterator[_Piece]:
+        m, unit = self.motions, float(self.forms.unit)
+        for i in range(0, len(chosen), _PIECE):
+            checkpoint()
+            k = chosen[i : i + _PIECE]
+            size = 2.0 ** np.frexp(np.abs(m.q0[k]).max(axis=1))[1]
+            yield _Piece(k, m.q0[k].T / size, m.q1[k].T / size, m.t0[k].T / unit, m.t1[k].T / unit)
+
+    def _signs(self, turns: Floats, shifts: Floats, off: tuple[Floats, Floats] | None = None) -> Floats:
+        """The signs of the coefficients, (10, N), where they are proved, else 0. Arguments as for `superbracket`, and
+        by how much they are off.
+        """
+        c = self.forms.floats
+        with np.errstate(all="ignore"):  # what is no number proves nothing
+            values = superbracket(c, turns, shifts)
+            sizes = superbracket(c, np.abs(turns), np.abs(shifts), absolute=True)
+            errors = _RELATIVE * sizes + _ABSOLUTE
+            if off is not None:
+                wider = superbracket(c, np.abs(turns) + off[0], np.abs(shifts) + off[1], absolute=True)
+                errors += (1 + _RELATIVE) * wider - sizes
+            small = (np.abs(shifts).max(axis=(0, 1)) < _LARGE) & (np.abs(c).max() < _LARGE)
+            return np.where((np.abs(values) > errors) & small, np.sign(values), 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class _Piece:
+    """Some segments by their `numbers` (N,): quaternions (4, N) near the length 1, translations (3, N) in the unit."""
+
+    numbers: Integers
+    q0: Floats
+    q1: Floats
+    t0: Floats
+    t1: Floats
+
+
+def _with_one(shifts: Floats, one: tuple[float, float]) -> Floats:
+    """(1, t): (4, 2, N)."""
+    return np.concatenate([np.broadcast_to(np.reshape(one, (1, 2, 1)), (1, *shifts.shape[1:])), shifts])
+
+
+def _difference(start: Floats, end: Floats, changes: Truths) -> tuple[Floats, Floats]:
+    """The end less the start, and by how much that is off at most; exactly 0 where nothing changes."""
+    off = _DIFFERENCE * (np.abs(start) + np.abs(end))
+    return np.where(changes, end - start, 0.0), np.where(changes, off, 0.0)
