@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.budget import watched
 from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReached, Span
 from gcrules.core.yaml_file import read_text
 from gcrules.screws.pose import Pose, check_unit, read_number, unit_note
@@ -77,7 +78,7 @@ def read_poses(text: str, unit: str = "", filename: str = "<input>") -> tuple[tu
             raise LimitReached(
                 f"{len(lines) - 1:,} poses are more than {MAX_POSES:,}", hint="split the file; each part is a path"
             )
-        poses = tuple(_pose(_cells(line, sep), columns, line.span) for line in lines[1:])
+        poses = tuple(_pose(line, sep, columns) for line in watched(lines[1:]))
     except GcrulesError as fault:
         raise fault.located(text, filename) from None
     if not poses:
@@ -97,12 +98,16 @@ def _lines(text: str) -> list[_Cell]:
     return found
 
 
+def _words(line: _Cell, sep: str) -> list[str]:
+    return [part.strip().strip('"').strip() for part in line.text.split(sep)]
+
+
 def _cells(line: _Cell, sep: str) -> list[_Cell]:
+    """The words with their places, which take much longer to find: for the first line, and for faults."""
     found, start = [], line.span.start
-    for part in line.text.split(sep):
+    for part, word in zip(line.text.split(sep), _words(line, sep), strict=True):
         begin = start + len(part) - len(part.lstrip())
-        word = part.strip()
-        found.append(_Cell(word.strip('"').strip(), Span(begin, begin + max(len(word), 1))))
+        found.append(_Cell(word, Span(begin, begin + max(len(part.strip()), 1))))
         start += len(part) + 1
     return found
 
@@ -163,17 +168,24 @@ def _angle(word: str | None, span: Span) -> bool:
     return _ANGLES[word]
 
 
-def _pose(cells: list[_Cell], columns: _Columns, line: Span) -> Pose:
-    if len(cells) != columns.width:
-        raise InputError(f"{len(cells)} values in this line, but {columns.width} columns are named", span=line)
-    x, y, z = [_number(cells[i]) for i in columns.shift] or [Fraction(0)] * 3
-    numbers = [_number(cells[i]) for i in columns.turn]
+def _pose(line: _Cell, sep: str, columns: _Columns) -> Pose:
+    words = _words(line, sep)
+    if len(words) != columns.width:
+        found = f"{len(words)} values in this line, but {columns.width} columns are named"
+        raise InputError(found, span=line.span)
+    try:
+        x, y, z = [_number(words[i]) for i in columns.shift] or [Fraction(0)] * 3
+        numbers = [_number(words[i]) for i in columns.turn]
+    except GcrulesError:
+        for cell in map(_cells(line, sep).__getitem__, (*columns.shift, *columns.turn)):
+            _at(cell.span, _number, cell.text)
+        raise
     turn: Quaternion = IDENTITY
     note = None
     if columns.kind == "quaternion":
         w, a, b, c = numbers
         turn = w, a, b, c
-        note = _at(Span(cells[columns.turn[0]].span.start, line.end), unit_note, numbers)
+        note = _noted(line, sep, columns, numbers)
     elif columns.kind == "vector":
         turn = from_vector(numbers, degrees=columns.degrees)
     elif columns.kind != "none":
@@ -181,11 +193,18 @@ def _pose(cells: list[_Cell], columns: _Columns, line: Span) -> Pose:
     return Pose((x, y, z), turn, (note,) if note else ())
 
 
-def _number(cell: _Cell) -> Fraction:
-    if not cell.text:
-        raise InputError("a value is missing", span=cell.span)
-    found: Fraction = _at(cell.span, read_number, cell.text)
-    return found
+def _noted(line: _Cell, sep: str, columns: _Columns, numbers: list[Fraction]) -> str | None:
+    try:
+        return unit_note(numbers)
+    except GcrulesError as fault:
+        fault.span = Span(_cells(line, sep)[columns.turn[0]].span.start, line.span.end)
+        raise
+
+
+def _number(word: str) -> Fraction:
+    if not word:
+        raise InputError("a value is missing")
+    return read_number(word)
 
 
 def _at(span: Span, read: Callable[..., Any], *arguments: Any) -> Any:
