@@ -28,16 +28,18 @@ __all__ = [
 Floats = NDArray[np.float64]
 
 
-def pose_rows(poses: Sequence[Pose]) -> tuple[Floats, Floats]:
-    """Translations (N, 3) and quaternions (N, 4; of any length) of poses, each number the float nearest to it."""
-    translations = np.array([[as_float(c) for c in p.translation] for p in poses]).reshape(-1, 3)
-    return translations, np.array([[float(c) for c in p.quaternion] for p in poses]).reshape(-1, 4)
-
-
 def from_poses(poses: Sequence[Pose]) -> tuple[Floats, Floats]:
     """Poses as arrays (N, 3) and (N, 3, 3)."""
-    translations, quaternions = pose_rows(poses)
-    return translations, matrices(quaternions)
+    return _translations(poses), matrices(np.array([p.unit_quaternion for p in poses]).reshape(-1, 4))
+
+
+def pose_rows(poses: Sequence[Pose]) -> tuple[Floats, Floats]:
+    """Translations (N, 3) and quaternions (N, 4), of the lengths that they have, each number the nearest float."""
+    return _translations(poses), np.array([[float(c) for c in p.quaternion] for p in poses]).reshape(-1, 4)
+
+
+def _translations(poses: Sequence[Pose]) -> Floats:
+    return np.array([[as_float(c) for c in p.translation] for p in poses]).reshape(-1, 3)
 
 
 def read_arrays(

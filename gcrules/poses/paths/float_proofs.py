@@ -5,7 +5,7 @@ In 1 − s and s the motions and the number 1 are (1 − s) q₀ + s q₁, (1 �
 q₀ + s (q₁ − q₀) and so on, and the highest power with a coefficient other than 0 is the degree.
 
 Rounding: a term of a coefficient is the product of three coefficients of `Forms`, which are rounded once, of 6
-components of quaternions, off by 8 units of 2⁻⁵³ of themselves at most, and of 3 of translations, rounded once; from
+components of quaternions, off by 16 units of 2⁻⁵³ of themselves at most (`Segments.motions`), and of 3 of translations, rounded once; from
 there on it is rounded fewer than 60 times in each of three forms (sums of 40 products) and fewer than 60 times when
 these are multiplied and summed, whatever the order. So a coefficient is off by fewer than 350 times 2⁻⁵³ of the sum of
 the absolute values of its terms, which is found in the same way, and as exactly; `_RELATIVE` is five times as large.
@@ -38,7 +38,7 @@ _PIECE = 250  # segments at once: their numbers stay in the cache
 _RELATIVE = 2e-13
 _ABSOLUTE = 1e-180
 _LARGE = 1e13
-_DIFFERENCE = 12 * 2.0**-53  # how much a difference is off at most, beside what it is a difference of
+_DIFFERENCE = 20 * 2.0**-53  # how much a difference is off at most, beside what it is a difference of
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +82,8 @@ class FloatProofs:
         for i in range(0, len(chosen), _PIECE):
             checkpoint()
             k = chosen[i : i + _PIECE]
-            size = 2.0 ** np.frexp(np.abs(m.q0[k]).max(axis=1))[1]
+            most = np.abs(m.q0[k]).max(axis=1)
+            size = np.where((most > 1 / _LARGE) & (most < _LARGE), 2.0 ** np.frexp(most)[1], np.nan)
             yield _Piece(k, m.q0[k].T / size, m.q1[k].T / size, m.t0[k].T / unit, m.t1[k].T / unit)
 
     def _signs(self, turns: Floats, shifts: Floats, off: tuple[Floats, Floats] | None = None) -> Floats:

@@ -23,13 +23,12 @@ __all__ = ["Segments", "segments"]
 Truths = NDArray[np.bool_]
 
 _NEAR = 1e-9  # two quaternions that are nearer to the same turn, or to a half turn apart, are compared exactly
+_LONG = 1e100  # squares of longer quaternions, or of shorter ones than the inverse, are not known well enough
 
 
 @dataclass(frozen=True, eq=False)
 class Segments(Sequence[Segment]):
-    """The segments between consecutive `poses`; `motions` are the same in floats, their components off by less than 8
-    units in the last place.
-    """
+    """The segments between consecutive `poses`."""
 
     rig: MovingPlatform
     poses: tuple[Pose, ...]
@@ -55,13 +54,17 @@ class Segments(Sequence[Segment]):
 
     @cached_property
     def motions(self) -> Motions:
-        """Raises InputError for a turn by exactly 180° between two poses."""
+        """The same in floats, each number the nearest but those of `q1`, which are off by fewer than 16 units of 2⁻⁵³
+        of themselves. Raises InputError for a turn by exactly 180° between two poses.
+        """
         shifts, quaternions = self.rows
         q0, q1 = quaternions[:-1], quaternions[1:]
-        first, second = (np.linalg.norm(q, axis=1, keepdims=True) for q in (q0, q1))
-        along = (q0 / first * (q1 / second)).sum(axis=1, keepdims=True)
-        ends = q1 * (np.sign(along) * (first / second))
+        with np.errstate(all="ignore"):  # quaternions may be very long or short
+            first, second = (np.linalg.norm(q, axis=1, keepdims=True) for q in (q0, q1))
+            along = (q0 / first * (q1 / second)).sum(axis=1, keepdims=True)
+            ends = q1 * (np.sign(along) * (first / second))
         plain = (np.abs(along[:, 0]) > _NEAR) & (np.abs(ends - q0) > _NEAR * first).any(axis=1)
+        plain &= (np.minimum(first, second) > 1 / _LONG)[:, 0] & (np.maximum(first, second) < _LONG)[:, 0]
         for k in watched(np.flatnonzero(~plain).tolist()):
             self._check(k)
             ends[k] = [float(c) for c in self[k].q1]

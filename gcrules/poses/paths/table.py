@@ -27,7 +27,7 @@ __all__ = ["MAX_BYTES", "MAX_POSES", "load_poses", "read_poses"]
 
 MAX_BYTES = 20_000_000
 MAX_POSES = 100_000
-"""A path of so many takes less than half a gigabyte, and some ten minutes."""
+"""A path of so many takes some half a gigabyte and 20 seconds."""
 
 _HEADER = re.compile(r"([^\s\[\]]*)\s*(?:\[\s*([^\[\]]*?)\s*\])?")
 _EULER = re.compile(r"([xyz]{3}|[XYZ]{3})([123])")
