@@ -1,17 +1,20 @@
 r"""The exact polynomials along a path, where they are needed: not where floats prove all that would be asked of them.
 
 The polynomial of a segment has no zero where the coefficients of `FloatProofs` are all of one sign. Its degree is the
-highest power with a coefficient that is proved to be other than 0, as long as those of higher ones are exactly 0: there
-are none, or it is the leading one and vanishes for all segments along the same coordinates (`vanishing`). Everywhere
-else the exact polynomial is found.
+highest power with a coefficient that is proved to be other than 0, as long as it can have no higher one: no more than 6
+where the quaternion changes, and the degree in the coordinates that change (`degree_along`). Everywhere else the exact
+polynomial is found.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
+from itertools import product
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint, report
 from gcrules.mechanisms.moving_platform import MovingPlatform
@@ -19,9 +22,11 @@ from gcrules.poses.paths.float_proofs import FloatProofs
 from gcrules.poses.paths.forms import forms, superbracket
 from gcrules.poses.paths.segments import Segments
 
-__all__ = ["NO_ZERO", "polynomials", "vanishing"]
+__all__ = ["NO_ZERO", "degree_along", "polynomials"]
 
 Polynomial = Sequence[int]
+
+_MANY = 100  # of fewer segments the exact polynomials are found sooner than what `degree_along` tells
 
 NO_ZERO: Polynomial = (1,)
 """It stands for the polynomial of a segment without a zero, which is not found."""
@@ -33,11 +38,15 @@ def polynomials(way: Segments) -> tuple[list[Polynomial], tuple[int, ...]]:
     proofs = FloatProofs(forms(way.rig), way.motions, turns, shifts)
     free = proofs.without_zero()
     degrees = np.full(len(way), -1)
-    degrees[free] = proofs.powers(np.flatnonzero(free))
-    most = 6 * turns + 3 * shifts.any(axis=1)
-    known = free & (degrees == most)
-    for k in np.flatnonzero(free & ~known & shifts.any(axis=1) & (degrees == most - 1)).tolist():
-        known[k] = vanishing(way.rig, tuple(shifts[k].tolist()))
+    degrees[free] = proofs.degrees(np.flatnonzero(free))
+    known = free & (degrees == 6 * turns + 3 * shifts.any(axis=1))
+    unknown = np.flatnonzero(free & ~known)
+    kinds, which, counts = np.unique(
+        np.hstack([way.present, shifts])[unknown], axis=0, return_inverse=True, return_counts=True
+    )
+    for n in np.flatnonzero(counts >= _MANY):
+        alike = unknown[which == n]
+        known[alike] = degrees[alike] == 6 * turns[alike] + degree_along(way.rig, tuple(kinds[n].tolist()))
     found = [NO_ZERO] * len(way)
     for k in np.flatnonzero(~known).tolist():
         checkpoint()
@@ -47,25 +56,27 @@ def polynomials(way: Segments) -> tuple[list[Polynomial], tuple[int, ...]]:
     return found, tuple(degrees.tolist())
 
 
-@lru_cache(maxsize=32)
-def vanishing(rig: MovingPlatform, axes: tuple[bool, bool, bool]) -> bool:
-    """Whether the leading coefficient is 0 for all segments on which the platform moves along these axes only; exact.
+@lru_cache(maxsize=64)
+def degree_along(rig: MovingPlatform, kind: tuple[bool, ...]) -> int:
+    """The degree of n³ D in the coordinates that change; exact. `kind` says which components of the quaternion and of
+    the translation are other than 0 somewhere (7), and which of the translation change (3).
 
-    It is of degree 6 in a quaternion and 3 in a translation: 0 if it is 0 for all whole, not negative components of the
-    sums 6 and 3 (the principal lattice of a simplex).
+    n³ D is of degree 6 in the quaternion and 3 in (1, t). Such a polynomial is 0 if it is 0 for all whole, not negative
+    numbers of these sums (the principal lattice of a simplex). So are the coefficients of powers of x, if each
+    coordinate that changes is multiplied by x.
     """
-    turns = np.array(list(_parted(6, 4)), object).T
-    shifts = np.zeros((4, len(list(_parted(3, sum(axes))))), object)
-    shifts[[False, *axes]] = np.array(list(_parted(3, sum(axes))), object).T
-    number = shifts.shape[1]
-    pairs = np.repeat(turns, number, axis=1), np.tile(shifts, turns.shape[1])
-    return not superbracket(forms(rig).whole, pairs[0][:, None], pairs[1][:, None]).any()
+    turns, shifts = _lattice(6, kind[:4]), _lattice(3, (True, *kind[4:7]))
+    lines = np.zeros((4, 2, shifts.shape[1]), object)
+    for line, row, changes in zip(lines, shifts, (False, *kind[7:]), strict=True):
+        line[int(changes)] = row
+    pairs = np.repeat(turns, shifts.shape[1], axis=1), np.tile(lines, turns.shape[1])
+    found = superbracket(forms(rig).whole, pairs[0][:, None], pairs[1])
+    return max(np.flatnonzero(found.any(axis=1)).tolist(), default=0)
 
 
-def _parted(total: int, parts: int) -> Iterator[tuple[int, ...]]:
-    """All ways to part a whole number into so many whole ones."""
-    if parts == 1:
-        yield (total,)
-        return
-    for first in range(total + 1):
-        yield from ((first, *rest) for rest in _parted(total - first, parts - 1))
+def _lattice(total: int, present: tuple[bool, ...]) -> NDArray[Any]:
+    """All ways to part a whole number into whole ones, the others 0: (len(present), M)."""
+    parts = [n for n in product(range(total + 1), repeat=sum(present)) if sum(n) == total]
+    found = np.zeros((len(present), len(parts)), object)
+    found[np.array(present)] = np.array(parts, object).T
+    return found

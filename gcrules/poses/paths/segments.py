@@ -82,6 +82,15 @@ class Segments(Sequence[Segment]):
             shifts[k, axis] = a.translation[axis] != b.translation[axis]
         return turns, shifts
 
+    @cached_property
+    def present(self) -> Truths:
+        """Which components of quaternion and translation are other than 0 somewhere on a segment, (N, 7); exactly."""
+        found = np.hstack(self.rows[::-1]) != 0
+        for k, n in watched(np.argwhere(~found).tolist()):  # also numbers that are too small for floats
+            p = self.poses[k]
+            found[k, n] = bool((*p.quaternion, *p.translation)[n])
+        return np.asarray(found[:-1] | found[1:])
+
     def _check(self, k: int) -> None:
         if not sum(c * d for c, d in zip(self.poses[k].quaternion, self.poses[k + 1].quaternion, strict=True)):
             raise InputError(
