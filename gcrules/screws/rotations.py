@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from math import lcm
 from typing import Any, TypeVar
 
 from gcrules.core.errors import InputError
@@ -73,18 +72,24 @@ def unscaled(q: Sequence[Any]) -> tuple[tuple[Any, Any, Any], ...]:
 
 def about_axis(axis: int, angle: Fraction, *, degrees: bool) -> Quaternion:
     """The turn by an angle about a coordinate axis 0, 1 or 2; exact for multiples of 90 degrees."""
+    cosine, sine, common = _half(angle, degrees)
+    part = Fraction(sine, common)
+    return (Fraction(cosine, common), *(part if i == axis else Fraction(0) for i in range(3)))  # type: ignore[return-value]
+
+
+def _half(angle: Fraction, degrees: bool) -> tuple[int, int, int]:
+    """The cosine and the sine of half an angle, and the number that both are to be divided by; whole."""
     if degrees and angle.denominator == 1 and not angle.numerator % 90:
-        c, s = ((1, 0), (1, 1), (0, 1), (-1, 1))[angle.numerator // 90 % 4]  # of half the angle, up to a common factor
-        cosine, sine = Fraction(c), Fraction(s)
-    else:
-        if abs(angle) > MANY:
-            raise too_many_turns()
-        number = float(angle)
-        if degrees and abs(number) >= 360:
-            number = float(angle - 720 * round(angle / 720))  # opposite angles stay so: their turns cancel exactly
-        half = math.radians(number) / 2 if degrees else number / 2
-        cosine, sine = Fraction(math.cos(half)), Fraction(math.sin(half))
-    return (cosine, *(sine if i == axis else Fraction(0) for i in range(3)))  # type: ignore[return-value]
+        return *((1, 0), (1, 1), (0, 1), (-1, 1))[angle.numerator // 90 % 4], 1  # up to a common factor
+    if abs(angle) > MANY:
+        raise too_many_turns()
+    number = float(angle)
+    if degrees and abs(number) >= 360:
+        number = float(angle - 720 * round(angle / 720))  # opposite angles stay so: their turns cancel exactly
+    half = math.radians(number) / 2 if degrees else number / 2
+    (cosine, below), (sine, beneath) = math.cos(half).as_integer_ratio(), math.sin(half).as_integer_ratio()
+    common = max(below, beneath)  # powers of 2
+    return cosine * (common // below), sine * (common // beneath), common
 
 
 def too_many_turns() -> InputError:
@@ -110,20 +115,16 @@ def from_euler(sequence: str, angles: Sequence[Fraction], *, degrees: bool) -> Q
     Raises InputError as `check_sequence` does.
     """
     check_sequence(sequence)
-    turns = [about_axis("xyz".index(c), a, degrees=degrees) for c, a in zip(sequence.lower(), angles, strict=True)]
+    common, turns = 1, []  # in whole numbers, which are several times as fast as fractions
+    for letter, angle in zip(sequence.lower(), angles, strict=True):
+        cosine, sine, divisor = _half(angle, degrees)
+        x, y, z = (sine if letter == axis else 0 for axis in "xyz")
+        turns.append((cosine, x, y, z))
+        common *= divisor
     if sequence.isupper():
         turns.reverse()
-    (first, a), (second, b), (third, c) = map(_whole, turns)  # several times as fast as fractions
-    w, x, y, z = product(third, product(second, first))
-    common = a * b * c
+    w, x, y, z = product(turns[2], product(turns[1], turns[0]))
     return short((Fraction(w, common), Fraction(x, common), Fraction(y, common), Fraction(z, common)))
-
-
-def _whole(q: Quaternion) -> tuple[tuple[int, int, int, int], int]:
-    """Whole numbers, and what they are to be divided by."""
-    common = lcm(*(c.denominator for c in q))
-    w, x, y, z = (c.numerator * (common // c.denominator) for c in q)
-    return (w, x, y, z), common
 
 
 def from_vector(vector: Sequence[Fraction], *, degrees: bool) -> Quaternion:
@@ -147,5 +148,5 @@ def short(q: Quaternion) -> Quaternion:
     """The quaternion itself, or rounded to floats if its numbers are long (error below 2⁻⁵² of its length)."""
     if max(c.denominator.bit_length() for c in q) <= _LONG:
         return q
-    w, x, y, z = (Fraction(float(c)) for c in q)
+    w, x, y, z = (Fraction(*float(c).as_integer_ratio()) for c in q)
     return w, x, y, z
