@@ -15,7 +15,6 @@ translation, ≤ 3 without turn. n > 0, so D has the same zeros. Derived here.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -33,7 +32,7 @@ from gcrules.poses.paths.roots import integers
 from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import Quaternion, Vector, unscaled
 
-__all__ = ["Segment", "matched"]
+__all__ = ["Segment"]
 
 _Whole = tuple[dict[str, list[int]], list[list[int]], list[list[int]]]
 
@@ -141,16 +140,3 @@ def _content(q0: Sequence[int], q1: Sequence[int]) -> int:
 
 def _common(rows: Sequence[Sequence[Fraction]]) -> int:
     return lcm(*(c.denominator for row in rows for c in row))
-
-
-def matched(p: Quaternion, q: Quaternion) -> Quaternion:
-    """q with the length of p (rounded to floats if need be) and the sign that makes the way short."""
-    if p == q:
-        return p
-    along = sum(c * d for c, d in zip(p, q, strict=True))
-    first, second = (sum(c * c for c in x) for x in (p, q))
-    if along * along == first * second:
-        return p  # the same turn
-    factor = Fraction(math.sqrt(first / second)) if first != second else Fraction(1)
-    w, x, y, z = (c * (factor if along > 0 else -factor) for c in q)
-    return w, x, y, z

@@ -2,8 +2,10 @@ r"""The segments of a path through many poses: in floats all at once, each exact
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import overload
 
@@ -15,8 +17,9 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.arrays import Floats, pose_rows
 from gcrules.poses.paths.motions import Motions
-from gcrules.poses.paths.segment import Segment, matched
+from gcrules.poses.paths.segment import Segment
 from gcrules.screws.pose import Pose
+from gcrules.screws.rotations import Quaternion
 
 __all__ = ["Segments", "segments"]
 
@@ -45,7 +48,7 @@ class Segments(Sequence[Segment]):
             return tuple(self[n] for n in range(*k.indices(len(self))))
         number = range(len(self))[k]
         a, b = self.poses[number : number + 2]
-        return Segment(self.rig, a.translation, b.translation, a.quaternion, matched(a.quaternion, b.quaternion))
+        return Segment(self.rig, a.translation, b.translation, a.quaternion, _matched(a.quaternion, b.quaternion))
 
     @cached_property
     def rows(self) -> tuple[Floats, Floats]:
@@ -104,3 +107,16 @@ def segments(rig: MovingPlatform, poses: Sequence[Pose]) -> Segments:
     found = Segments(rig, tuple(poses))
     found.motions  # noqa: B018 - which finds such a turn
     return found
+
+
+def _matched(p: Quaternion, q: Quaternion) -> Quaternion:
+    """q with the length of p (rounded to floats if need be) and the sign that makes the way short."""
+    if p == q:
+        return p
+    along = sum(c * d for c, d in zip(p, q, strict=True))
+    first, second = (sum(c * c for c in x) for x in (p, q))
+    if along * along == first * second:
+        return p  # the same turn
+    factor = Fraction(math.sqrt(first / second)) if first != second else Fraction(1)
+    w, x, y, z = (c * (factor if along > 0 else -factor) for c in q)
+    return w, x, y, z
