@@ -21,7 +21,6 @@ from typing import Any
 
 import numpy as np
 
-from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.limbs import Limbs
@@ -36,9 +35,10 @@ from gcrules.poses.numbers.arrays import from_poses, matrices
 from gcrules.poses.numbers.many import PoseNumbers, numbers
 from gcrules.poses.numbers.pose_arguments import one_pose
 from gcrules.poses.paths.least import Least, least
+from gcrules.poses.paths.polynomials import polynomials
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.poses.paths.sampling import SAMPLES, per_segment
-from gcrules.poses.paths.segment import Segment, segments
+from gcrules.poses.paths.segments import Segments, segments
 from gcrules.poses.paths.table import load_poses
 from gcrules.poses.paths.zeros import SingularPlace, Stretch, places, stretches
 from gcrules.poses.pose_report import report_of_legs
@@ -112,15 +112,12 @@ def path_of_legs(
     limit = angle_threshold(threshold, "along a path")
     found, notes = _poses(poses, moving.unit)
     each = per_segment(samples, len(found) - 1, MAX_SAMPLES)
-    moving.ends(*from_poses(found))  # refuses poses that are too far away, and legs of no length
     way = segments(moving, found)
-    polynomials = []
-    for k, s in enumerate(way):
-        checkpoint()
-        report_progress(f"segment {k + 1} of {len(way)}")
-        polynomials.append(s.polynomial)
-    zeros = tuple(_zero(m, way, p, limit) for p in places(polynomials))
-    still = tuple(_explained(m, way, s, limit) for s in stretches(polynomials))
+    shift, quaternion = way.rows
+    moving.ends(shift, matrices(quaternion))  # refuses poses that are too far away, and legs of no length
+    parts, each_degree = polynomials(way)
+    zeros = tuple(_zero(m, way, p, limit) for p in places(parts))
+    still = tuple(_explained(m, way, s, limit) for s in stretches(parts))
     report_progress("sampling")
     lowest = _least(way, each, zeros, still)
     verdict, reason = _verdict(zeros, still, lowest, limit)
@@ -133,7 +130,7 @@ def path_of_legs(
         zeros=zeros,
         stretches=still,
         least=lowest,
-        degrees=tuple(len(p) - 1 for p in polynomials),
+        degrees=each_degree,
         threshold=limit,
         notes=notes,
         **_samples(m, way, each, zeros, still, lowest, limit),
@@ -167,18 +164,18 @@ def _pose(number: int, given: Any, unit: str) -> Pose:
     return found
 
 
-def _zero(m: SixLegs, way: Sequence[Segment], p: SingularPlace, limit: Threshold) -> Zero:
+def _zero(m: SixLegs, way: Segments, p: SingularPlace, limit: Threshold) -> Zero:
     pose = _at(way, p.middle)
     causes, dependence = _why(m, pose, limit)
     return Zero(p.lower, p.upper, p.kind, p.multiplicity, pose, causes, dependence)
 
 
-def _explained(m: SixLegs, way: Sequence[Segment], s: Stretch, limit: Threshold) -> Stretch:
+def _explained(m: SixLegs, way: Segments, s: Stretch, limit: Threshold) -> Stretch:
     causes, dependence = _why(m, _at(way, Fraction(s.start + s.end, 2)), limit)
     return replace(s, causes=causes, dependence=dependence)
 
 
-def _at(way: Sequence[Segment], parameter: Fraction) -> Pose:
+def _at(way: Segments, parameter: Fraction) -> Pose:
     k = min(int(parameter), len(way) - 1)
     return way[k].pose(parameter - k)
 
@@ -199,7 +196,7 @@ def _ends(moving: MovingPlatform, translations: Any, rotations: Any) -> Any:
     return np.einsum("nij,kj->nki", rotations, moving.arms) + (moving.centre_of_turns + translations)[:, None, :]
 
 
-def _least(way: Sequence[Segment], per_segment: int, zeros: Sequence[Zero], still: Sequence[Stretch]) -> Least:
+def _least(way: Segments, per_segment: int, zeros: Sequence[Zero], still: Sequence[Stretch]) -> Least:
     if zeros or still:
         return Least(0.0, min([z.parameter for z in zeros[:1]] + [float(s.start) for s in still[:1]]), 0.0)
     return least(way, per_segment)
@@ -223,7 +220,7 @@ def _verdict(zeros: Sequence[Zero], still: Sequence[Stretch], lowest: Least, lim
 
 def _samples(
     m: SixLegs,
-    way: Sequence[Segment],
+    way: Segments,
     per_segment: int,
     zeros: Sequence[Zero],
     still: Sequence[Stretch],
@@ -236,9 +233,7 @@ def _samples(
     special = np.array([lowest.parameter, *(z.parameter for z in zeros)])
     where = np.union1d(regular[~_among(regular, special)], special)  # no sample that is a zero but for rounding
     first = np.minimum(where.astype(int), len(way) - 1)
-    starts = np.searchsorted(first, np.arange(len(way) + 1))  # the places are in order
-    parts = [s.arrays(where[starts[k] : starts[k + 1]] - k) for k, s in enumerate(way)]
-    shift, turn = (np.concatenate(p) for p in zip(*parts, strict=True))
+    shift, turn = way.motions.arrays(first, where - first)
     turn /= np.linalg.norm(turn, axis=1, keepdims=True)
     rotations = matrices(turn)
     lengths = np.linalg.norm(_ends(moving, shift, rotations) - moving.base, axis=2)

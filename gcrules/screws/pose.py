@@ -135,6 +135,9 @@ def read_number(word: str) -> Fraction:
         raise InputError(f"expected a number, found {shown!r}", hint="numbers are written 3, -0.25, 1e-3 or 1/3")
     if len(word) > _MAX_NUMBER or abs(int(match[1] or match[2] or 0)) > _MAX_EXPONENT:
         raise InputError(f"this number is too long (at most {_MAX_NUMBER} signs, exponents up to {_MAX_EXPONENT})")
+    whole, point, decimals = word.partition(".")
+    if point and "e" not in word.lower():
+        return Fraction(int(whole + decimals), 10 ** len(decimals))  # the same, several times as fast
     try:
         return Fraction(word)
     except ZeroDivisionError:

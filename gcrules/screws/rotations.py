@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeVar
 
 from gcrules.core.errors import InputError
 
@@ -35,12 +35,14 @@ Matrix = tuple[Vector, Vector, Vector]
 
 IDENTITY: Quaternion = (Fraction(1), Fraction(0), Fraction(0), Fraction(0))
 
+_N = TypeVar("_N", int, Fraction)
+
 MANY = 10**9  # the largest angle, in degrees or radians: of more a float leaves no digits within one turn
 _LONG = 64  # bits of a denominator above which a quaternion is rounded to floats (error below 2⁻⁵² of its length)
 
 
-def product(p: Quaternion, q: Quaternion) -> Quaternion:
-    """The turn q followed by the turn p."""
+def product(p: tuple[_N, _N, _N, _N], q: tuple[_N, _N, _N, _N]) -> tuple[_N, _N, _N, _N]:
+    """The turn q followed by the turn p; their components are all fractions or all whole."""
     a, b, c, d = p
     w, x, y, z = q
     return (
@@ -70,17 +72,24 @@ def unscaled(q: Sequence[Any]) -> tuple[tuple[Any, Any, Any], ...]:
 
 def about_axis(axis: int, angle: Fraction, *, degrees: bool) -> Quaternion:
     """The turn by an angle about a coordinate axis 0, 1 or 2; exact for multiples of 90 degrees."""
-    quarters, rest = divmod(angle, 90) if degrees else (0, 1)
-    if rest == 0:
-        c, s = ((1, 0), (1, 1), (0, 1), (-1, 1))[int(quarters) % 4]  # of half the angle, up to a common factor
-        cosine, sine = Fraction(c), Fraction(s)
-    else:
-        if abs(angle) > MANY:
-            raise too_many_turns()
-        least = angle - 720 * round(angle / 720)  # opposite angles stay so: their turns cancel exactly
-        half = math.radians(float(least)) / 2 if degrees else float(angle) / 2
-        cosine, sine = Fraction(math.cos(half)), Fraction(math.sin(half))
-    return (cosine, *(sine if i == axis else Fraction(0) for i in range(3)))  # type: ignore[return-value]
+    cosine, sine, common = _half(angle, degrees)
+    part = Fraction(sine, common)
+    return (Fraction(cosine, common), *(part if i == axis else Fraction(0) for i in range(3)))  # type: ignore[return-value]
+
+
+def _half(angle: Fraction, degrees: bool) -> tuple[int, int, int]:
+    """The cosine and the sine of half an angle, and the number that both are to be divided by; whole."""
+    if degrees and angle.denominator == 1 and not angle.numerator % 90:
+        return *((1, 0), (1, 1), (0, 1), (-1, 1))[angle.numerator // 90 % 4], 1  # up to a common factor
+    if abs(angle) > MANY:
+        raise too_many_turns()
+    number = float(angle)
+    if degrees and abs(number) >= 360:
+        number = float(angle - 720 * round(angle / 720))  # opposite angles stay so: their turns cancel exactly
+    half = math.radians(number) / 2 if degrees else number / 2
+    (cosine, below), (sine, beneath) = math.cos(half).as_integer_ratio(), math.sin(half).as_integer_ratio()
+    common = max(below, beneath)  # powers of 2
+    return cosine * (common // below), sine * (common // beneath), common
 
 
 def too_many_turns() -> InputError:
@@ -106,10 +115,16 @@ def from_euler(sequence: str, angles: Sequence[Fraction], *, degrees: bool) -> Q
     Raises InputError as `check_sequence` does.
     """
     check_sequence(sequence)
-    turns = [about_axis("xyz".index(c), a, degrees=degrees) for c, a in zip(sequence.lower(), angles, strict=True)]
+    common, turns = 1, []  # in whole numbers, which are several times as fast as fractions
+    for letter, angle in zip(sequence.lower(), angles, strict=True):
+        cosine, sine, divisor = _half(angle, degrees)
+        x, y, z = (sine if letter == axis else 0 for axis in "xyz")
+        turns.append((cosine, x, y, z))
+        common *= divisor
     if sequence.isupper():
         turns.reverse()
-    return short(product(turns[2], product(turns[1], turns[0])))
+    w, x, y, z = product(turns[2], product(turns[1], turns[0]))
+    return short((Fraction(w, common), Fraction(x, common), Fraction(y, common), Fraction(z, common)))
 
 
 def from_vector(vector: Sequence[Fraction], *, degrees: bool) -> Quaternion:
@@ -133,5 +148,5 @@ def short(q: Quaternion) -> Quaternion:
     """The quaternion itself, or rounded to floats if its numbers are long (error below 2⁻⁵² of its length)."""
     if max(c.denominator.bit_length() for c in q) <= _LONG:
         return q
-    w, x, y, z = (Fraction(float(c)) for c in q)
+    w, x, y, z = (Fraction(*float(c).as_integer_ratio()) for c in q)
     return w, x, y, z

@@ -30,7 +30,8 @@ from gcrules.mechanisms.moving_platform import MovingPlatform, rig
 from gcrules.poses.numbers.cubic import superbracket_at, translation_polynomial
 from gcrules.poses.paths import table as path_file
 from gcrules.poses.paths.report import PathReport
-from gcrules.poses.paths.segment import Segment, segments
+from gcrules.poses.paths.segment import Segment
+from gcrules.poses.paths.segments import segments
 from gcrules.poses.paths.table import read_poses
 from gcrules.poses.paths.zeros import Stretch, places, stretches
 from gcrules.screws.pose import Pose
@@ -75,11 +76,13 @@ def test_the_interpolation(robots: dict[str, Analysis], a: Pose, b: Pose, s: F) 
     for place, end in ((F(0), a), (F(1), b)):
         assert found.pose(place).translation == end.translation
         assert np.allclose(np.array(found.pose(place).rotation, float), np.array(end.rotation, float), atol=1e-14)
-    assert 0 <= found.angle < math.pi
+    assert 0 <= found.motion.angles[0] < math.pi
     back = (a.quaternion[0], *(-c for c in a.quaternion[1:]))
-    assert found.angle == pytest.approx(Pose(quaternion=turn_product(b.quaternion, back)).angle, abs=1e-7)
+    assert float(found.motion.angles[0]) == pytest.approx(
+        Pose(quaternion=turn_product(b.quaternion, back)).angle, abs=1e-7
+    )
     here = Pose(quaternion=turn_product(found.pose(s).quaternion, back))
-    assert float(found.turned(np.array([float(s)]))[0]) == pytest.approx(here.angle, abs=1e-7)
+    assert float(found.motion.turned(0, np.array([float(s)]))[0]) == pytest.approx(here.angle, abs=1e-7)
 
 
 @settings(max_examples=30, deadline=None)
@@ -278,7 +281,7 @@ def test_the_margin_is_nowhere_below_its_bound(
     if report.zeros or report.stretches:
         assert report.least.margin == report.least.bound == 0
         return
-    shift, turn = segment(moving, a, b).arrays(np.linspace(0, 1, 500))
+    shift, turn = segment(moving, a, b).motion.arrays(0, np.linspace(0, 1, 500))
     sigma = gc.pose(robots[name], shift, quaternion=turn / np.linalg.norm(turn, axis=1, keepdims=True)).margin
     assert report.least.bound <= sigma.min() + 1e-12
     assert report.least.margin <= sigma.min() * 1.02 + 1e-9

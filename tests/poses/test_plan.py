@@ -21,7 +21,7 @@ from gcrules.poses.limbs.pose_report import target_of
 from gcrules.poses.limits import LengthLimits
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.paths.lengths import keeps_to
-from gcrules.poses.paths.segment import segments
+from gcrules.poses.paths.segments import segments
 from gcrules.poses.signs.closing import closing_signs
 from gcrules.screws.pose import Pose
 
@@ -98,7 +98,7 @@ def test_limits_hold_between_samples(seed: int) -> None:
     m = mechanism(OCTAHEDRAL).six_legs()
     ends = [Pose(_three(random.uniform(-150, 150, 3)), _turn(random)) for _ in range(2)]
     (segment,) = segments(m.rig, ends)
-    shift, quaternion = segment.arrays(np.linspace(0, 1, 20_001))
+    shift, quaternion = segment.motion.arrays(0, np.linspace(0, 1, 20_001))
     lengths = np.linalg.norm(m.rig.ends(shift, matrices(quaternion)) - m.rig.base, axis=2)
     low, high = lengths.min(axis=0), lengths.max(axis=0)
     assert keeps_to(LengthLimits(m.actuators, _six(low - 0.1), _six(high + 0.1)), segment)

@@ -13,15 +13,33 @@ from gcrules.core.floats import as_float
 from gcrules.screws.pose import SILENT, UNIT_TOLERANCE, Pose
 from gcrules.screws.rotations import MANY, check_sequence, too_many_turns
 
-__all__ = ["finite_rows", "from_poses", "from_vectors", "matrices", "normalised_note", "read_arrays", "real_numbers"]
+__all__ = [
+    "Floats",
+    "finite_rows",
+    "from_poses",
+    "from_vectors",
+    "matrices",
+    "normalised_note",
+    "pose_rows",
+    "read_arrays",
+    "real_numbers",
+]
 
 Floats = NDArray[np.float64]
 
 
 def from_poses(poses: Sequence[Pose]) -> tuple[Floats, Floats]:
     """Poses as arrays (N, 3) and (N, 3, 3)."""
-    translations = np.array([[as_float(c) for c in p.translation] for p in poses]).reshape(-1, 3)
-    return translations, matrices(np.array([p.unit_quaternion for p in poses]).reshape(-1, 4))
+    return _translations(poses), matrices(np.array([p.unit_quaternion for p in poses]).reshape(-1, 4))
+
+
+def pose_rows(poses: Sequence[Pose]) -> tuple[Floats, Floats]:
+    """Translations (N, 3) and quaternions (N, 4), of the lengths that they have, each number the nearest float."""
+    return _translations(poses), np.array([[float(c) for c in p.quaternion] for p in poses]).reshape(-1, 4)
+
+
+def _translations(poses: Sequence[Pose]) -> Floats:
+    return np.array([[as_float(c) for c in p.translation] for p in poses]).reshape(-1, 3)
 
 
 def read_arrays(

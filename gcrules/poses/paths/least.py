@@ -8,9 +8,7 @@ from the centre, which moves by d. Derived here, from the proofs in docs/pose.md
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +17,8 @@ from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.many import CHUNK
-from gcrules.poses.paths.segment import Segment
+from gcrules.poses.paths.motions import Motions
+from gcrules.poses.paths.segments import Segments
 from gcrules.screws.guarantees import ROUNDING, noise
 from gcrules.screws.margin import jacobian
 
@@ -47,16 +46,17 @@ class Least:
     rounding: float = 0.0
 
 
-def least(path: Sequence[Segment], samples: int, most: int = MOST) -> Least:
+def least(path: Segments, samples: int, most: int = MOST) -> Least:
     """Of the whole path, `samples` pieces of each segment to begin with."""
-    rig = path[0].rig
+    rig, motions = path.rig, path.motions
     edges = np.linspace(0, 1, samples + 1)
-    cells = np.array([(k, a, b) for k in range(len(path)) for a, b in pairwise(edges)])
+    numbers = np.repeat(np.arange(len(path)), samples)
+    cells = np.stack([numbers, np.tile(edges[:-1], len(path)), np.tile(edges[1:], len(path))], axis=1)
     most = max(most, 4 * len(cells))
     best, proved, seen = Least(np.inf, 0.0, 0.0), np.inf, 0
     while len(cells):
         checkpoint()
-        sigma, low, wrong = _bounds(rig, path, cells)
+        sigma, low, wrong = _bounds(rig, motions, cells)
         n = int(np.argmin(sigma))
         if sigma[n] < best.margin:
             best = Least(float(sigma[n]), float(cells[n, 0] + cells[n, 1:].mean()), 0.0, float(wrong[n]))
@@ -71,21 +71,17 @@ def least(path: Sequence[Segment], samples: int, most: int = MOST) -> Least:
     return Least(best.margin, best.parameter, max(0.0, min(proved, best.margin)), best.rounding)
 
 
-def _bounds(rig: MovingPlatform, path: Sequence[Segment], cells: Floats) -> tuple[Floats, Floats, Floats]:
+def _bounds(rig: MovingPlatform, motions: Motions, cells: Floats) -> tuple[Floats, Floats, Floats]:
     """For cells (segment, from, to): σ at the middle, a lower bound of it in the cell, what rounding may do to it."""
-    parts = [_chunk(rig, path, cells[i : i + CHUNK]) for i in range(0, len(cells), CHUNK)]
+    parts = [_chunk(rig, motions, cells[i : i + CHUNK]) for i in range(0, len(cells), CHUNK)]
     sigma, low, wrong = (np.concatenate(p) for p in zip(*parts, strict=True))
     return sigma, low, wrong
 
 
-def _chunk(rig: MovingPlatform, path: Sequence[Segment], cells: Floats) -> tuple[Floats, Floats, Floats]:
-    shift, quaternion = np.empty((len(cells), 3)), np.empty((len(cells), 4))
-    angle, moved = np.empty(len(cells)), np.empty(len(cells))
-    for k in np.unique(cells[:, 0]):
-        here = cells[:, 0] == k
-        shift[here], quaternion[here], moved[here], angle[here] = path[int(k)].spans(cells[here, 1:])
+def _chunk(rig: MovingPlatform, motions: Motions, cells: Floats) -> tuple[Floats, Floats, Floats]:
+    shift, quaternion, moved, angle = motions.spans(cells[:, 0].astype(int), cells[:, 1:])
     ends = np.einsum("nij,kj->nki", matrices(quaternion), rig.arms)
-    ends += (np.array([float(c) for c in rig.centre]) + shift)[:, None, :]
+    ends += (rig.centre_of_turns + shift)[:, None, :]
     lengths = np.linalg.norm(ends - rig.base, axis=2)
     whole = lengths.min(axis=1) > ROUNDING * rig.size  # where a leg has no length σ is 0
     sigma, low, wrong = np.zeros(len(cells)), np.zeros(len(cells)), np.zeros(len(cells))

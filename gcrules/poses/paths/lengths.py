@@ -30,7 +30,7 @@ def keeps_to(limits: LengthLimits, s: Segment) -> bool:
     cells = np.stack([edges[:-1], edges[1:]], axis=1)
     for _ in range(_HALVINGS):
         checkpoint()
-        shift, quaternion, moved, angle = s.spans(cells)
+        shift, quaternion, moved, angle = s.motion.spans(0, cells)
         ends = np.einsum("nij,kj->nki", matrices(quaternion), rig.arms)
         ends += (rig.centre_of_turns + shift)[:, None, :]
         lengths = np.linalg.norm(ends - rig.base, axis=2)

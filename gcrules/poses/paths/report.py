@@ -75,7 +75,8 @@ class PathReport(HoldsArrays, Shown):
     """A robot along a path through `poses`. The parameter is 0 at the first of them, 1 at the second, and so on.
 
     `zeros` are all singular places, but for the `stretches` that are singular throughout: both are proved complete, as
-    the superbracket along each segment is an exact polynomial (`degrees`: of what degree; −1 where it is zero).
+    the superbracket along each segment is a polynomial (`degrees`: of what degree; −1 where it is zero), which is found
+    exactly unless floats prove that it has no zero.
     `least` is the least margin with a bound that holds everywhere. `parameters` (N,), `translations` (N, 3) and unit
     `quaternions` (N, 4; w, x, y, z) are the samples, the zeros among them, and `numbers` what `gc.pose` says of these.
     """

@@ -2,7 +2,7 @@ r"""From one pose to the next: a motion along which the superbracket is a polyno
 
 For s from 0 to 1 the translation is (1 − s) t₀ + s t₁ and the turn that of the quaternion q(s) = (1 − s) q₀ + s q₁, of
 quaternions of equal length, the shorter way: the platform turns about one fixed axis, through the same turns as with
-constant angular velocity and only at a slightly different pace (see `Segment.turned`), and its centre moves on a
+constant angular velocity and only at a slightly different pace (see `Motions.turned`), and its centre moves on a
 straight line.
 
 With R = N(q)/n, n = |q|², let p be the place of the centre, β_i the platform's arms and a_i the joints of the base.
@@ -15,27 +15,25 @@ translation, ≤ 3 without turn. n > 0, so D has the same zeros. Derived here.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import count, islice, pairwise
+from itertools import count, islice
 from math import gcd, lcm
 
 import numpy as np
-from numpy.typing import NDArray
 
-from gcrules.core.errors import EngineFault, InputError
+from gcrules.core.errors import EngineFault
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.cubic import whole_determinant
+from gcrules.poses.paths.motions import Motions
 from gcrules.poses.paths.roots import integers
 from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import Quaternion, Vector, unscaled
 
-__all__ = ["Segment", "segments"]
+__all__ = ["Segment"]
 
-Floats = NDArray[np.float64]
 _Whole = tuple[dict[str, list[int]], list[list[int]], list[list[int]]]
 
 
@@ -59,38 +57,9 @@ class Segment:
         return w, x, y, z
 
     @cached_property
-    def angle(self) -> float:
-        """How far the platform turns, in radians, less than π."""
-        parts = [[float(c) for c in q] for q in (self.q0, self.q1)]
-        p, q = (np.array(c) / math.hypot(*c) for c in parts)
-        return 4 * math.atan2(float(np.linalg.norm(p - q)), float(np.linalg.norm(p + q)))
-
-    def turned(self, s: Floats) -> Floats:
-        """How far it has turned at s, in radians: tan(θ/2) = s sin(Θ/2) / (1 − s + s cos(Θ/2)), Θ the whole angle."""
-        half = self.angle / 2
-        found: Floats = 2 * np.arctan2(s * math.sin(half), 1 - s + s * math.cos(half))
-        return found
-
-    @cached_property
-    def distance(self) -> float:
-        """How far the centre moves."""
-        return math.dist(*([float(c) for c in t] for t in (self.t0, self.t1)))
-
-    def arrays(self, s: Floats) -> tuple[Floats, Floats]:
-        """Translations (N, 3) and quaternions (N, 4) at some s, in floats."""
-        (t0, t1), (q0, q1) = (
-            [np.array([float(c) for c in v]) for v in pair] for pair in ((self.t0, self.t1), (self.q0, self.q1))
-        )
-        return t0 + s[:, None] * (t1 - t0), q0 + s[:, None] * (q1 - q0)
-
-    def spans(self, cells: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-        """The middles of parts (N, 2) of the segment as `arrays`, and how far the centre is from there at most within
-        them, and how far the platform is turned, in radians: (N,) each.
-        """
-        middle = cells.mean(axis=1)
-        start, there, end = (self.turned(x) for x in (cells[:, 0], middle, cells[:, 1]))
-        moved = self.distance * (cells[:, 1] - cells[:, 0]) / 2
-        return (*self.arrays(middle), moved, np.maximum(there - start, end - there))
+    def motion(self) -> Motions:
+        """The same in floats."""
+        return Motions(*(np.array([[float(c) for c in v]]) for v in (self.t0, self.t1, self.q0, self.q1)))
 
     @property
     def degree(self) -> int:
@@ -171,28 +140,3 @@ def _content(q0: Sequence[int], q1: Sequence[int]) -> int:
 
 def _common(rows: Sequence[Sequence[Fraction]]) -> int:
     return lcm(*(c.denominator for row in rows for c in row))
-
-
-def segments(rig: MovingPlatform, poses: Sequence[Pose]) -> tuple[Segment, ...]:
-    """The segments between consecutive poses. Raises InputError for a turn by exactly 180° between two of them."""
-    found = []
-    for k, (a, b) in enumerate(pairwise(poses)):
-        along = sum(c * d for c, d in zip(a.quaternion, b.quaternion, strict=True))
-        if not along:
-            raise InputError(
-                f"from pose {k} to pose {k + 1} the platform turns by exactly 180°: both ways round are equally short",
-                hint="put a pose between them that says which way",
-            )
-        found.append(Segment(rig, a.translation, b.translation, a.quaternion, _matched(a.quaternion, b.quaternion)))
-    return tuple(found)
-
-
-def _matched(p: Quaternion, q: Quaternion) -> Quaternion:
-    """q with the length of p (rounded to floats if need be) and the sign that makes the way short."""
-    along = sum(c * d for c, d in zip(p, q, strict=True))
-    first, second = (sum(c * c for c in x) for x in (p, q))
-    if along * along == first * second:
-        return p  # the same turn
-    factor = Fraction(math.sqrt(first / second)) if first != second else Fraction(1)
-    w, x, y, z = (c * (factor if along > 0 else -factor) for c in q)
-    return w, x, y, z

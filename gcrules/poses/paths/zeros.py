@@ -68,7 +68,7 @@ def stretches(path: Sequence[Polynomial]) -> tuple[Stretch, ...]:
 
 def places(path: Sequence[Polynomial]) -> tuple[SingularPlace, ...]:
     """All singular places in order, but for those in or at the ends of a stretch."""
-    zeros = [roots(p) if p else () for p in path]
+    zeros = [roots(p) if len(p) > 1 else () for p in path]  # a constant has none, or is 0
     found: list[SingularPlace] = []
     for k, p in enumerate(path):
         checkpoint()

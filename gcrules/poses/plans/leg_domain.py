@@ -15,7 +15,7 @@ from gcrules.poses.modes.report import AssemblyMode
 from gcrules.poses.path_report import path_of_legs
 from gcrules.poses.paths.lengths import keeps_to
 from gcrules.poses.paths.report import PathReport
-from gcrules.poses.paths.segment import segments
+from gcrules.poses.paths.segments import segments
 from gcrules.poses.plans.domain import Place, Proved, samples_of
 from gcrules.poses.plans.leg_space import MOST_TURNED, LegSpace, region_of, row_of
 from gcrules.poses.plans.report import Waypoint

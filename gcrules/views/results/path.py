@@ -91,8 +91,9 @@ def _proof(r: PathReport) -> str:
         return "along every segment the superbracket is the zero polynomial, exactly"
     shown = f"{listed[0]}" if len(listed) == 1 else f"{listed[0]} to {listed[-1]}"
     return (
-        f"along each segment the superbracket is a polynomial of degree {shown}, up to a positive factor; it is exact, "
-        "and all its real zeros were isolated in integer arithmetic (Descartes' rule), multiple ones too"
+        f"along each segment the superbracket is a polynomial of degree {shown}, up to a positive factor; "
+        "where floats, their rounding bounded, do not prove that it has no zero it is exact, and all its real zeros "
+        "were isolated in integer arithmetic (Descartes' rule), multiple ones too"
     )
 
 
