@@ -63,7 +63,7 @@ class Cover:
 def covered(p: Prover, scale: float, most: int, *, ball: bool) -> Cover:
     """Whether the box of coordinates of at most `scale`, or the ball with this radius, is free; by `most` boxes."""
     n = len(p.weights)
-    middles, halves = np.zeros((1, n)), np.full((1, n), scale)
+    middles, halves = np.zeros((1, n)), np.where(p.weights > 0, scale, 0.0)[None]
     known, at = p.start[None], np.zeros((1, n))
     count, worst, margin = 0, np.zeros(n), np.inf
     sign = 0.0
