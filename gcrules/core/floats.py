@@ -9,7 +9,7 @@ r"""Exact numbers as floats and as decimals, also where a float cannot hold them
 from __future__ import annotations
 
 import math
-from decimal import Context, Decimal
+from decimal import ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from numbers import Integral, Rational, Real
 from typing import Any
@@ -17,7 +17,16 @@ from typing import Any
 from gcrules.core.arguments import described, is_truth
 from gcrules.core.errors import InputError
 
-__all__ = ["as_float", "decimal", "exact", "exact_float", "exact_number", "int_if_whole", "without_noise"]
+__all__ = [
+    "as_float",
+    "decimal",
+    "exact",
+    "exact_float",
+    "exact_number",
+    "int_if_whole",
+    "rounded_down",
+    "without_noise",
+]
 
 _WIDE = Context(prec=30, Emax=999_999, Emin=-999_999)
 
@@ -41,6 +50,18 @@ def without_noise(number: float, scale: float = 1.0) -> float:
     (0.0, 3e-17)
     """
     return 0.0 if abs(number) < NOISE * scale else float(number)
+
+
+def rounded_down(number: float, digits: int = 4) -> str:
+    """A bound from below of a number that is not negative, with so many digits: none of them is rounded up.
+
+    >>> rounded_down(0.4298691), rounded_down(0.00364666), rounded_down(1.0), rounded_down(0.0)
+    ('0.4298', '0.003646', '1', '0')
+    """
+    if not number > 0:
+        return "0"
+    short = Context(prec=digits, rounding=ROUND_FLOOR).create_decimal(Decimal(number))
+    return f"{float(short):.{digits}g}"
 
 
 def decimal(number: Fraction | int, digits: int = 6) -> str:

@@ -13,15 +13,16 @@ from places import EXAMPLES
 
 import gcrules as gc
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.limbs.many import Solved
 from gcrules.poses.limbs.pose_report import target_of
 from gcrules.poses.limits import LengthLimits
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.paths.lengths import keeps_to
 from gcrules.poses.paths.segments import segments
+from gcrules.poses.plans.limb_domain import limb_space
 from gcrules.poses.signs.closing import closing_signs
 from gcrules.screws.pose import Pose
 
@@ -195,8 +196,9 @@ def test_closing_signs_change_at_each_crossing(robot: str, pose: str, crossings:
     assert path.branch_doubt is None
     wanted = target_of(m.linkage, pose, None)
     assert wanted is not None
-    both = Configurations.of([m.linkage.home, solve(m.linkage, wanted).configuration])
-    signs = closing_signs(m.linkage, both)
+    space = limb_space(m, wanted.names, (), 0.0, None, None)
+    rows = [space.row_of(c) for c in (m.linkage.home, solve(m.linkage, wanted).configuration)]
+    signs = closing_signs(space.at(np.stack(rows)))
     assert signs is not None
     a, b = signs.tolist()
     assert a * b == (-1) ** len(path.crossings)
@@ -207,7 +209,7 @@ def test_closing_signs_change_at_each_crossing(robot: str, pose: str, crossings:
 def test_robots_without_a_closing_sign(robot: str) -> None:
     m = mechanism(robot)
     assert isinstance(m, Limbs)
-    assert closing_signs(m.linkage, Configurations.of([m.linkage.home])) is None
+    assert closing_signs(Solved.of(m, np.zeros((1, sum(map(len, m.linkage.home.joint_values)))))) is None
 
 
 def test_the_way_out_ends_at_the_margin() -> None:
@@ -259,3 +261,53 @@ def test_chosen_lines_that_depend_on_each_other_are_no_singularity() -> None:
     path = gc.path("capaman", ["home", goal], samples=8)
     assert not path.crossings
     assert gc.plan("capaman", "home", goal).outcome == "way"
+
+
+@pytest.mark.parametrize(
+    ("robot", "start", "goal"),
+    [
+        ("4-ups-sp", "z=-3.85, roll=36deg, pitch=-15deg, yaw=-6deg", "z=-4.15, roll=36deg, pitch=-15deg, yaw=-6deg"),
+        ("tricept", "z=5.15, roll=26deg, pitch=-7deg", "z=4.85, roll=26deg, pitch=-7deg"),
+    ],
+)
+def test_a_slide_may_pass_the_length_zero(robot: str, start: str, goal: str) -> None:
+    """The direction from one end of a passive slide to the other turns round there, and nothing is singular."""
+    path = gc.path(robot, [start, goal])
+    assert not path.crossings
+    assert not path.undecided
+    found = gc.plan(robot, start, goal)
+    assert found.outcome == "way"
+    assert len(found.poses) == 2
+
+
+def test_a_way_keeps_to_a_narrow_region() -> None:
+    """Poses with few digits may lie outside; then the way is written with all of them."""
+    start, goal = "0.03 122.5 -73.4; rotvec 14.3 -70.8 74.7 deg", "0.03 -105.8 -72.1; rotvec -58.8 1.8 2.3 deg"
+    found = gc.plan(OCTAHEDRAL, start, goal, within="x 0.02..0.04", states=500)
+    assert all(0.02 <= float(p.translation[0]) <= 0.04 for p in found.poses if isinstance(p, Pose))
+
+
+def test_a_bound_is_not_rounded_up() -> None:
+    found = gc.plan(OCTAHEDRAL, "7 0 0", "7 0 0")
+    sigma = gc.pose(OCTAHEDRAL, "7 0 0", nearest=False).margin
+    (shown,) = (
+        float(line.split("≥")[1].split(",")[0]) for line in found.text(unicode=True).splitlines() if "≥" in line
+    )
+    assert shown <= sigma
+
+
+@pytest.mark.parametrize(
+    ("robot", "goal"),
+    [
+        ("6-rus", "x=0.1, y=0.1, yaw=10deg"),
+        ("3-rps", "z=0.2, roll=20deg, pitch=10deg"),
+        ("3-rpr", "x=0.1, y=0, yaw=9deg"),
+    ],
+)
+def test_tables_of_robots_of_joints_are_read_again(tmp_path: Path, robot: str, goal: str) -> None:
+    found = gc.plan(robot, "home", goal)
+    assert found.path is not None
+    table = tmp_path / "way.csv"
+    table.write_text(found.csv(), encoding="utf-8")
+    again, same = gc.path(robot, table, samples=50), gc.path(robot, list(found.poses), samples=50)
+    assert again.margins.tolist() == pytest.approx(same.margins.tolist(), abs=1e-9)

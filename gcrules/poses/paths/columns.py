@@ -9,9 +9,10 @@ from typing import Any
 
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.screws.pose import check_unit
+from gcrules.screws.pose_text import ANGLES, COORDINATES, TURNS
 from gcrules.screws.rotations import check_sequence
 
-__all__ = ["FORMS", "Cell", "Columns", "placed", "read_columns"]
+__all__ = ["FORMS", "Cell", "Columns", "placed", "read_columns", "read_coordinates"]
 
 _HEADER = re.compile(r"([^\s\[\]]*)\s*(?:\[\s*([^\[\]]*?)\s*\])?")
 _EULER = re.compile(r"([xyz]{3}|[XYZ]{3})([123])")
@@ -19,7 +20,12 @@ _ANGLES = {"deg": True, "°": True, "rad": False}
 _SHIFT = ("x", "y", "z")
 _QUATERNION = ("qw", "qx", "qy", "qz")
 _VECTOR = ("rx", "ry", "rz")
-FORMS = "columns x, y, z, then qw, qx, qy, qz or rx [deg], ry [deg], rz [deg] or zyx1 [deg], zyx2 [deg], zyx3 [deg]"
+_FIXED_AXES = "xyz"
+"""The sequence of roll, pitch and yaw."""
+FORMS = (
+    "columns x, y, z, then qw, qx, qy, qz or rx [deg], ry [deg], rz [deg] or roll [deg], pitch [deg], yaw [deg] or"
+    " zyx1 [deg], zyx2 [deg], zyx3 [deg]"
+)
 
 
 @dataclass(frozen=True)
@@ -52,10 +58,10 @@ def read_columns(header: list[Cell], unit: str, line: Span) -> tuple[Columns, tu
             raise InputError(f"a second column {name[:40]}", span=cell.span)
         names[name] = i
         units[name] = (match[2] if match else None, cell.span)
-    if not set(names) & {*_SHIFT, *_QUATERNION, *_VECTOR} and not any(map(_EULER.fullmatch, names)):
+    if not set(names) & {*_SHIFT, *_QUATERNION, *_VECTOR, *TURNS} and not any(map(_EULER.fullmatch, names)):
         raise InputError("the first line names no columns of poses", span=line, hint=FORMS)
     sequences = dict.fromkeys(m[1] for n in names if (m := _EULER.fullmatch(n)))
-    kinds: dict[str, tuple[str, ...]] = {"none": (), "quaternion": _QUATERNION, "vector": _VECTOR}
+    kinds: dict[str, tuple[str, ...]] = {"none": (), "quaternion": _QUATERNION, "vector": _VECTOR, "turns": TURNS}
     kinds |= {s: tuple(f"{s}{i}" for i in (1, 2, 3)) for s in sequences}
     for sequence in sequences:
         placed(units[_first(kinds[sequence], names)][1], check_sequence, sequence)
@@ -78,7 +84,29 @@ def read_columns(header: list[Cell], unit: str, line: Span) -> tuple[Columns, tu
     used = {*shift, *turn}
     left = [c.text for i, c in enumerate(header) if i not in used and c.text]
     notes = (f"columns left out: {', '.join(left)[:200]}",) if left else ()
-    return Columns(len(header), shift, kind, turn, degrees.pop()), notes
+    return Columns(len(header), shift, _FIXED_AXES if kind == "turns" else kind, turn, degrees.pop()), notes
+
+
+def read_coordinates(header: list[Cell], unit: str, line: Span) -> list[tuple[str, bool]] | None:
+    """Of columns that are all coordinates of a robot's platform their names, and which are in degrees; None where they
+    are none, or tell whole poses. Raises InputError.
+    """
+    found = []
+    for cell in header:
+        match = _HEADER.fullmatch(cell.text)
+        if match is None or match[1] not in COORDINATES:
+            return None
+        angle = match[1] in ANGLES
+        degrees = placed(cell.span, _angle, match[2], cell.span) if angle else False
+        if not angle and match[2] is not None:
+            placed(cell.span, check_unit, match[2], unit)
+        found.append((match[1], degrees))
+    names = [n for n, _ in found]
+    twice = next((n for n in names if names.count(n) > 1), None)
+    if twice is not None:
+        raise InputError(f"a second column {twice}", span=line)
+    whole = [{*_SHIFT}, {*_SHIFT, *_VECTOR}, {*_SHIFT, *TURNS}]
+    return None if set(names) in whole else found
 
 
 def _first(wanted: tuple[str, ...], names: Mapping[str, int]) -> str:

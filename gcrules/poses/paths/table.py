@@ -1,8 +1,9 @@
 r"""Poses from a table of comma-separated values, the first line naming the columns; faults have line and column.
 
 The translation is in columns x, y, z; the turn, if any, in qw, qx, qy, qz, or in rx, ry, rz (a rotation vector), or in
-three columns such as zyx1, zyx2, zyx3 (Euler angles in the sequence zyx). Units stand in brackets: "x [mm]" and
-"rx [deg]". Columns are separated by commas, semicolons or tabs; empty lines and lines that begin with # are left out.
+roll, pitch, yaw, or in three columns such as zyx1, zyx2, zyx3 (Euler angles in the sequence zyx). Units stand in
+brackets: "x [mm]" and "rx [deg]". Columns are separated by commas, semicolons or tabs; empty lines and lines that begin
+with # are left out.
 
 >>> poses, notes = read_poses("x, y, z, zyx1 [deg], zyx2 [deg], zyx3 [deg]\n0, 0, 1/2, 90, 0, 0\n")
 >>> print(poses[0])
@@ -11,16 +12,18 @@ three columns such as zyx1, zyx2, zyx3 (Euler angles in the sequence zyx). Units
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
+from math import radians
 
 from gcrules.core.budget import watched
 from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReached, Span
 from gcrules.core.yaml_file import read_text
-from gcrules.poses.paths.columns import FORMS, Cell, Columns, placed, read_columns
+from gcrules.poses.paths.columns import FORMS, Cell, Columns, placed, read_columns, read_coordinates
 from gcrules.screws.pose import Pose, read_number, unit_note
 from gcrules.screws.rotations import IDENTITY, Quaternion, from_euler, from_vector
 
-__all__ = ["MAX_BYTES", "MAX_POSES", "load_poses", "read_poses"]
+__all__ = ["MAX_BYTES", "MAX_POSES", "load_coordinates", "load_poses", "read_poses"]
 
 MAX_BYTES = 20_000_000
 MAX_POSES = 100_000
@@ -57,6 +60,33 @@ def read_poses(text: str, unit: str = "", filename: str = "<input>") -> tuple[tu
     if changed:
         notes = (*notes, f"quaternions normalised: {changed}")
     return poses, notes
+
+
+def load_coordinates(path: str, unit: str = "") -> list[dict[str, float]] | None:
+    """The poses of a file whose columns are coordinates of a robot's platform ("z", "roll [deg]"), by name, angles in
+    rad; None where its columns are others, or tell whole poses. Raises InputError and FileError, as `load_poses`.
+    """
+    text = read_text(path, limit=MAX_BYTES)
+    lines = _lines(text)
+    sep = next((c for c in (",", ";", "\t") if lines and c in lines[0].text), ",")
+    try:
+        names = read_coordinates(_cells(lines[0], sep), unit, lines[0].span) if lines else None
+        if names is None:
+            return None
+        if len(lines) - 1 > MAX_POSES:
+            raise LimitReached(f"{len(lines) - 1:,} poses are more than {MAX_POSES:,}", hint="split the file")
+        return [_coordinates(line, sep, names) for line in watched(lines[1:])]
+    except GcrulesError as fault:
+        raise fault.located(text, path) from None
+
+
+def _coordinates(line: Cell, sep: str, names: Sequence[tuple[str, bool]]) -> dict[str, float]:
+    cells = _cells(line, sep)
+    if len(cells) != len(names):
+        found = f"{len(cells)} values in this line, but {len(names)} columns are named"
+        raise InputError(found, span=line.span)
+    values = [float(placed(cell.span, _number, cell.text)) for cell in cells]
+    return {n: radians(v) if degrees else v for (n, degrees), v in zip(names, values, strict=True)}
 
 
 def _lines(text: str) -> list[Cell]:

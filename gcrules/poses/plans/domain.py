@@ -6,6 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+import numpy as np
+
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.poses.limbs.path_report import RobotPath
@@ -15,7 +17,9 @@ from gcrules.poses.plans.report import Waypoint
 from gcrules.poses.plans.space import Space
 from gcrules.poses.signs.sign import ConditionSign
 
-__all__ = ["Domain", "Place", "Proved", "samples_of"]
+__all__ = ["Domain", "Place", "Proved", "outside", "samples_of"]
+
+_LOOKS = 17  # places on a piece
 
 
 @dataclass(frozen=True)
@@ -98,6 +102,17 @@ class Domain(Protocol):
     def signs(self, place: Place) -> tuple[ConditionSign, ...]:
         """Numbers that are 0 in singular poses only."""
         ...
+
+
+def outside(space: Space, rows: Floats) -> list[int]:
+    """The pieces of the way straight through states (N, width) that are seen to leave the region, by their places."""
+    found = []
+    parts = np.linspace(0.0, 1.0, _LOOKS)
+    for k in range(len(rows) - 1):
+        start, end = (np.repeat(row[None], _LOOKS, axis=0) for row in rows[k : k + 2])
+        if not space.region.holds(space.coordinates(space.between(start, end, parts))).all():
+            found.append(k)
+    return found
 
 
 def samples_of(usual: int, asked: int | None, pieces: int) -> int:

@@ -16,7 +16,7 @@ from gcrules.poses.path_report import path_of_legs
 from gcrules.poses.paths.lengths import keeps_to
 from gcrules.poses.paths.report import PathReport
 from gcrules.poses.paths.segments import segments
-from gcrules.poses.plans.domain import Place, Proved, samples_of
+from gcrules.poses.plans.domain import Place, Proved, outside, samples_of
 from gcrules.poses.plans.leg_space import MOST_TURNED, LegSpace, region_of, row_of
 from gcrules.poses.plans.report import Waypoint
 from gcrules.poses.signs.of_legs import signs_of_legs
@@ -51,6 +51,7 @@ class LegDomain:
             failures.append(path.least.parameter)
         if (limits := self.space.limits) is not None:
             failures += [k for k, s in enumerate(segments(self.m.rig, poses)) if not keeps_to(limits, s)]
+        failures += outside(self.space, np.stack([row_of(p) for p in poses]))
         return Proved.of(path, path.least.bound, failures, len(poses) - 1)
 
     def waypoint(self, state: Floats, *, rounded: bool) -> Pose:

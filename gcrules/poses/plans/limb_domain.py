@@ -16,7 +16,7 @@ from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.limits import parse_limits
 from gcrules.poses.modes.report import AssemblyMode
 from gcrules.poses.paths.report import PathReport
-from gcrules.poses.plans.domain import Place, Proved, samples_of
+from gcrules.poses.plans.domain import Place, Proved, outside, samples_of
 from gcrules.poses.plans.limb_space import LimbSpace
 from gcrules.poses.plans.region import Region
 from gcrules.poses.plans.report import Waypoint
@@ -68,6 +68,7 @@ class LimbDomain:
             failures.append(path.branch_doubt)
         if self.space.limits is not None:
             failures += path.parameters[~self.space.limits.allow(path.actuator_values)].tolist()
+        failures += outside(self.space, np.stack([self.unsolved(p) for p in way]))
         return Proved.of(path, least, failures, len(way) - 1)
 
     def waypoint(self, state: Floats, *, rounded: bool) -> Waypoint:

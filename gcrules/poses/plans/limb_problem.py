@@ -29,20 +29,21 @@ from gcrules.screws.pose_text import SHIFTS, TURNS
 
 __all__ = ["LimbProblem", "limb_problem"]
 
-_DOUBT = "that the straight ways from home follow one branch to start and goal is not proved"
+_DOUBT = "that the straight ways from home follow one branch to start and goal is not proved, so no sign excludes a way"
 _ELSEWHERE = "the straight way from home does not lead to the goal, so it is known by its pose alone"
 
 
 @dataclass(frozen=True, eq=False)
 class LimbProblem:
     """A `Problem`: coordinates of the platform; the `roots` are the states of the start and, where the straight way
-    from home leads there, of the goal.
+    from home leads there, of the goal. That they lie on one branch of it is `sure`, or not.
     """
 
     domain: LimbDomain
     start: Waypoint
     goal: Waypoint
     roots: Floats
+    sure: bool
     notes: tuple[str, ...]
     whereto: str = "the configuration at the goal to which the straight way from home leads"
 
@@ -51,7 +52,7 @@ class LimbProblem:
         return self.domain.unsolved(self.goal)
 
     def opposed(self) -> tuple[tuple[ConditionSign, ConditionSign], ...]:
-        if len(self.roots) < 2:
+        if len(self.roots) < 2 or not self.sure:
             return ()
         ends = zip((self.start, self.goal), self.roots, strict=True)
         return opposite(*(self.domain.signs(Place(pose, row)) for pose, row in ends))
@@ -75,9 +76,10 @@ def limb_problem(
         if last.whole is not None:
             raise
     notes = list(k.notes)
+    sure = all(one.doubt is None for one in found)
     if len(found) < 2:
         notes.append(_ELSEWHERE)
-    elif any(one.doubt is not None for one in found):
+    elif not sure:
         notes.append(_DOUBT)
     configurations = [one.configuration for one in found]
     names = first.names if first.whole is None else (*SHIFTS, *TURNS)
@@ -85,7 +87,7 @@ def limb_problem(
     bare = limb_space(m, names, poses, 0.0, limits, within)
     roots = np.stack([bare.row_of(c) for c in configurations])
     space = replace(bare, margin=margin_kept(bare, roots, asked))
-    return LimbProblem(LimbDomain(m, asked, space), poses[0], poses[1], roots, tuple(notes))
+    return LimbProblem(LimbDomain(m, asked, space), poses[0], poses[1], roots, sure, tuple(notes))
 
 
 def _pose(m: Linkage, names: Sequence[str], given: Target, c: Configuration | None) -> Mapping[str, float]:
@@ -94,4 +96,4 @@ def _pose(m: Linkage, names: Sequence[str], given: Target, c: Configuration | No
         return FrozenMap(zip(given.names, given.values.tolist(), strict=True))
     assert c is not None
     place = without_rounding(names, coordinates(names, c.platform[None], m.centre)[0], m.size)
-    return FrozenMap(zip(names, map(float, place), strict=True))
+    return FrozenMap((n, float(f"{v:.12g}")) for n, v in zip(names, place.tolist(), strict=True))

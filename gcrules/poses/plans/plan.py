@@ -23,6 +23,7 @@ import numpy as np
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.core.errors import InputError
+from gcrules.core.floats import rounded_down
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
@@ -242,7 +243,7 @@ def _found(p: Problem, proved: Proved, way: Sequence[Waypoint]) -> str:
     pieces = len(way) - 1
     words = "The straight way is free" if pieces == 1 else f"A way of {pieces} straight pieces is free"
     sure = "everywhere on it" if p.domain.proves_margin else "at all samples of it"
-    return f"{words} of singular poses, proved; the margin σ is at least {proved.least:.4g} {sure}."
+    return f"{words} of singular poses, proved; the margin σ is at least {rounded_down(proved.least)} {sure}."
 
 
 def _no_way(p: Problem, opposed: Sequence[OpposedSign]) -> str:

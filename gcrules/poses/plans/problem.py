@@ -13,6 +13,7 @@ from gcrules.poses.signs.sign import ConditionSign
 
 __all__ = ["Problem", "margin_kept"]
 
+_WIDEN = "widen it by --within, or leave it out; a pitch stays below 85 degrees, where roll and yaw are one"
 _SPARE = 1.03  # times the margin asked for
 
 
@@ -50,7 +51,7 @@ def margin_kept(space: Space, ends: Floats, asked: float) -> float:
     least = asked * _SPARE
     for state, name in zip(ends, ("start", "goal"), strict=False):
         if not space.region.holds(space.coordinates(state[None]))[0]:
-            raise InputError(f"the {name} lies outside of the region", hint="widen it by --within, or leave it out")
+            raise InputError(f"the {name} lies outside of the region: {space.region.text()}", hint=_WIDEN)
         if space.limits is not None and not space.limits.allow(space.reach(state[None]))[0]:
             raise InputError(f"the {name} does not keep to the limits: {space.limits.text}", hint="widen them")
         sigma = float(space.margins(state[None])[0])

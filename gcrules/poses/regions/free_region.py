@@ -1,8 +1,8 @@
 r"""The largest box, or ball, of given proportions around a pose that is proved free of singular ones.
 
-A scale is proved by boxes that cover the region (`cover`). Scales are doubled while they are proved, then halved towards
-the first that is not. What is found is proved; that no larger one is free is not, and the answer says where its proof
-ended.
+A scale is proved by boxes that cover the region (`cover`). Scales are doubled while they are proved, then halved
+towards the first that is not. What is found is proved; that no larger one is free is not, and the answer says where its
+proof ended.
 
 >>> found = free_region("3-rpr")
 >>> found.names, found.scale > 0.05
@@ -77,7 +77,7 @@ def free_region(
 
 @dataclass(frozen=True, eq=False)
 class _Question:
-    """What is asked for: `names` with the values `centre` in the middle, at most `largest` times the prover's weights."""
+    """What is asked for: `names` with the values `centre` in the middle; scales of at most `largest`."""
 
     title: str
     unit: str
@@ -95,7 +95,7 @@ Scaled = tuple[float, Cover]
 
 
 def _largest(p: Prover, most: int, largest: float, *, ball: bool) -> tuple[Scaled, Scaled | None]:
-    """The largest scale that is proved, and the least one that was tried and is not. Raises InputError where none is."""
+    """The largest scale that is proved, and the least one that was tried and is not. Raises InputError for none."""
     scale = min(_FIRST, largest)
     low: Scaled | None = None
     high: Scaled | None = None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from gcrules.core.floats import rounded_down
 from gcrules.mechanisms.kinematics.targets import written
 from gcrules.poses.plans.report import Plan, Waypoint
 from gcrules.screws.pose import Pose
@@ -45,7 +46,7 @@ def _facts(p: Plan) -> Iterator[tuple[str, str]]:
     sure = "proved everywhere" if p.proved else "at the samples of the path"
     if p.poses:
         end = "" if p.end_margin is None else f"; {p.end_margin:.4g} at its end"
-        yield "margin", f"σ ≥ {p.least:.4g}, {sure}{end}; asked for: {p.asked:.4g}"
+        yield "margin", f"σ ≥ {rounded_down(p.least)}, {sure}{end}; asked for: {p.asked:.4g}"
         yield (
             "length",
             f"{p.length:.4g}, the straight way {p.straight:.4g} (rad, and lengths by the robot's size {p.size:.4g})",
