@@ -19,6 +19,7 @@ from gcrules.poses.path_report import path as _path
 from gcrules.poses.plans.plan import plan as _plan
 from gcrules.poses.pose import pose as _pose
 from gcrules.poses.pose import singular as _singular
+from gcrules.poses.regions.free_region import free_region as _free_region
 from gcrules.views.code.source_code import source_code as _source_code
 
 __all__ = [
@@ -26,6 +27,7 @@ __all__ = [
     "assembly_modes",
     "compiled",
     "export",
+    "free_region",
     "locus",
     "operation_modes",
     "path",
@@ -39,6 +41,7 @@ __all__ = [
 aspects = public(_aspects)
 assembly_modes = public(_assembly_modes)
 compiled = public(_compiled)
+free_region = public(_free_region)
 locus = public(_locus)
 operation_modes = public(_operation_modes)
 path = public(_path)

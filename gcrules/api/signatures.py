@@ -154,6 +154,15 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "limit": COUNT,
     },
     "operation_modes": {"source": _SOURCE, "plugins": _FOLDERS},
+    "free_region": {
+        "source": _SOURCE,
+        "at": optional(_POSE),
+        "over": optional(TEXT),
+        "ball": FLAG,
+        "boxes": optional(COUNT),
+        "about": _ABOUT,
+        "plugins": _FOLDERS,
+    },
     "parse": {
         "text": TEXT,
         "rank": WHOLE,

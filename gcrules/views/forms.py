@@ -114,6 +114,7 @@ FORMS: dict[str, Forms] = {
         "modes", formula="", others={"svg": f"{_RESULTS}.modes:svg", "picture": f"{_RESULTS}.modes:picture"}
     ),
     "gcrules.poses.operation_modes.report.OperationModes": _result("operation_modes", formula=""),
+    "gcrules.poses.regions.report.FreeRegion": _result("free_region", formula=""),
     "gcrules.poses.aspects.report.Aspects": _result("aspects", formula=""),
     "gcrules.poses.plans.report.Plan": _result("plan", formula=""),
     "gcrules.poses.loci.report.Locus": _result("locus"),

@@ -117,6 +117,7 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "analysis of a robot": lambda: analyze_robot(read_robot("3-rps")),
     "pose of a robot": lambda: gc.pose("3-rps", "z=0.1, roll=5deg, pitch=0deg"),
     "aspects": lambda: gc.aspects(PLATFORM, poses=2, modes=False),
+    "free_region": lambda: gc.free_region(PLATFORM, over="x, y"),
     "plan": lambda: gc.plan(PLATFORM, "0 0 0", "0 0 1"),
     "no plan": lambda: gc.plan("3-rpr", "home", "x=0, y=0, yaw=60deg"),
     "path of a robot": lambda: gc.path("3-rpr", ["home", "x=0, y=0, yaw=60deg"], samples=2),

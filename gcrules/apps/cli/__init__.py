@@ -22,6 +22,7 @@ COMMANDS = {
     "path": ("gcrules.apps.cli.path:path", "Find every singular pose on a path of a robot."),
     "plan": ("gcrules.apps.cli.plan:plan", "Find a way without a singularity, or prove that there is none."),
     "aspects": ("gcrules.apps.cli.aspects:aspects", "Find which poses hang together without a singularity."),
+    "free": ("gcrules.apps.cli.free:free", "Find the largest region around a pose that is free, proved."),
     "modes": ("gcrules.apps.cli.modes:modes", "Find all poses that a robot can take with its actuators held."),
     "locus": ("gcrules.apps.cli.locus:locus", "Compute the polynomial whose zeros are a robot's singular poses."),
     "map": ("gcrules.apps.cli.map:map_", "Map the singular poses over two or three coordinates."),

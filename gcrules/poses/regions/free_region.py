@@ -38,10 +38,10 @@ from gcrules.poses.regions.limb_prover import LimbProver
 from gcrules.poses.regions.report import FreeRegion
 from gcrules.screws.pose_text import ANGLES, HOME, VECTOR
 
-__all__ = ["BOXES", "free_region"]
+__all__ = ["free_region"]
 
-BOXES = 4000
 _MOST = 1_000_000
+_BOXES = 40_000, 4_000  # for a scale: of six legs, of joints
 _FIRST, _LEAST, _LARGEST = 1 / 8, 1 / 4096, 8.0
 _HALVINGS = 6
 _STEEPEST = np.radians(85)  # of the pitch
@@ -53,7 +53,7 @@ def free_region(
     *,
     over: str | None = None,
     ball: bool = False,
-    boxes: int = BOXES,
+    boxes: int | None = None,
     about: str | Sequence[Any] = "centroid",
     plugins: Folders = (),
 ) -> FreeRegion:
@@ -63,15 +63,16 @@ def free_region(
     "x, y, z", "x 2, y 1, z 1", "rx 30 deg, ry 30 deg"; those left out are the robot's size and 1 rad. Of a platform on
     six legs they are shifts x, y, z and the components rx, ry, rz of a rotation vector by which it is turned further,
     of a robot of joints independent coordinates of its platform, the others keeping their values; or "actuators", whose
-    ranges keep the robot regular on its branch. A scale is given up that so many `boxes` do not prove.
+    ranges keep the robot regular on its branch. A scale is given up that so many `boxes` do not prove: by default
+    40,000 of six legs, 4,000 of joints.
 
     Raises InputError for what is no pose and no coordinate, and where the robot is singular.
     """
-    if not 1 <= boxes <= _MOST:
+    if boxes is not None and not 1 <= boxes <= _MOST:
         raise InputError(f"{boxes} boxes, expected 1 to {_MOST:,}")
     found = mechanism(source, about=about, plugins=plugins)
     question = method(_QUESTION, found, "a free region")(at, over)
-    proved, tried = _largest(question.prover, boxes, question.largest, ball=ball)
+    proved, tried = _largest(question.prover, boxes or question.boxes, question.largest, ball=ball)
     return _answer(question, proved, tried, ball=ball)
 
 
@@ -88,6 +89,7 @@ class _Question:
     centre: Floats
     prover: Prover
     largest: float
+    boxes: int
     notes: tuple[str, ...] = ()
 
 
@@ -165,9 +167,9 @@ def _of_legs(m: SixLegs, at: Any, over: str | None) -> _Question:
     largest = min(_LARGEST, np.pi / turning) if turning else _LARGEST
     prover = LegProver(m.rig, names, weights, row_of(pose))
     angles = tuple(kinds[n] for n in names)
-    return _Question(
-        m.title, m.unit, "home" if at is None else str(at), names, angles, False, np.zeros(len(names)), prover, largest
-    )
+    middle = np.zeros(len(names))
+    where = "home" if at is None else str(at)
+    return _Question(m.title, m.unit, where, names, angles, False, middle, prover, largest, _BOXES[0])
 
 
 def _parts(extents: Sequence[Extent]) -> tuple[tuple[str, ...], Floats]:
@@ -207,7 +209,8 @@ def _of_limbs(m: Limbs, at: Any, over: str | None) -> _Question:
         largest = _within_angles(names, centre, weights)
     prover = LimbProver(m, wanted, centre, weights, start)
     pose = "home" if target is None else written(dict(zip(names, place.tolist(), strict=True))).strip('"')
-    return _Question(m.title, m.unit, pose, wanted.names, angles, driven, centre, prover, largest, tuple(k.notes))
+    names, notes = wanted.names, tuple(k.notes)
+    return _Question(m.title, m.unit, pose, names, angles, driven, centre, prover, largest, _BOXES[1], notes)
 
 
 def _named(m: Limbs, over: str | None) -> tuple[Extent, ...]:

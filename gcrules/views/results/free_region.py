@@ -1,0 +1,92 @@
+r"""A region that is free of singular poses, as text and as LaTeX: its ranges, and where the proof ended."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees, floor, log10
+
+from gcrules.poses.regions.report import FreeRegion
+from gcrules.views.formulas.latex_text import latex_table, latex_words
+from gcrules.views.text_tables import ASCII, table, wrapped
+
+__all__ = ["as_latex", "as_text"]
+
+
+def as_text(r: FreeRegion, *, unicode: bool = False) -> str:
+    """The whole answer; without `unicode` in ASCII."""
+    found = "\n".join(_lines(r))
+    return found if unicode else found.translate(ASCII)
+
+
+def _lines(r: FreeRegion) -> Iterator[str]:
+    yield from wrapped(_verdict(r))
+    yield ""
+    for name, angle, (low, high) in zip(r.names, r.angles, r.ranges.values(), strict=True):
+        if high > low:
+            yield f"  {_inside(low, angle)} ≤ {name} ≤ {_inside(high, angle, -1)} {_unit(r, angle)}".rstrip()
+    yield ""
+    yield from table([*_facts(r)])
+
+
+def _verdict(r: FreeRegion) -> str:
+    what = "configuration" if r.driven else "pose"
+    words = f"Proved: no {what} of this {r.shape} around {r.pose} is singular"
+    if r.driven:
+        words += ", and each value of the actuators in it has exactly one on the branch of its middle"
+    widths = [w for w in r.weights if w]
+    if r.shape == "ball" and len(widths) > 1:
+        words += ". Its half axes are half of these ranges"
+    return f"{words}."
+
+
+def _facts(r: FreeRegion) -> Iterator[tuple[str, str]]:
+    others = [n for n, w in zip(r.names, r.weights, strict=True) if not w]
+    if others:
+        fixed = zip(r.names, r.angles, r.centre, strict=True)
+        yield "fixed", ", ".join(f"{n} = {_number(c, a)} {_unit(r, a)}".rstrip() for n, a, c in fixed if n in others)
+    if r.tried is None:
+        yield "larger", "not tried: it is as large as angles and the robot's size allow"
+    else:
+        where = ", ".join(
+            f"{n}={_number(v, a)}{'deg' if a else ''}"
+            for (n, v), a, w in zip(r.worst.items(), r.angles, r.weights, strict=True)
+            if w
+        )
+        times = r.tried / r.scale
+        if r.margin > 0:
+            words = f"of {times:.4g} times the size not proved, with so many boxes: at {where} the margin is"
+            yield "larger", f"{words} {r.margin:.3g}"
+        else:
+            yield "larger", f"of {times:.4g} times the size not: at {where} the robot is singular, or past that"
+    yield "proof", f"{r.boxes:,} boxes cover it, in each of which nothing is singular"
+    for note in r.notes:
+        yield "note", note
+
+
+def _number(value: float, angle: bool) -> str:
+    return f"{degrees(value) if angle else value:.6g}"
+
+
+def _inside(value: float, angle: bool, side: int = 1) -> str:
+    """An end of a range with few digits, rounded to the inside: the low one up, the high one, on the side −1, down."""
+    shown = degrees(value) if angle else value
+    digits = f"{shown:.6g}"
+    if (float(digits) - shown) * side < 0:
+        step = 10.0 ** (floor(log10(abs(shown))) - 5)
+        digits = f"{shown + side * step:.6g}"
+    return digits
+
+
+def _unit(r: FreeRegion, angle: bool) -> str:
+    return "deg" if angle else r.unit
+
+
+def as_latex(r: FreeRegion) -> str:
+    """A tabular of the ranges; needs no package."""
+    rows = [("free of singular poses, proved", f"{r.shape} around {latex_words(r.pose)}")]
+    for name, angle, (low, high) in zip(r.names, r.angles, r.ranges.values(), strict=True):
+        if high > low:
+            unit = _unit(r, angle)
+            ends = f"${_inside(low, angle)}$ to ${_inside(high, angle, -1)}$ {latex_words(unit)}"
+            rows.append((f"${name}$", ends.rstrip()))
+    return latex_table(rows)
