@@ -253,7 +253,7 @@ class _NamedPlaces:
             return None
         read = {line.args[0] // 3 for line in whole.lines if line.op == "input"}
         k = self.m.linkage
-        for n in (n for n, first in self.inputs.items() if first // 3 in read):
+        for n in (n for n, at in self.inputs.items() if at // 3 in read):
             point = self.sorts[n] == "point"
             self.carried[n] = Carried(self._link(n), point, _row(k.home.values[n] / (k.size if point else 1.0)))
         places = {self.inputs[n] + c: 3 * at + c for at, n in enumerate(self.carried) for c in range(3)}
@@ -263,10 +263,10 @@ class _NamedPlaces:
         results: list[int | Fraction] = []
         for result in whole.results:
             if not isinstance(result, int):
-                n = len(lines)
-                nothing = Operation("scale", (n,), Fraction(0))
-                lines += [Operation("input", (0,)), nothing, Operation("shift", (n + 1,), result)]
-                result = n + 2
+                first = len(lines)
+                nothing = Operation("scale", (first,), Fraction(0))
+                lines += [Operation("input", (0,)), nothing, Operation("shift", (first + 1,), result)]
+                result = first + 2
             results.append(result)
         return Program(3 * len(self.carried), tuple(lines), tuple(results))
 
