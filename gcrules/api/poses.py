@@ -65,6 +65,6 @@ def export(
 
     `source` is what `load` takes. Its functions take poses by the `coordinates` of the platform that are named, or
     those that are free near home: lengths in the file's unit, angles in rad, 0 at home. Poses turn `about` the same
-    centre as in `pose`. Raises InputError for other languages, and where something has no closed form that is known.
+    centre as in `pose`. Raises InputError for other languages, and for robots without loops.
     """
     return _source_code(_controller(source, coordinates=coordinates, about=about), language)

@@ -22,8 +22,14 @@ from places import ROOT
 import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.compiling.closed_forms import ClosedForms
 from gcrules.poses.compiling.compiled_limbs import CompiledLimbs
 from gcrules.poses.compiling.controller import Controller, controller
+from gcrules.poses.compiling.loop_tables import LoopTables, loop_tables
+from gcrules.poses.limbs.many import Solved
 from gcrules.poses.numbers.arrays import from_poses
 from gcrules.screws.margin import jacobian
 from gcrules.views.code.languages import LANGUAGES
@@ -31,10 +37,16 @@ from gcrules.views.code.source_code import source_code
 
 PLATFORM = str(ROOT / "examples" / "octahedral.yaml")
 ROBOTS = ("3-prs", "3-rrr", "3-rrr-spherical", "4-ruu", "6-rus", "delta", "orthoglide")
-FEW = (PLATFORM, "3-rps", "delta", "3-rpr")
+FEW = (PLATFORM, "3-rps", "delta", "3-rpr", "5r", "3-crr", "tricept", "h4")
+EVERY = tuple(one.id for one in robots())
+LOOPED = (
+    *("2-upr-rpu", "3-cpu", "3-crr", "3-pprs", "3-uru", "4-ups-sp", "5-rpur", "5r", "capaman", "exechon"),
+    *("gallardo-4dof", "gantry-tau", "h4", "omni-wrist-iii", "par4", "tricept", "trivariant"),
+)
+"""Robots whose loops are closed by Newton's method."""
 
 COMPILERS = {
-    "c": ("gcc", "-std=c99 -O1 -Wall -Wextra -Wpedantic -Werror -DGCRULES_TEST robot.c -lm -o robot"),
+    "c": ("gcc", "-std=c99 -O1 -Wall -Wextra -pedantic -Werror -DGCRULES_TEST robot.c -lm -o robot"),
     "cpp": ("g++", "-std=c++17 -O1 -Wall -Wextra -Wpedantic -Werror -DGCRULES_TEST robot.cpp -o robot"),
     "rust": ("rustc", "--edition 2021 -D warnings --test robot.rs -o robot"),
 }
@@ -73,9 +85,23 @@ def test_its_own_test_passes(source: str, language: str, tmp_path: Path) -> None
         assert ran(["./robot"], tmp_path)
 
 
+@pytest.mark.parametrize("source", EVERY)
+def test_of_every_robot_its_own_test_passes(source: str, tmp_path: Path) -> None:
+    """In C, and in Python."""
+    robot = model(source)
+    assert len(robot.tests) > 3
+    assert isinstance(robot.forms, LoopTables) == (source in LOOPED)
+    (tmp_path / "robot.c").write_text(source_code(robot, "c"), encoding="utf-8")
+    (tmp_path / "robot.py").write_text(source_code(robot, "python"), encoding="utf-8")
+    assert "poses, largest difference" in ran([sys.executable, "-W", "error", "robot.py"], tmp_path)
+    ran(compiler("c"), tmp_path)
+    assert "poses, largest difference" in ran(["./robot"], tmp_path)
+
+
+@pytest.mark.parametrize("source", ["3-rpr", "5r"])
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_its_own_test_notices_a_wrong_number(language: str, tmp_path: Path) -> None:
-    good = model("3-rpr")
+def test_its_own_test_notices_a_wrong_number(language: str, source: str, tmp_path: Path) -> None:
+    good = model(source)
     first, *others = good.tests
     wrong = replace(good, tests=(replace(first, margin=first.margin + 1e-6), *others))
     name = f"robot{LANGUAGES[language].suffix}"
@@ -123,27 +149,87 @@ def functions(robot: Controller, language: str, folder: Path) -> Any:
     )
 
 
-@pytest.mark.parametrize("source", ROBOTS)
-def test_robots_of_joints(source: str, tmp_path: Path) -> None:
-    """Two roads: the code in C, and the loops closed by Newton's method, at poses that are proved."""
-    robot = model(source)
+def compared(robot: Controller, source: Any, code: Any, reach: float, number: int) -> int:
+    """At how many poses, drawn as far, the `code` agrees with the loops that the engine closes; where these are proved
+    the code has to give their numbers, and none where the engine has none.
+    """
     value = gc.compiled(source, coordinates=robot.coordinates)
     assert isinstance(value, CompiledLimbs)
     rng, size = np.random.default_rng(3), value.mechanism.linkage.size
     units = np.where(robot.angles, 1.0, size)
-    poses = rng.uniform(-0.08, 0.08, (12, len(units))) * units
+    poses = rng.uniform(-reach, reach, (number, len(units))) * units
     solved = value.numbers(poses, "factors, margins, actuators, proved")
-    actuators, factors, margin = functions(robot, "c", tmp_path)
+    actuators, factors, margin = code
     seen = 0
     for pose, proved, *expected in zip(
         poses, solved["proved"], solved["actuators"], solved["factors"], solved["margins"], strict=True
     ):
+        if math.isnan(expected[2]) and isinstance(robot.forms, LoopTables):
+            assert all(map(math.isnan, (*actuators(pose), *factors(pose), margin(pose))))
         if proved:
             seen += 1
             assert actuators(pose) == pytest.approx(expected[0], abs=1e-9 * size)
             assert factors(pose) == pytest.approx(expected[1], abs=1e-9)
             assert margin(pose) == pytest.approx(expected[2], abs=1e-9)
-    assert seen > 3
+    return seen
+
+
+@pytest.mark.parametrize("source", ROBOTS)
+def test_robots_of_joints(source: str, tmp_path: Path) -> None:
+    """Two roads: the code in C, and the loops closed by Newton's method, at poses that are proved."""
+    assert compared(model(source), source, functions(model(source), "c", tmp_path), 0.08, 12) > 3
+
+
+@pytest.mark.parametrize("source", LOOPED)
+def test_loops_closed_step_by_step(source: str, tmp_path: Path) -> None:
+    """Two roads, farther from home: the code that closes loops, in C and Python, and the engine."""
+    robot = model(source)
+    assert compared(robot, source, functions(robot, "python", tmp_path), 0.08, 2) == 2
+    assert compared(robot, source, functions(robot, "c", tmp_path), 0.4, 5) > 0
+
+
+@pytest.mark.parametrize("source", ["delta", "3-rps", "agile-eye", "3-rpr", "geared"])
+def test_closed_forms_and_loops_agree(source: str, tmp_path: Path) -> None:
+    """Robots whose closed forms are known are tested by code that closes their loops too; one of them has gears."""
+    given = geared() if source == "geared" else source
+    robot = controller(given)
+    assert isinstance(robot.forms, ClosedForms)
+    m = mechanism(given)
+    assert isinstance(m, Limbs)
+    home = Solved.of(m, np.zeros((1, sum(len(c.turns) for c in m.linkage.home.chains))))
+    looped = replace(robot, forms=loop_tables(home, robot.coordinates))
+    own, others = (functions(r, "python", tmp_path) for r in (robot, looped))
+    for test in robot.tests:
+        for one, other in zip(own, others, strict=True):
+            assert one(test.pose) == pytest.approx(other(test.pose), abs=1e-9 * max(1.0, m.linkage.size))
+
+
+def geared() -> Any:
+    """An orthoglide with gears instead of parallelograms."""
+    bars = "joints: P*(d%) R(A%, e%) Pa(A% B%, n%) R(B%, e%)"
+    gears = "joints: P*(d%) R(A%, e%) R:near(A%, n%) R:far(B%, n%) R(B%, e%)\n    couplings: far = -near"
+    text = (ROOT / "plugins" / "orthoglide" / "robot.yaml").read_text(encoding="utf-8")
+    assert bars in text
+    return gc.load(text.replace(bars, gears))
+
+
+@pytest.mark.parametrize(
+    ("source", "pose"), [("tricept", "x=0.1, y=-0.2, z=0.1"), ("omni-wrist-iii", "roll=0.2rad, pitch=-0.3rad")]
+)
+def test_the_margin_of_a_pose(source: str, pose: str, tmp_path: Path) -> None:
+    _, factors, margin = functions(model(source), "python", tmp_path)
+    at = [float(part.partition("=")[2].removesuffix("rad")) for part in pose.split(", ")]
+    found: Any = gc.pose(source, pose, nearest=False)
+    assert margin(at) == pytest.approx(found.margin, abs=1e-9)
+    assert factors(at) == pytest.approx([f.value for f in found.factors if f.live], abs=1e-9)
+
+
+@pytest.mark.parametrize("language", ["c", "python"])
+def test_the_turn_of_a_platform_as_a_vector(language: str, tmp_path: Path) -> None:
+    """Which has no closed form; the same pose in both ways of naming turns."""
+    robot = controller("3-rrr-spherical", coordinates="rx, ry, rz")
+    assert isinstance(robot.forms, LoopTables)
+    assert compared(robot, "3-rrr-spherical", functions(robot, language, tmp_path), 0.2, 6) > 2
 
 
 @pytest.mark.parametrize("language", ["c", "python"])
@@ -168,10 +254,11 @@ def test_platforms_on_six_legs(language: str, tmp_path: Path) -> None:
         assert abs(sides[1]) < 0.05 * abs(sides[0])
 
 
+@pytest.mark.parametrize("source", ["delta", "3-uru"])
 @pytest.mark.parametrize("language", ["c", "python"])
-def test_where_it_does_not_assemble(language: str, tmp_path: Path) -> None:
-    actuators, factors, margin = functions(model("delta"), language, tmp_path)
-    for pose in ([0.0, 0.0, -99.0], [math.nan, 0.0, 0.0]):
+def test_where_it_does_not_assemble(language: str, source: str, tmp_path: Path) -> None:
+    actuators, factors, margin = functions(model(source), language, tmp_path)
+    for pose in ([0.0, 0.0, -99.0], [math.nan, 0.0, 0.0], [0.0, math.inf, 0.0], [0.0, 1e300, 0.0]):
         for number in (*actuators(pose), *factors(pose), margin(pose)):
             assert math.isnan(number)
 
@@ -182,6 +269,11 @@ def test_angles_of_any_size(language: str, tmp_path: Path) -> None:
     turned = [0.1, 0.2, 0.3 - 6 * math.pi]
     assert factors(turned) == pytest.approx(factors([0.1, 0.2, 0.3]), abs=1e-12)
     assert margin(turned) == pytest.approx(margin([0.1, 0.2, 0.3]), abs=1e-12)
+    folder = tmp_path / "another"  # libraries are told apart by their names
+    folder.mkdir()
+    _, factors, margin = functions(model("omni-wrist-iii"), language, folder)
+    assert factors([0.1 - 6 * math.pi, 0.2]) == pytest.approx(factors([0.1, 0.2]), abs=1e-12)
+    assert margin([0.1 - 6 * math.pi, 0.2]) == pytest.approx(margin([0.1, 0.2]), abs=1e-12)
 
 
 # --- names and comments --------------------------------------------------------------------------------------------
@@ -202,8 +294,8 @@ HOSTILE = [
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_titles_stay_in_comments(language: str, tmp_path: Path) -> None:
     name = f"robot{LANGUAGES[language].suffix}"
-    for title in HOSTILE:
-        robot = replace(model("3-rpr"), name=title, title=f"{title} {title}")
+    for number, title in enumerate(HOSTILE):
+        robot = replace(model(("3-rpr", "5r")[number % 2]), name=title, title=f"{title} {title}")
         text = source_code(robot, language)
         mark = LANGUAGES[language].comment.format(line="").strip()
         head = text.split("\n\n")[0].splitlines()
@@ -227,6 +319,10 @@ def test_files_say_what_they_are() -> None:
     ):
         assert words in head
     assert "(in mm)" in gc.export(PLATFORM, "rust")
+    looped = " ".join(line.removeprefix("//").strip() for line in gc.export("5r", "c").splitlines()[:20])
+    assert "The loops are closed by Newton's method, from home straight to the pose in steps of 0.1" in looped
+    assert "Nothing proves that the steps stay on one branch" in looped
+    assert "sampling" not in looped
 
 
 # --- the command ---------------------------------------------------------------------------------------------------
@@ -248,7 +344,7 @@ def test_the_language_of_a_name(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
-        (["tricept"], "no closed form is known for the factors, the margin and the actuators of tricept"),
+        (["tricept", "--coordinates", "q1, q2, q3"], "code takes coordinates of the platform"),
         (["delta", "--coordinates", "q1, q2, q3"], "code takes coordinates of the platform"),
         (["delta", "--coordinates", "x, y"], "too few coordinates"),
         (["delta", "--language", "ada"], "'ada' is not one of"),

@@ -37,6 +37,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix, cr
 __all__ = [
     "LimbMargin",
     "LimbMargins",
+    "all_bodies_balance",
     "balance",
     "balanced",
     "kept_axes",
@@ -155,7 +156,6 @@ def _of_all_bodies(
     it.
     """
     bodies, number, width = m.bodies, len(here), len(keep)
-    metric = np.zeros((number, bodies * width, bodies * width))
     rows = []
     for span in m.spans:
         arm, chain = arms[:, span.limb], here.chains[span.limb]
@@ -163,19 +163,30 @@ def _of_all_bodies(
         wrenches = balanced(twists[:, list(span.free)], span.passive_rank)[..., [3, 4, 5, 0, 1, 2]]
         f, moment = wrenches[..., :3], wrenches[..., 3:]
         own = np.concatenate([f, moment + crossed(arm[:, None], f)], axis=2)[..., keep]
-        power = _metric(arm, ball=False)[:, keep][:, :, keep]
         row = np.zeros((number, own.shape[1], bodies * width))
         for b, s in span.signs:
             at = slice(b * width, (b + 1) * width)
             row[..., at] += s * own
-            for c, t in span.signs:
-                metric[:, at, c * width : (c + 1) * width] += s * t * power
         rows.append(row)
-    scale = _unit_scale(metric)
+    scale = all_bodies_balance(m, arms, keep)
     _, sizes, right = np.linalg.svd(np.concatenate(rows, axis=1) @ scale)
     motion = (scale @ right[:, bodies * width - 1, :, None])[:, :width, 0]
     least = sizes[:, bodies * width - 1] if sizes.shape[1] >= bodies * width else np.zeros(number)
     return least, motion
+
+
+def all_bodies_balance(m: Linkage, arms: Floats, keep: Sequence[int]) -> Floats:
+    """The `balance` (N, bodies × k, bodies × k) for the twists of all bodies, those of the platform first, each chain
+    between two of them taken for a limb.
+    """
+    width = len(keep)
+    metric = np.zeros((len(arms), m.bodies * width, m.bodies * width))
+    for span in m.spans:
+        power = _metric(arms[:, span.limb], ball=False)[:, keep][:, :, keep]
+        for b, s in span.signs:
+            for c, t in span.signs:
+                metric[:, b * width : (b + 1) * width, c * width : (c + 1) * width] += s * t * power
+    return _unit_scale(metric)
 
 
 def kept_axes(m: Linkage) -> list[int]:

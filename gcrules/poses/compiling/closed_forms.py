@@ -31,6 +31,16 @@ class ClosedForms:
     columns: int = 6
     turns: tuple[bool, ...] = ()
 
+    @property
+    def complete(self) -> bool:
+        """Whether all three are known."""
+        return None not in (self.factors, self.wrenches, self.actuators)
+
+    @property
+    def rows(self) -> int:
+        """How many wrenches there are."""
+        return len(self.wrenches.results) // self.columns if self.wrenches else 0
+
     def margins(self, engine: str, poses: Floats) -> Floats:
         """The margin σ by `wrenches`, (N,); not a number where the robot does not assemble."""
         assert self.wrenches is not None

@@ -37,11 +37,13 @@ from gcrules.poses.limbs.many import NUMBERS, WAYS, numbers_at
 from gcrules.poses.numbers.arrays import finite_rows
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["CompiledLimbs", "compiled_limbs"]
+__all__ = ["STRAIGHT", "CompiledLimbs", "compiled_limbs"]
 
 _FAR = 200.0  # sizes of the robot, or rad: farther poses are faults of the input
 
-_STRAIGHT = "home's: at each pose the solution to which the straight way from home leads"
+STRAIGHT = "home's: at each pose the solution to which the straight way from home leads"
+"""The branch of solutions where loops are closed step by step, in words."""
+
 _CLOSED = "home's: of two solutions of a limb, or of the platform, the one that is home's, wherever there is one"
 
 
@@ -73,7 +75,7 @@ class CompiledLimbs:
     @property
     def mode(self) -> str:
         """The branch of solutions whose factors a call gives, in words."""
-        return _CLOSED if self.programs.factors else _STRAIGHT
+        return _CLOSED if self.programs.factors else STRAIGHT
 
     @property
     def actuators(self) -> tuple[Actuator, ...]:

@@ -16,7 +16,6 @@ from typing import Any
 
 import numpy as np
 
-from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.margin import margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
@@ -26,8 +25,9 @@ from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.closed_forms import ClosedForms
-from gcrules.poses.compiling.compiled_limbs import compiled_limbs
+from gcrules.poses.compiling.compiled_limbs import STRAIGHT, compiled_limbs
 from gcrules.poses.compiling.leg_programs import leg_programs
+from gcrules.poses.compiling.loop_tables import LoopTables, loop_tables
 from gcrules.poses.limbs.factors import factors
 from gcrules.poses.limbs.many import proved_at
 from gcrules.poses.methods import Methods, method
@@ -63,11 +63,11 @@ class Test:
 
 @dataclass(frozen=True)
 class Controller:
-    """A robot's `forms`, all of them known, with the names of what they take and give.
+    """A robot's `forms`, all of them known, or else its loops as tables, with the names of what they take and give.
 
     Poses are given by the `coordinates`, in their order: lengths in the `unit` of the file, angles in rad, all 0 at
     home. `amounts` says what the actuators' numbers are, `mode` of which solutions of the loops they are, and `cables`
-    whether there are cables among the actuators.
+    whether there are cables among the actuators, `plane` whether the robot is planar.
     """
 
     name: str
@@ -78,9 +78,10 @@ class Controller:
     amounts: str
     mode: str
     factors: tuple[Factor, ...]
-    forms: ClosedForms
+    forms: ClosedForms | LoopTables
     tests: tuple[Test, ...]
     cables: bool = False
+    plane: bool = False
 
     @property
     def angles(self) -> tuple[bool, ...]:
@@ -94,7 +95,7 @@ def controller(
     """What a controller computes of the robot of a source (see `load`), whose poses turn `about` the same centre as in
     `pose`; over these `coordinates` of the platform, or those that are free near home.
 
-    Raises InputError where a robot has no coordinates, or something has no closed form that is known.
+    Raises InputError where a robot has no coordinates.
     """
     return controller_of(mechanism(source, about=about), coordinates)
 
@@ -147,18 +148,16 @@ def _of_limbs(m: Limbs, coordinates: str | Sequence[str] | None) -> Controller:
     value = compiled_limbs(m, coordinates)
     if value.driven:
         raise InputError("code takes coordinates of the platform", hint="of actuators gc.compiled gives the numbers")
-    forms = value.programs
-    parts = {"the factors": forms.factors, "the margin": forms.wrenches, "the actuators": forms.actuators}
-    missing = [n for n, program in parts.items() if program is None]
-    if missing:
-        raise InputError(
-            f"no closed form is known for {listed(missing)} of {m.robot.id}",
-            hint="gc.compiled, gcrules path and gcrules map close its loops step by step",
-        )
-    live = [f for f in factors(m.analysis, m.linkage.home.values) if f.live]
     target = Target(value.coordinates, np.zeros(len(value.coordinates)), False)
     poses = _drawn([m.linkage.size if n in SHIFTS else 1.0 for n in value.coordinates])
     places, there = proved_at(m, target, poses)
+    forms: ClosedForms | LoopTables = value.programs
+    mode, amounts = value.mode, "amounts of the actuators from home, turns from -pi to pi"
+    if not value.programs.complete:
+        if not len(there):
+            raise InputError(f"the loops of {m.robot.id} are not closed near home", hint="gcrules pose says why")
+        forms, mode, amounts = loop_tables(there, value.coordinates), STRAIGHT, "amounts of the actuators from home"
+    live = [f for f in factors(m.analysis, m.linkage.home.values) if f.live]
     reached = places[:_TESTS]
     return Controller(
         m.robot.id,
@@ -166,22 +165,23 @@ def _of_limbs(m: Limbs, coordinates: str | Sequence[str] | None) -> Controller:
         m.unit,
         value.coordinates,
         tuple(a.name for a in m.linkage.actuators),
-        "amounts of the actuators from home, turns from -pi to pi",
-        value.mode,
+        amounts,
+        mode,
         tuple(Factor(f.expression, f.kind, f.statement) for f in live),
         forms,
         tuple(
-            Test(tuple(pose), tuple(amounts), tuple(row), sigma)
-            for pose, amounts, row, sigma in zip(
+            Test(tuple(pose), tuple(own), tuple(row), sigma)
+            for pose, own, row, sigma in zip(
                 poses[reached].tolist(),
                 there.actuators.tolist(),
                 there.factors.tolist(),
                 margins(m.linkage, there.here).sigma.tolist(),
                 strict=False,
             )
-            if all(map(isfinite, (*amounts, *row, sigma)))
+            if all(map(isfinite, (*own, *row, sigma)))
         ),
         any(m.drives.pulls),
+        m.robot.family.plane,
     )
 
 

@@ -7,35 +7,29 @@ the pose where the robot is not singular, so that programs which differ anywhere
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import replace
-from fractions import Fraction
-from typing import Any
 
 import numpy as np
 
-from gcrules.algebra.evaluate import Evaluator
-from gcrules.algebra.expr import ONE, Expr, points_of
 from gcrules.core.seeds import drawn
-from gcrules.mechanisms.conditions.factor_causes import ASIDE
 from gcrules.mechanisms.kinematics.coordinates import principal
 from gcrules.mechanisms.kinematics.margin import kept_axes, margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.compiling.closed_forms import ClosedForms, run
-from gcrules.poses.compiling.exact_places import combined_at
 from gcrules.poses.compiling.limb_amounts import amounts
+from gcrules.poses.compiling.limb_factors import traced_factors
 from gcrules.poses.compiling.limb_places import LimbPlaces
 from gcrules.poses.compiling.limb_wrenches import balanced_wrenches
-from gcrules.poses.compiling.roots import NoForm, inverse, root
+from gcrules.poses.compiling.roots import NoForm
 from gcrules.poses.compiling.scalars import Ring
 from gcrules.poses.compiling.tape import Program, lower
-from gcrules.poses.compiling.vectors import Vector, add, cross, dot, scaled, sub
 from gcrules.poses.limbs.many import Solved, proved_at
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["limb_programs", "solved_near_home", "vectors_of"]
+__all__ = ["limb_programs", "solved_near_home"]
 
 _POSES = 24  # from which closed forms are found, and as many with which they are compared
 _REACHES = (0.1, 0.02, 0.005)  # in parts of the robot's size, and rad
@@ -56,7 +50,7 @@ def limb_programs(m: Limbs, target: Target) -> ClosedForms:
         return none
     made = replace(
         none,
-        factors=_lowered(places, lambda: _factors(m, places)),
+        factors=_lowered(places, lambda: traced_factors(m, places)),
         wrenches=_lowered(places, lambda: tuple(c for row in balanced_wrenches(m, places) for c in row)),
         actuators=_lowered(places, lambda: amounts(places)),
     )
@@ -98,65 +92,3 @@ def solved_near_home(m: Limbs, target: Target, rng: np.random.Generator) -> tupl
         if len(places) > _POSES // 2:
             return poses[places], there
     return None
-
-
-def _factors(m: Limbs, places: LimbPlaces) -> tuple[Ring, ...]:
-    analysis = m.analysis
-    if analysis.lines is None:
-        raise NoForm("wrenches that are no lines of the file's points")
-    structure, parts = analysis.lines.structure, analysis.parts
-    live = [part.expression for part in parts if part.kind not in ASIDE]
-    used = dict.fromkeys(n for part in parts for n in points_of(part.expression))
-    if any(part.over != ONE for part in parts):  # the quotient is the superbracket up to a number, as in `factors`
-        if len(parts) > 1:
-            raise NoForm("several factors, and a cofactor")
-        live = [structure.superbracket] if live else []
-        used = dict.fromkeys((*structure.names, *points_of(parts[0].over)))
-    vectors = vectors_of(m, places, used)
-    points = [n for n in used if places.sorts.get(n) == "point"]
-    if len(points) > 1:
-        centre: Vector = (0, 0, 0)
-        for n in points:
-            centre = add(centre, scaled(vectors[n], Fraction(1, len(points))))
-        vectors |= {n: sub(vectors[n], centre) for n in points}
-        square: Ring = 0
-        for n in points:
-            square = square + dot(vectors[n], vectors[n]) * Fraction(1, len(points))
-        scale = inverse(root(square))
-        vectors |= {n: scaled(vectors[n], scale) for n in points}
-    return tuple(_value(e, vectors, points, analysis.robot.family.plane) for e in live)
-
-
-def vectors_of(m: Limbs, places: LimbPlaces, names: Iterable[str]) -> dict[str, Vector]:
-    """The places of these names, those that are derived for the lines among them; of directions up to their length.
-    Raises NoForm where one has no closed form.
-    """
-    derived: dict[str, Vector] = {}
-    for d in m.analysis.structure.derived:
-        if d.is_point:
-            raise NoForm
-        u, v = (combined_at(t, {n: derived[n] if n in derived else places.at(n) for _, n in t}) for t in d.args)
-        derived[d.name] = cross(u, v)
-    return {n: derived[n] if n in derived else places.at(n) for n in names}
-
-
-def _value(e: Expr, vectors: Mapping[str, Vector], points: Sequence[str], plane: bool) -> Ring:
-    """As `factors` has it: divided by the lengths of the coordinates of what it joins or meets. These have the lengths
-    of its directions as factors, which therefore need not be 1 there.
-    """
-    extensors = bool(e.children) and e.children[0].step > 0
-    at: dict[str, tuple[Ring, ...]] = {}
-    for n, v in vectors.items():
-        x, y, z = v if extensors or n in points else scaled(v, inverse(root(dot(v, v))))
-        at[n] = (x, y, int(n in points)) if plane else (x, y, z, int(n in points))
-    evaluator = Evaluator(at, rank=3 if plane else 4)
-    value: Any = evaluator.value(e)[0]
-    if not extensors:
-        return value  # type: ignore[no-any-return]
-    sizes: Ring = 1
-    for child in e.children:
-        square: Ring = 0
-        for c in evaluator.value(child):
-            square = square + c * c
-        sizes = sizes * square
-    return value * inverse(root(sizes))  # type: ignore[no-any-return]

@@ -26,8 +26,9 @@ from gcrules.mechanisms.conditions.factor_causes import ASIDE
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.compiling.limb_factors import vectors_of
 from gcrules.poses.compiling.limb_places import LimbPlaces
-from gcrules.poses.compiling.limb_programs import solved_near_home, vectors_of
+from gcrules.poses.compiling.limb_programs import solved_near_home
 from gcrules.poses.compiling.roots import NoForm, half_tangent
 from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
 from gcrules.poses.compiling.tape import BINARY

@@ -15,6 +15,7 @@ class Language:
     """The `suffix` of files, how they are tested, and templates for `str.format`: a `comment` of a {line}, the
     declaration of {n} as {value}, the coordinate number {k} of a pose and that of an angle, 1/{x}, √{x}, the angle with
     sine {y} and cosine {x}, the assignment of {value} to the place {k} of {what}, an array of {items}, and a text.
+    Where loops are closed by steps, `solved` fills {into} with what is called {what}, and `made` {size} numbers {into}.
     """
 
     title: str
@@ -27,17 +28,26 @@ class Language:
     arctangent: str
     assign: str
     array: str
+    solved: str
+    made: str
     inverse: str = "1.0 / {x}"
     coordinate: str = "pose[{k}]"
     quoted: Callable[[str], str] = '"{}"'.format
+
+    loops: str = ""
 
     @property
     def template(self) -> str:
         """The name of the file that holds the rest."""
         return f"controller{self.suffix}.template"
 
+    @property
+    def loop_template(self) -> str:
+        """The name of the file that holds how loops are closed."""
+        return f"loops{self.loops or self.suffix}.template"
 
-def _braces(title: str, suffix: str, tested: str, space: str) -> Language:
+
+def _braces(title: str, suffix: str, tested: str, space: str, solved: str) -> Language:
     """C, or what is like it."""
     return Language(
         title=title,
@@ -50,13 +60,22 @@ def _braces(title: str, suffix: str, tested: str, space: str) -> Language:
         arctangent=f"{space}atan2({{y}}, {{x}})",
         assign="    {what}[{k}] = {value};",
         array="{{{items}}}",
+        solved=f"    {{what}}_at({solved});",
+        made=f"    double {{into}}[{{size}}];\n    {{what}}_at({'pose.data()' if space else 'pose'}, {{into}});",
+        loops=".c",
     )
 
 
 LANGUAGES: Mapping[str, Language] = FrozenMap(
     {
-        "c": _braces("C99", ".c", "cc -std=c99 -DGCRULES_TEST FILE.c -lm -o test && ./test", ""),
-        "cpp": _braces("C++17", ".cpp", "c++ -std=c++17 -DGCRULES_TEST FILE.cpp -o test && ./test", "std::"),
+        "c": _braces("C99", ".c", "cc -std=c99 -DGCRULES_TEST FILE.c -lm -o test && ./test", "", "pose, {into}"),
+        "cpp": _braces(
+            "C++17",
+            ".cpp",
+            "c++ -std=c++17 -DGCRULES_TEST FILE.cpp -o test && ./test",
+            "std::",
+            "pose.data(), {into}.data()",
+        ),
         "python": Language(
             title="Python 3",
             suffix=".py",
@@ -68,6 +87,8 @@ LANGUAGES: Mapping[str, Language] = FrozenMap(
             arctangent="atan2({y}, {x})",
             assign="    {what}[{k}] = {value}",
             array="({items},)",
+            solved="    {into} = _{what}_at(pose)",
+            made="    {into} = _{what}_at(pose)",
             inverse="_inverse({x})",
         ),
         "rust": Language(
@@ -81,6 +102,8 @@ LANGUAGES: Mapping[str, Language] = FrozenMap(
             arctangent="{y}.atan2({x})",
             assign="    {what}[{k}] = {value};",
             array="[{items}]",
+            solved="    let {into} = {what}_at(pose);",
+            made="    let {into} = {what}_at(pose);",
         ),
     }
 )

@@ -8,17 +8,18 @@ r"""A robot's condition as source code that needs nothing else, for the on-line 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from fractions import Fraction
+from collections.abc import Callable, Iterator, Mapping
 from importlib.resources import files
-from math import isfinite
 from string import Template
 
 from gcrules.core.errors import InputError
 from gcrules.core.version import __version__
+from gcrules.poses.compiling.closed_forms import ClosedForms
 from gcrules.poses.compiling.controller import Controller
+from gcrules.poses.compiling.loop_tables import LoopTables
 from gcrules.poses.compiling.tape import BINARY, Program
 from gcrules.views.code.languages import LANGUAGES, Language
+from gcrules.views.code.tables import number, table, tables_of, written
 
 __all__ = ["source_code"]
 
@@ -35,37 +36,46 @@ def source_code(robot: Controller, language: str) -> str:
         raise InputError(f"code is not written in {language[:40]!r}", hint=f"choose one of {', '.join(LANGUAGES)}")
     spelt = LANGUAGES[language]
     forms, name = robot.forms, _identifier(robot.name)
-    assert forms.factors
-    assert forms.wrenches
-    assert forms.actuators
-    return _template(spelt, bool(robot.factors)).substitute(
+    looped = isinstance(forms, LoopTables)
+    head = "\n".join(spelt.comment.format(line=line).rstrip() for line in _header(robot, spelt))
+    sizes = {
+        "coordinates": len(robot.coordinates),
+        "actuators": len(robot.actuators),
+        "factors": len(robot.factors),
+        "rows": forms.rows,
+        "columns": forms.columns,
+    }
+    kinds = {"factors": bool(robot.factors), "loops": looped, "forms": not looped}
+    numbers = {key: str(size) for key, size in sizes.items()}
+    kernel = ""
+    if isinstance(forms, LoopTables):
+        tables = {key: written(spelt, value) for key, value in tables_of(forms).items()}
+        kernel = _template(spelt.loop_template, kinds).substitute(numbers | tables).strip("\n")
+    return _template(spelt.template, kinds).substitute(
+        numbers,
         name=name,
         NAME=name.upper(),
-        header="\n".join(spelt.comment.format(line=line).rstrip() for line in _header(robot, spelt)),
-        coordinates=str(len(robot.coordinates)),
-        actuators=str(len(robot.actuators)),
-        factors=str(len(robot.factors)),
-        rows=str(len(forms.wrenches.results) // forms.columns),
-        columns=str(forms.columns),
-        actuator_lines="\n".join(_body(robot, forms.actuators, spelt, _amounts(robot, spelt))),
-        factor_lines="\n".join(_body(robot, forms.factors, spelt, _values(forms.factors, spelt, "values"))),
-        wrench_lines="\n".join(_body(robot, forms.wrenches, spelt, _values(forms.wrenches, spelt, "w"))),
+        header=head,
+        kernel=kernel,
+        actuator_lines="\n".join(_actuator_lines(robot, spelt)),
+        factor_lines="\n".join(_factor_lines(robot, spelt)),
+        wrench_lines="\n".join(_wrench_lines(robot, spelt)),
         tests=str(len(robot.tests)),
-        test_poses=_table(spelt, [t.pose for t in robot.tests]),
-        test_actuators=_table(spelt, [t.actuators for t in robot.tests]),
-        test_factors=_table(spelt, [t.factors for t in robot.tests]),
-        test_margins=spelt.array.format(items=", ".join(_number(t.margin) for t in robot.tests)),
+        test_poses=table(spelt, [t.pose for t in robot.tests]),
+        test_actuators=table(spelt, [t.actuators for t in robot.tests]),
+        test_factors=table(spelt, [t.factors for t in robot.tests]),
+        test_margins=spelt.array.format(items=", ".join(number(t.margin) for t in robot.tests)),
         label=spelt.quoted(name),
     )
 
 
-_OF_FACTORS = " @factors"
-"""Ends lines of templates that a robot without factors has not."""
-
-
-def _template(spelt: Language, factors: bool) -> Template:
-    every = files(__package__).joinpath("templates", spelt.template).read_text(encoding="utf-8").splitlines()
-    kept = (line.removesuffix(_OF_FACTORS) for line in every if factors or not line.endswith(_OF_FACTORS))
+def _template(file: str, kinds: Mapping[str, bool]) -> Template:
+    """A template without the lines that end in a kind, " @factors" or another one, that a robot has not."""
+    kept = []
+    for line in files(__package__).joinpath("templates", file).read_text(encoding="utf-8").splitlines():
+        kind = next((kind for kind in kinds if line.endswith(f" @{kind}")), "")
+        if not kind or kinds[kind]:
+            kept.append(line.removesuffix(f" @{kind}"))
     return Template("\n".join([*kept, ""]))
 
 
@@ -97,9 +107,18 @@ def _header(robot: Controller, spelt: Language) -> Iterator[str]:
     if robot.cables:
         yield "Cables only pull: whether positive tensions balance each other (wrench closure) is not said here."
     if robot.mode:
-        if len(robot.coordinates) < robot.forms.columns:
+        if len(robot.coordinates) < (3 if robot.plane else 6):
             yield "The platform's other coordinates follow from the loops, or stay 0."
         yield from _wrapped(f"Mode: {robot.mode}.")
+    if isinstance(robot.forms, LoopTables):
+        yield from _wrapped(
+            "The loops are closed by Newton's method, from home straight to the pose in steps of 0.1 (rad, or parts of"
+            " the robot's size) at most; a step that fails is halved, down to a thousandth. Numbers are not numbers"
+            " (nan) where this does not get there: the robot does not assemble, or the way leads through a singular"
+            " pose. Nothing proves that the steps stay on one branch of solutions, as gcrules pose does; nothing is"
+            " said of joint limits, nor of limbs that are singular by themselves."
+        )
+    elif robot.mode:
         yield from _wrapped("Numbers are not numbers (nan) where it does not exist: the robot does not assemble there.")
         yield from _wrapped(
             "The closed forms agree with the joints, solved by Newton's method, in poses drawn at random, within 1e-9:"
@@ -130,28 +149,61 @@ def _ended(line: str) -> str:
     return f"{line} ." if line.endswith("\\") else line
 
 
-def _body(robot: Controller, program: Program, spelt: Language, results: Iterator[str]) -> Iterator[str]:
-    """The lines of a program, and what is made of its results."""
+def _actuator_lines(robot: Controller, spelt: Language) -> Iterator[str]:
+    if isinstance(robot.forms, LoopTables):
+        yield spelt.solved.format(what="amounts", into="values")
+    else:
+        assert robot.forms.actuators
+        yield from _inputs(robot, spelt, robot.forms.actuators)
+        yield from _amounts(robot.forms, robot.forms.actuators, spelt)
+
+
+def _factor_lines(robot: Controller, spelt: Language) -> Iterator[str]:
+    program = robot.forms.factors
+    if not program:
+        return
+    if isinstance(robot.forms, LoopTables):
+        yield spelt.made.format(what="places", into="x", size=program.inputs)
+        yield from _lines(program, spelt, "x[{k}]".format)
+    else:
+        yield from _inputs(robot, spelt, program)
+    yield from _values(program, spelt, "values")
+
+
+def _wrench_lines(robot: Controller, spelt: Language) -> Iterator[str]:
+    if isinstance(robot.forms, LoopTables):
+        yield spelt.solved.format(what="wrenches", into="w")
+    else:
+        assert robot.forms.wrenches
+        yield from _inputs(robot, spelt, robot.forms.wrenches)
+        yield from _values(robot.forms.wrenches, spelt, "w")
+
+
+def _inputs(robot: Controller, spelt: Language, program: Program) -> Iterator[str]:
+    """The lines of a program of the coordinates of a pose."""
+    return _lines(program, spelt, lambda k: (spelt.angle if robot.angles[k] else spelt.coordinate).format(k=k))
+
+
+def _lines(program: Program, spelt: Language, given: Callable[..., str]) -> Iterator[str]:
+    """The lines of a program of what is `given`."""
     for n, line in enumerate(program.lines):
         args = [f"v{k}" for k in line.operands]
         match line.op:
             case "input":
-                k = line.args[0]
-                value = (spelt.angle if robot.angles[k] else spelt.coordinate).format(k=k)
+                value = given(k=line.args[0])
             case "inv":
                 value = spelt.inverse.format(x=args[0])
             case "sqrt":
                 value = spelt.root.format(x=args[0])
             case op:
-                other = args[1] if op in BINARY else _number(line.constant)
+                other = args[1] if op in BINARY else number(line.constant)
                 value = f"{args[0]} {_SIGNS[op]} {other}"
         yield spelt.declare.format(n=f"v{n}", value=value)
-    yield from results
 
 
 def _result(program: Program, k: int) -> str:
     r = program.results[k]
-    return f"v{r}" if isinstance(r, int) else _number(r)
+    return f"v{r}" if isinstance(r, int) else number(r)
 
 
 def _values(program: Program, spelt: Language, what: str) -> Iterator[str]:
@@ -159,28 +211,11 @@ def _values(program: Program, spelt: Language, what: str) -> Iterator[str]:
         yield spelt.assign.format(what=what, k=k, value=_result(program, k))
 
 
-def _amounts(robot: Controller, spelt: Language) -> Iterator[str]:
-    program, k = robot.forms.actuators, 0
-    assert program
-    for place, turn in enumerate(robot.forms.turns):
+def _amounts(forms: ClosedForms, program: Program, spelt: Language) -> Iterator[str]:
+    k = 0
+    for place, turn in enumerate(forms.turns):
         value = _result(program, k)
         if turn:
             value = spelt.arctangent.format(x=value, y=_result(program, k + 1))
         yield spelt.assign.format(what="values", k=place, value=value)
         k += 1 + turn
-
-
-def _table(spelt: Language, rows: list[tuple[float, ...]]) -> str:
-    lines = [spelt.array.format(items=", ".join(map(_number, row))) for row in rows]
-    return spelt.array.format(items="\n    " + ",\n    ".join(lines))
-
-
-def _number(x: float | Fraction) -> str:
-    """As a literal of all these languages. Raises InputError where it is beyond floats."""
-    try:
-        found = float(x)
-    except OverflowError:
-        found = float("inf")
-    if not isfinite(found):
-        raise InputError("a number of this robot is too large for floats", hint="choose another unit")
-    return repr(found)
