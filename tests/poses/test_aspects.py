@@ -134,6 +134,7 @@ def test_limits_leave_modes_out() -> None:
     [
         ({"poses": 0}, "whole number"),
         ({"poses": 9, "states": 3}, "9 poses"),
+        ({"poses": 1, "states": 1}, "2 poses are more"),
         ({"margin": 2.0}, "between 0 and 1"),
         ({"seed": -1}, "negative"),
         ({"within": "q 0..1"}, "no coordinate"),
@@ -152,3 +153,9 @@ def test_the_command() -> None:
     words = invoke("aspects", "3-rpr", "--poses", "3", "--within", TURN)
     assert words.exit_code == 0
     assert "aspect" in words.stdout
+
+
+def test_a_singular_home_is_left_out() -> None:
+    found = gc.aspects(EXAMPLES / "octahedral-singular.yaml", poses=2, modes=False)
+    assert [one.pose for one in found.left_out] == ["home"]
+    assert "left out  home: singular, or too close to it" in found.text()

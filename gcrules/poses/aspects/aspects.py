@@ -39,6 +39,7 @@ from gcrules.poses.plans.report import Search
 from gcrules.poses.signs.of_limbs import DETERMINANT
 from gcrules.poses.signs.sign import ConditionSign, signs_of
 from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import HOME
 
 __all__ = ["POSES", "STATES", "aspects"]
 
@@ -85,6 +86,8 @@ def aspects(
     starts.draw(random, poses)
     if not starts.places:
         raise InputError("no pose was met that keeps to what is asked for", hint="widen --within, or ask for less")
+    if len(starts.places) > states:
+        raise InputError(f"{len(starts.places)} poses are more than the {states:,} states of the search")
     joiner = Joiner(domain, starts.places, starts.without_spare_signs())
     joiner.join(random, states)
     return _answer(domain, starts, joiner, every, seed)
@@ -104,15 +107,17 @@ class _Starts:
     def of(cls, domain: Domain, modes: AssemblyModes | None) -> _Starts:
         """Home, and the assembly modes."""
         found = cls(domain)
-        found._take(domain.home())
+        if reason := found._take(domain.home()):
+            found.left_out.append(LeftOut(HOME, reason))
         for mode in _listed(modes):
-            if mode.given and found.places:
-                found.modes[0] = mode.number
+            if mode.given:
+                if found.places:
+                    found.modes[0] = mode.number
                 continue
             place = domain.place_of(mode)
             reason = place if isinstance(place, str) else found._take(place)
             if reason:
-                found.left_out.append(LeftOut(mode.number, reason))
+                found.left_out.append(LeftOut(f"mode {mode.number}", reason))
             else:
                 found.modes[len(found.places) - 1] = mode.number
         return found

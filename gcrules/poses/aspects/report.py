@@ -65,13 +65,13 @@ class AspectSet:
 
 @dataclass(frozen=True)
 class LeftOut:
-    """An assembly mode that lies in no set, and why."""
+    """A pose that lies in no set, "home" or "mode 3", and why."""
 
-    mode: int
+    pose: str
     reason: str
 
     def to_json(self) -> dict[str, Any]:
-        return {"mode": self.mode, "reason": self.reason}
+        return {"pose": self.pose, "reason": self.reason}
 
 
 @dataclass(frozen=True)
@@ -83,8 +83,8 @@ class Aspects(Shown):
     are `least` of these patterns of signs. Sets with the same signs may belong together. So these poses lie in `least`
     aspects at least and in as many as there are sets at most; aspects that no pose fell into may be beside them.
 
-    `modes` are the assembly modes for the actuators' values at home, None where they were not asked for; those
-    `left_out` lie in no set.
+    `modes` are the assembly modes for the actuators' values at home, None where they were not asked for. Home and modes
+    that are `left_out` lie in no set.
     """
 
     title: str

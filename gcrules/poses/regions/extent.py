@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import isfinite, radians
+from math import radians
 
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.hints import near
@@ -20,6 +20,7 @@ __all__ = ["ACTUATORS", "Extent", "parse_extents"]
 ACTUATORS = "actuators"
 """The word for all actuators."""
 
+_MOST = 1e6
 _FORM = 'write "x, y, z", with proportions "x 2, y 1, rz 30 deg", or "actuators"'
 
 
@@ -61,8 +62,9 @@ def _extent(part: str, angles: Mapping[str, bool], size: float, unit: str) -> Ex
     if number is None:
         return Extent(name, 1.0 if angle else size)
     width = float(read_number(number))
-    if not (width > 0 and isfinite(width)):
-        raise InputError(f"the width of {name} is {number}, expected one above 0")
+    if not 0 < width <= _MOST * (1.0 if angle else size):
+        least = "above 0" if width <= 0 else f"of {_MOST:g} of the robot's sizes, or rad, at most"
+        raise InputError(f"the width of {name} is {number}, expected one {least}")
     if angle and word not in ("deg", "°", "rad"):
         raise InputError(f"{name} is an angle without a unit", hint='end with deg or rad: "rz 30 deg"')
     if not angle and word is not None:

@@ -36,8 +36,11 @@ class LegProver:
 
     def tried(self, middles: Floats, halves: Floats, known: Floats, at: Floats) -> Tried:
         parts = [self._tried(middles[k : k + _BLOCK], halves[k : k + _BLOCK]) for k in range(0, len(middles), _BLOCK)]
-        found = zip(*((t.proved, t.states, t.margins) for t in parts), strict=True)
+        found = zip(*((t.proved, t.states, t.reach, t.margins) for t in parts), strict=True)
         return Tried(*(np.concatenate(p) for p in found))
+
+    def led(self, known: Floats, at: Floats, to: Floats) -> Floats:
+        return self._states(to * self.weights)
 
     def _tried(self, middles: Floats, halves: Floats) -> Tried:
         states = self._states(middles * self.weights)
@@ -54,7 +57,7 @@ class LegProver:
             k = np.flatnonzero((far == size).all(axis=1) & there)
             if len(k):
                 proved[k] = are_regular(self.rig, ends[k], turns[k], *self._reach(size, len(k)))
-        return Tried(proved, states, margins)
+        return Tried(proved, states, np.full(states.shape, np.inf), margins)
 
     def _states(self, displaced: Floats) -> Floats:
         whole = np.zeros((len(displaced), len(NAMES)))

@@ -49,25 +49,28 @@ class LimbProver:
 
     def tried(self, middles: Floats, halves: Floats, known: Floats, at: Floats) -> Tried:
         parts = [self._tried(middles[s], halves[s], known[s], at[s]) for s in blocks(len(middles))]
-        found = zip(*((t.proved, t.states, t.margins) for t in parts), strict=True)
+        found = zip(*((t.proved, t.states, t.reach, t.margins) for t in parts), strict=True)
         return Tried(*(np.concatenate(p) for p in found))
+
+    def led(self, known: Floats, at: Floats, to: Floats) -> Floats:
+        amounts, reached = self._led(known, at * self.weights, (to - at) * self.weights)
+        return np.where(reached[:, None], amounts, np.nan)
 
     def _tried(self, middles: Floats, halves: Floats, known: Floats, at: Floats) -> Tried:
         m = self.m.linkage
         amounts, reached = self._led(known, at * self.weights, (middles - at) * self.weights)
         proved, signed = np.zeros(len(middles), dtype=bool), np.zeros(len(middles))
+        reach = np.zeros(amounts.shape)
         some = np.flatnonzero(reached)
         if len(some):
             here = after(self._home, amounts[some])
             cells = Cells.around(m, self.target, here, halves[some] * self.weights)
-            units = units_of(m)
-            reach = (np.concatenate(cells.reach, axis=1) + _NEAR) * units
-            held = (np.abs(known[some] - amounts[some]) <= reach).all(axis=1)
-            proved[some] = cells.one_branch & cells.regular & held
+            reach[some] = (np.concatenate(cells.reach, axis=1) + _NEAR) * units_of(m)
+            proved[some] = cells.one_branch & cells.regular
             solved = Solved.of(self.m, amounts[some])
             sign = one_sign(self.m, solved)
             signed[some] = margins(m, solved.here).sigma * np.where(sign == 0, 1.0, sign)
-        return Tried(proved, amounts, signed)
+        return Tried(proved, amounts, reach, signed)
 
     def _led(self, known: Floats, begin: Floats, change: Floats) -> tuple[Floats, np.ndarray]:
         still = ~np.any(change, axis=1)

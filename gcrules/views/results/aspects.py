@@ -70,8 +70,7 @@ def _facts(r: Aspects) -> Iterator[tuple[str, str]]:
         yield "modes", f"assembly modes for the actuators at home, {r.modes.completeness.text}"
     yield from (("change", words) for words in _changes(r))
     for reason in dict.fromkeys(one.reason for one in r.left_out):
-        modes = [str(one.mode) for one in r.left_out if one.reason == reason]
-        yield "left out", f"{'modes' if len(modes) > 1 else 'mode'} {listed(modes)}: {reason}"
+        yield "left out", f"{listed([one.pose for one in r.left_out if one.reason == reason])}: {reason}"
     sure = "everywhere" if r.proved else "at the samples of each path"
     ways = "one way" if len(r.joins) == 1 else f"{len(r.joins)} ways"
     yield "ways", f"{ways} proved as by `gcrules path`; σ ≥ {r.asked:.4g} {sure}"
