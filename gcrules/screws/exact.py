@@ -17,7 +17,7 @@ from typing import Any
 
 from gcrules.algebra.evaluate import PRIME
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.core.linear_algebra import content, determinant, echelon, kernel
+from gcrules.core.linear_algebra import content, determinant, echelon, kernel, rank
 from gcrules.screws.field import Field, Matrix, Row
 
 __all__ = ["RATIONALS", "RESIDUES", "Exact", "Rationals", "Residues"]
@@ -197,6 +197,9 @@ class Residues(Exact):
     def echelon(self, matrix: Matrix) -> tuple[tuple[Row, ...], tuple[int, ...]]:
         return echelon(map(self._read, matrix), self.p)
 
+    def rank(self, matrix: Matrix) -> int:
+        return rank(map(self._read, matrix), self.p)
+
     def kernel(self, matrix: Matrix, width: int = 6) -> Matrix:
         return tuple(kernel(map(self._read, matrix), len(matrix[0]) if matrix else width, self.p))
 
@@ -208,10 +211,8 @@ class Residues(Exact):
         return determinant(map(self._read, matrix), self.p)
 
     def _read(self, row: Row) -> Row:
-        """The row modulo the prime."""
-        if set(map(type, row)) == {int}:
-            return tuple([x % self.p for x in row])
-        return tuple(map(self.number, row))
+        """The row as whole numbers, which linear algebra takes modulo the prime."""
+        return row if set(map(type, row)) == {int} else tuple(map(self.number, row))
 
     def quotient(self, x: Any, y: Any) -> Any:
         if y % self.p == 0:
