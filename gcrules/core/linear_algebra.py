@@ -15,7 +15,7 @@ from typing import Any
 
 from gcrules.core.budget import checkpoint
 
-__all__ = ["content", "cross", "determinant", "echelon", "kernel", "permutation_sign", "rank"]
+__all__ = ["content", "cross", "determinant", "echelon", "kernel", "kernel_part", "permutation_sign", "rank"]
 
 Row = tuple[Any, ...]
 
@@ -47,7 +47,8 @@ def echelon(matrix: Iterable[Sequence[Any]], modulus: int | None = None) -> tupl
 
 def _modular(matrix: Iterable[Sequence[int]], modulus: int) -> tuple[tuple[Row, ...], tuple[int, ...]]:
     """The same modulo a prime: the eliminated rows are freed of the leading columns of each other, from the last on."""
-    found, pivots = _eliminated(matrix, modulus)
+    eliminated, pivots = _eliminated(matrix, modulus)
+    found = list(eliminated)
     for n in range(len(found) - 2, -1, -1):
         row = found[n]
         for column, after in zip(pivots[n + 1 :], found[n + 1 :], strict=True):
@@ -58,7 +59,7 @@ def _modular(matrix: Iterable[Sequence[int]], modulus: int) -> tuple[tuple[Row, 
     return tuple(tuple(found[i]) for i in order), tuple(pivots[i] for i in order)
 
 
-def _eliminated(matrix: Iterable[Sequence[int]], modulus: int) -> tuple[list[list[int]], list[int]]:
+def _eliminated(matrix: Iterable[Sequence[int]], modulus: int) -> tuple[Sequence[Sequence[int]], Sequence[int]]:
     """Independent rows modulo a prime with the same span, and the columns of their leading ones, in which all rows
     after them are zero. Each row is taken modulo the prime once, after all steps.
     """
@@ -98,6 +99,18 @@ def kernel(matrix: Iterable[Sequence[Any]], width: int, modulus: int | None = No
             vector[column] = _number(-row[free], modulus)
         found.append(tuple(vector))
     return found
+
+
+def kernel_part(
+    matrix: Sequence[Sequence[Any]], width: int, part: int, modulus: int | None = None
+) -> tuple[tuple[Row, ...], int]:
+    """The span, in reduced echelon form, of what `kernel` has in the first columns, so many as the `part`; and the rank
+    of the rows. Combinations of rows bind it that are zero in all other columns, which are eliminated first.
+    """
+    rows = [(*row[part:], *row[:part]) for row in matrix]
+    found, pivots = echelon(rows) if modulus is None else _eliminated(rows, modulus)
+    bound = [row[-part:] for row, pivot in zip(found, pivots, strict=True) if pivot >= width - part]
+    return echelon(kernel(bound, part, modulus), modulus)[0], len(pivots)
 
 
 def _number(x: Any, modulus: int | None) -> Any:

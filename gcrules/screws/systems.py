@@ -44,8 +44,8 @@ def reciprocal_and_rank(screws: Matrix, field: Field, shares: Shares = ()) -> tu
         found = field.kernel(swapped(rows, field))
         return field.unscaled(found), 6 - field.height(found)
     width = 6 * len(shares[0])
-    balanced = field.kernel(swapped(field.spread(rows, shares), field), width)
-    return field.unscaled(field.basis(field.cut(balanced, 6))), width - field.height(balanced)
+    balanced, rank = field.kernel_part(swapped(field.spread(rows, shares), field), width)
+    return field.unscaled(balanced), rank
 
 
 def swapped(rows: Matrix, field: Field) -> Matrix:
