@@ -58,6 +58,7 @@ __all__ = [
 ]
 
 MAX_BITS = 10_000_000  # of an exact value
+_ARRAYS = 1 << 31  # arrays of int64 hold residues modulo smaller numbers only
 
 _Values = list[Any]  # Plücker coordinates: numbers of any ring, or arrays of them (one entry for each sample)
 _Reduce = Callable[[Any], Any]
@@ -219,11 +220,11 @@ class Evaluator:
         return values
 
     def _combine(self, a: _Values, b: _Values, table: Table) -> _Values:
-        """Nearly all time is spent here; each product is reduced, so that arrays of residues hold the sum."""
+        """Nearly all time is spent here; by a small modulus each product is reduced, so that arrays hold the sum."""
         m = self.modulus
-        if m:
+        if m and m < _ARRAYS:
             return [sum([s * (a[i] * b[j] % m) for i, j, s in row]) % m for row in table]
-        return [sum([a[i] * b[j] if s > 0 else -a[i] * b[j] for i, j, s in row]) for row in table]
+        return [self.reduced(sum([a[i] * b[j] if s > 0 else -a[i] * b[j] for i, j, s in row])) for row in table]
 
 
 def _check_size(value: Any, exponent: int = 1) -> None:

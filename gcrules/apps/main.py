@@ -23,7 +23,7 @@ flush = deferred("gcrules.core.streams:flush")
 silence = deferred("gcrules.core.streams:silence")
 
 _INTERRUPTED = 130
-_NEW_VALUES = 50_000  # between two searches for garbage: what is made at the start, most of it stays to the end
+_NEW_VALUES = 200_000  # between two searches for garbage: what is made at the start, most of it stays to the end
 
 
 def main() -> NoReturn:

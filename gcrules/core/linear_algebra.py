@@ -15,7 +15,7 @@ from typing import Any
 
 from gcrules.core.budget import checkpoint
 
-__all__ = ["content", "cross", "determinant", "echelon", "kernel", "permutation_sign", "rank"]
+__all__ = ["content", "cross", "determinant", "echelon", "kernel", "kernel_part", "permutation_sign", "rank"]
 
 Row = tuple[Any, ...]
 
@@ -46,32 +46,43 @@ def echelon(matrix: Iterable[Sequence[Any]], modulus: int | None = None) -> tupl
 
 
 def _modular(matrix: Iterable[Sequence[int]], modulus: int) -> tuple[tuple[Row, ...], tuple[int, ...]]:
-    """The same modulo a prime, row by row: each is reduced by those before it, and then they by it."""
-    found: list[list[int]] = []
-    pivots: list[int] = []
-    for given in matrix:
-        checkpoint()
-        row = [x % modulus for x in given]
-        for column, before in zip(pivots, found, strict=True):
+    """The same modulo a prime: the eliminated rows are freed of the leading columns of each other, from the last on."""
+    eliminated, pivots = _eliminated(matrix, modulus)
+    found = list(eliminated)
+    for n in range(len(found) - 2, -1, -1):
+        row = found[n]
+        for column, after in zip(pivots[n + 1 :], found[n + 1 :], strict=True):
             if factor := row[column]:
-                row = [(x - factor * y) % modulus for x, y in zip(row, before, strict=True)]
-        lead = next((k for k, x in enumerate(row) if x), None)
-        if lead is None:
-            continue
-        inverse = pow(row[lead], -1, modulus)
-        row = [x * inverse % modulus for x in row]
-        for i, before in enumerate(found):
-            if factor := before[lead]:
-                found[i] = [(x - factor * y) % modulus for x, y in zip(before, row, strict=True)]
-        found.append(row)
-        pivots.append(lead)
+                row = [x - factor * y for x, y in zip(row, after, strict=True)]
+        found[n] = [x % modulus for x in row]
     order = sorted(range(len(pivots)), key=pivots.__getitem__)
     return tuple(tuple(found[i]) for i in order), tuple(pivots[i] for i in order)
 
 
+def _eliminated(matrix: Iterable[Sequence[int]], modulus: int) -> tuple[Sequence[Sequence[int]], Sequence[int]]:
+    """Independent rows modulo a prime with the same span, and the columns of their leading ones, in which all rows
+    after them are zero. Each row is taken modulo the prime once, after all steps.
+    """
+    found: list[list[int]] = []
+    pivots: list[int] = []
+    for given in matrix:
+        checkpoint()
+        row = list(given)
+        for column, before in zip(pivots, found, strict=True):
+            if factor := row[column] % modulus:
+                row = [x - factor * y for x, y in zip(row, before, strict=True)]
+        row = [x % modulus for x in row]
+        lead = next((k for k, x in enumerate(row) if x), None)
+        if lead is not None:
+            inverse = pow(row[lead], -1, modulus)
+            found.append([x * inverse % modulus for x in row])
+            pivots.append(lead)
+    return found, pivots
+
+
 def rank(matrix: Iterable[Sequence[Any]], modulus: int | None = None) -> int:
     """The number of independent rows."""
-    return len(echelon(matrix, modulus)[1])
+    return len(echelon(matrix)[1] if modulus is None else _eliminated(matrix, modulus)[1])
 
 
 def kernel(matrix: Iterable[Sequence[Any]], width: int, modulus: int | None = None) -> list[Row]:
@@ -79,13 +90,27 @@ def kernel(matrix: Iterable[Sequence[Any]], width: int, modulus: int | None = No
     one.
     """
     rows, pivots = echelon(matrix, modulus)
+    zero, one = _number(0, modulus), _number(1, modulus)
     found = []
     for free in (c for c in range(width) if c not in pivots):
-        vector = [_number(int(i == free), modulus) for i in range(width)]
+        vector = [zero] * width
+        vector[free] = one
         for row, column in zip(rows, pivots, strict=True):
             vector[column] = _number(-row[free], modulus)
         found.append(tuple(vector))
     return found
+
+
+def kernel_part(
+    matrix: Sequence[Sequence[Any]], width: int, part: int, modulus: int | None = None
+) -> tuple[tuple[Row, ...], int]:
+    """The span, in reduced echelon form, of what `kernel` has in the first columns, so many as the `part`; and the rank
+    of the rows. Combinations of rows bind it that are zero in all other columns, which are eliminated first.
+    """
+    rows = [(*row[part:], *row[:part]) for row in matrix]
+    found, pivots = echelon(rows) if modulus is None else _eliminated(rows, modulus)
+    bound = [row[-part:] for row, pivot in zip(found, pivots, strict=True) if pivot >= width - part]
+    return echelon(kernel(bound, part, modulus), modulus)[0], len(pivots)
 
 
 def _number(x: Any, modulus: int | None) -> Any:
@@ -93,21 +118,36 @@ def _number(x: Any, modulus: int | None) -> Any:
 
 
 def determinant(matrix: Iterable[Sequence[int]], modulus: int) -> int:
-    """Of whole numbers modulo a prime. Elimination without division: each step multiplies the rows that are left by the
-    leading entry, and the product of these powers is divided out at the end.
-    """
+    """Of whole numbers modulo a prime: by elimination down to four rows, and of these by Laplace's expansion."""
     rows = [[x % modulus for x in row] for row in matrix]
-    above = below = 1
-    while rows:
+    value = 1
+    while rows and len(rows) != 4:
         place = next((i for i, row in enumerate(rows) if row[0]), None)
         if place is None:
             return 0
-        first = rows.pop(place)
-        lead, rest = first[0], first[1:]
-        above = (-above if place % 2 else above) * lead % modulus
-        below = below * pow(lead, len(rows), modulus) % modulus
-        rows = [[(lead * x - row[0] * y) % modulus for x, y in zip(row[1:], rest, strict=True)] for row in rows]
-    return above * pow(below, -1, modulus) % modulus
+        lead, *rest = rows.pop(place)
+        value = (-value if place % 2 else value) * lead % modulus
+        inverse = -pow(lead, -1, modulus)
+        rows = [
+            [(x + factor * y) % modulus for x, y in zip(row[1:], rest, strict=True)]
+            if (factor := row[0] * inverse % modulus)
+            else row[1:]
+            for row in rows
+        ]
+    return (value * _of_four(*rows) if rows else value) % modulus
+
+
+def _of_four(a: Sequence[int], b: Sequence[int], c: Sequence[int], d: Sequence[int]) -> int:
+    """The determinant, by minors of the first two rows and of the last two."""
+    (a0, a1, a2, a3), (b0, b1, b2, b3), (c0, c1, c2, c3), (d0, d1, d2, d3) = a, b, c, d
+    return (
+        (a0 * b1 - a1 * b0) * (c2 * d3 - c3 * d2)
+        - (a0 * b2 - a2 * b0) * (c1 * d3 - c3 * d1)
+        + (a0 * b3 - a3 * b0) * (c1 * d2 - c2 * d1)
+        + (a1 * b2 - a2 * b1) * (c0 * d3 - c3 * d0)
+        - (a1 * b3 - a3 * b1) * (c0 * d2 - c2 * d0)
+        + (a2 * b3 - a3 * b2) * (c0 * d1 - c1 * d0)
+    )
 
 
 def permutation_sign(order: Sequence[int]) -> int:

@@ -10,11 +10,11 @@ from __future__ import annotations
 import os
 from functools import cache
 from hashlib import sha256
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from gcrules.core.errors import FileError
 from gcrules.core.files import write_file
+from gcrules.core.version import __version__
 
 __all__ = ["digest_of", "engine", "folder", "remember", "remembered"]
 
@@ -50,8 +50,8 @@ def engine() -> str | None:
     try:
         sources = [*sorted((root / "algebra").glob("*.py")), root / "grammar.lark"]
         texts = [p.name + "\n" + p.read_text(encoding="utf-8") for p in sources]
-        return digest_of(version("gcrules"), *texts)
-    except (OSError, PackageNotFoundError):
+        return digest_of(__version__, *texts)
+    except OSError:
         return None
 
 

@@ -17,7 +17,7 @@ from typing import Any
 
 from gcrules.algebra.evaluate import PRIME
 from gcrules.core.errors import InputError, LimitReached
-from gcrules.core.linear_algebra import content, determinant, echelon, kernel
+from gcrules.core.linear_algebra import content, determinant, echelon, kernel, kernel_part, rank
 from gcrules.screws.field import Field, Matrix, Row
 
 __all__ = ["RATIONALS", "RESIDUES", "Exact", "Rationals", "Residues"]
@@ -65,6 +65,9 @@ class Exact(Field):
         """One vector for each column without a leading one; `width` counts where there are no rows."""
         rows = [[self.number(x) for x in row] for row in matrix]
         return tuple(kernel(rows, len(rows[0]) if rows else width, self.modulus))
+
+    def kernel_part(self, matrix: Matrix, width: int) -> tuple[Matrix, int]:
+        return kernel_part([[self.number(x) for x in row] for row in matrix], width, 6, self.modulus)
 
     def complement(self, matrix: Matrix) -> Matrix:
         """Unit vectors at the leading ones: a kernel vector is zero where it is zero in the other columns."""
@@ -197,8 +200,14 @@ class Residues(Exact):
     def echelon(self, matrix: Matrix) -> tuple[tuple[Row, ...], tuple[int, ...]]:
         return echelon(map(self._read, matrix), self.p)
 
+    def rank(self, matrix: Matrix) -> int:
+        return rank(map(self._read, matrix), self.p)
+
     def kernel(self, matrix: Matrix, width: int = 6) -> Matrix:
         return tuple(kernel(map(self._read, matrix), len(matrix[0]) if matrix else width, self.p))
+
+    def kernel_part(self, matrix: Matrix, width: int) -> tuple[Matrix, int]:
+        return kernel_part(tuple(map(self._read, matrix)), width, 6, self.p)
 
     def spread(self, matrix: Matrix, shares: Sequence[Sequence[int]]) -> Matrix:
         rows = zip(map(self._read, matrix), shares, strict=True)
@@ -208,10 +217,8 @@ class Residues(Exact):
         return determinant(map(self._read, matrix), self.p)
 
     def _read(self, row: Row) -> Row:
-        """The row modulo the prime."""
-        if set(map(type, row)) == {int}:
-            return tuple([x % self.p for x in row])
-        return tuple(map(self.number, row))
+        """The row as whole numbers, which linear algebra takes modulo the prime."""
+        return row if set(map(type, row)) == {int} else tuple(map(self.number, row))
 
     def quotient(self, x: Any, y: Any) -> Any:
         if y % self.p == 0:

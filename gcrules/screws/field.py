@@ -56,6 +56,11 @@ class Field(ABC):
     def kernel(self, matrix: Matrix, width: int = 6) -> Matrix:
         """A basis of the vectors orthogonal to all rows; `width` counts where there are none."""
 
+    def kernel_part(self, matrix: Matrix, width: int) -> tuple[Matrix, int]:
+        """A basis of the first six columns of the `kernel`, of rows of this width, and the rank of the rows."""
+        found = self.kernel(matrix, width)
+        return self.basis(self.cut(found, 6)), width - self.height(found)
+
     @abstractmethod
     def complement(self, matrix: Matrix) -> Matrix:
         """Independent vectors that together with the kernel span everything."""

@@ -33,18 +33,19 @@ def reciprocal(screws: Any, field: Field | None = None, shares: Shares = ()) -> 
     as many rows; `Field.rank` tells where it is smaller. Of a limb with loops a wrench on the platform is taken if some
     wrenches in its loops balance it: no twist does work on all of them together.
     """
-    return reciprocal_and_rank(screws, field or field_of(screws), shares)[0]
+    field = field or field_of(screws)
+    return reciprocal_and_rank(field.read(screws), field, shares)[0]
 
 
-def reciprocal_and_rank(screws: Any, field: Field, shares: Shares = ()) -> tuple[Matrix, int]:
-    """`reciprocal`, and the rank of the rows as the platform and the loops together have them."""
-    rows = field.comparable(field.read(screws))
+def reciprocal_and_rank(screws: Matrix, field: Field, shares: Shares = ()) -> tuple[Matrix, int]:
+    """`reciprocal` of rows that were read, and their rank as the platform and the loops together have them."""
+    rows = field.comparable(screws)
     if not shares:
         found = field.kernel(swapped(rows, field))
         return field.unscaled(found), 6 - field.height(found)
     width = 6 * len(shares[0])
-    balanced = field.kernel(swapped(field.spread(rows, shares), field), width)
-    return field.unscaled(field.basis(field.cut(balanced, 6))), width - field.height(balanced)
+    balanced, rank = field.kernel_part(swapped(field.spread(rows, shares), field), width)
+    return field.unscaled(balanced), rank
 
 
 def swapped(rows: Matrix, field: Field) -> Matrix:
@@ -55,7 +56,7 @@ def swapped(rows: Matrix, field: Field) -> Matrix:
         sixes = rows.reshape(*rows.shape[:-1], rows.shape[-1] // 6, 6)
         return sixes[..., [3, 4, 5, 0, 1, 2]].reshape(rows.shape)
     return tuple(
-        tuple(x for k in range(0, len(row), 6) for x in (*row[k + 3 : k + 6], *row[k : k + 3])) for row in rows
+        tuple([x for k in range(0, len(row), 6) for x in (*row[k + 3 : k + 6], *row[k : k + 3])]) for row in rows
     )
 
 

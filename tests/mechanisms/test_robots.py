@@ -492,8 +492,8 @@ mobility: 6
     assert a.structure.given == ()
     assert len(a.parts) == 1
     special = analyze_robot(parse_robot(lines.replace("B4: free", "B4: in plane A1 A2 A3")))
-    assert special.structure.incidences == ("coplanar(A1, A2, A3, B4)",)
+    assert [str(a) for a in special.structure.incidences] == ["coplanar(A1, A2, A3, B4)"]
     assert [str(p.expression) for p in special.parts] == ["[A1A2A4B5]", r"A1B1B2 /\ A2B2B3 /\ A3B4"]
     planar = lines.replace("A1B1 A1B2 A2B2 A2B3 A3B4 A4B5", "A1B1 A2B2 A3B3").replace("title", "space: plane\ntitle")
     flat = analyze_robot(parse_robot(planar.replace("A3: free", "A3: on line A1 A2")))
-    assert flat.structure.incidences == ("collinear(A1, A2, A3)",)
+    assert [str(a) for a in flat.structure.incidences] == ["collinear(A1, A2, A3)"]

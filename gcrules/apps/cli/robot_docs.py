@@ -9,11 +9,14 @@ from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.only import check_known, only_option, only_words
 from gcrules.apps.cli.page_files import renew
+from gcrules.core.deferred import deferred
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.load import read_robot
-from gcrules.views.pages.robot_pages import FIGURES, HEAD, robot_pages
+from gcrules.views.pages.robot_index import FIGURES, HEAD
 
 __all__ = ["docs"]
+
+robot_pages = deferred("gcrules.views.pages.robot_pages:robot_pages")  # loads numpy and drawing
 
 
 @click.command()

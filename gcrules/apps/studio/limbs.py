@@ -91,7 +91,7 @@ def _equivalent(robot: RobotAnalysis) -> Iterator[Item]:
     for name, what in s.named:
         yield fact(name, what)
     if s.incidences:
-        yield fact("known of the points", ", ".join(s.incidences))
+        yield fact("known of the points", ", ".join(map(str, s.incidences)))
 
 
 def part_items(robot: RobotAnalysis) -> Iterator[Item]:

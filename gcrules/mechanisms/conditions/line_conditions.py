@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import combinations
-from typing import Any
 
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import ONE, Expr, Sum
@@ -25,15 +25,14 @@ def condition_of_lines(robot: Robot, structure: Equivalent, search: float) -> tu
     """The analysis of the lines with their points in general position, which holds for all positions; where that gives
     no condition that says something of the robot, with the incidences of its family.
     """
-    options: dict[str, Any] = {"ideal": structure.ideal, "rank": 3 if robot.family.plane else 4, "search": search}
-    found = analyze(structure.legs, **options)
+    found = analyze(structure.legs, ideal=structure.ideal, rank=3 if robot.family.plane else 4, search=search)
     if found.condition.kind == "always-singular":
         why = found.condition.meaning.of_forces
         raise InputError(f"the equivalent lines are dependent in every configuration: {why}")
     condition = _usable(robot, structure, found)
     if (condition is None or _weak(condition)) and structure.given:
         try:
-            special = analyze(structure.legs, given=structure.incidences, **options)
+            special = analyze(replace(found.structure, given=structure.incidences), search=search)
             better = _usable(robot, structure, special)
         except (InputError, LimitReached):  # assumptions that are not resolved
             better = None

@@ -202,7 +202,8 @@ def combined(term: Term, values: Values, field: Field) -> Vector:
     """The value of a linear combination."""
     if len(term) == 1 and term[0][0] == 1:
         return values[term[0][1]]
-    x, y, z = (field.reduced(sum(field.number(c) * values[n][i] for c, n in term)) for i in range(3))
+    parts = [(field.number(c), values[n]) for c, n in term]
+    x, y, z = (field.reduced(sum([c * v[i] for c, v in parts])) for i in range(3))
     return x, y, z
 
 

@@ -187,7 +187,7 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
     home = Configuration(values, links, tuple(np.zeros(len(c.turns)) for c in chains), chains)
     ends = np.array([_end(robot, place, values) for place in range(len(chains))])
     centre = ends.mean(axis=0)
-    joints = np.unique(ends, axis=0).mean(axis=0)  # limbs may share one
+    joints = np.array(sorted(set(map(tuple, ends.tolist())))).mean(axis=0)  # limbs may share one
     x, y, z = (Fraction(c) + o for c, o in zip(joints.tolist(), origin, strict=True))
     turning = _floats(_less(read_centre(about, (x, y, z)), origin))
     size = float(np.sqrt(((ends - centre) ** 2).sum(axis=1).mean()))

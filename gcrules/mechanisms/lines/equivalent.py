@@ -8,6 +8,8 @@ from dataclasses import dataclass, replace
 from itertools import combinations, product
 from typing import Any
 
+from gcrules.algebra.expr import Point
+from gcrules.algebra.space import Assumption
 from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec
@@ -70,9 +72,10 @@ class Equivalent:
         return tuple({line.ends: line for line in (*self.lines, *every)}.values())
 
     @property
-    def incidences(self) -> tuple[str, ...]:
-        """`given` as assumptions in the language."""
-        return tuple(f"{'coplanar' if len(some) == 4 else 'collinear'}({', '.join(some)})" for some in self.given)
+    def incidences(self) -> tuple[Assumption, ...]:
+        """`given` as assumptions; their text is that of the language."""
+        kinds = (("coplanar" if len(some) == 4 else "collinear", some) for some in self.given)
+        return tuple(Assumption(kind, tuple(map(Point, some)), f"{kind}({', '.join(some)})") for kind, some in kinds)
 
     @property
     def named(self) -> tuple[tuple[str, str], ...]:
@@ -94,7 +97,7 @@ class Equivalent:
         return {
             "legs": [list(leg) for leg in self.legs],
             "ideal": list(self.ideal),
-            "given": list(self.incidences),
+            "given": [str(a) for a in self.incidences],
             "derived points": dict(self.named),
         }
 

@@ -19,7 +19,7 @@ from gcrules.screws import RESIDUES
 
 __all__ = ["PRIME", "Mixing", "Poly", "at", "divided", "gcd", "interpolated", "radical", "roots"]
 
-_DEGREES = (3, 7, 15, 31, 63)
+_HIGHEST = 63
 _CHECKS = (1_000_003, 2_000_029)
 
 _Rows = Sequence[Sequence[int]]
@@ -27,14 +27,22 @@ Poly = list[int]  # coefficients of 1, t, t² …; the last is not zero
 
 
 def interpolated(value: Callable[[int], int]) -> Poly | None:
-    """The polynomial that takes these values modulo the prime (degree 63 at most, else None); checked at two points."""
-    known: list[int] = []
-    for degree in _DEGREES:
+    """The polynomial that takes these values modulo the prime (degree 63 at most, else None); checked at two points.
+
+    Newton's interpolation at 0, 1, 2 … goes on until the checks agree: Σ c_k t (t − 1) … (t − k + 1).
+    """
+    checks = [value(t) % PRIME for t in _CHECKS]
+    seen, basis = [0] * len(_CHECKS), [1] * len(_CHECKS)
+    coefficients: Poly = []
+    factorial = 1
+    for n in range(_HIGHEST + 1):
         checkpoint()
-        known += [value(t) % PRIME for t in range(len(known), degree + 1)]
-        found = _newton(known)
-        if all(at(found, t) == value(t) % PRIME for t in _CHECKS):
-            return found
+        factorial = factorial * (n or 1) % PRIME
+        coefficients.append((value(n) - _newton(coefficients, n)) * pow(factorial, -1, PRIME) % PRIME)
+        seen = [(x + coefficients[-1] * b) % PRIME for x, b in zip(seen, basis, strict=True)]
+        if seen == checks:
+            return _expanded(coefficients)
+        basis = [b * (t - n) % PRIME for b, t in zip(basis, _CHECKS, strict=True)]
     return None
 
 
@@ -68,19 +76,22 @@ class Mixing:
         return int(RESIDUES.determinant(square))
 
 
-def _newton(values: Sequence[int]) -> Poly:
-    """Interpolation at 0, 1, 2 … by divided differences."""
-    table = list(values)
-    for k in range(1, len(table)):
-        inverse = pow(k, -1, PRIME)
-        for i in range(len(table) - 1, k - 1, -1):
-            table[i] = (table[i] - table[i - 1]) * inverse % PRIME
+def _newton(coefficients: Poly, t: int) -> int:
+    """The value at t of Σ c_k t (t − 1) … (t − k + 1)."""
+    value = 0
+    for k in range(len(coefficients) - 1, -1, -1):
+        value = (value * (t - k) + coefficients[k]) % PRIME
+    return value
+
+
+def _expanded(coefficients: Poly) -> Poly:
+    """Σ c_k t (t − 1) … (t − k + 1) in powers of t."""
     found: Poly = []
-    for k in range(len(table) - 1, -1, -1):  # found · (t − k) + table[k]
+    for k in range(len(coefficients) - 1, -1, -1):  # found · (t − k) + c_k
         shifted = [0, *found]
         for i, c in enumerate(found):
             shifted[i] = (shifted[i] - k * c) % PRIME
-        shifted[0] = (shifted[0] + table[k]) % PRIME
+        shifted[0] = (shifted[0] + coefficients[k]) % PRIME
         found = shifted
     return _trimmed(found)
 
@@ -95,24 +106,29 @@ def at(f: Poly, t: int) -> int:
 
 def roots(f: Poly) -> tuple[int, ...]:
     """All roots modulo the prime, each once (of the zero polynomial none): Cantor and Zassenhaus' splitting."""
-    f = _monic(_trimmed([c % PRIME for c in f]))
-    if len(f) < 2:
-        return ()
-    linear = f if len(f) == 2 else _monic(gcd(_minus(_power([0, 1], PRIME, f), [0, 1]), f))
-    return tuple(sorted(_split(linear, random.Random(1))))
+    return tuple(sorted(_split(_monic(_trimmed([c % PRIME for c in f])), random.Random(1))))
 
 
 def _split(f: Poly, rng: random.Random) -> list[int]:
-    """The roots of a product of different linear factors with leading coefficient 1."""
+    """The roots of a polynomial with leading coefficient 1, each once.
+
+    Where x is a root, (x + a) to the power (p − 1) / 2 is 1, −1 or 0; in a larger field, where roots of other factors
+    lie, it is another number.
+    """
     if len(f) < 2:
         return []
     if len(f) == 2:
         return [-f[0] % PRIME]
-    while True:
-        half = _minus(_power([rng.randrange(PRIME), 1], (PRIME - 1) // 2, f), [1])
-        part = _monic(gcd(half, f))
-        if 1 < len(part) < len(f):
-            return _split(part, rng) + _split(divided(f, part)[0], rng)
+    if len(f) == 3:
+        middle = f[1] * pow(-2, -1, PRIME)
+        root = RESIDUES.root(middle * middle - f[0])
+        return [] if root is None else list({(middle + s * root) % PRIME for s in (1, -1)})
+    a = rng.randrange(PRIME)
+    power = _power([a, 1], (PRIME - 1) // 2, f)
+    found = [] if at(f, -a) else [-a % PRIME]
+    for sign in (1, -1):
+        found += _split(_monic(gcd(_minus(power, [sign]), f)), rng)
+    return found
 
 
 def _trimmed(f: Poly) -> Poly:

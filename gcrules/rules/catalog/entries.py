@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from gcrules.algebra.expr import Expr, Point, join
+from gcrules.algebra.expr import ONE, Expr, Point, join
 from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.language.text import SHORT_NAME
@@ -45,7 +45,7 @@ class CatalogIdentity:
 
     @cached_property
     def cofactor(self) -> Expr:
-        return parse(self.cofactor_text)
+        return ONE if self.cofactor_text == "1" else parse(self.cofactor_text)  # the parser takes a while to load
 
 
 @dataclass(frozen=True)

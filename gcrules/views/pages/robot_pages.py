@@ -26,19 +26,12 @@ from gcrules.views.formulas.latex import latex_lines
 from gcrules.views.pages.catalog_pages import bibliography
 from gcrules.views.pages.markdown import inline, reference
 from gcrules.views.pages.page_names import page_names
-from gcrules.views.pages.robot_index import HEAD, gallery
+from gcrules.views.pages.robot_index import FIGURES, HEAD, MOST_POSES, gallery
 from gcrules.views.pages.robot_pages_singular import singular_section
 from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, sections
 from gcrules.views.robots.robot_drawing import draw_robot, draw_singular, robot_thumbnail
 
 __all__ = ["FIGURES", "HEAD", "robot_pages"]
-
-_MOST_POSES = 6
-
-FIGURES = ("robot", "small", *(f"singular-{n}" for n in range(1, _MOST_POSES + 1)))
-"""What stands after the robot in the names of figures: the robot beside its equivalent structure, the small drawing of
-the gallery, and singular configurations, one for each factor.
-"""
 
 _WIDTH = 72
 _ALONE = "The robot at home, with those wrenches of its limbs that are lines of its points."
@@ -66,7 +59,7 @@ def robot_pages(robots: Sequence[Robot], only: Collection[str] = ()) -> dict[str
             home = home_values(robot)
             pages[f"{name}-robot.svg"] = draw_robot(a, home).svg()
             pages[f"{name}-small.svg"] = robot_thumbnail(a, home).svg()
-            poses = [(part, singular_pose(a, part)) for part in live_parts(a)[:_MOST_POSES]]
+            poses = [(part, singular_pose(a, part)) for part in live_parts(a)[:MOST_POSES]]
         for n, (_, pose) in enumerate(poses, 1):
             if pose:
                 pages[f"{name}-singular-{n}.svg"] = draw_singular(a, pose).svg()
