@@ -36,7 +36,7 @@ from gcrules.poses.plans.leg_space import row_of
 from gcrules.poses.plans.limb_domain import LimbDomain, limb_space
 from gcrules.poses.plans.plan import asked_margin, check_search
 from gcrules.poses.plans.report import Search
-from gcrules.poses.signs.of_limbs import DETERMINANT
+from gcrules.poses.signs.of_limbs import DETERMINANT, SEEN
 from gcrules.poses.signs.sign import ConditionSign, signs_of
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import HOME
@@ -102,6 +102,7 @@ class _Starts:
         self.signs: list[tuple[ConditionSign, ...]] = []
         self.modes: dict[int, int] = {}
         self.left_out: list[LeftOut] = []
+        self.notes: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, domain: Domain, modes: AssemblyModes | None) -> _Starts:
@@ -124,6 +125,9 @@ class _Starts:
 
     def without_spare_signs(self) -> list[str]:
         """The patterns of the signs, of which the determinant is left out where the others tell as much."""
+        own = {tuple(s.sign for s in each if s.expression == DETERMINANT) for each in self.signs}
+        if isinstance(self.domain, LimbDomain) and len(own) < len(set(map(signs_of, self.signs))):
+            self.notes = (SEEN,)
         short = [tuple(s for s in own if s.expression != DETERMINANT) for own in self.signs]
         if len(set(map(signs_of, short))) == len(set(map(signs_of, self.signs))) and short[0]:
             self.signs = short
@@ -187,7 +191,7 @@ def _answer(domain: Domain, starts: _Starts, joiner: Joiner, modes: AssemblyMode
         modes=modes,
         left_out=tuple(starts.left_out),
         search=Search(space.region.text(domain.m.unit), limits, joiner.states, seed),
-        notes=domain.notes,
+        notes=(*domain.notes, *starts.notes),
     )
 
 

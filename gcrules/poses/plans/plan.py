@@ -37,7 +37,7 @@ from gcrules.poses.plans.problem import Problem
 from gcrules.poses.plans.report import OpposedSign, Plan, Search, Waypoint
 from gcrules.poses.plans.roadmap import Roadmap
 from gcrules.poses.plans.way_out import nearest_with_margin
-from gcrules.poses.signs.of_limbs import DETERMINANT
+from gcrules.poses.signs.of_limbs import DETERMINANT, SEEN
 from gcrules.poses.signs.sign import ConditionSign
 from gcrules.screws.pose import exact_float
 from gcrules.screws.verdict import CLOSE, SOLVED
@@ -154,8 +154,11 @@ def check_search(states: int, seed: int) -> None:
 
 
 def _solved(p: Problem, asked: float, states: int, seed: int) -> Plan:
-    if opposed := _named(p.opposed()):
-        return _plan(p, asked, "none", _no_way(p, opposed), opposed=opposed)
+    if pairs := p.opposed():
+        opposed = _named(pairs)
+        seen = not p.domain.proves_margin and all(a.expression != DETERMINANT for a, _ in pairs)
+        found = _plan(p, asked, "none", _no_way(p, opposed), opposed=opposed)
+        return replace(found, notes=(*found.notes, SEEN)) if seen else found
     road = Roadmap(p.domain.space, p.roots)
     random = np.random.default_rng(seed)
     first: Proved | None = None
