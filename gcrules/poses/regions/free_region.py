@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.coordinates import without_rounding
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.solve import check_target, free_coordinates, solve
@@ -227,7 +228,7 @@ def _start(m: Limbs, names: tuple[str, ...], target: Target | None) -> tuple[Flo
     if target is None:
         return np.zeros(space.joints), np.zeros(len(names))
     row = space.row_of(solve(m.linkage, target).configuration)
-    return row[len(names) :], row[: len(names)]
+    return row[len(names) :], without_rounding(names, row[: len(names)], m.linkage.size)
 
 
 def _column(m: Limbs, place: int, coordinate: int) -> int:
