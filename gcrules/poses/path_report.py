@@ -39,7 +39,7 @@ from gcrules.poses.paths.polynomials import polynomials
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.poses.paths.sampling import SAMPLES, per_segment
 from gcrules.poses.paths.segments import Segments, segments
-from gcrules.poses.paths.table import load_coordinates, load_poses
+from gcrules.poses.paths.table import load_poses, load_targets
 from gcrules.poses.paths.zeros import SingularPlace, Stretch, places, stretches
 from gcrules.poses.pose_report import report_of_legs
 from gcrules.screws.guarantees import ROUNDING
@@ -92,18 +92,12 @@ def _of_limbs(
     try:
         legs = m.six_legs()
     except InputError:
-        listed = _listed(poses, m.unit) if isinstance(poses, (str, PathLike)) else poses
+        listed = load_targets(fspath(poses), m.unit) if isinstance(poses, (str, PathLike)) else poses
         if not hasattr(listed, "__iter__"):
             raise _no_path(poses) from None
         limit = angle_threshold(threshold, "along a path")
         return path_of_limbs(m, list(listed), samples=samples, threshold=limit)
     return path_of_legs(legs, poses, samples, threshold)
-
-
-def _listed(table: str | PathLike[str], unit: str) -> Sequence[Any]:
-    """The poses of a table, by coordinates or as whole poses."""
-    found = load_coordinates(fspath(table), unit)
-    return load_poses(fspath(table), unit)[0] if found is None else found
 
 
 def _no_path(given: Any) -> InputError:

@@ -28,16 +28,15 @@ from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.aspects.joining import Joiner
 from gcrules.poses.aspects.report import Aspects, AspectSet, LeftOut
 from gcrules.poses.methods import Methods, as_six_legs, method
-from gcrules.poses.modes.modes import assembly_modes
+from gcrules.poses.modes.modes import modes_of
 from gcrules.poses.modes.report import AssemblyMode, AssemblyModes
-from gcrules.poses.plans.domain import Domain, Place
+from gcrules.poses.plans.domain import Domain, Place, search_in
 from gcrules.poses.plans.leg_domain import LegDomain, leg_space
 from gcrules.poses.plans.leg_space import row_of
 from gcrules.poses.plans.limb_domain import LimbDomain, limb_space
 from gcrules.poses.plans.plan import asked_margin, check_search
-from gcrules.poses.plans.report import Search
-from gcrules.poses.signs.of_limbs import DETERMINANT, SEEN
-from gcrules.poses.signs.sign import ConditionSign, signs_of
+from gcrules.poses.signs.of_limbs import DETERMINANT
+from gcrules.poses.signs.sign import SEEN, ConditionSign, signs_of
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import HOME
 
@@ -79,7 +78,7 @@ def aspects(
     if not 1 <= poses <= states:
         raise InputError(f"{poses} poses, expected 1 to the number of states, {states:,}")
     found = mechanism(source, about=about, plugins=plugins)
-    every = assembly_modes(source, about=about, plugins=plugins) if modes else None
+    every = modes_of(found) if modes else None
     domain = method(_DOMAIN, found, "the aspects")(asked, limits, within, every)
     random = np.random.default_rng(seed)
     starts = _Starts.of(domain, every)
@@ -125,11 +124,11 @@ class _Starts:
 
     def without_spare_signs(self) -> list[str]:
         """The patterns of the signs, of which the determinant is left out where the others tell as much."""
-        own = {tuple(s.sign for s in each if s.expression == DETERMINANT) for each in self.signs}
-        if isinstance(self.domain, LimbDomain) and len(own) < len(set(map(signs_of, self.signs))):
+        number = len(set(map(signs_of, self.signs)))
+        if len({signs_of(s for s in own if s.proved) for own in self.signs}) < number:
             self.notes = (SEEN,)
         short = [tuple(s for s in own if s.expression != DETERMINANT) for own in self.signs]
-        if len(set(map(signs_of, short))) == len(set(map(signs_of, self.signs))) and short[0]:
+        if short[0] and len(set(map(signs_of, short))) == number:
             self.signs = short
         return [signs_of(own) for own in self.signs]
 
@@ -177,20 +176,17 @@ def _answer(domain: Domain, starts: _Starts, joiner: Joiner, modes: AssemblyMode
                 margin=float(margins[best]),
             )
         )
-    space = domain.space
-    limits = space.limits.text if space.limits else ""
     return Aspects(
         title=domain.m.title,
         unit=domain.m.unit,
         asked=domain.asked,
         proved=domain.proves_margin,
-        size=domain.size,
         poses=tuple(p.pose for p in starts.places),
         sets=tuple(sets),
         joins=tuple(joiner.joins),
         modes=modes,
         left_out=tuple(starts.left_out),
-        search=Search(space.region.text(domain.m.unit), limits, joiner.states, seed),
+        search=search_in(domain, joiner.states, seed),
         notes=(*domain.notes, *starts.notes),
     )
 

@@ -13,13 +13,12 @@ from gcrules.core.budget import report as report_progress
 from gcrules.poses.aspects.report import Join
 from gcrules.poses.plans.domain import Domain, Place
 from gcrules.poses.plans.drafts import as_waypoints
-from gcrules.poses.plans.roadmap import Roadmap
+from gcrules.poses.plans.roadmap import SPREADS, Roadmap
 
 __all__ = ["Joiner"]
 
 _ROUNDS = 4  # of search and proof
 _NUMBER = 48  # poses that are drawn at once
-_SPREADS = (0.1, 0.25, 0.5, 1.0)  # sizes, and rad: how far around straight ways
 _SAMPLES = 20  # of each piece of a way
 _TRIES = 12  # poses that are drawn for each state
 
@@ -61,7 +60,7 @@ class Joiner:
             checkpoint()
             report_progress(f"{len(road.rows):,} states, {len(left)} sets")
             one, other = self._pair(left, random)
-            spread = _SPREADS[min(drawn * 8 // states, len(_SPREADS) - 1)]
+            spread = SPREADS[min(drawn * 8 // states, len(SPREADS) - 1)]
             ends = self.rows[[one, other]]
             goals = self.domain.space.drawn(random, _NUMBER, ends, spread)
             same = [n for part in left for n in part if self.patterns[n] == self.patterns[one]]

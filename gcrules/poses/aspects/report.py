@@ -91,7 +91,6 @@ class Aspects(Shown):
     unit: str
     asked: float
     proved: bool
-    size: float
     poses: tuple[Waypoint, ...]
     sets: tuple[AspectSet, ...]
     joins: tuple[Join, ...]

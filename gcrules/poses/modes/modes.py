@@ -13,7 +13,7 @@ from typing import Any
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
-from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.modes.of_legs import modes_of_legs
@@ -22,7 +22,7 @@ from gcrules.poses.modes.report import AssemblyModes
 from gcrules.poses.numbers.pose_arguments import one_pose
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, threshold_of
 
-__all__ = ["assembly_modes"]
+__all__ = ["assembly_modes", "modes_of"]
 
 
 def assembly_modes(
@@ -53,7 +53,17 @@ def assembly_modes(
     """
     if at is not None and actuators is not None:
         raise InputError("a pose and actuators at once", hint="give one of them; the other one follows")
-    found = mechanism(source, about=about, plugins=plugins)
+    return modes_of(mechanism(source, about=about, plugins=plugins), at, actuators, degrees, threshold)
+
+
+def modes_of(
+    found: Mechanism,
+    at: Any = None,
+    actuators: Any = None,
+    degrees: bool = False,
+    threshold: str | Threshold = DEFAULT.text,
+) -> AssemblyModes:
+    """The assembly modes of a mechanism; arguments and errors as for `assembly_modes`."""
     return method(_MODES, found, "the direct kinematics")(at, actuators, degrees, threshold)
 
 

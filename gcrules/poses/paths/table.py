@@ -23,7 +23,7 @@ from gcrules.poses.paths.columns import FORMS, Cell, Columns, placed, read_colum
 from gcrules.screws.pose import Pose, read_number, unit_note
 from gcrules.screws.rotations import IDENTITY, Quaternion, from_euler, from_vector
 
-__all__ = ["MAX_BYTES", "MAX_POSES", "load_coordinates", "load_poses", "read_poses"]
+__all__ = ["MAX_BYTES", "MAX_POSES", "load_poses", "load_targets", "read_poses"]
 
 MAX_BYTES = 20_000_000
 MAX_POSES = 100_000
@@ -62,11 +62,17 @@ def read_poses(text: str, unit: str = "", filename: str = "<input>") -> tuple[tu
     return poses, notes
 
 
-def load_coordinates(path: str, unit: str = "") -> list[dict[str, float]] | None:
-    """The poses of a file whose columns are coordinates of a robot's platform ("z", "roll [deg]"), by name, angles in
-    rad; None where its columns are others, or tell whole poses. Raises InputError and FileError, as `load_poses`.
+def load_targets(path: str, unit: str = "") -> Sequence[Pose | dict[str, float]]:
+    """The poses of a file for a robot of joints: where its columns are coordinates of the platform ("z", "roll [deg]")
+    these by name, angles in rad; else as `load_poses`. Raises InputError and FileError.
     """
     text = read_text(path, limit=MAX_BYTES)
+    found = _by_coordinates(text, unit, path)
+    return read_poses(text, unit, path)[0] if found is None else found
+
+
+def _by_coordinates(text: str, unit: str, path: str) -> list[dict[str, float]] | None:
+    """None where the columns are others, or tell whole poses."""
     lines = _lines(text)
     sep = next((c for c in (",", ";", "\t") if lines and c in lines[0].text), ",")
     try:

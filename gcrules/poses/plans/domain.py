@@ -13,11 +13,11 @@ from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.modes.report import AssemblyMode
 from gcrules.poses.paths.report import PathReport
-from gcrules.poses.plans.report import Waypoint
+from gcrules.poses.plans.report import Search, Waypoint
 from gcrules.poses.plans.space import Space
 from gcrules.poses.signs.sign import ConditionSign
 
-__all__ = ["Domain", "Place", "Proved", "outside", "samples_of"]
+__all__ = ["Domain", "Place", "Proved", "outside", "samples_of", "search_in"]
 
 _LOOKS = 17  # places on a piece
 
@@ -113,6 +113,12 @@ def outside(space: Space, rows: Floats) -> list[int]:
         if not space.region.holds(space.coordinates(space.between(start, end, parts))).all():
             found.append(k)
     return found
+
+
+def search_in(domain: Domain, states: int, seed: int) -> Search:
+    """What a search in a domain had that came to so many states."""
+    space = domain.space
+    return Search(space.region.text(domain.m.unit), space.limits.text if space.limits else "", states, seed)
 
 
 def samples_of(usual: int, asked: int | None, pieces: int) -> int:

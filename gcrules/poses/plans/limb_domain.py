@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gcrules.core.frozen import FrozenMap
-from gcrules.mechanisms.kinematics.coordinates import wrapped
+from gcrules.mechanisms.kinematics.coordinates import principal, wrapped
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.path import path_of_limbs
@@ -25,11 +25,13 @@ from gcrules.poses.signs.sign import ConditionSign
 from gcrules.screws.pose_text import ANGLES
 from gcrules.screws.threshold import DEFAULT
 
-__all__ = ["LimbDomain", "limb_space"]
+__all__ = ["STEEPEST", "LimbDomain", "limb_space"]
 
 _SAMPLES = 200  # of a path
+STEEPEST = np.radians(85)
+"""Of the pitch, which stays below a right angle."""
+
 _ROOM = 0.5, np.pi / 2  # around home and others: sizes, rad
-_STEEPEST = np.radians(85)  # of the pitch, which stays below a right angle
 _ALIKE = 1e-6  # of actuators and coordinates: sizes, rad
 _ELSEWHERE = "the straight way from home does not lead there"
 _ANOTHER = "the straight way from home leads to another configuration at its pose"
@@ -112,22 +114,21 @@ class LimbDomain:
         rows, reached = self.space.from_home(self.unsolved(pose)[None, : len(names)])
         if not reached[0]:
             return _ELSEWHERE
-        there = self.space.at(rows)
-        whole = dict(zip(mode.coordinates, there.coordinates[0].tolist(), strict=True))
-        units = {n: 1.0 if n in ANGLES else self.size for n in whole}
-        apart = [(whole[n] - v) / units[n] for n, v in mode.coordinates.items()]
-        driven = there.actuators[0] - [v for _, v in mode.actuators]
-        driven = driven / [1.0 if a.angle else self.size for a in self.m.linkage.actuators]
-        return Place(pose, rows[0]) if max(np.abs(apart).max(), np.abs(driven).max()) <= _ALIKE else _ANOTHER
+        there, every = self.space.at(rows), tuple(mode.coordinates)
+        apart = wrapped(every, there.coordinates[0] - np.array([*mode.coordinates.values()]))
+        units = np.array([1.0 if n in ANGLES else self.size for n in every])
+        same = self.reach_alike(there.actuators[0], np.array([v for _, v in mode.actuators]))
+        return Place(pose, rows[0]) if same and (np.abs(apart) <= _ALIKE * units).all() else _ANOTHER
 
     def ends_at(self, path: PathReport | RobotPath, place: Place) -> bool:
         assert isinstance(path, RobotPath)
         return self.reach_alike(path.actuator_values[-1], self.space.reach(place.row[None])[0])
 
     def reach_alike(self, one: Floats, other: Floats) -> bool:
-        """Whether amounts of the actuators are the same."""
-        units = np.array([1.0 if a.angle else self.size for a in self.m.linkage.actuators])
-        return bool((np.abs(one - other) <= _ALIKE * units).all())
+        """Whether amounts of the actuators are the same, turns up to whole ones."""
+        angle = np.array([a.angle for a in self.m.linkage.actuators])
+        apart = np.where(angle, principal(one - other), one - other)
+        return bool((np.abs(apart) <= _ALIKE * np.where(angle, 1.0, self.size)).all())
 
     def signs(self, place: Place) -> tuple[ConditionSign, ...]:
         return signs_of_limbs(self.m, self.space.at(place.row[None]))
@@ -148,7 +149,7 @@ def limb_space(
     zero = (0.0,) * len(names)
     places = np.array([list(zero), *([p[n] for n in names] for p in poses)])
     region = Region(names, zero, zero, angles).around(places, room)
-    region = region.within(within, m.unit).clipped("pitch", -_STEEPEST, _STEEPEST)
+    region = region.within(within, m.unit).clipped("pitch", -STEEPEST, STEEPEST)
     kinds = {a.name: a.angle for a in k.actuators}
     reach = None if limits is None else parse_limits(limits, tuple(kinds), m.unit, tuple(kinds.values()))
     return LimbSpace(m, names, region, margin, reach)

@@ -29,16 +29,16 @@ from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import Methods, method
-from gcrules.poses.plans.domain import Proved
+from gcrules.poses.plans.domain import Proved, search_in
 from gcrules.poses.plans.drafts import drafts
 from gcrules.poses.plans.leg_problem import leg_problem
 from gcrules.poses.plans.limb_problem import limb_problem
 from gcrules.poses.plans.problem import Problem
 from gcrules.poses.plans.report import OpposedSign, Plan, Search, Waypoint
-from gcrules.poses.plans.roadmap import Roadmap
+from gcrules.poses.plans.roadmap import SPREADS, Roadmap
 from gcrules.poses.plans.way_out import nearest_with_margin
-from gcrules.poses.signs.of_limbs import DETERMINANT, SEEN
-from gcrules.poses.signs.sign import ConditionSign
+from gcrules.poses.signs.of_limbs import DETERMINANT
+from gcrules.poses.signs.sign import SEEN, ConditionSign
 from gcrules.screws.pose import exact_float
 from gcrules.screws.verdict import CLOSE, SOLVED
 
@@ -47,7 +47,6 @@ __all__ = ["STATES", "asked_margin", "check_search", "plan", "plan_of"]
 STATES = 3000
 _MOST = 200_000
 _FIRST, _LATER = 32, 256  # poses that are drawn at once
-_SPREADS = (0.1, 0.25, 0.5, 1.0)  # sizes, and rad: how far around the straight way
 _TRIES = 40  # poses that are drawn for each state
 _SAME = 1e-12
 _KEPT = 0.9  # of the margin at the start, on a way out
@@ -124,7 +123,7 @@ def _way_out(problem: Callable[[Any, float], Problem], start: Any, asked: float,
     p = problem(start, kept)
     end = nearest_with_margin(p.domain.space, p.roots[0], asked * _SPARE, np.random.default_rng(seed))
     if end is None:
-        return replace(_plan(p, asked, "undecided", _NO_WAY_OUT), end_margin=0.0)
+        return replace(_plan(p, asked, "undecided", _NO_WAY_OUT), goal=None)
     found: Plan | None = None
     for rounded in (True, False):
         there = problem(p.domain.waypoint(end, rounded=rounded), kept)
@@ -134,7 +133,7 @@ def _way_out(problem: Callable[[Any, float], Problem], start: Any, asked: float,
             if found.outcome == "way":
                 reason = f"{found.reason} It ends at a margin of {margin:.4g}, and is the shortest that was found."
                 return replace(found, reason=reason)
-    return found or replace(_plan(p, asked, "undecided", _NO_WAY_OUT), end_margin=0.0)
+    return found or replace(_plan(p, asked, "undecided", _NO_WAY_OUT), goal=None)
 
 
 def asked_margin(margin: float | None) -> float:
@@ -156,16 +155,14 @@ def check_search(states: int, seed: int) -> None:
 def _solved(p: Problem, asked: float, states: int, seed: int) -> Plan:
     if pairs := p.opposed():
         opposed = _named(pairs)
-        seen = not p.domain.proves_margin and all(a.expression != DETERMINANT for a, _ in pairs)
         found = _plan(p, asked, "none", _no_way(p, opposed), opposed=opposed)
-        return replace(found, notes=(*found.notes, SEEN)) if seen else found
+        return found if any(a.proved for a, _ in pairs) else replace(found, notes=(*found.notes, SEEN))
     road = Roadmap(p.domain.space, p.roots)
     random = np.random.default_rng(seed)
     first: Proved | None = None
     for _ in range(_ATTEMPTS):
         reached = _grown(p, road, random, states)
-        limits = p.domain.space.limits.text if p.domain.space.limits else ""
-        search = Search(p.domain.space.region.text(p.domain.m.unit), limits, len(road.rows), seed)
+        search = search_in(p.domain, len(road.rows), seed)
         if reached is None:
             break
         nodes = road.way(0, reached)
@@ -194,7 +191,7 @@ def _grown(p: Problem, road: Roadmap, random: Any, states: int) -> int | None:
         checkpoint()
         report_progress(f"{len(road.rows):,} states, {drawn:,} poses drawn")
         number = _FIRST if drawn < _LATER else _LATER
-        spread = _SPREADS[min(drawn // (4 * _LATER), len(_SPREADS) - 1)]
+        spread = SPREADS[min(drawn // (4 * _LATER), len(SPREADS) - 1)]
         goals = p.domain.space.drawn(random, number, np.stack([p.roots[0], p.end]), spread)
         if len(p.roots) < 2:
             goals = np.concatenate([goals, p.end[None]])

@@ -60,9 +60,9 @@ class Plan(Shown):
     `outcome` is way | none | undecided, `reason` says it in a sentence. A way goes straight through the `poses`, and
     `path` is its proof: nothing on it is singular. Its margin is `asked` at least: of a platform on six legs everywhere
     (`proved`), and so are its limits; of a robot of joints at the samples of the path, at whose least it is `least`.
-    A way out, with an `end_margin`, has `asked` at its end only. That there is none is proved by what is `opposed`.
-    `length` is how long the way is, lengths in parts of the robot's `size`, angles in rad, and `straight` that from
-    start to goal.
+    A way out, with an `end_margin`, has `asked` at its end only; where none is found there is no `goal`. That there is
+    none between two poses is proved by what is `opposed`. `length` is how long the way is, lengths in parts of the
+    robot's `size`, angles in rad, and `straight` that from start to goal.
     """
 
     title: str
@@ -71,7 +71,7 @@ class Plan(Shown):
     reason: str
     asked: float
     start: Waypoint
-    goal: Waypoint
+    goal: Waypoint | None
     poses: tuple[Waypoint, ...]
     path: PathReport | RobotPath | None
     least: float
@@ -95,7 +95,7 @@ class Plan(Shown):
             "reason": self.reason,
             "margin_asked": self.asked,
             "start": pose_json(self.start),
-            "goal": pose_json(self.goal),
+            "goal": pose_json(self.goal) if self.goal is not None else None,
             "poses": [pose_json(p) for p in self.poses],
             "least_margin": self.least if way else None,
             "margin_proved": self.proved if way else None,

@@ -18,7 +18,10 @@ from gcrules.core.budget import checkpoint
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.plans.space import Space
 
-__all__ = ["Roadmap", "shortened"]
+__all__ = ["SPREADS", "Roadmap", "shortened"]
+
+SPREADS = (0.1, 0.25, 0.5, 1.0)
+"""How far around straight ways poses are drawn, one after the other: sizes, and rad."""
 
 Places = NDArray[np.intp]
 

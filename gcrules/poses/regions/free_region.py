@@ -31,7 +31,7 @@ from gcrules.poses.limbs.pose_report import target_of
 from gcrules.poses.methods import Methods, as_six_legs, method
 from gcrules.poses.numbers.pose_arguments import read_one
 from gcrules.poses.plans.leg_space import row_of
-from gcrules.poses.plans.limb_domain import limb_space
+from gcrules.poses.plans.limb_domain import STEEPEST, limb_space
 from gcrules.poses.regions.cover import Cover, Prover, covered
 from gcrules.poses.regions.extent import ACTUATORS, Extent, parse_extents
 from gcrules.poses.regions.leg_prover import NAMES, LegProver
@@ -45,7 +45,6 @@ _MOST = 1_000_000
 _BOXES = 40_000, 4_000  # for a scale: of six legs, of joints
 _FIRST, _LEAST, _LARGEST = 1 / 8, 1 / 4096, 8.0
 _HALVINGS = 6
-_STEEPEST = np.radians(85)  # of the pitch
 
 
 def free_region(
@@ -241,7 +240,7 @@ def _within_angles(names: Sequence[str], centre: Floats, weights: Floats) -> flo
     found = [_LARGEST]
     for name, middle, weight in zip(names, centre.tolist(), weights.tolist(), strict=True):
         if name in ANGLES and weight:
-            found.append((_STEEPEST - abs(middle) if name == "pitch" else np.pi) / weight)
+            found.append((STEEPEST - abs(middle) if name == "pitch" else np.pi) / weight)
     return min(found)
 
 

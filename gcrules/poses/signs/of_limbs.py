@@ -24,16 +24,10 @@ from gcrules.poses.limbs.pose_report import cause_of
 from gcrules.poses.signs.closing import closing_signs
 from gcrules.poses.signs.sign import ConditionSign
 
-__all__ = ["DETERMINANT", "SEEN", "one_sign", "signs_of_limbs"]
+__all__ = ["DETERMINANT", "one_sign", "signs_of_limbs"]
 
 DETERMINANT = "determinant"
 """The expression of what has no name in points: the determinant of the screws of the undriven joints."""
-
-SEEN = (
-    "that these factors are 0 in singular configurations only is seen at exact random members of the family, as for the"
-    " robot's condition"
-)
-"""How sure it is what the signs of factors tell, where the determinant does not tell it too."""
 
 _SLIDES = ("P", "C")  # joints along whose axes points slide past each other
 _SMALL = 1e-9  # of a factor, which is a number of unit scale: below it floats do not tell its sign
@@ -50,7 +44,7 @@ def signs_of_limbs(m: Limbs, there: Solved) -> tuple[ConditionSign, ...]:
     for n, part in enumerate(every[k] for k in _counting(m)):
         known = isfinite(part.value) and abs(part.value) > _SMALL and not turned[n]
         sign = ((part.value > 0) - (part.value < 0)) * known
-        found.append(ConditionSign(part.expression, part.value, sign, cause_of(part)))
+        found.append(ConditionSign(part.expression, part.value, sign, cause_of(part), proved=False))
     closing = closing_signs(there)
     if closing is not None:
         found.append(ConditionSign(DETERMINANT, float(closing[0]), int(closing[0]), "the robot is singular"))

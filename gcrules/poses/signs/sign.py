@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import Any
 
-__all__ = ["ConditionSign", "FactorSign", "opposite", "signs_of"]
+__all__ = ["SEEN", "ConditionSign", "FactorSign", "opposite", "signs_of"]
 
 
 @dataclass(frozen=True)
@@ -31,9 +31,19 @@ class FactorSign:
 
 @dataclass(frozen=True)
 class ConditionSign(FactorSign):
-    """One that is 0 in singular poses only; `statement` says in words what is singular where it is 0."""
+    """One that is 0 in singular poses only; `statement` says in words what is singular where it is 0. That it is 0 only
+    there is `proved`, or seen at exact random members of a robot's family.
+    """
 
     statement: str
+    proved: bool = True
+
+
+SEEN = (
+    "that these factors are 0 in singular configurations only is seen at exact random members of the family, as for the"
+    " robot's condition"
+)
+"""How sure it is what signs tell that are not proved."""
 
 
 def signs_of(numbers: Iterable[FactorSign]) -> str:

@@ -41,7 +41,7 @@ def _lines(p: Plan) -> Iterator[str]:
 def _facts(p: Plan) -> Iterator[tuple[str, str]]:
     if not p.poses:
         yield "start", waypoint_text(p.start)
-        if p.end_margin is None:
+        if p.goal is not None:
             yield "goal", waypoint_text(p.goal)
     sure = "proved everywhere" if p.proved else "at the samples of the path"
     if p.poses:
