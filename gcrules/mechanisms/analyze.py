@@ -9,6 +9,7 @@ r"""When and why any mechanism is singular: the analysis of whatever `load` read
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from os import PathLike
 from typing import Any
 
@@ -82,6 +83,12 @@ def analyze(
 
 
 def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
-    """The analysis of a robot of joints. Raises InputError for six lines that are no legs."""
+    """The analysis of a robot of joints, made once. Raises InputError for six lines that are no legs."""
+    return _analyzed(robot, search)
+
+
+# Poses, paths and maps that are asked for one after the other are of the same few robots.
+@lru_cache(maxsize=64)
+def _analyzed(robot: Robot, search: float) -> RobotAnalysis:
     found: RobotAnalysis = _of_joints(robot, search=search)
     return found

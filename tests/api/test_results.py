@@ -14,6 +14,7 @@ import sys
 from collections.abc import Callable, Iterator
 from dataclasses import FrozenInstanceError, fields
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +31,7 @@ from gcrules.conditions.example_poses import singular_pose
 from gcrules.conditions.pose_value import pose_value
 from gcrules.core.errors import FileError, InputError, LimitReached, Span, StepError, SyntaxFault, join_faults
 from gcrules.core.frozen import FrozenMap
-from gcrules.mechanisms.analyze import analyze_robot
+from gcrules.mechanisms.conditions.analyze_robot import analyze_robot
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.mechanisms.load import read_robot
 from gcrules.rules.catalog.file import load
@@ -134,18 +135,19 @@ EVERY = {**RESULTS, **OTHER_VALUES, **NUMBERS}
 HERE = str(Path(__file__).resolve().parent)
 
 
-def table(*tables: dict[str, Callable[[], Any]]) -> pytest.MarkDecorator:
-    cases = {name: make for t in tables for name, make in t.items()}
-    return pytest.mark.parametrize("make", cases.values(), ids=cases.keys())
+@cache
+def value_of(name: str) -> Any:
+    """The value of this name, made once."""
+    return EVERY[name]()
 
 
 def has(value: Any, method: str) -> bool:
     return hasattr(type(value), method)
 
 
-@table(RESULTS, OTHER_VALUES, NUMBERS)
-def test_is_a_frozen_value(make: Callable[[], Any]) -> None:
-    value, again = make(), make()
+@pytest.mark.parametrize("name", EVERY)
+def test_is_a_frozen_value(name: str) -> None:
+    value, again = value_of(name), EVERY[name]()
     assert value == again
     assert hash(value) == hash(again)
     assert {value: 1}[again] == 1
@@ -155,9 +157,9 @@ def test_is_a_frozen_value(make: Callable[[], Any]) -> None:
     assert repr(value) == repr(again)
 
 
-@table(RESULTS, OTHER_VALUES, NUMBERS)
-def test_can_be_copied_and_pickled(make: Callable[[], Any]) -> None:
-    value = make()
+@pytest.mark.parametrize("name", EVERY)
+def test_can_be_copied_and_pickled(name: str) -> None:
+    value = value_of(name)
     for other in (pickle.loads(pickle.dumps(value)), copy.deepcopy(value), copy.copy(value)):
         assert type(other) is type(value)
         assert other == value
@@ -183,7 +185,7 @@ sys.stdout.buffer.write(pickle.dumps(values))
 @pytest.mark.parametrize("seed", ["1"])
 def test_another_process_finds_the_same_values(seed: str) -> None:
     """Pickled here, made anew and compared there where hashes of texts are others, pickled there, compared here."""
-    values = {name: make() for name, make in EVERY.items()}
+    values = {name: value_of(name) for name in EVERY}
     done = subprocess.run(
         [sys.executable, "-c", ELSEWHERE],
         input=pickle.dumps(values),
@@ -221,7 +223,7 @@ def test_answers_are_compared_by_what_they_hold(answer: type) -> None:
 
 
 def test_what_the_public_functions_return_is_in_the_tables() -> None:
-    listed = {type(make()).__name__ for make in EVERY.values()}
+    listed = {type(value_of(name)).__name__ for name in EVERY}
     surrounding = ("within", "seeded")  # these give context managers
     functions = [f for n in gc.__all__ if inspect.isfunction(f := getattr(gc, n)) and n not in (*surrounding, "view")]
     assert len(functions) > 15
@@ -241,32 +243,32 @@ def test_arrays_in_results_cannot_be_written_to() -> None:
             value.margin[0] = 1.0
 
 
-@table(RESULTS)
-def test_to_json(make: Callable[[], Any]) -> None:
-    found = make().to_json()
+@pytest.mark.parametrize("name", RESULTS)
+def test_to_json(name: str) -> None:
+    found = value_of(name).to_json()
     assert isinstance(found, dict)
     assert json.loads(json.dumps(found)) == found
 
 
-TEXTS = {name: make for name, make in RESULTS.items() if has(make(), "text")}
+TEXTS = [name for name in RESULTS if has(value_of(name), "text")]
 
 
 def test_most_results_have_texts() -> None:
-    assert TEXTS.keys() >= {"bracket polynomial", "proof", "shortest form", "condition", "analysis", "script"}
+    assert set(TEXTS) >= {"bracket polynomial", "proof", "shortest form", "condition", "analysis", "script"}
 
 
-@table(TEXTS)
-def test_text(make: Callable[[], Any]) -> None:
-    value = make()
+@pytest.mark.parametrize("name", TEXTS)
+def test_text(name: str) -> None:
+    value = value_of(name)
     plain, pretty = value.text(), value.text(unicode=True)
     assert plain.strip()
     assert plain.isascii()
     assert str(value) in (plain, pretty)
 
 
-@table({name: make for name, make in RESULTS.items() if has(make(), "latex")})
-def test_latex(make: Callable[[], Any]) -> None:
-    value = make()
+@pytest.mark.parametrize("name", [name for name in RESULTS if has(value_of(name), "latex")])
+def test_latex(name: str) -> None:
+    value = value_of(name)
     assert value.latex().isascii()
     shown = value._repr_latex_()
     assert shown.startswith("$")
@@ -282,24 +284,24 @@ def test_latex(make: Callable[[], Any]) -> None:
     ],
 )
 def test_latex_says_what_is_known(name: str, latex: str) -> None:
-    assert RESULTS[name]().latex() == latex
+    assert value_of(name).latex() == latex
 
 
 @pytest.mark.parametrize("name", ["bracket polynomial", "extensor polynomial", "refuted", "shortest form", "analysis"])
 def test_unicode_is_mathematics(name: str) -> None:
-    plain, pretty = (RESULTS[name]().text(unicode=u) for u in (False, True))
+    plain, pretty = (value_of(name).text(unicode=u) for u in (False, True))
     assert plain.isascii()
     assert any(sign in pretty for sign in "−∧·")
     assert not any(sign in pretty for sign in (" - ", "/\\", " * "))
 
 
 def test_undecided_is_no_equation() -> None:
-    assert r"\stackrel{?}{=}" in RESULTS["undecided"]().latex()
+    assert r"\stackrel{?}{=}" in value_of("undecided").latex()
 
 
 @pytest.mark.parametrize(("name", "proved"), [("proof", True), ("refuted", False), ("undecided", False)])
 def test_proved(name: str, proved: bool) -> None:
-    assert RESULTS[name]().proved is proved
+    assert value_of(name).proved is proved
 
 
 def test_text_of_a_form_counts_lines_from_one() -> None:
@@ -309,10 +311,10 @@ def test_text_of_a_form_counts_lines_from_one() -> None:
 
 
 def test_text_of_a_condition_is_its_identity() -> None:
-    text = RESULTS["condition with a cofactor"]().text()
+    text = value_of("condition with a cofactor").text()
     assert text.startswith(r"transversals: (ABc /\ ACd /\ ab) * superbracket = ")
     assert len(text.splitlines()) == 2
-    latex = RESULTS["condition"]().latex()
+    latex = value_of("condition").latex()
     assert latex.startswith(r"\mathit{superbracket} = ")
     assert latex.count(r"\wedge") == 3
 

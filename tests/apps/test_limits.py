@@ -35,7 +35,7 @@ from gcrules.apps.studio import worker
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.core.budget import within
 from gcrules.core.errors import LimitReached
-from gcrules.mechanisms.analyze import analyze_robot
+from gcrules.mechanisms.conditions.analyze_robot import analyze_robot
 from gcrules.mechanisms.load import read_robot
 from gcrules.rules import rule_file
 from gcrules.rules.elementary import ELEMENTARY
@@ -82,7 +82,7 @@ STAGES: dict[str, Callable[[], object]] = {
     "shortest form": lambda: gc.shortest("Aa Bb Cc Dd Ee Ff"),
     "transversals": lambda: gc.transversals("Aa Ab Bc Cd De Ef"),
     "analyze": lambda: gc.analyze("ab af cb cd ed ef"),
-    "a robot": lambda: analyze_robot(read_robot("3-rps")),
+    "a robot": lambda: analyze_robot(read_robot("3-rps")),  # not what is remembered of it
     "factor": lambda: gc.factor(SHORT),
     "shorten": lambda: gc.shorten(SHORT),
 }

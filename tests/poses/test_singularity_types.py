@@ -4,31 +4,23 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache
 from typing import Any
 
 import numpy as np
 import pytest
 from mechanisms.bodies import equations
+from mechanisms.shipped_robots import analysis
 
 import gcrules as gc
-from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import home_values
-from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.lines.ranks import TYPES, types_of
-from gcrules.mechanisms.load import read_robot
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.limbs.singular_members import live_parts, singular_pose
 from gcrules.screws import FLOATS
 
 IDS = [one.id for one in robots()]
-
-
-@cache
-def analysis(name: str) -> RobotAnalysis:
-    return analyze_robot(read_robot(name))
 
 
 def symbols(r: RobotPose) -> tuple[str, ...]:
@@ -83,7 +75,7 @@ def test_types_are_those_of_exact_ranks(name: str) -> None:
         moved = replace(a.robot, home={d.name: pose.values[d.name] for d in a.robot.family.definitions})
         exact = types_of(pose.ranks, pose.before)
         assert set(part.types) <= set(exact)
-        here = gc.pose(moved, nearest=False)
+        here = gc.pose(replace(a, robot=moved), nearest=False)
         assert isinstance(here, RobotPose)
         assert (here.verdict, symbols(here)) == ("singular", exact)
         assert by_definition(moved, a.structure.idle) == exact
