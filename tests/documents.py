@@ -11,9 +11,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from commands import invoke
 from places import ROOT
 
-__all__ = ["BLOCKS", "DOCUMENTS", "FENCE", "Block", "fenced", "of", "run", "session"]
+__all__ = ["BLOCKS", "DOCUMENTS", "FENCE", "Block", "fenced", "invoked", "of", "run", "session"]
 
 # The pages of the catalog and of the robots are generated, and compared as a whole by tools/check_docs.py.
 LEFT_OUT = ("catalog", "robots", "assets")
@@ -70,11 +71,19 @@ def session(block: str) -> Iterator[tuple[str, str]]:
         yield command, output
 
 
-def run(command: str, folder: Path) -> str:
+def _words(command: str, folder: Path) -> list[str]:
+    """The words of a command; files that it writes go into the folder."""
     words = shlex.split(command)
     if "-o" in words:
         at = words.index("-o") + 1
         words[at] = str(folder / words[at])
+    assert "|" in words or words[0] == "gcrules", command
+    return words
+
+
+def run(command: str, folder: Path) -> str:
+    """What a command prints in a process of its own, on both streams."""
+    words = _words(command, folder)
     path = os.environ.get("PATH", "")
     if "|" in words:  # a pipe, with `gcrules` as a command of its own
         tool = folder / "gcrules"
@@ -83,7 +92,6 @@ def run(command: str, folder: Path) -> str:
         path = f"{folder}{os.pathsep}{path}"
         words = ["sh", "-c", command]
     else:
-        assert words[0] == "gcrules", command
         words = [sys.executable, "-m", "gcrules", *words[1:]]
     environment = {**os.environ, "PYTHONIOENCODING": "utf-8", "NO_COLOR": "1", "PATH": path}
     done = subprocess.run(
@@ -96,3 +104,13 @@ def run(command: str, folder: Path) -> str:
         check=False,
     )
     return done.stdout.replace(str(folder) + os.sep, "")
+
+
+def invoked(command: str, folder: Path) -> str:
+    """The same in this process, at the root of the checkout, as most commands take less time than a process to start;
+    but for pipes, and for help, whose lines are longer where no terminal is.
+    """
+    words = _words(command, folder)
+    if "|" in words or "--help" in words:
+        return run(command, folder)
+    return invoke(*words[1:]).output.replace(str(folder) + os.sep, "")

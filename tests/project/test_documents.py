@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from documents import BLOCKS, DOCUMENTS, Block, fenced, of, run, session
+from documents import BLOCKS, DOCUMENTS, Block, fenced, invoked, of, session
 from places import ROOT
 
 # Blocks that no test runs, by document and first line, with the reason.
@@ -80,8 +80,11 @@ COMMANDS = [(b.document, c, out) for b in of("console") for c, out in session(b.
 
 
 @pytest.mark.parametrize(("document", "command", "output"), COMMANDS, ids=[f"{d}: {c}" for d, c, _ in COMMANDS])
-def test_command_prints_what_the_document_says(document: str, command: str, output: str, tmp_path: Path) -> None:
-    assert run(command, tmp_path).rstrip("\n") == output.rstrip("\n")
+def test_command_prints_what_the_document_says(
+    document: str, command: str, output: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(ROOT)
+    assert invoked(command, tmp_path).rstrip("\n") == output.rstrip("\n")
 
 
 @pytest.mark.parametrize("block", of("console"), ids=lambda b: b.name)
