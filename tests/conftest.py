@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import shutil
 import signal
@@ -21,6 +22,12 @@ settings.register_profile("ci", derandomize=True, deadline=None, suppress_health
 settings.register_profile("dev", deadline=None)
 settings.register_profile("fast", deadline=None, max_examples=10, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci" if os.environ.get("CI") else "dev"))
+
+# Tests run side by side. That NumPy shares products of small matrices among threads takes several times as long then.
+# It reads this when it is loaded: in the workers of xdist and in programs that are started, and here where no plugin
+# of pytest has loaded it already.
+for library in ("OPENBLAS", "OMP", "MKL"):
+    os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
 # How fast the machine is decides no test; those of the limits say how many seconds they mean.
 os.environ.setdefault("GCRULES_SECONDS", "1000")
@@ -55,6 +62,18 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     if os.environ.get("GCRULES_REQUIRE_BROWSER") == "1":
         pytest.fail(f"{reason}, and GCRULES_REQUIRE_BROWSER=1", pytrace=False)
     pytest.skip(reason)
+
+
+# Sixteen thousand tests are made, and all are kept: searches for garbage take a third of the time of collecting them.
+@pytest.hookimpl(wrapper=True)
+def pytest_collection(session: pytest.Session) -> Iterator[None]:
+    """Collect tests without searches for garbage; later ones leave the tests out."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
