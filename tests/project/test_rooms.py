@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import networkx as nx
@@ -41,23 +42,30 @@ def module_named(dotted: str) -> str | None:
     return next((m for n in range(len(parts), 0, -1) if (m := ".".join(parts[:n])) in NAMES), None)
 
 
-def imports(path: Path) -> Iterator[tuple[str, ast.stmt]]:
+@cache
+def walked(path: Path) -> tuple[ast.AST, ...]:
+    """The parts of a module that tell what it imports, read once: imports and texts that may name modules."""
+    parts = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+    return tuple(node for node in parts if isinstance(node, (ast.Import, ast.ImportFrom, ast.Constant)))
+
+
+def imports(path: Path) -> Iterator[str]:
     """The modules of gcrules that a module imports, those inside functions and under TYPE_CHECKING among them."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in walked(path):
         if isinstance(node, ast.ImportFrom) and node.module and node.module.split(".")[0] == "gcrules":
             for alias in node.names:
                 found = module_named(f"{node.module}.{alias.name}")
                 if found:
-                    yield found, node
+                    yield found
         elif isinstance(node, ast.Import):
             for alias in node.names:
                 if alias.name.split(".")[0] == "gcrules" and (found := module_named(alias.name)):
-                    yield found, node
+                    yield found
 
 
 def deferred(path: Path) -> Iterator[str]:
     """The modules of gcrules that are named as "package.module:function"."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in walked(path):
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             match = re.fullmatch(r"(gcrules(?:\.\w+)+):\w+", node.value)
             if match:
@@ -79,7 +87,7 @@ def test_every_module_stands_in_a_room() -> None:
 @pytest.mark.parametrize("path", MODULES, ids=name_of)
 def test_imports_go_down(path: Path) -> None:
     own = name_of(path)
-    for module in (*(m for m, _ in imports(path)), *deferred(path)):
+    for module in (*imports(path), *deferred(path)):
         if own != "gcrules" and module != "gcrules":
             assert floor(module) <= floor(own), f"{own} imports {module}"
 
@@ -88,7 +96,7 @@ def test_there_is_no_circle() -> None:
     graph: nx.DiGraph[str] = nx.DiGraph()
     for path in MODULES:
         own = name_of(path)
-        graph.add_edges_from((own, m) for m, _ in imports(path) if m != own)
+        graph.add_edges_from((own, m) for m in imports(path) if m != own)
         if own not in ("gcrules", "gcrules.core.shown"):
             graph.add_edges_from((own, m) for m in deferred(path) if m != own)
     assert [sorted(c) for c in nx.strongly_connected_components(graph) if len(c) > 1] == []
