@@ -20,7 +20,9 @@ __all__ = ["regions"]
 @click.argument("file", metavar="FILE.yaml|ID")
 @click.option("--over", metavar="RANGES", help='The lengths that are looked at: "q2 0.1..4, q3 ..4".')
 @click.option("--held", metavar="LENGTH", help='The leg that is held, and at which length: "q1=1"; by default home\'s.')
-@click.option("--slices", default=SLICES, show_default=True, metavar="N", help="With ranges of all legs: so many slices.")
+@click.option(
+    "--slices", default=SLICES, show_default=True, metavar="N", help="With ranges of all legs: so many slices."
+)
 @click.option(
     "--picture",
     type=OutputFile(".svg", ".pdf"),
@@ -47,8 +49,8 @@ def regions(
     gcrules regions robot.yaml --over "q1 0..3, q2 0..4, q3 0..4"
 
     For planar robots on three legs of variable length. Legs are named by their actuators; numbers are lengths, not
-    amounts from home. Over two lengths the answer is exact; over three the regions are those that slices meet. Exit code
-    0: the number of regions is known, 3: not decided. "-" reads the file from standard input.
+    amounts from home. Over two lengths the answer is exact; over three the regions are those that slices meet. Exit
+    code 0: the number of regions is known, 3: not decided. "-" reads the file from standard input.
     """
     loaded = warn(read_source(file))
     with working("computing"):

@@ -42,7 +42,7 @@ class Asked:
             if inf in high:
                 raise InputError("a range of three without an upper end", hint='as in "q1 0..4, q2 0..4, q3 0..4"')
             return cls((0, 1, 2), tuple((_exact(a), _exact(b)) for a, b in zip(low, high, strict=True)))
-        still = legs.names.index(*given) if given else next(k for k in range(3) if k not in ranged)
+        still = legs.names.index(next(iter(given))) if given else next(k for k in range(3) if k not in ranged)
         if still in ranged:
             raise InputError(f"{legs.names[still]} is held, and has a range", hint="leave one of them out")
         length = next((a.number for a in given.values()), None)
@@ -50,13 +50,17 @@ class Asked:
             raise InputError(f"the length {float(length):g} of {legs.names[still]} is not positive")
         square = legs.squares[still] if length is None else length**2
         if not square:
-            raise InputError(f"{legs.names[still]} has no length at home", hint=f'hold it at one: "{legs.names[still]}=1"')
+            raise InputError(
+                f"{legs.names[still]} has no length at home", hint=f'hold it at one: "{legs.names[still]}=1"'
+            )
         free = tuple(k for k in range(3) if k != still)
         ranges = []
         for k in free:
             reach = legs.reach(k, still, square)
             if low[k] >= reach:
-                raise InputError(f"{legs.names[k]} cannot be as long as {low[k]:g}", hint=f"it reaches {float(reach):g}")
+                raise InputError(
+                    f"{legs.names[k]} cannot be as long as {low[k]:g}", hint=f"it reaches {float(reach):g}"
+                )
             ranges.append((_exact(low[k]), reach if high[k] == inf else _exact(high[k])))
         return cls(free, tuple(ranges), still, square)
 

@@ -14,7 +14,7 @@ __all__ = ["drawn_strips", "root_of"]
 
 Heights = tuple[float, ...]
 
-_PLACES = 60  # of the whole width
+_PLACES = 40  # of the whole width
 _LEAST = 5  # of each strip
 _ENDS = 1e-3  # of its width, the way from its ends to the first and the last place
 
@@ -28,7 +28,7 @@ def drawn_strips(found: Plane, scale: int, names: Mapping[Cell, str]) -> tuple[S
         low, high = (root_of(x, scale) for x in found.strip(k))
         number = _LEAST + int(_PLACES * (high - low) / (ends[1] - ends[0]))
         shares = [(1 - cos(pi * n / (number - 1))) / 2 for n in range(number)]
-        at = [low + (high - low) * min(max(s, _ENDS), 1 - _ENDS) for s in shares]
+        at = [low + (high - low) * (_ENDS + (1 - 2 * _ENDS) * s) for s in shares]
         short = 1 << (4 - floor(log2(_ENDS * (high - low))))
         at = [round(a * short) / short for a in at]
         every = [found.branches(Fraction(a) ** 2 * scale) for a in at]
@@ -48,16 +48,14 @@ def drawn_strips(found: Plane, scale: int, names: Mapping[Cell, str]) -> tuple[S
     return tuple(strips)
 
 
-def _end(
-    found: Plane, scale: int, line: int, x: float, at: Sequence[float], heights: Sequence[Heights]
-) -> Heights:
+def _end(found: Plane, scale: int, line: int, x: float, at: Sequence[float], heights: Sequence[Heights]) -> Heights:
     """The heights at an end of a strip, from the two places next to it, and from the double point there."""
     share = (x - at[0]) / (at[0] - at[1])
     made = [max(a + share * (a - b), 0.0) for a, b in zip(*heights, strict=True)]
     for point in found.double:
         if point.number == line:
             for n in point.left if x > at[0] else point.right:
-                made[n] = root_of(sum(point.height) / 2, scale)
+                made[n] = root_of(point.middle, scale)
     return tuple(made)
 
 

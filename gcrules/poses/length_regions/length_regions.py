@@ -8,9 +8,7 @@ r"""The regions of the lengths of a robot's legs, in each of which the number of
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 
-from gcrules.core.budget import checkpoint
 from gcrules.core.english import lettered
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.load import Folders, Source
@@ -18,7 +16,6 @@ from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.length_regions.asked import Asked
 from gcrules.poses.length_regions.drawn_strips import drawn_strips, root_of
 from gcrules.poses.length_regions.report import LengthRange, LengthRegion, LengthRegions
-from gcrules.poses.length_regions.slabs import Cell, Plane
 from gcrules.poses.length_regions.sections import Part, Section
 from gcrules.poses.length_regions.solid import solid
 from gcrules.poses.length_regions.three_legs import ThreeLegs, three_legs
@@ -38,16 +35,15 @@ def length_regions(
     slices: int = SLICES,
     plugins: Folders = (),
 ) -> LengthRegions:
-    """Into how many regions the singular lengths cut the lengths of two or three legs, and how many assembly modes there
-    are in each.
+    """Into how many regions singular lengths cut the lengths of two or three legs, and how many assembly modes each has.
 
     `source` is what `load` takes: a planar robot on three legs of variable length, R(A, z) P*(A B) R(B, z). Legs are
     named by their actuators; numbers are lengths, not amounts from home. `over` gives the ranges that are looked at,
     "q2 0.1..4, q3 ..4"; ends that are left out are 0 and what cannot be reached. One leg is `held`, at home's length or
     at one that is given, "q1=1"; by default it is the first one without a range.
 
-    Over two lengths the number of regions is exact; where the dimensions are special it may be an interval, from `least`
-    to `most`. With ranges of all three legs the regions are those that so many `slices` meet, joined by proved drives.
+    Over two lengths the number of regions is exact; for special dimensions it may be an interval, from `least` to
+    `most`. With ranges of all three legs the regions are those that so many `slices` meet, joined by proved drives.
 
     Raises InputError for what is asked for wrongly, for other robots, and for dimensions whose singular lengths are no
     curve without multiple parts.
@@ -73,7 +69,7 @@ def _of_plane(legs: ThreeLegs, asked: Asked) -> LengthRegions:
     cusps, crossings = [], []
     for point in section.plane.double:
         line = section.plane.lines[point.number]
-        place = root_of((line.low + line.high) / 2, scale), root_of(sum(point.height) / 2, scale)
+        place = root_of((line.low + line.high) / 2, scale), root_of(point.middle, scale)
         if line.order == _CUSP:
             cusps.append(place)
         elif point.ends == _CROSSING:

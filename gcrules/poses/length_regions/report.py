@@ -71,7 +71,8 @@ class LengthRegions(Shown):
     all apart. Of three lengths the regions are those that slices at some first lengths meet: lengths of one region are
     joined, proved; others may be joined, too, there are `least` at least, and no region between the slices is counted.
 
-    `cusps` and `crossings` of the singular curve are pairs of lengths in the box. `home` names the region of the lengths at home, "" where they are singular or are not in the box.
+    `cusps` and `crossings` of the singular curve are pairs of lengths in the box. `home` names the region of the
+    lengths at home, "" where they are singular or are not in the box.
     """
 
     title: str

@@ -1,4 +1,4 @@
-r"""A plane of two lengths, the third one held: its regions, each with a witness and the number of its assembly modes."""
+r"""A plane of two lengths, the third one held: its regions, each with a witness and its number of assembly modes."""
 
 from __future__ import annotations
 

@@ -1,12 +1,12 @@
 r"""The plane of two lengths cut into cells by the singular curve, and the cells joined into regions; exact.
 
-Between two critical lines x = const the curve consists of the same number of branches, one above the other, and the cells
-between them are numbered from below; the edges of the box count as branches. Across a critical line two cells hang
-together where an open part of the line lies in both. Gates show these parts: heights y at which the curve is not met
-from one side of the line to the other. Between two gates in a row some branches end on the left and some on the right:
+Between two critical lines x = const the curve consists of the same number of branches, one above the other, and the
+cells between them are numbered from below; the edges of the box count as branches. Across a critical line two cells
+hang together where an open part of the line lies in both. Gates show these parts: heights y at which the curve is not
+met from one side of the line to the other. Between two gates in a row some branches end on the left and some on the right:
 
 * one and one: a branch passes through the line;
-* two and none: they meet, and no part of the line lies between, for the branches that end in a point are even in number;
+* two and none: they meet, and no part of the line lies between, for an even number of branches ends in a point;
 * two and two: they meet in one point if the only double point of the line lies between these gates, or if one of them
   is an edge, the line is one on which the curve meets this edge, and no double point lies on it.
 
@@ -53,6 +53,10 @@ class Double:
     height: Interval
     left: range
     right: range
+
+    @property
+    def middle(self) -> Fraction:
+        return (self.height[0] + self.height[1]) / 2
 
     @property
     def ends(self) -> Numbers:

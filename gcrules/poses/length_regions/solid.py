@@ -1,16 +1,15 @@
 r"""The lengths of all three legs: the regions that slices at some lengths of the first one meet, and drives between.
 
-In each slice the regions are exact. Two of slices that follow each other belong together where a drive of the first
-leg from the one to the other, the lengths of the other two held, passes no singular lengths: an exact polynomial in the
-square of the first length has no zero on the way.
+In each slice the regions are exact. Two of slices that follow each other belong together where a drive from the one to
+the other passes no singular lengths: on it the squares of the lengths change evenly, and an exact polynomial of degree
+12 has no zero on the way.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import pairwise
 from math import lcm
 
 import networkx as nx
@@ -18,6 +17,7 @@ import networkx as nx
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.poses.length_regions.asked import Range
+from gcrules.poses.length_regions.drawn_strips import root_of
 from gcrules.poses.length_regions.integer_polynomials import interpolated, roots_between
 from gcrules.poses.length_regions.sections import Part, Section
 from gcrules.poses.length_regions.three_legs import ThreeLegs
@@ -26,7 +26,10 @@ __all__ = ["Solid", "solid"]
 
 _DEGREE = 12
 
+_TRIES = 6  # drives between two regions
+
 Node = tuple[int, int]
+Squares = tuple[Fraction, ...]
 
 
 @dataclass(frozen=True)
@@ -50,9 +53,9 @@ def solid(legs: ThreeLegs, ranges: Sequence[Range], number: int) -> Solid:
         sections.append(Section.of(legs, (1, 2), 0, length**2, ranges[1:]))
     graph: nx.Graph[Node] = nx.Graph()
     graph.add_nodes_from((n, k) for n, s in enumerate(sections) for k in range(len(s.parts)))
-    for n, (one, other) in enumerate(pairwise(sections)):
+    for n in range(number - 1):
         report_progress(f"drives between slices {n + 1} and {n + 2}")
-        graph.add_edges_from(((n, a), (n + 1, b)) for a, b in _drives(legs, one, other))
+        _join(legs, sections, graph, n)
     groups = sorted(map(sorted, nx.connected_components(graph)))
     group_of = {node: g for g, own in enumerate(groups) for node in own}
     beside: dict[int, set[int]] = {g: set() for g in range(len(groups))}
@@ -66,39 +69,50 @@ def solid(legs: ThreeLegs, ranges: Sequence[Range], number: int) -> Solid:
     return Solid(tuple(map(float, at)), tuple(parts), beside)
 
 
-def _drives(legs: ThreeLegs, one: Section, other: Section) -> Iterator[tuple[int, int]]:
-    """The numbers of regions of two slices that a drive joins."""
-    joined: set[tuple[int, int]] = set()
-    numbers = [{cell: n for n, p in enumerate(s.parts) for cell in p.cells} for s in (one, other)]
-    for here, there, back in ((one, other, False), (other, one, True)):
-        own, others = numbers[::-1] if back else numbers
-        for cell, a in own.items():
+def _join(legs: ThreeLegs, sections: Sequence[Section], graph: nx.Graph[Node], n: int) -> None:
+    """Drives from regions of slice n to those of the next one with as many modes, where no drives join them yet."""
+    one, other = sections[n], sections[n + 1]
+    pairs = [(a, b) for a in range(len(one.parts)) for b in range(len(other.parts))]
+    for a, b in pairs:
+        first, second = one.parts[a], other.parts[b]
+        if first.modes != second.modes:
+            continue
+        ends = [
+            [(s.square, *(c * c for c in s.witness(cell))) for cell in p.cells]
+            for s, p in ((one, first), (other, second))
+        ]
+        for start, end in _nearest(*ends):
             checkpoint()
-            lengths = here.witness(cell)
-            reached = there.plane.cell_at(*(c**2 * there.scale for c in lengths))
-            b = others.get(reached) if reached is not None else None
-            if b is None or here.parts[a].modes != there.parts[b].modes:
-                continue
-            pair = (b, a) if back else (a, b)
-            if pair not in joined and _regular(legs, lengths, one.square, other.square):
-                joined.add(pair)
-                yield pair
+            if nx.has_path(graph, (n, a), (n + 1, b)):
+                break
+            if _regular(legs, start, end):
+                graph.add_edge((n, a), (n + 1, b))
 
 
-def _regular(legs: ThreeLegs, lengths: Sequence[Fraction], low: Fraction, high: Fraction) -> bool:
-    """Whether no first length between those with these squares is singular; exact."""
-    second, third = (c**2 for c in lengths)
-    closing, scale = legs.closing(lcm(*(c.denominator for c in (low, high, second, third))))
-    times = scale * scale
-    a, b, y, z = (int(c * times) for c in (low, high, second, third))
+def _nearest(one: Sequence[Squares], other: Sequence[Squares]) -> list[tuple[Squares, Squares]]:
+    """The pairs of places that are nearest to each other in lengths, each with another first place."""
+    found = []
+    lengths = [[tuple(root_of(c, 1) for c in p) for p in places] for places in (one, other)]
+    for start, here in zip(one, lengths[0], strict=True):
+        far = [sum((a - b) ** 2 for a, b in zip(here, there, strict=True)) for there in lengths[1]]
+        best = min(range(len(other)), key=far.__getitem__)
+        found.append((far[best], start, other[best]))
+    return [(start, end) for _, start, end in sorted(found)[:_TRIES]]
+
+
+def _regular(legs: ThreeLegs, start: Squares, end: Squares) -> bool:
+    """Whether no lengths are singular whose squares lie on the straight line from the one place to the other; exact."""
+    closing, scale = legs.closing(lcm(_DEGREE, *(c.denominator for c in (*start, *end))))
+    times = scale * scale  # a multiple of 12
     places, values = [], []
-    for n in range(4 * _DEGREE):
-        x = a + (b - a) * n // _DEGREE
-        found = closing.singular((x, y, z))
+    for k in range(4 * _DEGREE):
+        found = closing.singular(
+            [int(a * times + (b - a) * (times // _DEGREE) * k) for a, b in zip(start, end, strict=True)]
+        )
         if found is not None:
-            places.append(x)
+            places.append(k)
             values.append(found)
         if len(places) == _DEGREE + 3:
             break
     p = interpolated(places, values)
-    return 1 <= len(p) <= _DEGREE + 1 and not roots_between(p, Fraction(a), Fraction(b))
+    return 1 <= len(p) <= _DEGREE + 1 and not roots_between(p, Fraction(0), Fraction(_DEGREE))

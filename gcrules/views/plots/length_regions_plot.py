@@ -3,6 +3,7 @@ r"""The plane of two lengths, coloured by the number of assembly modes, with the
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Literal
 
 from gcrules.core.errors import InputError
@@ -64,7 +65,7 @@ def _curves(strip: Strip, x: Axis, y: Axis) -> Iterator[Shape]:
     for n, edge in enumerate(strip.edges):
         if not edge and (strip.regions[n] or strip.regions[n + 1]):
             places = _line(strip, n, x, y)
-            for start, end in zip(places, places[1:], strict=False):
+            for start, end in pairwise(places):
                 yield Stroke(start, end, "ink", 0.9)
 
 
