@@ -35,7 +35,7 @@ def length_regions(
     slices: int = SLICES,
     plugins: Folders = (),
 ) -> LengthRegions:
-    """Into how many regions singular lengths cut the lengths of two or three legs, and how many assembly modes each has.
+    """Into how many regions singular lengths cut the lengths of two or three legs, and how many modes each has.
 
     `source` is what `load` takes: a planar robot on three legs of variable length, R(A, z) P*(A B) R(B, z). Legs are
     named by their actuators; numbers are lengths, not amounts from home. `over` gives the ranges that are looked at,

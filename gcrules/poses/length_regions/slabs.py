@@ -3,7 +3,8 @@ r"""The plane of two lengths cut into cells by the singular curve, and the cells
 Between two critical lines x = const the curve consists of the same number of branches, one above the other, and the
 cells between them are numbered from below; the edges of the box count as branches. Across a critical line two cells
 hang together where an open part of the line lies in both. Gates show these parts: heights y at which the curve is not
-met from one side of the line to the other. Between two gates in a row some branches end on the left and some on the right:
+met from one side of the line to the other. Between two gates in a row some branches end on the left and some on the
+right:
 
 * one and one: a branch passes through the line;
 * two and none: they meet, and no part of the line lies between, for an even number of branches ends in a point;
@@ -215,7 +216,7 @@ def _clear(line: CriticalLine, edges: Interval, lower: Gate, upper: Gate) -> boo
         return False
     met = [k for k, e in enumerate(edges) if _between(low, e, e, high)]
     if met:
-        return line.order == 0 and line.edges == tuple(met) and len(met) == 1
+        return line.order == 0 and len(met) == 1 and met[0] in line.edges
     return line.height is not None and _between(low, *line.height, high)
 
 
