@@ -34,7 +34,8 @@ __all__ = ["Cell", "Double", "Plane", "plane"]
 
 _ROUNDS = 14
 _NEARER = 8  # times in each round
-_BITS = 12  # of an offset from a critical line
+_SHARES = (Fraction(1, 2), Fraction(1, 3), Fraction(3, 4))  # of the height between branches at which a gate is tried
+_ROOM = Fraction(1, 5)
 
 Cell = tuple[int, int]
 """The number of the strip between critical lines, and that of the cell in it from below, both from 0."""
@@ -157,7 +158,7 @@ def _across(found: Plane, k: int, line: CriticalLine) -> tuple[list[Gate], bool]
         checkpoint()
         one = _simple(*_beside(line.low, left, n))
         other = _simple(*_beside(line.high, right, n))
-        gates = _gates(found, one, other)
+        gates = _gates(found, one, other, _SHARES[n % len(_SHARES)])
         if all(_clear(line, found.box[1], *pair) for pair in pairwise(gates)):
             return gates, True
     return gates, False
@@ -189,7 +190,7 @@ def _beside(end: Fraction, far: Fraction, n: int) -> Interval:
     return min(end + near / 2, end + near), max(end + near / 2, end + near)
 
 
-def _gates(found: Plane, one: Fraction, other: Fraction) -> list[Gate]:
+def _gates(found: Plane, one: Fraction, other: Fraction, share: Fraction) -> list[Gate]:
     """Heights that the curve does not have from `one` to `other`, None for far below and above, from below; with
     the numbers of the cells there.
     """
@@ -198,7 +199,8 @@ def _gates(found: Plane, one: Fraction, other: Fraction) -> list[Gate]:
     gates: list[Gate] = [(None, (0, 0))]
     for (_, below), (above, _) in pairwise(every):
         if below < above:
-            y = _simple(below, above)
+            height = above - below
+            y = _simple(below + height * (share - _ROOM), below + height * (share + _ROOM))
             if not roots_between(integers(found.curve.along_x(y)), one, other):
                 numbers = [sum(high < y for _, high in side) for side in sides]
                 gates.append((y, (numbers[0], numbers[1])))
