@@ -61,7 +61,7 @@ class Asked:
                 raise InputError(
                     f"{legs.names[k]} cannot be as long as {low[k]:g}", hint=f"it reaches {float(reach):g}"
                 )
-            ranges.append((_exact(low[k]), reach if high[k] == inf else _exact(high[k])))
+            ranges.append((_exact(low[k]), reach if high[k] > reach else _exact(high[k])))
         return cls(free, tuple(ranges), still, square)
 
 

@@ -39,8 +39,9 @@ def length_regions(
 
     `source` is what `load` takes: a planar robot on three legs of variable length, R(A, z) P*(A B) R(B, z). Legs are
     named by their actuators; numbers are lengths, not amounts from home. `over` gives the ranges that are looked at,
-    "q2 0.1..4, q3 ..4"; ends that are left out are 0 and what cannot be reached. One leg is `held`, at home's length or
-    at one that is given, "q1=1"; by default it is the first one without a range.
+    "q2 0.1..4, q3 ..4"; ends that are left out are 0 and what cannot be reached, which no range goes beyond. One leg is
+    `held`, at home's length or at one that is given, "q1=1"; by default it is the first one without a range. Numbers
+    are exact as written, and those with many digits take long.
 
     Over two lengths the number of regions is exact; for special dimensions it may be an interval, from `least` to
     `most`. With ranges of all three legs the regions are those that so many `slices` meet, joined by proved drives.
