@@ -10,6 +10,7 @@ from gcrules.mechanisms.load import Source
 from gcrules.poses.aspects.aspects import aspects as _aspects
 from gcrules.poses.compiling.compiled import compiled as _compiled
 from gcrules.poses.compiling.controller import controller as _controller
+from gcrules.poses.length_regions.length_regions import length_regions as _length_regions
 from gcrules.poses.loci.locus import locus as _locus
 from gcrules.poses.maps.maps import singular_map as _singular_map
 from gcrules.poses.modes.modes import assembly_modes as _assembly_modes
@@ -28,6 +29,7 @@ __all__ = [
     "compiled",
     "export",
     "free_region",
+    "length_regions",
     "locus",
     "operation_modes",
     "path",
@@ -42,6 +44,7 @@ aspects = public(_aspects)
 assembly_modes = public(_assembly_modes)
 compiled = public(_compiled)
 free_region = public(_free_region)
+length_regions = public(_length_regions)
 locus = public(_locus)
 operation_modes = public(_operation_modes)
 path = public(_path)

@@ -163,6 +163,13 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "about": _ABOUT,
         "plugins": _FOLDERS,
     },
+    "length_regions": {
+        "source": _SOURCE,
+        "over": optional(TEXT),
+        "held": optional(TEXT),
+        "slices": COUNT,
+        "plugins": _FOLDERS,
+    },
     "parse": {
         "text": TEXT,
         "rank": WHOLE,

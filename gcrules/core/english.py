@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-__all__ = ["agreeing", "as_sentence", "listed", "of_kind", "together"]
+__all__ = ["agreeing", "as_sentence", "lettered", "listed", "of_kind", "together"]
 
 
 def listed(names: Sequence[str]) -> str:
@@ -25,6 +25,11 @@ def agreeing(names: Sequence[str], one: str, several: str) -> str:
 def as_sentence(words: str) -> str:
     """ "Proved, all of it." of "proved, all of it"; nothing of nothing."""
     return f"{words[:1].upper()}{words[1:]}." if words else ""
+
+
+def lettered(n: int) -> str:
+    """A, B, ..., Z, AA, AB, ..., counted from 0."""
+    return ("" if n < 26 else lettered(n // 26 - 1)) + chr(ord("A") + n % 26)
 
 
 def of_kind(kind: str, names: Sequence[str]) -> str:

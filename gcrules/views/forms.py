@@ -113,6 +113,14 @@ FORMS: dict[str, Forms] = {
     "gcrules.poses.modes.report.AssemblyModes": _result(
         "modes", formula="", others={"svg": f"{_RESULTS}.modes:svg", "picture": f"{_RESULTS}.modes:picture"}
     ),
+    "gcrules.poses.length_regions.report.LengthRegions": _result(
+        "length_regions",
+        formula="",
+        others={
+            "svg": f"{_VIEWS}.plots.length_regions_plot:svg",
+            "picture": f"{_VIEWS}.plots.length_regions_plot:picture",
+        },
+    ),
     "gcrules.poses.operation_modes.report.OperationModes": _result("operation_modes", formula=""),
     "gcrules.poses.regions.report.FreeRegion": _result("free_region", formula=""),
     "gcrules.poses.aspects.report.Aspects": _result("aspects", formula=""),

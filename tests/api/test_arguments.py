@@ -128,6 +128,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "path": {"source": PLATFORM, "poses": ["0 0 0", "0 0 1"], "samples": 2},
     "aspects": {"source": PLATFORM, "poses": 1, "modes": False},
     "free_region": {"source": PLATFORM, "over": "x"},
+    "length_regions": {"source": "3-rpr", "over": "q2 1..2, q3 1..2"},
     "plan": {"source": PLATFORM, "start": "0 0 0", "goal": "0 0 1", "states": 2},
     "pose": {"source": PLATFORM, "at": "0 0 0", "nearest": False},
     "prove": {"claim": "[abcd] == [abcd]"},

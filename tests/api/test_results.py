@@ -119,6 +119,7 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "pose of a robot": lambda: gc.pose("3-rps", "z=0.1, roll=5deg, pitch=0deg"),
     "aspects": lambda: gc.aspects(PLATFORM, poses=2, modes=False),
     "free_region": lambda: gc.free_region(PLATFORM, over="x, y"),
+    "length regions": lambda: gc.length_regions("3-rpr", over="q2 1..2, q3 1..2"),
     "plan": lambda: gc.plan(PLATFORM, "0 0 0", "0 0 1"),
     "no plan": lambda: gc.plan("3-rpr", "home", "x=0, y=0, yaw=60deg"),
     "path of a robot": lambda: gc.path("3-rpr", ["home", "x=0, y=0, yaw=60deg"], samples=2),

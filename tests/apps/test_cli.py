@@ -41,6 +41,8 @@ EXIT_CODES: list[tuple[str, tuple[str, ...], int]] = [
     ("no way", ("plan", "3-rpr", "--from", "home", "--to", "x=0, y=0, yaw=60deg"), 1),
     ("aspects", ("aspects", "examples/octahedral.yaml", "--poses", "2", "--no-modes"), 0),
     ("aspects not decided", ("aspects", "examples/octahedral.yaml", "--poses", "1", "--states", "9"), 3),
+    ("regions", ("regions", "3-rpr", "--over", "q2 2..2.1, q3 2..2.1"), 0),
+    ("regions not decided", ("regions", "3-rpr", "--over", "q1 2..3, q2 2..2.1, q3 2..2.1", "--slices", "2"), 3),
     ("no way known", ("plan", *AROUND, "--states", "1"), 3),
     ("syntax", ("expand", "[abcd"), 2),
     ("steps", ("expand", "[abc]"), 2),

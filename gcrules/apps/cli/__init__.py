@@ -23,6 +23,7 @@ COMMANDS = {
     "plan": ("gcrules.apps.cli.plan:plan", "Find a way without a singularity, or prove that there is none."),
     "aspects": ("gcrules.apps.cli.aspects:aspects", "Find which poses hang together without a singularity."),
     "free": ("gcrules.apps.cli.free:free", "Find the largest region around a pose that is free, proved."),
+    "regions": ("gcrules.apps.cli.regions:regions", "Find how singular lengths part the lengths of a robot's legs."),
     "modes": ("gcrules.apps.cli.modes:modes", "Find all poses that a robot can take with its actuators held."),
     "locus": ("gcrules.apps.cli.locus:locus", "Compute the polynomial whose zeros are a robot's singular poses."),
     "map": ("gcrules.apps.cli.map:map_", "Map the singular poses over two or three coordinates."),

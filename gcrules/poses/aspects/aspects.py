@@ -19,6 +19,7 @@ import numpy as np
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
+from gcrules.core.english import lettered
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
@@ -168,7 +169,7 @@ def _answer(domain: Domain, starts: _Starts, joiner: Joiner, modes: AssemblyMode
         best = max(part, key=lambda k: float(margins[k]))
         sets.append(
             AspectSet(
-                name=_letters(n),
+                name=lettered(n),
                 signs=starts.signs[best],
                 poses=tuple(part),
                 modes=tuple(sorted(starts.modes[k] for k in part if k in starts.modes)),
@@ -189,11 +190,6 @@ def _answer(domain: Domain, starts: _Starts, joiner: Joiner, modes: AssemblyMode
         search=search_in(domain, joiner.states, seed),
         notes=(*domain.notes, *starts.notes),
     )
-
-
-def _letters(n: int) -> str:
-    """A, B, ..., Z, AA, AB, ..."""
-    return ("" if n < 26 else _letters(n // 26 - 1)) + chr(ord("A") + n % 26)
 
 
 def _of_legs(

@@ -18,6 +18,7 @@ from gcrules.poses.numbers.many import scaled_superbracket
 from gcrules.poses.paths.report import PathReport
 from gcrules.screws.margin import jacobian
 from gcrules.screws.threshold import Threshold, margin_of
+from gcrules.views.drawing.axis import Axis
 from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, text_width
 
 __all__ = ["FRAME", "plot", "plot_of_robot", "svg", "svg_of_robot"]
@@ -31,27 +32,6 @@ FRAME = LEFT / WIDTH, 1 - RIGHT / WIDTH, _TOP / (_FLOOR + _BOTTOM), _FLOOR / (_F
 """Where the axes are in the plot: left and right as parts of its width, top and bottom of its height."""
 _MOST = 600  # points of a curve; of more, the least and the largest of every group are drawn
 _SIZE = 11.0
-
-
-@dataclass(frozen=True)
-class _Axis:
-    """Values from `low` to `high` between two places on the paper."""
-
-    low: float
-    high: float
-    start: float
-    end: float
-
-    def __call__(self, value: float) -> float:
-        return self.start + (value - self.low) / (self.high - self.low) * (self.end - self.start)
-
-    def ticks(self, about: int, whole: bool = False) -> list[float]:
-        """Round values, about so many."""
-        step = 10 ** math.floor(math.log10((self.high - self.low) / about))
-        step = next(step * m for m in (1, 2, 5, 10) if (self.high - self.low) / (step * m) <= about)
-        step = max(step, 1.0) if whole else step
-        first = math.ceil(self.low / step - 1e-9)
-        return [step * k for k in range(first, math.floor(self.high / step + 1e-9) + 1)]
 
 
 @dataclass(frozen=True)
@@ -106,11 +86,11 @@ def plot_of_robot(r: RobotPath) -> Drawing:
 
 
 def _drawn(p: _Plot) -> Drawing:
-    x = _Axis(0, p.end, LEFT, WIDTH - RIGHT)
-    sigma = _Axis(0, _up(max(float(p.margins.max(initial=0)), 1e-9)), _TOP + _UPPER, _TOP)
+    x = Axis(0, p.end, LEFT, WIDTH - RIGHT)
+    sigma = Axis(0, _up(max(float(p.margins.max(initial=0)), 1e-9)), _TOP + _UPPER, _TOP)
     label, value = p.other
     low, high = (math.copysign(_up(abs(v)), v) if v else 0.0 for v in (value.min(initial=0), value.max(initial=0)))
-    other = _Axis(low, high, _FLOOR, _FLOOR - _LOWER) if low < high else _Axis(-1, 1, _FLOOR, _FLOOR - _LOWER)
+    other = Axis(low, high, _FLOOR, _FLOOR - _LOWER) if low < high else Axis(-1, 1, _FLOOR, _FLOOR - _LOWER)
     shapes: list[Shape] = []
     for start, end in p.blocks:
         for axis in (sigma, other):
@@ -150,7 +130,7 @@ def _up(value: float) -> float:
     return next(m * power for m in (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10) if m * power >= value * (1 - 1e-12))
 
 
-def _frame(x: _Axis, y: _Axis, label: str, *, last: bool) -> Iterator[Shape]:
+def _frame(x: Axis, y: Axis, label: str, *, last: bool) -> Iterator[Shape]:
     for tick in y.ticks(4):
         yield Stroke((x.start, y(tick)), (x.end, y(tick)), "muted", 0.5, 0.35)
         yield _words((x.start - 6, y(tick) + 4), f"{tick:.4g}".replace("-", "−"), "end")
@@ -169,7 +149,7 @@ def _words(at: XY, text: str, anchor: Literal["start", "middle", "end"] = "start
     return Text(at, (Run(text),), _SIZE, anchor)
 
 
-def _curve(x: _Axis, y: _Axis, places: Floats, values: Floats, colour: str) -> Iterator[Shape]:
+def _curve(x: Axis, y: Axis, places: Floats, values: Floats, colour: str) -> Iterator[Shape]:
     chosen = list(range(len(places)))
     if len(places) > _MOST:
         groups = np.array_split(np.arange(len(places)), _MOST // 2)
@@ -190,7 +170,7 @@ def _marker(kind: str, at: XY) -> Shape:
     return Polygon(((u - d, v - d), (u + d, v - d), (u + d, v + d), (u - d, v + d)), fill="mark", stroke="paper")
 
 
-def _numbers(zeros: Sequence[float], x: _Axis, height: float) -> Iterator[Shape]:
+def _numbers(zeros: Sequence[float], x: Axis, height: float) -> Iterator[Shape]:
     """The numbers that the zeros have in the text; those that are too near each other share a place: 2–5."""
     groups: list[list[int]] = []
     for n in range(len(zeros)):

@@ -97,7 +97,10 @@ def _values(rng: Random) -> dict[str, str]:
         "--accuracy": rng.choice(("1mm", "0.1", "0", "-1", number)),
         "--actuators": rng.choice(("q1=0.1", "x=1", "", "q1=5deg")),
         "--samples": rng.choice(("2", "5", "0", "x", number if len(number) < 4 else "7")),
-        "--over": rng.choice(("x -1:1:3", "y 0:1:2", "z 0:1:2", "x", "x,y", "rx -10:10:3 deg", "translation", number)),
+        "--over": rng.choice(
+            ("x -1:1:3", "y 0:1:2", "z 0:1:2", "x", "x,y", "rx -10:10:3 deg", "translation", "q2 1..2", number)
+        ),
+        "--held": rng.choice(("q1=1", "q2=0", "q9=1", "x", number)),
         "--fix": rng.choice(("x=0", "e1=0, e2=0", "q=1", "x=", number)),
         "--rotation": rng.choice(("quaternion", "rodrigues", "zyx", "x")),
         "--export": rng.choice(("sympy", "maple", "singular", "x")),
