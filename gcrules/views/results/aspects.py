@@ -8,9 +8,10 @@ from gcrules.core.english import listed
 from gcrules.poses.aspects.report import Aspects, AspectSet
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.results.plan import waypoint_text
+from gcrules.views.results.result_account import Facts, Grid, ResultAccount
 from gcrules.views.text_tables import ASCII, table, wrapped
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["account", "as_latex", "as_text"]
 
 
 def as_text(r: Aspects, *, unicode: bool = False) -> str:
@@ -19,11 +20,21 @@ def as_text(r: Aspects, *, unicode: bool = False) -> str:
     return found if unicode else found.translate(ASCII)
 
 
+def account(r: Aspects) -> ResultAccount:
+    """What there is to say of them."""
+    return ResultAccount(_verdict(r), (_table(r), Facts(tuple(_facts(r)))))
+
+
+def _table(r: Aspects) -> Grid:
+    rows = ((s.name, _signs(s), str(len(s.poses)), _numbers(s.modes), _witness(s)) for s in r.sets)
+    return Grid(("set", "signs", "poses", "modes" * bool(r.modes), "a pose of it"), tuple(rows))
+
+
 def _lines(r: Aspects) -> Iterator[str]:
     yield from wrapped(_verdict(r))
     yield ""
-    rows = [("set", "signs", "poses", "modes" * bool(r.modes), "a pose of it")]
-    rows += [(s.name, _signs(s), str(len(s.poses)), _numbers(s.modes), _witness(s)) for s in r.sets]
+    grid = _table(r)
+    rows = [grid.head, *grid.rows]
     widths = [max(len(row[k]) for row in rows) for k in range(4)]
     for row in rows:
         head = "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=False) if width)

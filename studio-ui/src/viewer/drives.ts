@@ -11,6 +11,8 @@ export interface Drives {
   root: HTMLElement;
   /** Shows the robot where it is. */
   start(): void;
+  /** The actuators as far towards these amounts from home as the robot assembles. */
+  to(amounts: number[]): void;
 }
 
 type Places = Record<string, Vec3>;
@@ -40,10 +42,14 @@ export function drivesOf(viewer: Viewer, scene: Scene & { linkage: Linkage }, te
   function drive(i: number, amount: number): void {
     const wanted = driven(m, at);
     wanted[i] = amount;
-    const found = driveTo(m, at, wanted);
+    to(wanted, () => `${m.drives[i]!.name} stops at ${rows[i]!.words()}`);
+  }
+
+  function to(amounts: number[], stopped = () => "it stops here"): void {
+    const found = driveTo(m, at, amounts);
     at = found.at;
     settle();
-    note.textContent = found.reached ? "" : `The robot assembles no farther: ${m.drives[i]!.name} stops at ${rows[i]!.words()}.`;
+    note.textContent = found.reached ? "" : `The robot assembles no farther: ${stopped()}.`;
   }
 
   function row(i: number) {
@@ -70,7 +76,7 @@ export function drivesOf(viewer: Viewer, scene: Scene & { linkage: Linkage }, te
     return { row: make("label", { class: "gcx-row", title: text }, name(label), range, box, make("span", { class: "gcx-unit" }, measure)), set, words };
   }
 
-  return { root, start: settle };
+  return { root, start: settle, to: (amounts) => to(amounts) };
 }
 
 /** What of a scene follows the links. */

@@ -15,6 +15,8 @@ export interface Explorer {
   /** Those of the platform's pose; null for a robot that is not moved here. */
   readonly numbers: PoseNumbers | null;
   setPose(pose: Pose): void;
+  /** The actuators of a robot of joints to these amounts from home, in radians and lengths. */
+  drive(amounts: number[]): void;
   setScene(scene: Scene): void;
   dispose(): void;
 }
@@ -221,6 +223,7 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
       viewer.setPose(next);
       settle();
     },
+    drive: (amounts) => drives?.to(amounts),
     setScene: start,
     dispose() {
       dark.removeEventListener("change", themed);

@@ -1,0 +1,80 @@
+// Brings the 3D views of a report to life: the figure of the robot, and those of sections that lead it.
+(() => {
+  const scene = JSON.parse(document.getElementById("gcrules-scene").textContent);
+
+  // the figure keeps its drawing for paper and for browsers in which the viewer cannot start
+  const figure = document.getElementById("gcrules-robot");
+  const stage = document.createElement("div");
+  stage.className = "stage";
+  figure.prepend(stage);
+  figure.classList.add("live");
+  figure.hidden = false;
+  try {
+    window.robot = GcrulesViewer.explore(stage, scene);
+  } catch (fault) {
+    figure.classList.remove("live");
+    stage.remove();
+    throw fault;
+  }
+
+  const calm = matchMedia("(prefers-reduced-motion: reduce)");
+
+  /** A view that goes to the steps of its section; made when it comes into sight, for a page can hold few of them. */
+  function lead(root) {
+    const { about, steps } = JSON.parse(root.querySelector("script").textContent);
+    const [range, play, output] = ["input", ".play", "output"].map((name) => root.querySelector(name));
+    const buttons = [...root.parentElement.querySelectorAll("[data-step]")];
+    const least = 6000 / steps.length; // milliseconds of a step
+    let robot = null;
+    let timer = 0;
+
+    function show(step) {
+      robot ??= GcrulesViewer.explore(root.querySelector(".stage"), { ...scene, about });
+      const { pose, drive, text } = steps[step];
+      if (pose) robot.setPose(pose);
+      else robot.drive(drive);
+      output.textContent = text;
+      if (range) range.value = String(step);
+      for (const button of buttons) button.setAttribute("aria-pressed", String(Number(button.dataset.step) === step));
+    }
+
+    function stop() {
+      clearInterval(timer);
+      timer = 0;
+      if (play) play.textContent = "Play";
+    }
+
+    function start() {
+      let step = Number(range.value) === steps.length - 1 ? 0 : Number(range.value);
+      if (calm.matches) return show(steps.length - 1);
+      play.textContent = "Pause";
+      timer = setInterval(() => {
+        show(step);
+        step += 1;
+        if (step === steps.length) stop();
+      }, least);
+    }
+
+    root.hidden = false;
+    for (const button of buttons) {
+      button.hidden = false;
+      button.addEventListener("click", () => {
+        show(Number(button.dataset.step));
+        root.scrollIntoView({ block: "nearest", behavior: calm.matches ? "auto" : "smooth" });
+      });
+    }
+    range?.addEventListener("input", () => {
+      stop();
+      show(Number(range.value));
+    });
+    play?.addEventListener("click", () => (timer ? stop() : start()));
+    const seen = new IntersectionObserver((entries) => {
+      if (!entries.some((entry) => entry.isIntersecting)) return;
+      seen.disconnect();
+      show(0);
+    });
+    seen.observe(root);
+  }
+
+  document.querySelectorAll(".lead").forEach(lead);
+})();
