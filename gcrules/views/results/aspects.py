@@ -11,7 +11,7 @@ from gcrules.views.results.plan import waypoint_text
 from gcrules.views.results.result_account import Facts, Grid, ResultAccount
 from gcrules.views.text_tables import ASCII, table, wrapped
 
-__all__ = ["account", "as_latex", "as_text"]
+__all__ = ["account", "as_latex", "as_text", "changes"]
 
 
 def as_text(r: Aspects, *, unicode: bool = False) -> str:
@@ -79,7 +79,7 @@ def _facts(r: Aspects) -> Iterator[tuple[str, str]]:
     yield "signs", f"of {', '.join(expressions)}" if expressions else "the robot has no number with a sign"
     if r.modes is not None:
         yield "modes", f"assembly modes for the actuators at home, {r.modes.completeness.text}"
-    yield from (("change", words) for words in _changes(r))
+    yield from (("change", words) for words in changes(r))
     for reason in dict.fromkeys(one.reason for one in r.left_out):
         yield "left out", f"{listed([one.pose for one in r.left_out if one.reason == reason])}: {reason}"
     sure = "everywhere" if r.proved else "at the samples of each path"
@@ -93,7 +93,7 @@ def _facts(r: Aspects) -> Iterator[tuple[str, str]]:
         yield "note", note
 
 
-def _changes(r: Aspects) -> Iterator[str]:
+def changes(r: Aspects) -> Iterator[str]:
     """Which assembly modes share an aspect."""
     for s in r.changes:
         names = listed([str(n) for n in s.modes])

@@ -15,7 +15,7 @@ from gcrules.views.results.result_account import Block, Facts, Grid, ResultAccou
 from gcrules.views.robots.pose_picture import pose_picture
 from gcrules.views.text_tables import ASCII, table, wrapped
 
-__all__ = ["account", "as_latex", "as_text", "mode_picture", "picture", "svg"]
+__all__ = ["account", "as_latex", "as_text", "mode_picture", "mode_text", "picture", "svg"]
 
 _SHOWN = ("x", "y", "z", "roll", "pitch", "yaw")
 _DRAWN = 8  # modes in one row
@@ -99,7 +99,7 @@ def _curve(r: AssemblyModes, k: int) -> str:
 
 
 def _table(r: AssemblyModes) -> Grid:
-    rows = ((str(m.number), m.verdict, f"{m.margin:.4g}", m.signs.replace("-", "−"), _place(m)) for m in r.modes)
+    rows = ((str(m.number), m.verdict, f"{m.margin:.4g}", m.signs.replace("-", "−"), mode_text(m)) for m in r.modes)
     return Grid(("mode", "verdict", "σ", "signs", "pose"), tuple(rows))
 
 
@@ -110,7 +110,8 @@ def _rows(grid: Grid) -> Iterator[str]:
         yield "  ".join([*(f"{word:<{w}}" for word, w in zip(row, widths, strict=False)), row[4]]).rstrip()
 
 
-def _place(m: AssemblyMode) -> str:
+def mode_text(m: AssemblyMode) -> str:
+    """Its pose from that of the file, and what there is to remark."""
     words = ", ".join(f"{n}={_coordinate(n, m.coordinates[n])}" for n in _SHOWN if m.coordinates[n])
     remarks = [*["given"] * m.given, *[f"{m.multiplicity} paths end there"] * (m.multiplicity > 1)]
     return (words or "that of the file") + (f" ({', '.join(remarks)})" if remarks else "")
