@@ -326,7 +326,7 @@ def report(
     """
     asked = Questions(
         path=path,
-        over=() if over is None else over,
+        over=over,
         at=at,
         limits=limits,
         within=within,
@@ -334,7 +334,7 @@ def report(
         threshold=threshold,
         modes=modes,
         aspects=aspects,
-        plan=() if plan is None else plan,
+        plan=plan,
         free=free,
     )
     asked.check()

@@ -48,7 +48,7 @@ class Questions:
     """
 
     path: Any = None
-    over: Sequence[Any] = ()
+    over: Sequence[Any] | None = None
     at: Any = None
     limits: str | None = None
     within: str | None = None
@@ -56,19 +56,22 @@ class Questions:
     threshold: Any = DEFAULT.text
     modes: bool = False
     aspects: bool = False
-    plan: Sequence[Any] = ()
+    plan: Sequence[Any] | None = None
     free: str | None = None
 
     def check(self) -> None:
         """Raises InputError for what goes with questions that are not asked, and for an unknown shape."""
-        if self.at is not None and not (self.over or self.modes or self.free):
+        mapped, planned = self.over is not None, self.plan is not None
+        if self.at is not None and not (mapped or self.modes or self.free):
             raise InputError("a pose is that of a map, of modes or of a free region", hint=_NONE_OF_THEM)
-        if self.limits is not None and not (self.over or self.aspects or self.plan):
+        if self.limits is not None and not (mapped or self.aspects or planned):
             raise InputError("limits are those of a map, of aspects or of a plan", hint=_NONE_OF_THEM)
-        if self.within is not None and not (self.aspects or self.plan):
+        if self.within is not None and not (self.aspects or planned):
             raise InputError("ranges of coordinates are those of aspects or of a plan", hint=_NONE_OF_THEM)
-        if len(self.plan) > 2:
-            raise InputError(f"a plan through {len(self.plan)} poses", hint="name its start and its goal")
+        if self.plan is not None and not 1 <= len(self.plan) <= 2:
+            raise InputError(
+                f"a plan of {len(self.plan)} poses", hint="name its start and its goal, or the start alone"
+            )
         if self.free is not None and self.free not in SHAPES:
             raise InputError(f"{self.free!r} is no shape of a free region", hint=" or ".join(SHAPES))
 
@@ -83,7 +86,7 @@ class Questions:
         about, threshold, limits = self.about, self.threshold, self.limits
         if self.path is not None:
             yield path_of(a, self.path, about=about, threshold=threshold)
-        if self.over:
+        if self.over is not None:
             yield map_of(a, self.over, self.at, about=about, limits=limits, threshold=threshold)
         if self.modes:
             yield assembly_modes(a, self.at, about=about, threshold=threshold)
@@ -91,7 +94,7 @@ class Questions:
                 yield from self._further_modes(a)
         if self.aspects:
             yield aspects_of(a, about=about, limits=limits, within=self.within)
-        if self.plan:
+        if self.plan is not None:
             yield plan_of(a, *self.plan, about=about, limits=limits, within=self.within)
         if self.free:
             yield free_region(a, self.at, about=about, ball=self.free == "ball")
