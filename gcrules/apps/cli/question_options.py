@@ -26,8 +26,7 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
         if poses and table is not None:
             raise click.UsageError("Give the poses of the path either by --poses POSES.csv or by --path.")
         path = list(poses) if table is None else table
-        chosen = {name: options.pop(name) for name in _NAMES}
-        asked = Questions(path=path or None, **{name: None if one == () else one for name, one in chosen.items()})
+        asked = Questions(path=path or None, **{n: one for n in _NAMES if (one := options.pop(n)) != ()})
         if not (asked.over or asked.modes or asked.free) and asked.at is not None:
             raise click.UsageError("--at is that of a map, of modes or of a region: give --over, --modes or --free.")
         if not (asked.over or asked.aspects or asked.plan) and asked.limits is not None:

@@ -26,7 +26,9 @@ __all__ = ["lead_html", "path_lead", "pose_step"]
 _SHOWN = 120  # samples of a path that the view is led through
 
 Step = dict[str, Any]
-"""A place that the robot is led to: its `pose`, or the amounts of its actuators to `drive` to, and a `text`."""
+"""A place that the robot is led to: its `pose`, or the amounts of its actuators to `drive` to with the `margin` there,
+and a `text`.
+"""
 
 
 def lead_html(steps: Sequence[Step], about: Iterable[Any], *, along: bool) -> str:
@@ -60,7 +62,8 @@ def path_lead(r: PathReport | RobotPath, m: SixLegs | Limbs) -> str:
         steps = [pose_step(pose, _words(r, k)) for pose, k in zip(poses, places, strict=True)]
     else:  # moved by its actuators
         lead = [r.actuators.index(a) for a in leading(m.linkage)]
-        steps = [{"drive": r.actuator_values[k][lead].tolist(), "text": _words(r, k)} for k in places]
+        amounts = r.actuator_values[:, lead].tolist()
+        steps = [{"drive": amounts[k], "margin": float(r.margins[k]), "text": _words(r, k)} for k in places]
     return lead_html(steps, m.linkage.centre, along=True)
 
 

@@ -17,6 +17,7 @@
     throw fault;
   }
 
+  const SAME = 1e-3; // margins that differ by more are those of different configurations
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
   /** A view that goes to the steps of its section; made when it comes into sight, for a page can hold few of them. */
@@ -27,13 +28,31 @@
     const least = 6000 / steps.length; // milliseconds of a step
     let robot = null;
     let timer = 0;
+    let lost = Infinity; // the first step to which the actuators do not lead
+    let away = false; // whether the view stands elsewhere
+
+    /** Whether the view gets to a step; a robot of joints goes there from where it is, or else along the way again. */
+    function goes(step) {
+      const { pose } = steps[step];
+      if (pose) {
+        robot.setPose(pose);
+        return true;
+      }
+      if (step >= lost) return false;
+      if (away) robot.setScene({ ...scene, about });
+      for (let k = away ? 0 : step; k <= step; k += 1) if (!met(steps[k], robot.drive(steps[k].drive))) return false;
+      return true;
+    }
+
+    const met = ({ margin }, found) => !found || (found.reached && Math.abs(found.margin - margin) <= SAME);
 
     function show(step) {
       robot ??= GcrulesViewer.explore(root.querySelector(".stage"), { ...scene, about });
-      const { pose, drive, text } = steps[step];
-      if (pose) robot.setPose(pose);
-      else robot.drive(drive);
-      output.textContent = text;
+      const there = goes(step);
+      if (!there) lost = Math.min(lost, step);
+      away = !there;
+      const { text } = steps[step];
+      output.textContent = there ? text : `${text}; the view stands elsewhere: its actuators do not lead there from the start`;
       if (range) range.value = String(step);
       for (const button of buttons) button.setAttribute("aria-pressed", String(Number(button.dataset.step) === step));
     }
