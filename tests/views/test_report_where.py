@@ -178,9 +178,25 @@ def test_the_view_goes_along_the_way(chromium: Any, tmp_path: Path, robot: str, 
 
 
 @pytest.mark.browser
-def test_the_view_shows_assembly_modes(chromium: Any, tmp_path: Path) -> None:
-    page = opened(chromium, tmp_path, gc.report(OCTAHEDRAL, modes=True))
-    page.page.get_by_role("button", name="Show Mode 3 in 3D").click()
-    margin = page.page.locator(".lead .gcx-numbers dd").nth(1).inner_text()
-    assert float(margin) == pytest.approx(gc.assembly_modes(OCTAHEDRAL)[2].margin, rel=1e-3)
+@pytest.mark.parametrize(("robot", "number"), [(OCTAHEDRAL, 3), ("3-rps", 5), ("delta", 2)])
+def test_the_view_shows_assembly_modes(chromium: Any, tmp_path: Path, robot: str, number: int) -> None:
+    page = opened(chromium, tmp_path, gc.report(robot, modes=True))
+    page.page.get_by_role("button", name=f"Show Mode {number} in 3D").click()
+    margin = page.page.locator(".lead .gcx-numbers dd").nth(1 if robot == OCTAHEDRAL else 0).inner_text()
+    assert float(margin) == pytest.approx(gc.assembly_modes(robot)[number - 1].margin, rel=1e-3)
     assert page.faults == []
+
+
+@pytest.mark.browser
+def test_the_view_says_where_it_does_not_get(chromium: Any, tmp_path: Path) -> None:
+    """Past a singular place the actuators lead elsewhere, or nowhere; back from there it is as before."""
+    poses = ["home", "z=0.2, roll=20deg, pitch=10deg", "z=0.2, roll=85deg, pitch=10deg"]
+    page = opened(chromium, tmp_path, gc.report("3-rps", path=poses))
+    place, words = page.page.locator(".lead .tour input"), page.page.locator(".lead output")
+    place.fill(place.get_attribute("max"))
+    assert words.inner_text().startswith("parameter 2.000")
+    assert "the view stands elsewhere" in words.inner_text()
+    place.fill("10")
+    assert "elsewhere" not in words.inner_text()
+    margin = float(words.inner_text().rpartition("= ")[2])
+    assert float(page.page.locator(".lead .gcx-numbers dd").first.inner_text()) == pytest.approx(margin, abs=1e-3)

@@ -21,13 +21,13 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import pose_of
 from gcrules.views.report.report_page import in_script
 
-__all__ = ["lead_html", "path_lead", "pose_step"]
+__all__ = ["Step", "lead_html", "path_lead", "pose_step"]
 
 _SHOWN = 120  # samples of a path that the view is led through
 
 Step = dict[str, Any]
-"""A place that the robot is led to: its `pose`, or the amounts of its actuators to `drive` to with the `margin` there,
-and a `text`.
+"""A place that the robot is led to: its `pose`, the amounts of its actuators to `drive` to with the `margin` there, or
+a `scene` of its own; and a `text`.
 """
 
 

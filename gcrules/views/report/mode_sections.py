@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from html import escape
 
+from gcrules.core.errors import InputError
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import has_six_legs
+from gcrules.poses.modes.choose import robot_in_mode
 from gcrules.poses.modes.report import AssemblyMode, AssemblyModes
 from gcrules.poses.modes.working import WorkingModes
 from gcrules.poses.operation_modes.report import OperationModes
 from gcrules.poses.questions import Unanswered
 from gcrules.views.forms import shown
 from gcrules.views.report.account_html import account_section, blocks_html, figure_card, latex_html, section_html
-from gcrules.views.report.leads import lead_html, pose_step
+from gcrules.views.report.leads import Step, lead_html, pose_step
+from gcrules.views.report.robot_report import robot_scene
 from gcrules.views.results.modes import mode_picture
 from gcrules.views.results.result_account import ResultAccount
 
@@ -23,12 +27,31 @@ __all__ = ["assembly_modes_html", "operation_modes_html", "unanswered_html", "wo
 def assembly_modes_html(r: AssemblyModes, m: SixLegs | Limbs, *, live: bool) -> str:
     """How many there are and whether they are all, a picture of the robot in each, and their table."""
     told: ResultAccount = shown(r, "account")
-    led = live and has_six_legs(m)
-    cards = [_card(r, one, one.number - 1 if led else None) for one in r.modes]
+    steps = {one.number: step for one in r.modes[:_IN_SPACE] if live and (step := _step(one, m))}
+    numbers = list(steps)
+    cards = [_card(r, one, numbers.index(one.number) if one.number in steps else None) for one in r.modes]
     pictures = f'<div class="cards">{"".join(cards)}</div>' if cards else ""
-    steps = [pose_step(one.pose, f"mode {one.number}, σ = {one.margin:.4g}") for one in r.modes]
-    view = lead_html(steps, r.centre, along=False) if led else ""
+    view = lead_html(list(steps.values()), r.centre, along=False)
     return section_html("Assembly modes", told.verdict, pictures, view, blocks_html(told.blocks), latex_html(r))
+
+
+_IN_SPACE = 40
+"""Modes that are shown in 3D; each scene of a robot of joints takes about 20 kB."""
+
+
+def _step(one: AssemblyMode, m: SixLegs | Limbs) -> Step | None:
+    """What shows a mode in 3D: the pose; of a robot of joints, whose actuators do not lead there, the robot with its
+    home in the mode. None where it has no such home.
+    """
+    text = f"mode {one.number}, σ = {one.margin:.4g}"
+    if has_six_legs(m):
+        return pose_step(one.pose, text)
+    assert isinstance(m, Limbs)
+    try:
+        robot = robot_in_mode(m, one, text)
+    except InputError:
+        return None
+    return {"scene": robot_scene(replace(m.analysis, robot=robot)), "text": text}
 
 
 def _card(r: AssemblyModes, m: AssemblyMode, step: int | None) -> str:

@@ -33,7 +33,11 @@
 
     /** Whether the view gets to a step; a robot of joints goes there from where it is, or else along the way again. */
     function goes(step) {
-      const { pose } = steps[step];
+      const { pose, scene: other } = steps[step];
+      if (other) {
+        robot.setScene(other);
+        return true;
+      }
       if (pose) {
         robot.setPose(pose);
         return true;
