@@ -42,8 +42,9 @@ PICTURES: dict[str, dict[str, Any]] = {
         "map": [{"name": "z", "low": -0.7, "high": 0.7}, {"name": "roll", "low": -70, "high": 70}],
         "place": (0.62, 0.22),
     },
+    "studio-where.png": {"scheme": "light", "open": ("example", "octahedral"), "mode": 2},
 }
-"""Name: colours of the page, what is opened, the step or the map, and how the platform is moved."""
+"""Name: colours of the page, what is opened, the step, the map or the assembly mode, and how the platform is moved."""
 
 
 def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
@@ -65,6 +66,13 @@ def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
         box = desk.one("map-plot").bounding_box()
         x, y = wanted["place"]
         desk.one("map-plot").click(position={"x": x * box["width"], "y": y * box["height"]})
+        desk.page.wait_for_timeout(3000)
+    if "mode" in wanted:
+        desk.one("panel-where").click()
+        for name, last in (("aspects", "aspect"), ("assemblies", "assembly")):
+            desk.one(f"{name}-go").click()
+            desk.page.get_by_test_id(last).last.wait_for()
+        desk.page.get_by_test_id("assembly").nth(wanted["mode"]).click()
         desk.page.wait_for_timeout(3000)
     desk.answered()
     desk.page.mouse.move(2, 2)

@@ -41,6 +41,7 @@ from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.load import load as _load
 from gcrules.mechanisms.robot import Robot
+from gcrules.poses.questions import Questions
 from gcrules.rules.condition import Condition
 from gcrules.rules.library import Library
 from gcrules.rules.plugin import Plugin
@@ -93,10 +94,8 @@ __all__ = [
     "within",
 ]
 
-map_of = deferred("gcrules.poses.maps.maps:singular_map")
 _in_mode = deferred("gcrules.poses.modes.choose:in_mode")
 _report = deferred("gcrules.views.report.report:report")
-path_of = deferred("gcrules.poses.path_report:path")
 decided = deferred("gcrules.algebra.factoring.factorize:factor")
 shortened = deferred("gcrules.algebra.shortening.shorten:shorten")
 
@@ -304,8 +303,13 @@ def report(
     over: Sequence[Any] | None = None,
     at: Any = None,
     limits: str | None = None,
+    within: str | None = None,
     about: str | Sequence[Any] = "centroid",
     threshold: Any = DEFAULT.text,
+    modes: bool = False,
+    aspects: bool = False,
+    plan: Sequence[Any] | None = None,
+    free: str | None = None,
     plugins: Folders = (),
 ) -> str:
     """The HTML page of a source's analysis; of a platform with coordinates also the robot in its pose and the numbers
@@ -314,14 +318,28 @@ def report(
     `source` is what `load` takes. `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
     `path`, poses or the name of a table as `gcrules.path` takes them, adds the singular places on that path; `over`,
     coordinates with their ranges as `gcrules.singular_map` takes them with `at` and `limits`, adds the map over them.
-    `about` and `threshold` are those of both. Raises InputError where there is no such path or map.
+    `modes` adds the assembly modes (`gcrules.assembly_modes`, `at` a pose), of a robot of joints its working and
+    operation modes too; `aspects` its aspects (`gcrules.aspects`); `plan`, a start and a goal or a start alone, a way
+    without a singularity (`gcrules.plan`); `free`, "box" or "ball", the largest one that is proved free of singular
+    poses (`gcrules.free_region`), `at` the pose. `limits` and `within` are those of aspects and plan, `about` and
+    `threshold` those of all. Raises InputError where there is no such path, map or pose.
     """
-    if over is None and not (at is None and limits is None):
-        raise InputError("at and limits are those of a map", hint='name its coordinates: over=["x -1:1:41", …]')
+    asked = Questions(
+        path=path,
+        over=over,
+        at=at,
+        limits=limits,
+        within=within,
+        about=about,
+        threshold=threshold,
+        modes=modes,
+        aspects=aspects,
+        plan=plan,
+        free=free,
+    )
+    asked.check()
     found = _analyze(source, plugins=plugins)
-    along = None if path is None else path_of(found, path, about=about, threshold=threshold)
-    mapped = None if over is None else map_of(found, over, at, about=about, limits=limits, threshold=threshold)
-    page: str = _report(found, interactive=interactive, path=along, singular_map=mapped)
+    page: str = _report(found, interactive=interactive, answers=asked.answers(found), about=about)
     return page
 
 

@@ -91,6 +91,7 @@ _POSES = either(
 )
 _ACTUATORS = either("amounts of the actuators: text, a mapping or numbers", TEXT, _NAMED, ROW)
 _PATH = either("the name of a table, or a sequence of poses", FILE, listed("", _POSE))
+_ENDS = listed("a sequence of one pose or two", _POSE)
 _AXES = listed(
     "a sequence of two or three coordinates with their ranges, as text",
     either("", TEXT, ArgumentKind("", _axis)),
@@ -224,8 +225,13 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "over": optional(_AXES),
         "at": optional(_POSE),
         "limits": optional(TEXT),
+        "within": optional(TEXT),
         "about": _ABOUT,
         "threshold": _THRESHOLD,
+        "modes": FLAG,
+        "aspects": FLAG,
+        "plan": optional(_ENDS),
+        "free": optional(TEXT),
         "plugins": _FOLDERS,
     },
     "rewrite": {"e": _EXPR, "rules": _RULES, **_SPACE},

@@ -45,6 +45,11 @@ def _in_ascii(module: str, **names: str) -> Forms:
     return _result(module, unicode=False, **names)
 
 
+def _told(module: str, **others: str) -> Forms:
+    """The same for results whose LaTeX is a table, with the pieces of their text, `account`."""
+    return _result(module, formula="", others={"account": f"{_RESULTS}.{module}:account", **others})
+
+
 FORMS: dict[str, Forms] = {
     "gcrules.algebra.expr.Expr": Forms(
         text="gcrules.algebra.language.text:text", latex=f"{_VIEWS}.formulas.latex:latex", unicode=False
@@ -109,9 +114,9 @@ FORMS: dict[str, Forms] = {
             "xarray": f"{_VIEWS}.plots.map_data:dataset",
         },
     ),
-    "gcrules.poses.modes.working.WorkingModes": _result("working_modes", formula=""),
-    "gcrules.poses.modes.report.AssemblyModes": _result(
-        "modes", formula="", others={"svg": f"{_RESULTS}.modes:svg", "picture": f"{_RESULTS}.modes:picture"}
+    "gcrules.poses.modes.working.WorkingModes": _told("working_modes"),
+    "gcrules.poses.modes.report.AssemblyModes": _told(
+        "modes", svg=f"{_RESULTS}.modes:svg", picture=f"{_RESULTS}.modes:picture"
     ),
     "gcrules.poses.length_regions.report.LengthRegions": _result(
         "length_regions",
@@ -121,10 +126,10 @@ FORMS: dict[str, Forms] = {
             "picture": f"{_VIEWS}.plots.length_regions_plot:picture",
         },
     ),
-    "gcrules.poses.operation_modes.report.OperationModes": _result("operation_modes", formula=""),
-    "gcrules.poses.regions.report.FreeRegion": _result("free_region", formula=""),
-    "gcrules.poses.aspects.report.Aspects": _result("aspects", formula=""),
-    "gcrules.poses.plans.report.Plan": _result("plan", formula=""),
+    "gcrules.poses.operation_modes.report.OperationModes": _told("operation_modes"),
+    "gcrules.poses.regions.report.FreeRegion": _told("free_region"),
+    "gcrules.poses.aspects.report.Aspects": _told("aspects"),
+    "gcrules.poses.plans.report.Plan": _told("plan"),
     "gcrules.poses.loci.report.Locus": _result("locus"),
     "gcrules.poses.loci.limb_report.RobotLocus": _result("robot_locus"),
 }

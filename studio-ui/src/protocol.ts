@@ -268,7 +268,7 @@ export interface ExampleSource {
 export interface RobotSource {
   kind: "robot";
   id: string;
-  /** A working mode, "+-+": the robot's home in that mode. */
+  /** A working mode, "+-+", or an assembly mode, "assembly 3": the robot's home in that mode. */
   mode?: string;
 }
 
@@ -277,7 +277,7 @@ export interface FileSource {
   kind: "file";
   text: string;
   name: string;
-  /** A working mode, of a robot file. */
+  /** A working or an assembly mode, of a robot file. */
   mode?: string;
 }
 
@@ -342,6 +342,13 @@ export interface MapArgs {
 export interface ModesArgs {
   source: Source;
   threshold?: string;
+}
+
+/** The largest region of a shape around the pose. */
+export interface FreeArgs {
+  source: Source;
+  pose: Pose;
+  shape: "box" | "ball";
 }
 
 /** The pose at a place of that map, in the units of its axes. */
@@ -812,6 +819,65 @@ export interface PlacedPose {
   pose: Pose;
 }
 
+/** The answer in a sentence, and what it consists of, with how sure it is. */
+export interface Account {
+  verdict: string;
+  facts: FactItem[];
+}
+
+export interface AssemblyMode {
+  number: number;
+  /** It is the pose that was asked about. */
+  given: boolean;
+  verdict: Verdict;
+  margin: number;
+  signs: string;
+  /** The pose, from that of the file. */
+  at: string;
+  /** What is proved of it. */
+  sure: string;
+  svg: string;
+  /** null where the actuators do not lead there: the robot is opened in this `mode` instead. */
+  pose: Pose | null;
+  mode: string | null;
+}
+
+export interface AssembliesAnswer extends Account {
+  modes: AssemblyMode[];
+}
+
+/** Poses of one aspect: how many, with which signs, the assembly modes among them, and the one farthest from being singular. */
+export interface AspectSet {
+  name: string;
+  signs: string;
+  poses: number;
+  modes: number[];
+  at: string;
+  margin: number;
+  /** null where the sliders do not lead to it. */
+  pose: Pose | null;
+}
+
+export interface AspectsAnswer extends Account {
+  least: number;
+  most: number;
+  sets: AspectSet[];
+  /** Which assembly modes share an aspect, in sentences. */
+  changes: string[];
+}
+
+/** What a coordinate may be, both ends rounded to the inside. */
+export interface Range {
+  name: string;
+  low: string;
+  high: string;
+  unit: string;
+}
+
+export interface FreeAnswer extends Account {
+  ranges: Range[];
+}
+
 export interface Methods {
   hello: { args: NoArgs; result: Hello };
   gallery: { args: NoArgs; result: Gallery };
@@ -823,6 +889,9 @@ export interface Methods {
   path: { args: PathArgs; result: PathAnswer };
   map: { args: MapArgs; result: MapAnswer };
   place: { args: PlaceArgs; result: PlacedPose };
+  assemblies: { args: PoseArgs; result: AssembliesAnswer };
+  aspects: { args: OpenArgs; result: AspectsAnswer };
+  free: { args: FreeArgs; result: FreeAnswer };
   manual: { args: ManualArgs; result: Manual };
   bench: { args: BenchArgs; result: Bench };
   compose: { args: ComposeArgs; result: Composed };

@@ -9,7 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from places import EXAMPLES
 
+import gcrules as gc
 from gcrules.mechanisms.description.platform_file import load_platform
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
@@ -19,6 +21,7 @@ from studio_page import Desk, Server, studio
 
 pytestmark = pytest.mark.browser
 
+FILE = str(EXAMPLES / "octahedral.yaml")
 OCTAHEDRAL = "ab af cb cd ed ef"
 FACES = {"abc", "bdf", "cde", "aef"}
 
@@ -465,6 +468,63 @@ def test_a_working_mode_is_taken_from_the_list(desk: Desk) -> None:
     desk.run("() => gcrules.open({kind: 'robot', id: '3-rrr'})")
     desk.answered()
     assert desk.numbers["margin"] == pytest.approx(before)
+
+
+def test_assembly_modes_take_the_platform_along(desk: Desk) -> None:
+    """Each picture leads to a pose with the same legs; the list says when it is about another pose."""
+    desk.run("() => gcrules.open({kind: 'example', name: 'octahedral'})")
+    desk.answered()
+    desk.one("panel-where").click()
+    desk.one("assemblies-go").click()
+    modes = desk.page.get_by_test_id("assembly")
+    modes.last.wait_for()
+    assert modes.count() == 8
+    assert modes.first.get_attribute("aria-pressed") == "true"
+    before = desk.numbers["margin"]
+    modes.nth(2).click()
+    desk.page.wait_for_function("() => !gcrules.moving.active.value")
+    desk.answered()
+    assert modes.nth(2).get_attribute("aria-pressed") == "true"
+    assert desk.numbers["margin"] == pytest.approx(gc.assembly_modes(FILE)[2].margin, abs=1e-6)
+    assert desk.numbers["margin"] < before
+    tips = desk.page.locator(".assemblies .tip")
+    assert tips.count() == 0
+    desk.run("() => gcrules.edit({pose: {translation: [0, 0, -10], quaternion: [1, 0, 0, 0]}})")
+    tips.wait_for()
+
+
+def test_an_assembly_mode_of_a_robot_is_opened(desk: Desk) -> None:
+    desk.run("() => gcrules.open({kind: 'robot', id: '3-rpr'})")
+    desk.answered()
+    desk.one("panel-where").click()
+    desk.one("assemblies-go").click()
+    modes = desk.page.get_by_test_id("assembly")
+    modes.last.wait_for()
+    modes.last.click()
+    desk.page.wait_for_function("() => gcrules.study.value?.title.endsWith('assembly mode 2')")
+    desk.answered()
+    assert modes.last.get_attribute("aria-pressed") == "true"
+    assert desk.text("panel-where") == "Where to"
+
+
+def test_aspects_and_a_free_box_are_told(desk: Desk) -> None:
+    desk.run("() => gcrules.open({kind: 'example', name: 'octahedral'})")
+    desk.answered()
+    desk.one("panel-where").click()
+    desk.one("aspects-go").click()
+    sets = desk.page.get_by_test_id("aspect")
+    sets.last.wait_for()
+    assert desk.text("aspects-verdict").endswith("lie in 2 aspects, no more and no less, proved.")
+    assert "without a singularity, proved." in desk.page.get_by_test_id("aspect-change").first.inner_text()
+    desk.page.get_by_test_id("aspect-go").last.click()
+    desk.page.wait_for_function("() => !gcrules.moving.active.value")
+    desk.answered()
+    assert desk.pose["translation"][2] == pytest.approx(-733.333, abs=1e-2)
+    desk.one("free-box").click()
+    desk.one("free-stop").click()
+    desk.one("free-stop").wait_for(state="detached")
+    assert desk.one("free-box").is_enabled()
+    assert desk.page.get_by_test_id("fault").count() == 0
 
 
 def test_a_long_map_is_stopped(desk: Desk) -> None:

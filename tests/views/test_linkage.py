@@ -111,6 +111,6 @@ def test_scenes_carry_the_linkage_of_robots_of_joints() -> None:
 
 
 def test_the_report_has_numbers_at_home() -> None:
-    page = robot_report(analyze("delta"), interactive=False)
+    page = robot_report(analyze("delta"), live=False)
     assert "Numbers at home" in page
     assert f"{gc.pose('delta', nearest=False).margin:.4g}" in page

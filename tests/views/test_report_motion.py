@@ -119,7 +119,7 @@ def test_faults_of_the_command(options: list[str], message: str, tmp_path: Path)
 
 
 def test_faults_of_the_function() -> None:
-    with pytest.raises(gc.InputError, match="those of a map"):
+    with pytest.raises(gc.InputError, match="that of a map"):
         gc.report(OCTAHEDRAL, at="0 0 1")
     with pytest.raises(gc.InputError, match="no coordinates"):
         gc.report("ab af cb cd ed ef", path=["0 0 0", "0 0 1"])

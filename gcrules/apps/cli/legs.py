@@ -22,7 +22,7 @@ from gcrules.apps.cli.base import (
 from gcrules.apps.cli.files import OutputFile, figure_option, working
 from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual_options import ManualOptions, manual_options
-from gcrules.apps.cli.motion_options import MotionOptions, motion_options
+from gcrules.apps.cli.question_options import question_options
 from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.sources import mode_option, read_source
 from gcrules.conditions.analysis import Analysis
@@ -34,6 +34,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.load import Loaded
 from gcrules.mechanisms.robot import Robot
+from gcrules.poses.questions import Questions
 from gcrules.rules.factorization import SECONDS
 
 __all__ = ["analyze", "report"]
@@ -138,7 +139,7 @@ def analyze(
 @rules_options
 @space_options()
 @click.option("--3d/--no-3d", "interactive", default=True, help="Leave the 3D viewer out: a small file.")
-@motion_options
+@question_options
 def report(
     legs: tuple[str, ...],
     mode: str | None,
@@ -151,7 +152,7 @@ def report(
     choice: Choice,
     space: SpaceOptions,
     interactive: bool,
-    motion: MotionOptions,
+    questions: Questions,
 ) -> None:
     """Write the analysis as a self-contained HTML page: formulas, figures, and for a geometry file the numbers.
 
@@ -167,15 +168,21 @@ def report(
     platform can be moved; the page loads nothing, and works from a file. --no-3d leaves that out. --path and
     --over add the singular poses on a path and in a map, with what is proved of them, as `gcrules path` and
     `gcrules map` find them.
+
+    \b
+    gcrules report platform.yaml --modes --aspects --free box -o platform.html
+    gcrules report 3-rps --plan home --plan "z=0.2, roll=20deg, pitch=10deg" -o 3-rps.html
+
+    --modes, --aspects, --plan and --free add where the robot can go, with what is proved of it, as `gcrules modes`,
+    `gcrules aspects`, `gcrules plan` and `gcrules free` find it.
     """
     _check_page(path)
-    motion.check()
     others = order or recheck or assumptions or catalogs or space != _SPACE
     loaded = _loaded(legs, assumptions, space, choice, mode)
     analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others)
     with working("computing"):
-        along, mapped = motion.along(analysis), motion.mapped(analysis)
-    write_file(path, rendered(analysis, interactive=interactive, path=along, singular_map=mapped))
+        answers = questions.answers(analysis)
+    write_file(path, rendered(analysis, interactive=interactive, answers=answers, about=questions.about))
 
 
 def _loaded(

@@ -17,6 +17,7 @@ from gcrules.apps.studio.numbers import margins, numbers
 from gcrules.apps.studio.path_view import path_view
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.where_view import aspects_view, assemblies_view, free_view
 
 __all__ = ["ANSWERS", "answer"]
 
@@ -41,6 +42,9 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
         subject, args["over"], args["pose"], args.get("threshold"), args.get("measure")
     ),
     "place": lambda subject, args: place_view(subject, args["over"], args["pose"], args["place"]),
+    "assemblies": lambda subject, args: assemblies_view(subject, args["pose"], args.get("threshold")),
+    "aspects": lambda subject, args: aspects_view(subject),
+    "free": lambda subject, args: free_view(subject, args["pose"], args["shape"]),
     "manual": lambda subject, args: replayed(subject, args["commands"]),
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),
     "compose": lambda subject, args: composed(args["drawing"]),

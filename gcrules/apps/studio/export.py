@@ -16,6 +16,7 @@ from gcrules.apps.studio.numbers import exact_pose, numbers
 from gcrules.apps.studio.protocol.answer_views import Saved
 from gcrules.apps.studio.protocol.requests import Format, PoseJson
 from gcrules.apps.studio.subject import Subject, Vector
+from gcrules.apps.studio.whereabouts import at_home
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import pose_value
 from gcrules.core.errors import InputError
@@ -61,16 +62,11 @@ def _analysis(subject: Subject) -> Analysis:
 def _posed(subject: Subject, pose: PoseJson) -> Analysis:
     """The analysis with the platform where the pose has it; a sample shape that was not moved stays one."""
     a = _analysis(subject)
-    if subject.moving is None or (subject.invented and _at_home(pose)):
+    if subject.moving is None or (subject.invented and at_home(pose)):
         return a
     platform = _platform(subject, pose)
     value = pose_value(a.structure, a.condition, platform.homogeneous(), unit=platform.units)
     return replace(a, platform=platform, pose=value)
-
-
-def _at_home(pose: PoseJson) -> bool:
-    w, x, y, z = pose["quaternion"]
-    return not any(pose["translation"]) and not any((x, y, z)) and bool(w)
 
 
 def _platform(subject: Subject, pose: PoseJson) -> Platform:
@@ -80,7 +76,7 @@ def _platform(subject: Subject, pose: PoseJson) -> Platform:
     else:
         places = {n: _rounded(p) for n, p in moving.exact(exact_pose(pose)).items()}
     note = subject.note if not subject.invented else "a sample shape: the dimensions are invented"
-    if not _at_home(pose):
+    if not at_home(pose):
         note = " ".join(filter(None, [note, "In a pose of the studio."]))
     return Platform(structure.legs, places, subject.title, note, subject.unit)
 
@@ -129,7 +125,7 @@ def _json(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
 def _yaml(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
     """The file that was opened, as it is; else, and where the platform was moved, a platform file in the pose."""
     source = subject.source
-    if _at_home(pose) or subject.limbs:
+    if at_home(pose) or subject.limbs:
         if subject.robot is not None and source["kind"] == "robot":
             return read_text(subject.robot.robot.filename)
         if source["kind"] == "file":

@@ -20,9 +20,15 @@ from gcrules.poses.limbs.pose_report import target_of
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import HOME, pose_of
 
-__all__ = ["at_coordinates", "coordinates_at", "pose_json", "poses_of_limbs", "reached"]
+__all__ = ["at_coordinates", "at_home", "coordinates_at", "pose_json", "poses_of_limbs", "reached"]
 
 _NEAR = 1e-6  # radians, and parts of the robot's size
+
+
+def at_home(pose: PoseJson) -> bool:
+    """Whether it is home, of a platform or of a robot with limbs."""
+    w, x, y, z = pose["quaternion"]
+    return not any((*pose["translation"], x, y, z, *pose.get("coordinates", ()))) and bool(w)
 
 
 def pose_json(pose: Pose) -> PoseJson:

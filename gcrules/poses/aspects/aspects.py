@@ -24,7 +24,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
-from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.aspects.joining import Joiner
 from gcrules.poses.aspects.report import Aspects, AspectSet, LeftOut
@@ -41,7 +41,7 @@ from gcrules.poses.signs.sign import SEEN, ConditionSign, signs_of
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import HOME
 
-__all__ = ["POSES", "STATES", "aspects"]
+__all__ = ["POSES", "STATES", "aspects", "aspects_of"]
 
 POSES = 40
 STATES = 3000
@@ -74,11 +74,26 @@ def aspects(
 
     Raises InputError for what is asked for wrongly, and where no pose keeps to it.
     """
+    found = mechanism(source, about=about, plugins=plugins)
+    return aspects_of(found, margin, limits, within, poses, states, seed, modes=modes)
+
+
+def aspects_of(
+    found: Mechanism,
+    margin: float | None = None,
+    limits: str | None = None,
+    within: str | None = None,
+    poses: int = POSES,
+    states: int = STATES,
+    seed: int = 0,
+    *,
+    modes: bool = True,
+) -> Aspects:
+    """The aspects of a mechanism; arguments and errors as for `aspects`."""
     asked = asked_margin(margin)
     check_search(states, seed)
     if not 1 <= poses <= states:
         raise InputError(f"{poses} poses, expected 1 to the number of states, {states:,}")
-    found = mechanism(source, about=about, plugins=plugins)
     every = modes_of(found) if modes else None
     domain = method(_DOMAIN, found, "the aspects")(asked, limits, within, every)
     random = np.random.default_rng(seed)

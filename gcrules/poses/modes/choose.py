@@ -85,7 +85,7 @@ def _in_assembly_mode(loaded: Loaded, number: int) -> Loaded:
     m = mechanism(loaded)
     words = f"assembly mode {number}"
     if isinstance(m, Limbs):
-        robot = _moved_robot(m, mode, words)
+        robot = robot_in_mode(m, mode, words)
         return _analysed_anew(loaded, robot) if isinstance(loaded, RobotAnalysis) else robot
     assert isinstance(m, SixLegs)
     platform = _moved_platform(m, mode, words)
@@ -132,7 +132,10 @@ _KINDS: Mapping[str, Callable[[Loaded, int], Loaded]] = {
 _LISTS = "`gcrules modes` lists them, with what is proved of each"
 
 
-def _moved_robot(m: Limbs, mode: AssemblyMode, words: str) -> Robot:
+def robot_in_mode(m: Limbs, mode: AssemblyMode, words: str) -> Robot:
+    """The robot with its home in an assembly mode; `words` name it in the title. Raises InputError where the relations
+    of its file do not hold there.
+    """
     assert isinstance(mode.report, RobotPose)
     return at_places(m.linkage, {n: np.array(p) for n, p in mode.report.points.items()}, words)
 

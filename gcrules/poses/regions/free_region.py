@@ -25,7 +25,7 @@ from gcrules.mechanisms.kinematics.solve import check_target, free_coordinates, 
 from gcrules.mechanisms.kinematics.targets import Target, written
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
-from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.pose_report import target_of
 from gcrules.poses.methods import Methods, as_six_legs, method
@@ -39,7 +39,7 @@ from gcrules.poses.regions.limb_prover import LimbProver
 from gcrules.poses.regions.report import FreeRegion
 from gcrules.screws.pose_text import ANGLES, HOME, VECTOR
 
-__all__ = ["free_region"]
+__all__ = ["free_region", "region_of"]
 
 _MOST = 1_000_000
 _BOXES = 40_000, 4_000  # for a scale: of six legs, of joints
@@ -68,9 +68,15 @@ def free_region(
 
     Raises InputError for what is no pose and no coordinate, and where the robot is singular.
     """
+    return region_of(mechanism(source, about=about, plugins=plugins), at, over, boxes, ball=ball)
+
+
+def region_of(
+    found: Mechanism, at: Any = None, over: str | None = None, boxes: int | None = None, *, ball: bool = False
+) -> FreeRegion:
+    """The free region of a mechanism; arguments and errors as for `free_region`."""
     if boxes is not None and not 1 <= boxes <= _MOST:
         raise InputError(f"{boxes} boxes, expected 1 to {_MOST:,}")
-    found = mechanism(source, about=about, plugins=plugins)
     question = method(_QUESTION, found, "a free region")(at, over)
     proved, tried = _largest(question.prover, boxes or question.boxes, question.largest, ball=ball)
     return _answer(question, proved, tried, ball=ball)

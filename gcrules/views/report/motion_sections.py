@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Iterable, Iterator
 from html import escape
 
 from gcrules.core.deferred import deferred
 from gcrules.core.english import as_sentence
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.paths.report import PathReport
 from gcrules.views.forms import shown
+from gcrules.views.report.account_html import facts_html
+from gcrules.views.report.leads import path_lead
 from gcrules.views.results.map import account
 from gcrules.views.results.path_account import PathAccount, PathPlace, PathStretch
 
@@ -22,14 +25,19 @@ picture = deferred("gcrules.views.plots.map_plot:picture")  # matplotlib, an ext
 _MOST = 100  # places that are listed; the JSON object of `gcrules path` holds all
 
 
-def path_html(r: PathReport | RobotPath) -> str:
-    """Verdict and reason, the margin along the path, a table of the singular places and of what is not decided."""
+def path_html(r: PathReport | RobotPath, m: SixLegs | Limbs, *, live: bool) -> str:
+    """Verdict and reason, the margin along the path, a table of the singular places and of what is not decided; in a
+    page that is `live` a 3D view that goes along it.
+    """
     a: PathAccount = shown(r, "account")
     words = "The margin along the path" + ("; singular places bear the numbers of the table." if a.places else ".")
     figure = f'<figure class="plot">{shown(r, "svg")}<figcaption>{words}</figcaption></figure>'
     head = f'<h2>Along a path</h2><p class="verdict">{escape(a.verdict.capitalize())}</p>'
     reason = f'<p class="why">{escape(a.reason)}</p>'
-    return f'<section class="motion {a.verdict}">{head}{reason}{figure}{_places(a)}{_facts(a.facts)}</section>'
+    view = path_lead(r, m) if live else ""
+    return (
+        f'<section class="motion {a.verdict}">{head}{reason}{figure}{view}{_places(a)}{facts_html(a.facts)}</section>'
+    )
 
 
 def _places(a: PathAccount) -> str:
@@ -59,13 +67,13 @@ def _paragraphs(*words: str) -> str:
     return "".join(f"<p>{escape(one)}</p>" for one in words)
 
 
-def map_html(m: SingularMap) -> str:
+def map_html(r: SingularMap, m: SixLegs | Limbs, *, live: bool) -> str:
     """The picture, the sentence that says what is proved, and what was computed."""
-    over = " and ".join(a.name for a in m.grid.axes)
-    facts = [row for row in account(m) if row[0] != "proof"]
-    proof = f'<p class="proof">{escape(as_sentence(m.guarantee))}</p>'
+    over = " and ".join(a.name for a in r.grid.axes)
+    facts = [row for row in account(r) if row[0] != "proof"]
+    proof = f'<p class="proof">{escape(as_sentence(r.guarantee))}</p>'
     head = f"<h2>Map over {escape(over)}</h2>"
-    return f'<section class="motion">{head}{proof}{_picture(m)}{_facts(facts)}</section>'
+    return f'<section class="motion">{head}{proof}{_picture(r)}{facts_html(facts)}</section>'
 
 
 def _picture(m: SingularMap) -> str:
@@ -80,14 +88,3 @@ def _picture(m: SingularMap) -> str:
         return '<p class="note">There is no picture: pictures of maps need matplotlib, gcrules[maps].</p>'
     words = f"Singular poses of {m.grid.title or 'the robot'}; what is proved of them stands above."
     return f'<figure class="plot map">{drawn}<figcaption>{escape(words)}</figcaption></figure>'
-
-
-def _facts(rows: Iterable[tuple[str, str]]) -> str:
-    return f'<table class="facts"><tbody>{"".join(_rows(rows))}</tbody></table>'
-
-
-def _rows(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
-    before = ""
-    for name, value in rows:
-        yield f"<tr><th>{'' if name == before else escape(name)}</th><td>{escape(value)}</td></tr>"
-        before = name

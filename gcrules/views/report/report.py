@@ -2,8 +2,9 @@ r"""The report: one self-contained HTML page with every stage, formulas as MathM
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
-from typing import TYPE_CHECKING
+from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
@@ -15,39 +16,33 @@ from gcrules.rules.derivation import Step
 from gcrules.views.drawing.figures import graph_figure, robot_figure
 from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
-from gcrules.views.report.robot_report import robot_report
+from gcrules.views.report.robot_report import moves, robot_report
 from gcrules.views.report.scene_json import drawable, scene
 from gcrules.views.report.stages import Formula, Item, KeyValue, Stage, stages, verdict_of
 from gcrules.views.results.derivation import reasons
 
-if TYPE_CHECKING:
-    from gcrules.poses.limbs.path_report import RobotPath
-    from gcrules.poses.maps.report import SingularMap
-    from gcrules.poses.paths.report import PathReport
-
 __all__ = ["fragment", "report"]
 
-map_html = deferred("gcrules.views.report.motion_sections:map_html")  # numpy, for numbers only
-path_html = deferred("gcrules.views.report.motion_sections:path_html")
+answers_html = deferred("gcrules.views.report.answer_sections:answers_html")  # numpy, for numbers only
 
 
 def report(
     analysis: Analysis | RobotAnalysis,
     *,
     interactive: bool = True,
-    path: PathReport | RobotPath | None = None,
-    singular_map: SingularMap | None = None,
+    answers: Sequence[Any] = (),
+    about: Any = "centroid",
 ) -> str:
     """The HTML page of an analysis; of a platform with coordinates also the robot in its pose and the numbers there, of
-    a robot with limbs these too; a section each for a path and a map of the same robot.
+    a robot with limbs these too; a section for each answer of `gcrules.poses.questions` for the same robot, with poses
+    `about` the same centre.
 
     `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
     """
-    more = [path_html(path)] if path is not None else []
-    more += [map_html(singular_map)] if singular_map is not None else []
+    live = interactive and (moves(analysis) if isinstance(analysis, RobotAnalysis) else drawable(analysis))
+    more = answers_html(analysis, answers, about, live=live) if answers else []
     if isinstance(analysis, RobotAnalysis):
-        return robot_report(analysis, interactive=interactive, more=more)
-    live = interactive and drawable(analysis)
+        return robot_report(analysis, live=live, more=more)
     platform = analysis.platform
     title = (platform.title if platform else "") or f"Legs {analysis.structure.text()}"
     sections = [

@@ -25,24 +25,6 @@ SCENE = "gcrules-scene"
 _VIEWPORT = '<meta name="viewport" content="width=device-width, initial-scale=1">'
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 
-# The figure keeps its drawing for paper and for browsers in which the viewer cannot start.
-_START = f"""(() => {{
-  const figure = document.getElementById("{FIGURE}");
-  const stage = document.createElement("div");
-  stage.className = "stage";
-  figure.prepend(stage);
-  figure.classList.add("live");
-  figure.hidden = false;
-  try {{
-    const scene = JSON.parse(document.getElementById("{SCENE}").textContent);
-    window.robot = GcrulesViewer.explore(stage, scene);
-  }} catch (fault) {{
-    figure.classList.remove("live");
-    stage.remove();
-    throw fault;
-  }}
-}})();"""
-
 
 def page(title: str, sections: Iterable[str], scene: Mapping[str, Any] | None = None) -> str:
     """The whole page. With a scene the figure of `robot_figure_html` comes to life.
@@ -52,7 +34,7 @@ def page(title: str, sections: Iterable[str], scene: Mapping[str, Any] | None = 
     policy = f"{_POLICY}; script-src 'unsafe-inline'" if scene is not None else _POLICY
     head = (
         f'<meta charset="utf-8"><meta http-equiv="Content-Security-Policy" content="{policy}">'
-        f"<title>{escape(title)} – gcrules</title>{_VIEWPORT}<style>{_css()}</style>"
+        f"<title>{escape(title)} – gcrules</title>{_VIEWPORT}<style>{_beside('report.css')}</style>"
     )
     scripts = "" if scene is None else _scripts(scene)
     return (
@@ -89,7 +71,7 @@ def in_script(data: Any) -> str:
 
 def _scripts(scene: Mapping[str, Any]) -> str:
     data = f'<script type="application/json" id="{SCENE}">{in_script(scene)}</script>'
-    return f"{data}<script>{_viewer()}</script><script>{_START}</script>"
+    return f"{data}<script>{_viewer()}</script><script>{_beside('report.js')}</script>"
 
 
 @cache
@@ -104,5 +86,5 @@ def _viewer() -> str:
 
 
 @cache
-def _css() -> str:
-    return files("gcrules.views.report").joinpath("report.css").read_text(encoding="utf-8")
+def _beside(name: str) -> str:
+    return files("gcrules.views.report").joinpath(name).read_text(encoding="utf-8")

@@ -32,15 +32,18 @@ from gcrules.views.robots.linkage_view import linkage_view
 from gcrules.views.robots.robot_drawing import draw_robot
 from gcrules.views.scene_data import LinkageView, PlaneView, SceneData
 
-__all__ = ["robot_report", "robot_scene"]
+__all__ = ["moves", "robot_report", "robot_scene"]
 
 
-def robot_report(a: RobotAnalysis, *, interactive: bool = True, more: Sequence[str] = ()) -> str:
-    """The HTML page of a robot; drawn at home, if the file gives a home configuration. `more` are sections of what else
-    was computed.
+def moves(a: RobotAnalysis) -> bool:
+    """Whether the robot can be shown in 3D: it has a home, and does not stay in a plane."""
+    return a.robot.home is not None and bool(a.robot.limbs) and not a.robot.family.plane
+
+
+def robot_report(a: RobotAnalysis, *, live: bool = True, more: Sequence[str] = ()) -> str:
+    """The HTML page of a robot; drawn at home, if the file gives a home configuration, and in 3D in a page that is
+    `live`. `more` are sections of what else was computed.
     """
-    home = a.robot.home is not None and bool(a.robot.limbs) and not a.robot.family.plane
-    live = interactive and home
     parts = [
         _header(a),
         f'<section class="answer"><p>{escape(a.statement)}</p><p class="sure">{escape(a.certificate)}</p></section>',

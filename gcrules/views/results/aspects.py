@@ -8,9 +8,10 @@ from gcrules.core.english import listed
 from gcrules.poses.aspects.report import Aspects, AspectSet
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.results.plan import waypoint_text
+from gcrules.views.results.result_account import Facts, Grid, ResultAccount
 from gcrules.views.text_tables import ASCII, table, wrapped
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["account", "as_latex", "as_text", "changes"]
 
 
 def as_text(r: Aspects, *, unicode: bool = False) -> str:
@@ -19,11 +20,21 @@ def as_text(r: Aspects, *, unicode: bool = False) -> str:
     return found if unicode else found.translate(ASCII)
 
 
+def account(r: Aspects) -> ResultAccount:
+    """What there is to say of them."""
+    return ResultAccount(_verdict(r), (_table(r), Facts(tuple(_facts(r)))))
+
+
+def _table(r: Aspects) -> Grid:
+    rows = ((s.name, _signs(s), str(len(s.poses)), _numbers(s.modes), _witness(s)) for s in r.sets)
+    return Grid(("set", "signs", "poses", "modes" * bool(r.modes), "a pose of it"), tuple(rows))
+
+
 def _lines(r: Aspects) -> Iterator[str]:
     yield from wrapped(_verdict(r))
     yield ""
-    rows = [("set", "signs", "poses", "modes" * bool(r.modes), "a pose of it")]
-    rows += [(s.name, _signs(s), str(len(s.poses)), _numbers(s.modes), _witness(s)) for s in r.sets]
+    grid = _table(r)
+    rows = [grid.head, *grid.rows]
     widths = [max(len(row[k]) for row in rows) for k in range(4)]
     for row in rows:
         head = "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=False) if width)
@@ -68,7 +79,7 @@ def _facts(r: Aspects) -> Iterator[tuple[str, str]]:
     yield "signs", f"of {', '.join(expressions)}" if expressions else "the robot has no number with a sign"
     if r.modes is not None:
         yield "modes", f"assembly modes for the actuators at home, {r.modes.completeness.text}"
-    yield from (("change", words) for words in _changes(r))
+    yield from (("change", words) for words in changes(r))
     for reason in dict.fromkeys(one.reason for one in r.left_out):
         yield "left out", f"{listed([one.pose for one in r.left_out if one.reason == reason])}: {reason}"
     sure = "everywhere" if r.proved else "at the samples of each path"
@@ -82,7 +93,7 @@ def _facts(r: Aspects) -> Iterator[tuple[str, str]]:
         yield "note", note
 
 
-def _changes(r: Aspects) -> Iterator[str]:
+def changes(r: Aspects) -> Iterator[str]:
     """Which assembly modes share an aspect."""
     for s in r.changes:
         names = listed([str(n) for n in s.modes])

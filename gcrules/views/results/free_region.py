@@ -7,9 +7,10 @@ from math import degrees, floor, log10
 
 from gcrules.poses.regions.report import FreeRegion
 from gcrules.views.formulas.latex_text import latex_table, latex_words
+from gcrules.views.results.result_account import Facts, Grid, ResultAccount
 from gcrules.views.text_tables import ASCII, table, wrapped
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["account", "as_latex", "as_text", "ranges"]
 
 
 def as_text(r: FreeRegion, *, unicode: bool = False) -> str:
@@ -18,12 +19,24 @@ def as_text(r: FreeRegion, *, unicode: bool = False) -> str:
     return found if unicode else found.translate(ASCII)
 
 
+def account(r: FreeRegion) -> ResultAccount:
+    """What there is to say of it."""
+    grid = Grid(("coordinate", "from", "to", "unit"), tuple(ranges(r)))
+    return ResultAccount(_verdict(r), (grid, Facts(tuple(_facts(r)))))
+
+
+def ranges(r: FreeRegion) -> Iterator[tuple[str, str, str, str]]:
+    """Name, least and largest value, and unit of each coordinate that may change."""
+    for name, angle, (low, high) in zip(r.names, r.angles, r.ranges.values(), strict=True):
+        if high > low:
+            yield name, _inside(low, angle), _inside(high, angle, -1), _unit(r, angle)
+
+
 def _lines(r: FreeRegion) -> Iterator[str]:
     yield from wrapped(_verdict(r))
     yield ""
-    for name, angle, (low, high) in zip(r.names, r.angles, r.ranges.values(), strict=True):
-        if high > low:
-            yield f"  {_inside(low, angle)} ≤ {name} ≤ {_inside(high, angle, -1)} {_unit(r, angle)}".rstrip()
+    for name, low, high, unit in ranges(r):
+        yield f"  {low} ≤ {name} ≤ {high} {unit}".rstrip()
     yield ""
     yield from table([*_facts(r)])
 
@@ -84,9 +97,6 @@ def _unit(r: FreeRegion, angle: bool) -> str:
 def as_latex(r: FreeRegion) -> str:
     """A tabular of the ranges; needs no package."""
     rows = [("free of singular poses, proved", f"{r.shape} around {latex_words(r.pose)}")]
-    for name, angle, (low, high) in zip(r.names, r.angles, r.ranges.values(), strict=True):
-        if high > low:
-            unit = _unit(r, angle)
-            ends = f"${_inside(low, angle)}$ to ${_inside(high, angle, -1)}$ {latex_words(unit)}"
-            rows.append((f"${name}$", ends.rstrip()))
+    for name, low, high, unit in ranges(r):
+        rows.append((f"${name}$", f"${low}$ to ${high}$ {latex_words(unit)}".rstrip()))
     return latex_table(rows)

@@ -4,26 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from fractions import Fraction
 
-from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.modes.report import AssemblyMode, AssemblyModes
 from gcrules.screws.pose_text import ANGLES
-from gcrules.screws.rotations import Vector
-from gcrules.views.drawing.drawing import Drawing, below, beside, scaled, without_text
-from gcrules.views.drawing.figures import robot_figure
+from gcrules.views.drawing.drawing import Drawing, below, beside
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
-from gcrules.views.robots.robot_drawing import robot_thumbnail
+from gcrules.views.results.result_account import Block, Facts, Grid, ResultAccount, Sentences
+from gcrules.views.robots.pose_picture import pose_picture
 from gcrules.views.text_tables import ASCII, table, wrapped
 
-__all__ = ["as_latex", "as_text", "picture", "svg"]
+__all__ = ["account", "as_latex", "as_text", "mode_picture", "mode_text", "picture", "svg"]
 
 _SHOWN = ("x", "y", "z", "roll", "pitch", "yaw")
 _DRAWN = 8  # modes in one row
-_SCALE = 0.3
 
 
 def as_text(r: AssemblyModes, *, unicode: bool = False) -> str:
@@ -32,24 +27,44 @@ def as_text(r: AssemblyModes, *, unicode: bool = False) -> str:
     return found if unicode else found.translate(ASCII)
 
 
+def account(r: AssemblyModes) -> ResultAccount:
+    """What there is to say of them."""
+    blocks: list[Block] = [Facts(tuple(_facts(r)))]
+    if r.modes:
+        blocks += [_table(r), Sentences((_signs(r),))]
+    return ResultAccount(_verdict(r), tuple(blocks))
+
+
 def _lines(r: AssemblyModes) -> Iterator[str]:
-    isolated = "of isolated solutions " * bool(r.curves and r.completeness.complete)
-    yield from wrapped(f"{r.verdict}; {isolated}{r.completeness.text}")
+    yield from wrapped(_verdict(r))
     yield ""
+    yield from table([*_facts(r)])
+    if r.modes:
+        yield ""
+        yield from _rows(_table(r))
+        yield ""
+        yield from wrapped(_signs(r))
+
+
+def _verdict(r: AssemblyModes) -> str:
+    isolated = "of isolated solutions " * bool(r.curves and r.completeness.complete)
+    return f"{r.verdict}; {isolated}{r.completeness.text}"
+
+
+def _facts(r: AssemblyModes) -> Iterator[tuple[str, str]]:
     held = ", ".join(f"{n} = {_number(v)}" for n, v in r.actuators)
-    facts = [("held", f"{r.asked}: {held}")]
+    yield "held", f"{r.asked}: {held}"
     if r.modes:
-        facts.append(("certified", _certified(r)))
-        facts.append(("poses", f"from that of the file, about ({', '.join(map(_number, r.centre))})"))
-    facts += [("curve", _curve(r, k)) for k in range(len(r.curves))]
-    facts += [("note", note) for note in r.notes]
-    yield from table(facts)
-    if r.modes:
-        yield ""
-        yield from _rows(r)
-        factors = [f.expression for f in r.modes[0].factors]
-        yield ""
-        yield from wrapped(f"signs: of {', '.join(factors)}" if factors else "signs: the condition has no factors here")
+        yield "certified", _certified(r)
+        yield "poses", f"from that of the file, about ({', '.join(map(_number, r.centre))})"
+    yield from (("curve", _curve(r, k)) for k in range(len(r.curves)))
+    yield from (("note", note) for note in r.notes)
+
+
+def _signs(r: AssemblyModes) -> str:
+    """What the signs are those of."""
+    factors = [f.expression for f in r.modes[0].factors]
+    return f"signs: of {', '.join(factors)}" if factors else "signs: the condition has no factors here"
 
 
 def _certified(r: AssemblyModes) -> str:
@@ -83,15 +98,20 @@ def _curve(r: AssemblyModes, k: int) -> str:
     )
 
 
-def _rows(r: AssemblyModes) -> Iterator[str]:
-    rows = [("mode", "verdict", "σ", "signs", "pose")]
-    rows += [(str(m.number), m.verdict, f"{m.margin:.4g}", m.signs.replace("-", "−"), _place(m)) for m in r.modes]
+def _table(r: AssemblyModes) -> Grid:
+    rows = ((str(m.number), m.verdict, f"{m.margin:.4g}", m.signs.replace("-", "−"), mode_text(m)) for m in r.modes)
+    return Grid(("mode", "verdict", "σ", "signs", "pose"), tuple(rows))
+
+
+def _rows(grid: Grid) -> Iterator[str]:
+    rows = [grid.head, *grid.rows]
     widths = [max(len(row[k]) for row in rows) for k in range(4)]
     for row in rows:
         yield "  ".join([*(f"{word:<{w}}" for word, w in zip(row, widths, strict=False)), row[4]]).rstrip()
 
 
-def _place(m: AssemblyMode) -> str:
+def mode_text(m: AssemblyMode) -> str:
+    """Its pose from that of the file, and what there is to remark."""
     words = ", ".join(f"{n}={_coordinate(n, m.coordinates[n])}" for n in _SHOWN if m.coordinates[n])
     remarks = [*["given"] * m.given, *[f"{m.multiplicity} paths end there"] * (m.multiplicity > 1)]
     return (words or "that of the file") + (f" ({', '.join(remarks)})" if remarks else "")
@@ -116,7 +136,7 @@ def picture(r: AssemblyModes) -> Drawing:
     """The robot in each mode, in rows, in their order. Raises InputError where there is none."""
     if not r.modes:
         raise InputError("there is no mode to be drawn")
-    drawn = [_drawn(r, m) for m in r.modes]
+    drawn = [mode_picture(r, m) for m in r.modes]
     rows = [beside(drawn[k : k + _DRAWN]) for k in range(0, len(drawn), _DRAWN)]
     return below(rows, title=f"{r.title}: {r.verdict}")
 
@@ -126,16 +146,7 @@ def svg(r: AssemblyModes) -> str | None:
     return picture(r).svg() if r.modes else None
 
 
-def _drawn(r: AssemblyModes, m: AssemblyMode) -> Drawing:
-    analysis = r.mechanism.analysis
-    if isinstance(analysis, RobotAnalysis) and isinstance(m.report, RobotPose):
-        return robot_thumbnail(analysis, {n: _exact(p) for n, p in m.report.points.items()})
-    assert isinstance(analysis, Analysis)
-    rig = r.mechanism.six_legs().rig
-    places = {n: p[:3] for n, p in rig.exact(m.pose).items()}
-    return scaled(without_text(robot_figure(analysis, places, key=False)), _SCALE)
-
-
-def _exact(place: tuple[float, ...]) -> Vector:
-    x, y, z = map(Fraction, place)
-    return x, y, z
+def mode_picture(r: AssemblyModes, m: AssemblyMode) -> Drawing:
+    """The robot in one of the modes."""
+    title = f"{r.title} in mode {m.number}: {m.verdict}, σ = {m.margin:.4g}"
+    return pose_picture(r.mechanism, m.report if isinstance(m.report, RobotPose) else m.pose, title)

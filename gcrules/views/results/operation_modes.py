@@ -10,9 +10,10 @@ from gcrules.core.linear_algebra import content
 from gcrules.poses.operation_modes.limb_constraints import DEGREE, FRESH, Equation
 from gcrules.poses.operation_modes.report import OperationMode, OperationModes, terms_of
 from gcrules.views.formulas.latex_text import latex_table, latex_words
+from gcrules.views.results.result_account import Facts, ResultAccount
 from gcrules.views.text_tables import table
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["account", "as_latex", "as_text"]
 
 _NAMES = tuple(f"{c}{n}" for c in "xy" for n in range(4))
 _SHOWN = 6
@@ -21,17 +22,28 @@ _LONG = 6  # terms
 
 def as_text(found: OperationModes, *, unicode: bool = False) -> str:
     """A table for each mode, where they meet, and how sure all this is."""
-    count = len(found.modes)
-    lines = [f"{found.robot.title} ({found.robot.id}): {count} operation mode{'s' * (count != 1)}"]
-    for m in found.modes:
-        lines += ["", *table(list(_mode(m, unicode)))]
-    if found.transitions:
-        lines += ["", *table(list(_transitions(found)))]
-    lines += [
-        "",
-        *table([("how sure", sentence) if not n else ("", sentence) for n, sentence in enumerate(_sure(found))]),
-    ]
+    lines = [_verdict(found)]
+    for block in _blocks(found, unicode):
+        lines += ["", *table(block.rows)]
     return "\n".join(lines if unicode else [line.translate(_ASCII) for line in lines])
+
+
+def account(found: OperationModes) -> ResultAccount:
+    """What there is to say of them."""
+    return ResultAccount(_verdict(found), tuple(_blocks(found, True)))
+
+
+def _verdict(found: OperationModes) -> str:
+    count = len(found.modes)
+    return f"{found.robot.title} ({found.robot.id}): {count} operation mode{'s' * (count != 1)}"
+
+
+def _blocks(found: OperationModes, unicode: bool) -> Iterator[Facts]:
+    for m in found.modes:
+        yield Facts(tuple(_mode(m, unicode)))
+    if found.transitions:
+        yield Facts(tuple(_transitions(found)))
+    yield Facts(tuple(("" if n else "how sure", sentence) for n, sentence in enumerate(_sure(found))))
 
 
 _ASCII = str.maketrans({"ö": "oe", "…": "..."})

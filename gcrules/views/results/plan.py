@@ -6,13 +6,15 @@ from collections.abc import Iterator
 
 from gcrules.core.floats import rounded_down
 from gcrules.mechanisms.kinematics.targets import written
+from gcrules.poses.paths.report import PathReport
 from gcrules.poses.plans.report import Plan, Waypoint
 from gcrules.screws.pose import Pose
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.results.path import written_pose
+from gcrules.views.results.result_account import Facts, ResultAccount, Sentences
 from gcrules.views.text_tables import ASCII, wrapped
 
-__all__ = ["as_latex", "as_text", "waypoint_text"]
+__all__ = ["account", "as_latex", "as_text", "waypoint_margins", "waypoint_text"]
 
 
 def as_text(p: Plan, *, unicode: bool = False) -> str:
@@ -21,18 +23,28 @@ def as_text(p: Plan, *, unicode: bool = False) -> str:
     return found if unicode else found.translate(ASCII)
 
 
+def account(p: Plan) -> ResultAccount:
+    """What there is to say of it."""
+    return ResultAccount(p.reason, (*_lists(p), Facts(tuple(_facts(p)))))
+
+
+def _lists(p: Plan) -> Iterator[Sentences]:
+    if p.poses:
+        yield Sentences(tuple(map(waypoint_text, p.poses)), "Way, straight from pose to pose", numbered=True)
+    if p.opposed:
+        signs = (f"{o.expression}: {o.start:.4g} and {o.goal:.4g}" for o in p.opposed)
+        yield Sentences(tuple(signs), "Opposite signs at start and goal")
+
+
 def _lines(p: Plan) -> Iterator[str]:
     yield from wrapped(p.reason)
     yield ""
-    if p.poses:
-        yield "Way, straight from pose to pose"
-        for k, pose in enumerate(p.poses):
-            yield from wrapped(f"{k}. {waypoint_text(pose)}", "  ", "     ")
-        yield ""
-    if p.opposed:
-        yield "Opposite signs at start and goal"
-        for o in p.opposed:
-            yield from wrapped(f"{o.expression}: {o.start:.4g} and {o.goal:.4g}", "  ", "    ")
+    for block in _lists(p):
+        yield block.title
+        for k, words in enumerate(block.lines):
+            yield from wrapped(
+                f"{k}. {words}" if block.numbered else words, "  ", "     " if block.numbered else "    "
+            )
         yield ""
     for name, words in _facts(p):
         yield from wrapped(words, f"{name:<9}", " " * 9)
@@ -73,6 +85,15 @@ def _proof(p: Plan) -> str:
 def waypoint_text(pose: Waypoint) -> str:
     """A pose as it is written for a command."""
     return written_pose(pose) if isinstance(pose, Pose) else written(pose).strip('"')
+
+
+def waypoint_margins(p: Plan) -> list[float]:
+    """The margin at each pose of the way."""
+    if p.path is None:
+        return []
+    margins = p.path.numbers.margin if isinstance(p.path, PathReport) else p.path.margins
+    places = p.path.parameters.searchsorted(range(len(p.poses)))
+    return [float(margins[k]) for k in places]
 
 
 def as_latex(p: Plan) -> str:

@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from gcrules.core.english import listed
 from gcrules.poses.modes.working import WorkingMode, WorkingModes
 from gcrules.views.formulas.latex_text import latex_table, latex_words
+from gcrules.views.results.result_account import Grid, ResultAccount, Sentences
 from gcrules.views.text_tables import ASCII, wrapped
 
-__all__ = ["amounts", "as_latex", "as_text", "ways"]
+__all__ = ["account", "amounts", "as_latex", "as_text", "ways"]
 
 
 def as_text(w: WorkingModes, *, unicode: bool = False) -> str:
@@ -19,24 +20,54 @@ def as_text(w: WorkingModes, *, unicode: bool = False) -> str:
     return found if unicode else found.translate(ASCII)
 
 
+def account(w: WorkingModes) -> ResultAccount:
+    """What there is to say of them."""
+    rows = _table(w)
+    faults = tuple(f"{mode.name}: {mode.fault}" for mode in w.modes if mode.fault)
+    return ResultAccount(
+        _verdict(w),
+        (
+            Sentences(tuple(ways(w)), _WAYS),
+            Grid(tuple(rows[0]), tuple(map(tuple, rows[1:]))),
+            *([Sentences(faults)] if faults else []),
+            Sentences(tuple(_sure(w))),
+        ),
+    )
+
+
+def _verdict(w: WorkingModes) -> str:
+    return f"{w.title} ({w.robot}): {_counted(w)}, at {w.target}."
+
+
+_WAYS = "Ways of each limb to hold the platform where it is at home"
+
+
 def _lines(w: WorkingModes) -> Iterator[str]:
-    yield from wrapped(f"{w.title} ({w.robot}): {_counted(w)}, at {w.target}.")
+    yield from wrapped(_verdict(w))
     yield ""
-    yield "Ways of each limb to hold the platform where it is at home"
+    yield _WAYS
     for words in ways(w):
         yield from wrapped(words, "  ", "    ")
     yield ""
-    yield from _table(w)
+    rows = _table(w)
+    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+    for row in rows:
+        yield ("  " + "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True))).rstrip()
     for mode in w.modes:
         if mode.fault:
             yield from wrapped(f"{mode.name}: {mode.fault}", "  ", "    ")
     yield ""
-    yield from wrapped(
+    for words in _sure(w):
+        yield from wrapped(words)
+
+
+def _sure(w: WorkingModes) -> Iterator[str]:
+    yield (
         f"Drives are from the home of the file. The ways were found from {w.starts} random places of the joints of each"
         " limb: that there are no others is not proved."
     )
     if len(w) + w.missing < w.number:
-        yield from wrapped("Listed are home's mode and those that differ from it in one limb.")
+        yield "Listed are home's mode and those that differ from it in one limb."
 
 
 def _counted(w: WorkingModes) -> str:
@@ -62,14 +93,12 @@ def ways(w: WorkingModes) -> Iterator[str]:
         yield f"{listed(limbs)}: {words}{' each' if len(limbs) > 1 and words[0].isdigit() else ''}"
 
 
-def _table(w: WorkingModes) -> Iterator[str]:
+def _table(w: WorkingModes) -> list[list[str]]:
     rows = [["mode", "verdict", "margin", "signs", *(a.name for a in w.actuators)]]
     rows += [_row(w, mode) for mode in w.modes]
     if not any(row[3] for row in rows[1:]):
         rows = [[*row[:3], *row[4:]] for row in rows]
-    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
-    for row in rows:
-        yield ("  " + "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True))).rstrip()
+    return rows
 
 
 def _row(w: WorkingModes, mode: WorkingMode) -> list[str]:

@@ -11,6 +11,13 @@ export interface Drives {
   root: HTMLElement;
   /** Shows the robot where it is. */
   start(): void;
+  /** The actuators as far towards these amounts from home as the robot assembles; the margin there. */
+  to(amounts: number[]): Driven;
+}
+
+export interface Driven {
+  reached: boolean;
+  margin: number;
 }
 
 type Places = Record<string, Vec3>;
@@ -29,21 +36,27 @@ export function drivesOf(viewer: Viewer, scene: Scene & { linkage: Linkage }, te
   const root = make("div", { class: "gcx-drives", role: "group", "aria-label": "Actuators, from home" });
   root.append(make("p", { class: "gcx-unit" }, "Actuators, from home"), ...rows.map((r) => r.row), note, back);
 
-  function settle(): void {
+  function settle(): number {
     driven(m, at).forEach((value, i) => rows[i]!.set(value));
     const found = limbNumbers(m, at, scene.unit);
     viewer.update({ ...moved(scene, m, at), motion: found.motion });
     tell(found);
+    return found.margin;
   }
 
   /** An actuator as far towards an amount as the robot assembles, the others where they are. */
   function drive(i: number, amount: number): void {
     const wanted = driven(m, at);
     wanted[i] = amount;
-    const found = driveTo(m, at, wanted);
+    to(wanted, () => `${m.drives[i]!.name} stops at ${rows[i]!.words()}`);
+  }
+
+  function to(amounts: number[], stopped = () => "it stops here"): Driven {
+    const found = driveTo(m, at, amounts);
     at = found.at;
-    settle();
-    note.textContent = found.reached ? "" : `The robot assembles no farther: ${m.drives[i]!.name} stops at ${rows[i]!.words()}.`;
+    const margin = settle();
+    note.textContent = found.reached ? "" : `The robot assembles no farther: ${stopped()}.`;
+    return { reached: found.reached, margin };
   }
 
   function row(i: number) {
@@ -70,7 +83,7 @@ export function drivesOf(viewer: Viewer, scene: Scene & { linkage: Linkage }, te
     return { row: make("label", { class: "gcx-row", title: text }, name(label), range, box, make("span", { class: "gcx-unit" }, measure)), set, words };
   }
 
-  return { root, start: settle };
+  return { root, start: settle, to: (amounts) => to(amounts) };
 }
 
 /** What of a scene follows the links. */

@@ -3,7 +3,7 @@
 import { colourOf, entityRole } from "./palette";
 import { eulerAngles, fromEuler, IDENTITY } from "./pose";
 import { button, figure, make, named } from "./elements";
-import { drivesOf, type Drives } from "./drives";
+import { drivesOf, type Driven, type Drives } from "./drives";
 import { numbersAt, type PoseNumbers } from "./numbers";
 import { STYLE } from "./style";
 import type { LimbNumbers } from "./limb-margin";
@@ -15,6 +15,8 @@ export interface Explorer {
   /** Those of the platform's pose; null for a robot that is not moved here. */
   readonly numbers: PoseNumbers | null;
   setPose(pose: Pose): void;
+  /** The actuators of a robot of joints to these amounts from home, in radians and lengths; null for other robots. */
+  drive(amounts: number[]): Driven | null;
   setScene(scene: Scene): void;
   dispose(): void;
 }
@@ -221,6 +223,7 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
       viewer.setPose(next);
       settle();
     },
+    drive: (amounts) => drives?.to(amounts) ?? null,
     setScene: start,
     dispose() {
       dark.removeEventListener("change", themed);

@@ -16,6 +16,7 @@ from gcrules.apps.studio.protocol.checking import Check
 from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
+from gcrules.apps.studio.protocol.where_views import AspectsAnswer, AssembliesAnswer, FreeAnswer
 
 __all__ = ["LONGEST", "METHODS", "Method"]
 
@@ -51,6 +52,9 @@ METHODS: Mapping[str, Method] = {
     "path": Method(requests.PathArgs, PathAnswer, seconds=300),
     "map": Method(requests.MapArgs, MapAnswer, seconds=600),
     "place": Method(requests.PlaceArgs, PlacedPose),
+    "assemblies": Method(requests.PoseArgs, AssembliesAnswer, seconds=300),
+    "aspects": Method(requests.OpenArgs, AspectsAnswer, seconds=600),
+    "free": Method(requests.FreeArgs, FreeAnswer, seconds=300),
     "manual": Method(requests.ManualArgs, answers.Manual),
     "bench": Method(requests.BenchArgs, answers.Bench, seconds=30),
     "compose": Method(requests.ComposeArgs, answers.Composed),

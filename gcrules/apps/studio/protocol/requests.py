@@ -26,6 +26,7 @@ __all__ = [
     "ExampleSource",
     "FileSource",
     "Format",
+    "FreeArgs",
     "LegsSource",
     "ManualArgs",
     "MapArgs",
@@ -82,7 +83,7 @@ class RobotSource(TypedDict):
     kind: Literal["robot"]
     id: _Name
     mode: NotRequired[_Name]
-    """A working mode, "+-+": the robot's home in that mode."""
+    """A working mode, "+-+", or an assembly mode, "assembly 3": the robot's home in that mode."""
 
 
 class FileSource(TypedDict):
@@ -92,7 +93,7 @@ class FileSource(TypedDict):
     text: Annotated[str, text(LONGEST_FILE)]
     name: _Name
     mode: NotRequired[_Name]
-    """A working mode, of a robot file."""
+    """A working or an assembly mode, of a robot file."""
 
 
 SourceJson = ClassSource | LegsSource | ExampleSource | RobotSource | FileSource
@@ -186,6 +187,14 @@ class MapArgs(TypedDict):
 class ModesArgs(TypedDict):
     source: SourceJson
     threshold: NotRequired[_Threshold]
+
+
+class FreeArgs(TypedDict):
+    """The largest region of a shape around the pose."""
+
+    source: SourceJson
+    pose: PoseJson
+    shape: Literal["box", "ball"]
 
 
 class PlaceArgs(TypedDict):

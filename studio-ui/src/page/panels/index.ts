@@ -22,6 +22,7 @@ import { ManualPanel } from "./manual";
 import { Motion } from "./motion";
 import { Start } from "./start";
 import { TakeAway } from "./take-away";
+import { Where } from "./where";
 
 export interface PanelProps {
   store: Store;
@@ -41,6 +42,7 @@ export const panels: readonly Panel[] = [
   { id: "guided", title: "Steps", icon: "guided", component: Guided, layout: "beside", needs: "study" },
   { id: "manual", title: "By hand", icon: "manual", component: ManualPanel, layout: "beside", needs: "study" },
   { id: "motion", title: "Path, map", icon: "map", component: Motion, layout: "beside", needs: "study" },
+  { id: "where", title: "Where to", icon: "where", component: Where, layout: "beside", needs: "study" },
   { id: "bench", title: "Bench", icon: "bench", component: Bench, layout: "beside", needs: "nothing" },
   { id: "draw", title: "Draw", icon: "draw", component: Draw, layout: "wide", needs: "nothing" },
   { id: "take-away", title: "Take away", icon: "take-away", component: TakeAway, layout: "beside", needs: "study" },

@@ -7,10 +7,10 @@ import { Seeks } from "./nearest-view";
 
 type Mode = Methods["modes"]["result"]["modes"][number];
 
-const modeOf = (source: Source | null): string | undefined => (source && "mode" in source ? source.mode : undefined);
+export const modeOf = (source: Source | null): string | undefined => (source && "mode" in source ? source.mode : undefined);
 
 /** The source with its home in a mode; undefined stands for that of the file. */
-function inMode(source: Source, mode: string | undefined): Source {
+export function inMode(source: Source, mode: string | undefined): Source {
   if (source.kind !== "robot" && source.kind !== "file") return source;
   const { mode: _, ...home } = source;
   return mode === undefined ? home : { ...home, mode };

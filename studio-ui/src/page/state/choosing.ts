@@ -11,7 +11,7 @@ export function createChoosing(client: Client, editing: Editing): Runner<"modes"
 }
 
 /** The source whatever its mode: it changes only when something else is opened. */
-function withoutMode(source$: ReadonlySignal<Source | null>): ReadonlySignal<Source | null> {
+export function withoutMode(source$: ReadonlySignal<Source | null>): ReadonlySignal<Source | null> {
   const plain = signal<Source | null>(null);
   effect(() => {
     const source = source$.value;

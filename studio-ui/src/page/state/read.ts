@@ -6,7 +6,7 @@ import { EMPTY, HOME, NODES, TOUR, type Doc, type PanelId, type Range, type Tour
 
 type Loose = Record<string, unknown>;
 
-const PANELS: readonly PanelId[] = ["start", "guided", "manual", "motion", "bench", "draw", "take-away"];
+const PANELS: readonly PanelId[] = ["start", "guided", "manual", "motion", "where", "bench", "draw", "take-away"];
 
 const isObject = (x: unknown): x is Loose => typeof x === "object" && x !== null && !Array.isArray(x);
 const isText = (x: unknown): x is string => typeof x === "string";

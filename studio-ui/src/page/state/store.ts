@@ -14,6 +14,7 @@ import { createSpace, type Space } from "./space";
 import { createStudying, type Studying } from "./studying";
 import { createTaste, type Taste } from "./taste";
 import { createTouring, type Touring } from "./touring";
+import { createRoaming, type Roaming } from "./roaming";
 
 export interface Store extends Editing, Studying {
   /** Asks the server; see protocol.ts. */
@@ -23,6 +24,7 @@ export interface Store extends Editing, Studying {
   moving: Moving;
   seeker: Seeker;
   touring: Touring;
+  roaming: Roaming;
   modes: Runner<"modes">;
   lit: Lit;
   space: Space;
@@ -47,6 +49,7 @@ export function createStore(client: Client, start: Doc): Store {
     moving: createMoving(editing, posing),
     seeker: createSeeker(client, editing),
     touring: createTouring(client, editing),
+    roaming: createRoaming(client, editing),
     modes: createChoosing(client, editing),
     lit: createLit(),
     space: createSpace(),

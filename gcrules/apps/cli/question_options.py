@@ -1,0 +1,74 @@
+"""What a report also shows: a path, a map, modes, aspects, a plan, a free region; the options that ask for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any
+
+import click
+
+from gcrules.apps.cli.base import about_option, decorated
+from gcrules.poses.questions import SHAPES, Questions
+from gcrules.screws.threshold import DEFAULT
+
+__all__ = ["question_options"]
+
+_NAMES = ("over", "at", "limits", "within", "about", "threshold", "modes", "aspects", "plan", "free")
+
+
+def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """The options of a path, a map, modes, aspects, a plan and a free region; the command receives `questions`."""
+
+    @wraps(command)
+    def with_questions(**options: Any) -> Any:
+        poses, table = options.pop("poses"), options.pop("table")
+        if poses and table is not None:
+            raise click.UsageError("Give the poses of the path either by --poses POSES.csv or by --path.")
+        path = list(poses) if table is None else table
+        asked = Questions(path=path or None, **{n: one for n in _NAMES if (one := options.pop(n)) != ()})
+        if not (asked.over or asked.modes or asked.free) and asked.at is not None:
+            raise click.UsageError("--at is that of a map, of modes or of a region: give --over, --modes or --free.")
+        if not (asked.over or asked.aspects or asked.plan) and asked.limits is not None:
+            raise click.UsageError(
+                "--limits are those of a map, of aspects or of a plan: give --over, --aspects or --plan."
+            )
+        if not (asked.aspects or asked.plan) and asked.within is not None:
+            raise click.UsageError("--within are ranges of aspects or of a plan: give --aspects or --plan.")
+        return command(questions=asked, **options)
+
+    decorators = [
+        click.option(
+            "--path",
+            "poses",
+            multiple=True,
+            metavar="POSE",
+            help="Add a path through two poses or more, home among them.",
+        ),
+        click.option("--poses", "table", metavar="POSES.csv", help="Add the path of a table of poses."),
+        click.option(
+            "--over", multiple=True, metavar="RANGE", help='Add a map over two or three coordinates, "x -200:200:81".'
+        ),
+        click.option("--modes", is_flag=True, help="Add the assembly modes, of joints working and operation modes."),
+        click.option("--aspects", is_flag=True, help="Add how the poses hang together without a singularity."),
+        click.option(
+            "--plan", multiple=True, metavar="POSE", help="Add a way from one pose to another; of one the way out."
+        ),
+        click.option("--free", type=click.Choice(SHAPES), help="Add the largest region that is free of singularities."),
+        click.option(
+            "--at", metavar="POSE", help="The pose of modes and free region, home without it; the rest of the map."
+        ),
+        click.option(
+            "--limits", metavar="RANGES", help='What legs or actuators reach in map, aspects and plan: "legs 1..3".'
+        ),
+        click.option("--within", metavar="RANGES", help="Of coordinates in aspects and plan, from home."),
+        about_option,
+        click.option(
+            "--threshold",
+            default=DEFAULT.text,
+            show_default=True,
+            metavar="ANGLE",
+            help="Closer than this is close, in every section (deg, rad).",
+        ),
+    ]
+    return decorated(with_questions, decorators)

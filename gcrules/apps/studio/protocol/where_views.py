@@ -1,0 +1,83 @@
+"""What the server tells the page of where the robot can go: assembly modes, aspects, free regions."""
+
+from __future__ import annotations
+
+from typing import TypedDict
+
+from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.protocol.study_views import FactItem
+from gcrules.views.scene_data import Verdict
+
+__all__ = [
+    "AccountView",
+    "AspectSetView",
+    "AspectsAnswer",
+    "AssembliesAnswer",
+    "AssemblyModeView",
+    "FreeAnswer",
+    "RangeView",
+]
+
+
+class AccountView(TypedDict):
+    """The answer in a sentence, and what it consists of, with how sure it is."""
+
+    verdict: str
+    facts: list[FactItem]
+
+
+class AssemblyModeView(TypedDict):
+    number: int
+    given: bool
+    """It is the pose that was asked about."""
+    verdict: Verdict
+    margin: float
+    signs: str
+    at: str
+    """The pose, from that of the file."""
+    sure: str
+    """What is proved of it."""
+    svg: str
+    pose: PoseJson | None
+    """null where the actuators do not lead there: the robot is opened in this `mode` instead."""
+    mode: str | None
+
+
+class AssembliesAnswer(AccountView):
+    modes: list[AssemblyModeView]
+
+
+class AspectSetView(TypedDict):
+    """Poses of one aspect: how many, with which signs, the assembly modes among them, and the one farthest from being
+    singular.
+    """
+
+    name: str
+    signs: str
+    poses: int
+    modes: list[int]
+    at: str
+    margin: float
+    pose: PoseJson | None
+    """null where the sliders do not lead to it."""
+
+
+class AspectsAnswer(AccountView):
+    least: int
+    most: int
+    sets: list[AspectSetView]
+    changes: list[str]
+    """Which assembly modes share an aspect, in sentences."""
+
+
+class RangeView(TypedDict):
+    """What a coordinate may be, both ends rounded to the inside."""
+
+    name: str
+    low: str
+    high: str
+    unit: str
+
+
+class FreeAnswer(AccountView):
+    ranges: list[RangeView]

@@ -1,0 +1,114 @@
+"""What a report is asked for beside the analysis (path, map, modes, aspects, plan, free region) and the answers.
+
+Each answer is that of the function of its own, with the same arguments.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.deferred import deferred
+from gcrules.core.errors import GcrulesError, InputError
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.screws.threshold import DEFAULT
+
+__all__ = ["SHAPES", "Questions", "Unanswered"]
+
+# each loads numpy, and is needed where it is asked for only
+path_of = deferred("gcrules.poses.path_report:path")
+map_of = deferred("gcrules.poses.maps.maps:singular_map")
+assembly_modes = deferred("gcrules.poses.modes.modes:assembly_modes")
+working_modes = deferred("gcrules.poses.modes.working:working_modes")
+operation_modes = deferred("gcrules.poses.operation_modes.operation_modes:operation_modes")
+aspects_of = deferred("gcrules.poses.aspects.aspects:aspects")
+plan_of = deferred("gcrules.poses.plans.plan:plan")
+free_region = deferred("gcrules.poses.regions.free_region:free_region")
+
+SHAPES = ("box", "ball")
+"""Those that a free region can have."""
+
+
+@dataclass(frozen=True)
+class Unanswered:
+    """A question, "Working modes", that has no answer for a robot, and why."""
+
+    question: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Questions:
+    """`path` are poses, or the name of a table; `over` the coordinates of a map; `modes` and `aspects` whether they are
+    asked for; `plan` the start and the goal, or the start of a way out; `free` the shape of a free region, one of
+    `SHAPES`. `at` is a pose: that of the modes and of the free region, and the rest of the map; `limits` are those of
+    map, aspects and plan, `within` those of the last two.
+    """
+
+    path: Any = None
+    over: Sequence[Any] | None = None
+    at: Any = None
+    limits: str | None = None
+    within: str | None = None
+    about: Any = "centroid"
+    threshold: Any = DEFAULT.text
+    modes: bool = False
+    aspects: bool = False
+    plan: Sequence[Any] | None = None
+    free: str | None = None
+
+    def check(self) -> None:
+        """Raises InputError for what goes with questions that are not asked, and for an unknown shape."""
+        mapped, planned = self.over is not None, self.plan is not None
+        if self.at is not None and not (mapped or self.modes or self.free):
+            raise InputError("a pose is that of a map, of modes or of a free region", hint=_NONE_OF_THEM)
+        if self.limits is not None and not (mapped or self.aspects or planned):
+            raise InputError("limits are those of a map, of aspects or of a plan", hint=_NONE_OF_THEM)
+        if self.within is not None and not (self.aspects or planned):
+            raise InputError("ranges of coordinates are those of aspects or of a plan", hint=_NONE_OF_THEM)
+        if self.plan is not None and not 1 <= len(self.plan) <= 2:
+            raise InputError(
+                f"a plan of {len(self.plan)} poses", hint="name its start and its goal, or the start alone"
+            )
+        if self.free is not None and self.free not in SHAPES:
+            raise InputError(f"{self.free!r} is no shape of a free region", hint=" or ".join(SHAPES))
+
+    def answers(self, a: Analysis | RobotAnalysis) -> tuple[Any, ...]:
+        """The answers for a robot, in the sequence of the sections of its report. Raises InputError for questions that
+        make no sense for it, such as poses that it does not reach.
+        """
+        self.check()
+        return tuple(self._answers(a))
+
+    def _answers(self, a: Analysis | RobotAnalysis) -> Iterator[Any]:
+        about, threshold, limits = self.about, self.threshold, self.limits
+        if self.path is not None:
+            yield path_of(a, self.path, about=about, threshold=threshold)
+        if self.over is not None:
+            yield map_of(a, self.over, self.at, about=about, limits=limits, threshold=threshold)
+        if self.modes:
+            yield assembly_modes(a, self.at, about=about, threshold=threshold)
+            if isinstance(a, RobotAnalysis):  # legs between two points have one working and one operation mode
+                yield from self._further_modes(a)
+        if self.aspects:
+            yield aspects_of(a, about=about, limits=limits, within=self.within)
+        if self.plan is not None:
+            yield plan_of(a, *self.plan, about=about, limits=limits, within=self.within)
+        if self.free:
+            yield free_region(a, self.at, about=about, ball=self.free == "ball")
+
+    def _further_modes(self, a: RobotAnalysis) -> Iterator[Any]:
+        """Those that not every robot of joints has."""
+        try:
+            yield working_modes(a, self.at, about=self.about, threshold=self.threshold)
+        except GcrulesError as fault:
+            yield Unanswered("Working modes", fault.message)
+        try:
+            yield operation_modes(a.robot)
+        except GcrulesError as fault:
+            yield Unanswered("Operation modes", fault.message)
+
+
+_NONE_OF_THEM = "none of these is asked for"
