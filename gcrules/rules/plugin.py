@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from importlib import metadata, util
 from os import PathLike
@@ -22,6 +22,7 @@ from types import ModuleType
 from typing import TypeVar
 
 from gcrules.core.arguments import ANYTHING, FILE, TEXT, listed, read
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.frozen import FrozenMap

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import wraps
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +10,7 @@ import click
 
 from gcrules.apps.cli.base import about_option, decorated
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.screws.threshold import DEFAULT
