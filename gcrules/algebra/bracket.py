@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain, groupby
 from typing import TYPE_CHECKING, Any
@@ -19,6 +18,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.algebra.names import point_key
 from gcrules.core.budget import watched
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, StepError
 from gcrules.core.floats import exact_number
 from gcrules.core.frozen import FrozenMap
@@ -75,9 +75,7 @@ def sorted_row(indices: Iterable[int]) -> tuple[int, Row]:
             row[j - 1], row[j] = row[j], row[j - 1]
             sign = -sign
             j -= 1
-    if any(row[i] == row[i + 1] for i in range(len(row) - 1)):
-        sign = 0
-    return sign, tuple(row)
+    return (sign if len(set(row)) == len(row) else 0), tuple(row)
 
 
 def _nonzero(terms: Mapping[Monomial, Coefficient]) -> Terms:

@@ -20,7 +20,6 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any, TypeVar
@@ -33,6 +32,7 @@ from gcrules.algebra.parts import substitute
 from gcrules.algebra.space import Assumption
 from gcrules.algebra.spelling import Key, normal, split
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError
 from gcrules.core.frozen import FrozenMap
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 
 __all__ = ["Certificate"]

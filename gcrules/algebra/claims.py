@@ -12,7 +12,6 @@ PolynomialSize(degree=8, bits=11)
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from hashlib import blake2b
 from math import ceil, comb, factorial, log2
@@ -20,6 +19,7 @@ from math import ceil, comb, factorial, log2
 from gcrules.algebra.expr import Bracket, Dotted, Expr, Join, Meet, Number, Point, Power, Product, Sum, Superbracket
 from gcrules.algebra.scalars import written_out
 from gcrules.core import seeds
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["PolynomialSize", "digest", "error_below", "size"]
 

@@ -16,7 +16,7 @@ with the same structure give equal values, and `parse(str(e)) == e`.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from itertools import chain, repeat
 from math import isqrt
@@ -24,6 +24,7 @@ from typing import Any
 
 from gcrules.algebra.names import step_name
 from gcrules.core.budget import watched
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached, StepError
 from gcrules.core.floats import exact_number
 from gcrules.core.hashed import Hashed

@@ -14,7 +14,7 @@ refuted
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
@@ -32,6 +32,7 @@ from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.algebra.weights import unit_weights
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached, StepError
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown

@@ -3,9 +3,10 @@ r"""Where expressions live: the rank, the points in tableau order, those at infi
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from gcrules.algebra.expr import Expr
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, Span
 
 __all__ = ["MAX_NAMES", "NAME", "NAMES_HINT", "RANKS", "Assumption", "SourcePlace", "Space", "shortened"]

@@ -12,7 +12,6 @@ r"""One form of expressions that may be written in several: sorted, with signs a
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
@@ -34,6 +33,7 @@ from gcrules.algebra.expr import (
 )
 from gcrules.algebra.scalars import bracket, power, superbracket
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import content
 
 __all__ = ["Key", "Normal", "normal", "split"]

@@ -8,7 +8,7 @@ r"""Structure: six legs as a graph between base and platform joints, or as many 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import combinations
 
@@ -25,6 +25,7 @@ from gcrules.algebra.language.text import text as as_text
 from gcrules.algebra.scalars import bracket
 from gcrules.algebra.space import Assumption, Space
 from gcrules.core.arguments import TEXT, WHOLE, instance, listed, read, row
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 
 __all__ = ["NoLine", "Structure", "leg_text", "legs_text"]

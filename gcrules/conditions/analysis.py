@@ -12,7 +12,7 @@ The robot is singular exactly when the four planes abc, aef, bdf and cde meet in
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from os import PathLike
 from typing import Any
 
@@ -24,6 +24,7 @@ from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.conditions import superbracket_forms as forms
 from gcrules.conditions.find_conditions import Readings, always_zero, linear_complex, read
 from gcrules.conditions.pose_value import Coordinates, PoseValue
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError
 from gcrules.core.seeds import remark
 from gcrules.core.shown import Shown

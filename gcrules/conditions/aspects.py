@@ -20,7 +20,6 @@ Derived here.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 from gcrules.algebra.evaluate import evaluate
@@ -28,6 +27,7 @@ from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import factors
+from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import rank
 from gcrules.core.seeds import drawn
 

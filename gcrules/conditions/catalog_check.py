@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from importlib.resources import files
 from itertools import combinations
 from pathlib import Path
@@ -19,6 +18,7 @@ from gcrules.algebra.shortening.shorten import shorten
 from gcrules.algebra.superbrackets.shortest import counts
 from gcrules.conditions.analysis import analyze
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.files import write_file
 from gcrules.core.linear_algebra import determinant
 from gcrules.rules.catalog.catalog import Catalog

@@ -5,7 +5,6 @@ from __future__ import annotations
 import random
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from math import lcm
@@ -13,6 +12,7 @@ from math import lcm
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.legs_text import Leg, Structure
+from gcrules.core.dataclass import dataclass
 from gcrules.core.floats import int_if_whole
 from gcrules.core.frozen import FrozenMap
 

@@ -3,7 +3,7 @@ r"""What the superbracket of a structure equals: by rules of entities, by the ca
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations, permutations
 
 from gcrules.algebra import expr as ex
@@ -13,6 +13,7 @@ from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.conditions import superbracket_forms as forms
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.errors import LimitReached
 from gcrules.rules.catalog.catalog import Catalog, Match

@@ -3,13 +3,13 @@ r"""Where the parts of a condition meet in a pose, and how the platform can move
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr, Meet, Number, Power, Product
 from gcrules.algebra.language.legs_text import Leg
+from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import cross, kernel
 
 __all__ = ["Screw", "common_point", "factors", "free_motions", "incidence_rows", "vanishing"]

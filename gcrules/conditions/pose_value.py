@@ -3,12 +3,12 @@ r"""Numbers for a robot in a given pose: the exact value of the condition and a 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Protocol
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.language.legs_text import Leg, Structure
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred, resolved
 from gcrules.core.errors import InputError
 from gcrules.core.linear_algebra import cross

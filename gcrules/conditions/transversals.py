@@ -9,11 +9,12 @@ none: no two legs share a joint, and the two lines that meet four such legs take
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.text import Names, text
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.shown import Shown
 from gcrules.rules.claims import certify, in_special_position

@@ -19,13 +19,14 @@ import inspect
 import math
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from functools import wraps
 from numbers import Integral, Real
 from os import PathLike
 from typing import Any, ParamSpec, TypeVar
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 
 __all__ = [

@@ -18,12 +18,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
 from math import inf, isnan
 from numbers import Real
 from time import monotonic
 from typing import Any, TypeVar
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.memory import GIGABYTE, memory_in_use
 

@@ -6,8 +6,9 @@ Every fault is a `GcrulesError`; the command line prints `render()` and exits wi
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
+
+from gcrules.core.dataclass import dataclass
 
 __all__ = [
     "EngineFault",

@@ -7,9 +7,10 @@ import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from gcrules.core import budget, interrupts, streams
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError
 
 __all__ = [

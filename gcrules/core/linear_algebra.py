@@ -15,7 +15,17 @@ from typing import Any
 
 from gcrules.core.budget import checkpoint
 
-__all__ = ["content", "cross", "determinant", "echelon", "kernel", "kernel_part", "permutation_sign", "rank"]
+__all__ = [
+    "FirstRows",
+    "content",
+    "cross",
+    "determinant",
+    "echelon",
+    "kernel",
+    "kernel_part",
+    "permutation_sign",
+    "rank",
+]
 
 Row = tuple[Any, ...]
 
@@ -135,6 +145,42 @@ def determinant(matrix: Iterable[Sequence[int]], modulus: int) -> int:
             for row in rows
         ]
     return (value * _of_four(*rows) if rows else value) % modulus
+
+
+class FirstRows:
+    """The first rows of many matrices, freed of each other modulo a prime, for the determinants of all of them."""
+
+    def __init__(self, rows: Iterable[Sequence[int]], modulus: int) -> None:
+        self.modulus = modulus
+        self.value = 1
+        self._found: list[tuple[int, list[int]]] = []
+        for given in rows:
+            checkpoint()
+            row = self._freed(given)
+            lead = next((k for k, x in enumerate(row) if x), None)
+            if lead is None:
+                self.value = 0
+                break
+            self.value = self.value * row[lead] % modulus
+            inverse = pow(row[lead], -1, modulus)
+            self._found.append((lead, [x * inverse % modulus for x in row]))
+
+    def determinant(self, rows: Sequence[Sequence[int]]) -> int:
+        """That of the square matrix with these rows below."""
+        if not self.value:
+            return 0
+        pivots = [lead for lead, _ in self._found]
+        columns = [k for k in range(len(pivots) + len(rows)) if k not in pivots]
+        below = [[row[k] for k in columns] for row in map(self._freed, rows)]
+        sign = permutation_sign([*pivots, *columns])
+        return sign * self.value * determinant(below, self.modulus) % self.modulus
+
+    def _freed(self, given: Sequence[int]) -> list[int]:
+        row = list(given)
+        for lead, before in self._found:
+            if factor := row[lead] % self.modulus:
+                row = [x - factor * y for x, y in zip(row, before, strict=True)]
+        return [x % self.modulus for x in row]
 
 
 def _of_four(a: Sequence[int], b: Sequence[int], c: Sequence[int], d: Sequence[int]) -> int:

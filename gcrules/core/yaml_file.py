@@ -15,11 +15,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from os import PathLike, fspath
 from typing import Any, Literal
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError, GcrulesError, Span, join_faults
 from gcrules.core.hints import files_like, near, number_with_unit
 

@@ -3,7 +3,6 @@ r"""A robot that can be moved: which joints belong to the platform, where they a
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 
 from gcrules.algebra.language.legs_text import Structure, leg_text
 from gcrules.conditions.pose_value import Coordinates
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.floats import decimal
 from gcrules.core.frozen import FrozenMap

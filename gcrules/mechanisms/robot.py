@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.family import Definition, Family

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.kinematics.amplification import Drives

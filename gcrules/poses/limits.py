@@ -11,12 +11,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.hints import near
 from gcrules.screws.pose import check_unit, read_number

@@ -6,10 +6,10 @@ Each answer is that of the function of its own, with the same arguments.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis

@@ -3,7 +3,6 @@ r"""Checking rules: identities are proved, and every rule is tried on the cases 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from os import PathLike, fspath
 from pathlib import Path
@@ -16,6 +15,7 @@ from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.space import Space
 from gcrules.algebra.superbrackets.shortest import shortest_forms
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError, GcrulesError, InputError
 from gcrules.core.yaml_file import read_text
 from gcrules.rules.entities import TETRAHEDRA

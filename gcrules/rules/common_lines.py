@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 
@@ -22,6 +21,7 @@ from gcrules.algebra.expr import Expr, Point, join, meet
 from gcrules.algebra.language.legs_text import Leg
 from gcrules.algebra.names import point_key
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.rules.recognition_state import extensor
 from gcrules.rules.statement import Statement, say
 

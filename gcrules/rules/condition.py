@@ -2,12 +2,12 @@ r"""Conditions: what the superbracket of a structure equals, in geometric terms,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import ONE, Expr, Number, mul, signed, sub
 from gcrules.algebra.language.text import text
+from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 from gcrules.rules.statement import Statement
 

@@ -7,12 +7,12 @@ it is made; the one that is chosen is then proved by normal forms, so a wrong gu
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import Row
 from gcrules.algebra.expr import ONE, Expr, Meet, meet
 from gcrules.algebra.language.legs_text import Leg
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import StepError
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES
 from gcrules.rules.foreign import foreign, place_of

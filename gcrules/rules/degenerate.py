@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from itertools import combinations
 
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, join, meet
 from gcrules.algebra.language.legs_text import Leg, Structure, leg_text
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import rank
 from gcrules.rules.common_lines import line_of_joints
 from gcrules.rules.random_witness import RandomWitness

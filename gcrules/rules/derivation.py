@@ -11,11 +11,12 @@ r"""Derivations: chains of equal expressions, each link with the rule that made 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.space import Space
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.core.shown import Shown
 from gcrules.rules.rule import Rule

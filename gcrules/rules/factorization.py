@@ -6,7 +6,6 @@ Under assumptions several polynomials equal the superbracket at the points that 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from time import monotonic
 
 from gcrules.algebra import expr as ex
@@ -16,6 +15,7 @@ from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError, LimitReached
 from gcrules.rules.claims import certify

@@ -15,7 +15,6 @@ import traceback
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
 from pathlib import Path
 from time import monotonic, thread_time
 from typing import Any
@@ -23,6 +22,7 @@ from typing import Any
 from gcrules.core import files, interrupts
 from gcrules.core.alarm import ringing
 from gcrules.core.budget import seconds_left, within
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError, GcrulesError, LimitReached
 
 __all__ = ["SECONDS", "WAITING", "Guarded", "Misfit", "PluginFault", "foreign", "is_foreign", "place_of"]

@@ -8,7 +8,6 @@ parts of an expression that look like its left side.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr, Sum, points_of
@@ -17,6 +16,7 @@ from gcrules.algebra.parts import first_part
 from gcrules.algebra.prove import prove
 from gcrules.algebra.space import Space
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.rules.applying import applications, left_terms, only_brackets, polynomial_of, rewrite_expression
 from gcrules.rules.rule import RewriteRule, reductions

@@ -3,9 +3,10 @@ r"""The rules that are known: those of the engine, of plugins and of files; clas
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from gcrules.core.arguments import TEXT, TEXTS, checked, instance, listed, optional, read
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
 from gcrules.rules.condition_rule import INCIDENCES

@@ -19,7 +19,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import reduce
 from itertools import combinations, product
 
@@ -28,6 +27,7 @@ from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, meet
 from gcrules.algebra.scalars import bracket, superbracket
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.rules.common_lines import FREE, CommonLine, FourLegs, letters
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor

@@ -11,9 +11,10 @@ packages; that of a folder only where its rules are asked for.
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from importlib import metadata, util
 from os import PathLike
@@ -22,6 +23,7 @@ from types import ModuleType
 from typing import TypeVar
 
 from gcrules.core.arguments import ANYTHING, FILE, TEXT, listed, read
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.frozen import FrozenMap
@@ -48,6 +50,7 @@ GROUP = "gcrules.plugins"
 
 ROBOT_FILE = "robot.yaml"
 CATALOG_FILE = "catalog.yaml"
+CODE_FILE = "rules.py"
 
 _R = TypeVar("_R", bound=Rule)
 _RULES = listed("a sequence of rules", ANYTHING)  # what is none is told with the place of the plugin
@@ -128,18 +131,30 @@ def plugins_in(folder: Path, bringing: str = "rules", *, outside: bool = True) -
     unreadable.
     """
     try:
-        inside = sorted(p for p in folder.iterdir() if p.is_dir() and not p.name.startswith((".", "_")))
+        with os.scandir(folder) as entries:
+            inside = sorted(folder / e.name for e in entries if e.is_dir() and not e.name.startswith((".", "_")))
     except (OSError, ValueError) as fault:
         why = getattr(fault, "strerror", None) or fault
         raise FileError(f"cannot be read as a folder of plugins: {why}", filename=str(folder)) from None
     for path in inside:
-        code, owner = path / "rules.py", f"plugin {path.name}"
-        robot, catalog = (tuple(str(p) for p in (path / name,) if p.is_file()) for name in (ROBOT_FILE, CATALOG_FILE))
-        found = Plugin((), tuple(sorted(str(f) for f in path.glob("*.gca"))), robot, catalog)
-        if code.is_file() and _RUN[bringing](found):
-            found = replace(found, rules=_rules_of(code, owner))
-        if found != Plugin():
-            yield _owned(found, owner, str(code), outside=outside)
+        owner, names = f"plugin {path.name}", _names_in(path)
+        identities = tuple(sorted(str(path / n) for n in names if n.endswith(".gca")))
+        robot, catalog = ((str(path / n),) if names.get(n) else () for n in (ROBOT_FILE, CATALOG_FILE))
+        found = Plugin((), identities, robot, catalog, owner)
+        if names.get(CODE_FILE) and _RUN[bringing](found):
+            code = path / CODE_FILE
+            found = _owned(replace(found, rules=_rules_of(code, owner)), owner, str(code), outside=outside)
+        if found.rules or identities or robot or catalog:
+            yield found
+
+
+def _names_in(folder: Path) -> dict[str, bool]:
+    """What a folder holds, and whether it is a file; nothing where it cannot be read."""
+    try:
+        with os.scandir(folder) as entries:
+            return {e.name: e.is_file() for e in entries}
+    except OSError:
+        return {}
 
 
 @cache

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import Any
 
@@ -16,6 +16,7 @@ from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.scalars import bracket
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["RecognitionState", "extensor"]
 

@@ -13,13 +13,13 @@ pq /\ rst
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
 from gcrules.algebra.assumptions.assumed import resolve
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.algebra.space import Space
+from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 from gcrules.rules.derivation import Derivation, Step
 from gcrules.rules.identity import Identity, rewrite_all

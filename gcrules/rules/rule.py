@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from string import Formatter
 from typing import Any, ClassVar
 
 from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.space import Space
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError
 from gcrules.rules.condition import Condition
 from gcrules.rules.fields import FIELDS, RESULTS, expression_or_none, is_text

@@ -3,7 +3,6 @@ r"""Files of rules: every rule is proved, tried on its cases and watched for loo
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 from graphlib import CycleError, TopologicalSorter
 from os import PathLike, fspath
@@ -16,6 +15,7 @@ from gcrules.algebra.language.rule_text import Case, Instance, Order, RuleText
 from gcrules.algebra.language.statements import Script, parse_script
 from gcrules.algebra.prove import Proof, prove
 from gcrules.algebra.space import Space
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReached, join_faults
 from gcrules.core.proof_memory import digest_of, remember, remembered
 from gcrules.core.yaml_file import read_text

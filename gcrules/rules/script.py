@@ -10,7 +10,6 @@ line 1: ab /\ cde = [acde] * b - [bcde] * a
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
@@ -18,6 +17,7 @@ from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Claim, Rewrite, Script, Show
 from gcrules.algebra.prove import Proof, prove
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.core.shown import Shown
 from gcrules.rules.rewriting import Rewriting, rewrite

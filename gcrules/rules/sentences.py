@@ -10,12 +10,13 @@ The robot is singular exactly when the lines ab and de meet (possibly at infinit
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import groupby
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import ONE, Bracket, Expr, Join, Meet, Number, Point, Power, Product
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.core.dataclass import dataclass
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.statement import Flat, Part, Statement, listing, say, together
 

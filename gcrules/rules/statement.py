@@ -13,12 +13,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import groupby
 from string import Formatter
 
 from gcrules.algebra.expr import Expr, Meet, points_of
 from gcrules.algebra.language.text import text
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["NOTHING", "Flat", "Part", "Statement", "filled", "listing", "of_kind", "say", "together"]
 

@@ -2,7 +2,6 @@ r"""One link of a derivation: two equal expressions and the rule that made the o
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -12,6 +11,7 @@ from gcrules.algebra.evaluate import Evaluator, random_rational_points, vanishes
 from gcrules.algebra.expr import Expr, points_of, sub
 from gcrules.algebra.language.text import text
 from gcrules.algebra.space import Space
+from gcrules.core.dataclass import dataclass
 from gcrules.core.seeds import DRAWN, seed
 
 __all__ = ["Step", "joined"]

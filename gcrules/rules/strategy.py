@@ -3,13 +3,14 @@ r"""Strategies: which rules run, and in what order; and the recognition that fol
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.space import Space
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.core.arguments import TEXT, instance, listed, read
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.rules.condition_rule import ConditionClaim, claims
 from gcrules.rules.entities import TETRAHEDRA

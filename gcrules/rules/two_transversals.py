@@ -7,13 +7,14 @@ leg that crosses p in every pose does not hinder the turn about p: then the comp
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Bracket, Expr, Meet, meet
 from gcrules.algebra.language.legs_text import Leg, Structure
+from gcrules.core.dataclass import dataclass
 from gcrules.rules.common_lines import CommonLine
 from gcrules.rules.condition import Condition
 from gcrules.rules.generic_lines import alive, statement_of_lines, written_back

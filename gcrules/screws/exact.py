@@ -9,13 +9,13 @@ r"""Exact numbers: fractions, and residues modulo a prime.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
 from operator import mul
 from typing import Any
 
 from gcrules.algebra.evaluate import PRIME
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.linear_algebra import content, determinant, echelon, kernel, kernel_part, rank
 from gcrules.screws.field import Field, Matrix, Row

@@ -11,12 +11,13 @@ robot and `length` about its size, because ranks of screws in floats depend on b
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.screws.field import Field, Matrix, Row, Vector
 

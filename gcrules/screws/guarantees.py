@@ -8,12 +8,12 @@ legs can turn.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.screws.margin import LegJacobians
 
 __all__ = ["DIGITS", "ROUNDING", "Guarantees", "Measured", "guarantees", "noise"]

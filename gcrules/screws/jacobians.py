@@ -17,9 +17,9 @@ table: constraint 3 0 0 0 0 0 1
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.screws.fields import Field, Matrix, field_of
 from gcrules.screws.limbs import Limb

@@ -21,10 +21,10 @@ vector may be an array whose last axis holds the coordinates, so that it stands 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.screws.fields import Field, Row, field_of

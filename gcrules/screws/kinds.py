@@ -18,9 +18,10 @@ lines.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 from gcrules.screws.field import Field, Row
 from gcrules.screws.lines import LineFamily, family, number_text, undecided, vector_text

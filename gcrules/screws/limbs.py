@@ -15,10 +15,10 @@ UP̲S 6 0 [['1/14', '1/7', '3/14', '0', '0', '0']]
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.screws.fields import Field, Matrix, field_of
 from gcrules.screws.joints import Joint

@@ -7,10 +7,10 @@ Such a span is totally isotropic: the reciprocal product of any two of its screw
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.screws.field import Field, Row
 

@@ -7,12 +7,12 @@ softest motion the legs notice. 0 ≤ σ ≤ 1, and σ = 0 exactly where the rob
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 
 __all__ = ["LegJacobians", "jacobian", "on_one_line"]

@@ -13,8 +13,8 @@ r"""Mobility of the platform at a configuration, constraints that are there more
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from gcrules.core.dataclass import dataclass
 from gcrules.screws.fields import Field
 from gcrules.screws.jacobians import common_field
 from gcrules.screws.limbs import Limb

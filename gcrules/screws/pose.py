@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.floats import as_float, exact, exact_float
 from gcrules.screws.rotations import IDENTITY, Matrix, Quaternion, Vector, rotation

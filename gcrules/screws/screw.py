@@ -16,9 +16,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.screws.fields import Field, Matrix, Row, Vector, field_of
 

@@ -11,9 +11,9 @@ r"""Screw systems: spans of twists or wrenches, and those reciprocal to them.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.screws.fields import Field, Matrix, Row, field_of
 from gcrules.screws.kinds import Classification, classify
 

@@ -3,10 +3,10 @@ r"""When a pose is close to singular: a threshold in a meaningful unit, and the 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 
 from gcrules.core.arguments import described
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.screws.pose import check_unit, read_number
 

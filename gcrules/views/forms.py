@@ -6,11 +6,12 @@ notebooks show as mathematics, `latex` unless another is named. A result without
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cache
 from html import escape
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import resolved
 
 __all__ = ["FORMS", "Forms", "shown"]

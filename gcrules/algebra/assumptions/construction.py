@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations, product
@@ -25,6 +24,7 @@ from gcrules.algebra.expr import Expr, Join, Point, points_of
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.straightening.straighten import terms_are_zero
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.core.linear_algebra import content
 from gcrules.core.seeds import DRAWN, drawn

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import combinations
 from math import comb
@@ -16,6 +16,7 @@ from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["MAX_KINDS", "PositionKind", "with_images"]
 

@@ -13,7 +13,7 @@ abp, a on bp, b on ap, p on ab
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from itertools import combinations
 
@@ -24,6 +24,7 @@ from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point,
 from gcrules.algebra.names import point_key
 from gcrules.algebra.scalars import bracket
 from gcrules.algebra.space import Assumption
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 

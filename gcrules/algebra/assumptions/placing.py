@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from gcrules.algebra.assumptions.construction import Construction, ConstructionStep, Within, coordinates, step_on
 from gcrules.algebra.assumptions.incidences import Helper, IncidenceCondition
@@ -12,6 +12,7 @@ from gcrules.algebra.assumptions.nondegeneracy import assumed, fewest
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, Point, join, points_of
 from gcrules.algebra.space import Assumption, Space
+from gcrules.core.dataclass import dataclass
 from gcrules.core.seeds import DRAWN, drawn
 
 __all__ = ["Aim", "Failure", "Placement", "parallel"]

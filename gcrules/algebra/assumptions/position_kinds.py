@@ -16,7 +16,7 @@ other assumptions only, or where a sum is a product in disguise: [bcd][abe] - [a
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from itertools import combinations
 from math import comb
@@ -32,6 +32,7 @@ from gcrules.algebra.language.text import text
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.budget import checkpoint, watched
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError, LimitReached
 

@@ -17,7 +17,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property, reduce
 from itertools import combinations, permutations, product
 from math import prod
@@ -35,6 +34,7 @@ from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.factoring.products import Cover, Groups, sub_multisets
 from gcrules.algebra.factoring.symmetry import Swap, Symmetries, moved_row
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 
 __all__ = ["Rational", "bracket_cofactors", "line_cofactors"]

@@ -11,7 +11,7 @@ The reverse does not hold. A bracket that no coincidence excludes is searched fo
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from itertools import combinations
 
@@ -21,6 +21,7 @@ from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 
 __all__ = ["Coincidences", "coinciding", "united"]

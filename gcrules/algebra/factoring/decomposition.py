@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from operator import mul
@@ -14,6 +13,7 @@ from gcrules.algebra.factoring.irreducible import irreducible
 from gcrules.algebra.factoring.normal import normal
 from gcrules.algebra.factoring.splitting import split
 from gcrules.algebra.straightening.order import easy_order
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["Decomposition", "decomposed"]
 

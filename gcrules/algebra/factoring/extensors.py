@@ -14,7 +14,6 @@ leaves the polynomial different from 0 are *apart*: no join holds both, in whate
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from math import comb
 from typing import Any
@@ -27,6 +26,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.modular import Ints
 from gcrules.algebra.factoring.residues import Floats, PrimeField, random_positions, residues
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 
 __all__ = [

@@ -22,7 +22,6 @@ the degree. Where points are united, and nothing else was accepted, that is prov
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -34,6 +33,7 @@ from gcrules.algebra.factoring.modular import MODULUS, Ints
 from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.straightening.order import same_function
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.core.seeds import seed
 

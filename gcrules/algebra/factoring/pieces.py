@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from operator import and_
@@ -15,6 +14,7 @@ from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.powers import number_power, powers
 from gcrules.algebra.names import step_name
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 
 __all__ = ["Pieces", "factor_pieces"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import reduce
 from math import prod
 from operator import mul
@@ -15,6 +15,7 @@ from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.factoring.trees import Written
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 
 __all__ = ["Cover", "Group", "Groups", "sub_multisets"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import reduce
 from itertools import islice
 from operator import mul
@@ -19,6 +19,7 @@ from gcrules.algebra.factoring.normal import normal
 from gcrules.algebra.factoring.result import FactoredForm, Factorization, brackets_of
 from gcrules.algebra.factoring.splitting import split
 from gcrules.algebra.factoring.symmetry import Symmetries
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 
 __all__ = ["with_cofactor"]

@@ -6,7 +6,6 @@ below 2⁵³: sums and matrix products of doubles are then exact, and the fast r
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 from math import comb, isqrt
 
@@ -17,6 +16,7 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.factoring.modular import Ints, determinants
 from gcrules.core import seeds
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["Floats", "Ints", "PrimeField", "random_positions", "residues", "values"]
 

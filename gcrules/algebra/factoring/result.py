@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from itertools import chain, repeat
 from typing import Any
@@ -14,6 +14,7 @@ from gcrules.algebra.bracket import BracketPolynomial, Row
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.text import text
+from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 
 __all__ = ["ExpressionFamily", "FactoredForm", "FactoredPart", "Factorization", "brackets_of"]

@@ -11,13 +11,13 @@ fail this are no multiples of P. This holds without any probability. Those that 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from gcrules.algebra.factoring.extensors import CHUNK, Extensors, Level, Tree, scalar, spread, wedge
 from gcrules.algebra.factoring.modular import Ints
 from gcrules.algebra.factoring.residues import Floats
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["Candidate", "candidates", "middles"]
 

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, reduce
 from math import gcd, isqrt, lcm
@@ -28,6 +27,7 @@ from gcrules.algebra.factoring.modular import MODULUS
 from gcrules.algebra.factoring.residues import values
 from gcrules.algebra.factoring.restriction import restricted
 from gcrules.algebra.straightening.straighten import straighten
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["split"]
 

@@ -13,7 +13,6 @@ d − s that add up to d). Neighbouring nodes of one kind are one node. Any node
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 from gcrules.algebra import expr as ex
@@ -22,6 +21,7 @@ from gcrules.algebra.factoring.extensors import Tree
 from gcrules.algebra.language.text import text
 from gcrules.algebra.names import point_key
 from gcrules.algebra.scalars import bracket
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["Written", "simplest"]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from itertools import product, repeat
@@ -23,6 +22,7 @@ from gcrules.algebra.factoring.products import Cover, Group
 from gcrules.algebra.factoring.result import ExpressionFamily, FactoredForm, FactoredPart, Factorization, brackets_of
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.budget import checkpoint, seconds_left, within
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 
 __all__ = ["Whole", "together"]

@@ -6,7 +6,6 @@ What needs parentheses, which sign a term carries and where commas stand is deci
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import groupby, repeat
 
@@ -25,6 +24,7 @@ from gcrules.algebra.expr import (
     neg,
 )
 from gcrules.core.budget import watched
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["Digits", "Mark", "Raised", "Row", "Sign", "Term", "parts", "signs", "split_name", "terms"]
 

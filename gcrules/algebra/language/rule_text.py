@@ -3,7 +3,6 @@ r"""Rules as they are written: `rule ID "sentence": LHS => RHS if …`, in every
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
@@ -11,6 +10,7 @@ from gcrules.algebra.language.assumption_text import read_assumption
 from gcrules.algebra.language.syntax import Builder, Context, Node, run_name, span_of
 from gcrules.algebra.names import step_name
 from gcrules.algebra.space import RANKS, Assumption, shortened
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, Span, StepError
 from gcrules.core.frozen import FrozenMap
 

@@ -14,7 +14,6 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from importlib.resources import files
@@ -29,6 +28,7 @@ from gcrules.algebra.names import step_name
 from gcrules.algebra.scalars import MAX_EXPONENT, superbracket
 from gcrules.algebra.space import Space, shortened
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, Span, StepError, SyntaxFault
 from gcrules.core.frozen import FrozenMap
 

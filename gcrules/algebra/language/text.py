@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.notation import Digits, Mark, Raised, Row, Sign, Term, signs, terms
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["SHORT_NAME", "Names", "split_names", "text", "text_terms"]
 

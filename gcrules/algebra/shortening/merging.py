@@ -16,7 +16,6 @@ signed average of P's images under its symmetries is P. Derived here.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from math import ceil
@@ -30,6 +29,7 @@ from gcrules.algebra.shortening.linear_program import maximized
 from gcrules.algebra.shortening.monomials import Monomials
 from gcrules.algebra.shortening.symmetry import Orbits
 from gcrules.core.budget import Count
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["BlockBound", "MergingBound", "merging_bound"]
 

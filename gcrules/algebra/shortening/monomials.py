@@ -8,7 +8,6 @@ weight of x and a determinant of one dimension less, so [ijka][lmnb] = [ijkb][lm
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 from math import factorial, prod
@@ -19,6 +18,7 @@ import numpy as np
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row
 from gcrules.algebra.factoring.modular import MODULUS, Ints, determinants, reduced
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 
 __all__ = ["Monomials", "canonical", "degree_vector"]

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.certificate import Certificate
+from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 
 __all__ = ["Shortening"]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import islice
 from math import comb
 
@@ -28,6 +28,7 @@ from gcrules.algebra.shortening.symmetry import Action, Orbits, Symmetry, orbits
 from gcrules.algebra.shortening.walk import shorter_supports
 from gcrules.algebra.straightening.straighten import is_standard, straighten
 from gcrules.core.budget import Count, report, seconds_left
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, LimitReached
 
 __all__ = ["Divided", "SearchLimits", "ShortestSearch", "shortest_of"]

@@ -6,7 +6,6 @@ normal forms. There may be more symmetries: orbits may then be finer than they c
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -15,6 +14,7 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.factoring.modular import Ints
 from gcrules.algebra.factoring.symmetry import exchanges, sign_under
 from gcrules.algebra.shortening.monomials import Monomials, canonical
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["Orbits", "Symmetry", "orbits", "symmetry"]
 

@@ -15,7 +15,6 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise, permutations, product
 from math import factorial, prod
@@ -23,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.core.linear_algebra import permutation_sign
 

@@ -17,7 +17,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 from itertools import pairwise
 from math import comb, inf
@@ -30,6 +29,7 @@ from gcrules.algebra.expr import Expr, sub
 from gcrules.algebra.straightening.syzygies import offending_column, pattern_of, syzygy, two_rows
 from gcrules.algebra.straightening.work import WORK_PER_TERM, Work
 from gcrules.core.budget import checkpoint, watched
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import LimitReached
 
@@ -123,9 +123,10 @@ def terms_are_zero(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = M
     """
     often = Counter(i for m in terms for row in m for i in row)
     order = {x: n for n, x in enumerate(sorted(often, key=lambda x: (x >= ideal, -often[x], x)))}
+    known = {row: sorted_row(order[i] for i in row) for row in {row for m in terms for row in m}}
     moved: Terms = {}
     for m, c in watched(terms.items()):
-        rows = [sorted_row(order[i] for i in row) for row in m]
+        rows = [known[row] for row in m]
         for sign, _ in rows:
             c = c * sign
         key = tuple(sorted(row for _, row in rows))

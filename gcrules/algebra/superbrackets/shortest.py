@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache, lru_cache
 from itertools import count, islice, permutations
 from typing import Any
@@ -16,6 +15,7 @@ from typing import Any
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms, sorted_row, tableau_order
 from gcrules.algebra.superbrackets.superbracket import FORMS, form_terms
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import permutation_sign
 from gcrules.core.shown import Shown

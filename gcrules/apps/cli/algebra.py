@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import click
@@ -29,6 +28,7 @@ from gcrules.apps.cli.expressions import argument_text, context_of, read_express
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.verdicts import EXIT_CODES, coloured
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.views.formulas.latex import latex
 from gcrules.views.results.proof import conditions

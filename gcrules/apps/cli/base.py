@@ -7,7 +7,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from difflib import get_close_matches
 from functools import wraps
 from importlib import import_module
@@ -20,6 +20,7 @@ from gcrules.apps.cli.files import ANSWERED, OutputCommand, OutputFile, printed
 from gcrules.apps.cli.limits import Seconds
 from gcrules.core import interrupts, streams
 from gcrules.core.budget import waiting
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.core.files import write_file
 from gcrules.core.seeds import repeated

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -15,6 +14,7 @@ from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.rule_options import plugins_option
 from gcrules.conditions.analysis import analyze
 from gcrules.core.budget import report
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near

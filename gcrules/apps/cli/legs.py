@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from typing import Any
 
 import click
@@ -26,6 +25,7 @@ from gcrules.apps.cli.question_options import question_options
 from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.sources import mode_option, read_source
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.files import write_file

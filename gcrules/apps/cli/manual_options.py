@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import wraps
 from typing import Any
 
 import click
 
 from gcrules.apps.cli.base import decorated
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["ManualOptions", "manual_options"]
 

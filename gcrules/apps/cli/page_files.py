@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError
 from gcrules.core.files import write_file
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from functools import wraps
 from typing import Any
 
 import click
 
 from gcrules.apps.cli.base import decorated
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.rules.library import Library
 from gcrules.rules.plugins import load_rules

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from textwrap import indent
 from typing import Any
 
@@ -27,6 +26,7 @@ from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.verdicts import EXIT_CODES, coloured
 from gcrules.core.alarm import paced
 from gcrules.core.budget import report
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.yaml_file import read_text
 from gcrules.rules.rewriting import rewrite as rewritten

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.expr import Expr
@@ -13,6 +12,7 @@ from gcrules.algebra.language.text import text
 from gcrules.algebra.names import step_name
 from gcrules.apps.repl.reading import as_typed
 from gcrules.apps.repl.state import Settings
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, LimitReached
 from gcrules.rules.script import ClaimResult, Result, RewriteResult, ShowResult
 from gcrules.views.formulas.latex import latex

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import inf, nan
 from os.path import expanduser
 
@@ -21,6 +21,7 @@ from gcrules.apps.repl.session import PromptSession
 from gcrules.apps.repl.state import PromptState
 from gcrules.apps.repl.tables import Command
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.files import write_file
 from gcrules.core.hints import near

@@ -10,12 +10,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from gcrules.apps.repl.help import TOPICS
 from gcrules.apps.repl.reading import first_word, split_command
 from gcrules.apps.repl.state import PromptState
 from gcrules.apps.repl.tables import COMMANDS, RELATIONS, RULE_WORDS, STATEMENTS, SYMBOLS, meant
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["Completion", "candidates"]
 

@@ -11,12 +11,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.language.syntax import Context, read, span_of
 from gcrules.algebra.language.text import text as text_of
 from gcrules.apps.repl.tables import COMMANDS, RULE_WORDS, STATEMENTS, meant
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, Span
 
 __all__ = [

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import inf
 from typing import Any
 
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax import Context
+from gcrules.core.dataclass import dataclass
 from gcrules.rules.rule import RewriteRule
 
 __all__ = ["PromptState", "Settings"]

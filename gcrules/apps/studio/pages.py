@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
 from pathlib import Path
 
 from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 
+from gcrules.core.dataclass import dataclass
 from gcrules.views.viewer import FOLDER
 
 __all__ = ["STATIC", "Pages"]

@@ -6,7 +6,6 @@ import asyncio
 import json
 import logging
 from collections.abc import Coroutine, Mapping
-from dataclasses import dataclass
 from time import perf_counter
 from typing import Any
 
@@ -18,6 +17,7 @@ from gcrules.apps.studio.protocol.checking import choice, decoded, number, recor
 from gcrules.apps.studio.protocol.methods import LONGEST, METHODS
 from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.service import Service
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError
 
 __all__ = ["PageSession"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -19,6 +18,7 @@ from gcrules.apps.studio.protocol.requests import (
     SourceJson,
 )
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near

@@ -7,7 +7,8 @@ elementary or derived in this project.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["THEORY", "Theory"]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import reduce
 from itertools import islice, permutations, product
 from operator import and_
@@ -20,6 +20,7 @@ from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.scalars import bracket
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm, superbracket_form
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.rules.condition import Condition, Entity, starred
 from gcrules.rules.recognition_state import RecognitionState, extensor
 

@@ -3,7 +3,7 @@ r"""Why an expression is not the superbracket: exact points that show it, and wh
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, pairwise
@@ -20,6 +20,7 @@ from gcrules.algebra.superbrackets.shortest import superbracket_form
 from gcrules.conditions.example_poses import singular_poses
 from gcrules.conditions.gained_motion import factors
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.floats import int_if_whole
 from gcrules.core.frozen import FrozenMap
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from gcrules.algebra.expr import Expr
 from gcrules.conditions.manual.automatic import oracle_of, strategy
 from gcrules.conditions.manual.board import KINDS, Board
 from gcrules.conditions.manual.words import counted
+from gcrules.core.dataclass import dataclass
 from gcrules.rules.condition_rule import ConditionClaim, claims
 from gcrules.rules.entities import LEFT_OVER_LINE, LEFT_OVER_LINES, LEFT_OVER_PLANE, LINES, PLANES
 from gcrules.rules.rule import ConditionRule, EntityRule

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms, sorted_row
@@ -14,6 +14,7 @@ from gcrules.conditions.manual.board import Board
 from gcrules.conditions.manual.follow import follow
 from gcrules.conditions.manual.outcome import NamedValue, ProposalOutcome, confirmed, possible, refused
 from gcrules.conditions.manual.words import CommandWords
+from gcrules.core.dataclass import dataclass
 from gcrules.rules.recognition_state import RecognitionState
 
 __all__ = ["left_over_plane", "propose_lines", "propose_pair"]

@@ -10,7 +10,7 @@ r"""Sessions: what was proposed, what was answered, and the board that it led to
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.expr import Expr
@@ -26,6 +26,7 @@ from gcrules.conditions.manual.left_over import propose_lines, propose_pair
 from gcrules.conditions.manual.outcome import Hint, ProposalOutcome, refused
 from gcrules.conditions.manual.suggest import suggest
 from gcrules.conditions.manual.words import CommandWords
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, Span
 from gcrules.core.hints import near
 from gcrules.core.shown import Shown

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from dataclasses import dataclass
 
 from gcrules.algebra.expr import Expr, Join, Point, points_of
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.syntax import Context, parse
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.hints import near
 

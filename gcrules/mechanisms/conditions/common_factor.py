@@ -14,7 +14,7 @@ in random coordinates of the space that they span, are in the ratio of the super
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 from math import comb
 
@@ -23,6 +23,7 @@ from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.text import text
 from gcrules.algebra.scalars import bracket, superbracket
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
 from gcrules.mechanisms.conditions.words import RobotWords

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from itertools import combinations_with_replacement, count, islice
 
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import ONE, Expr, points_of
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError
 from gcrules.mechanisms.description.family import Family, Path
 from gcrules.mechanisms.description.limb_file import LimbSpec

@@ -73,7 +73,7 @@ def _members(family: Family, limb: LimbSpec) -> Iterator[Values]:
     names = tuple(dict.fromkeys(n for j in limb.joints for n in j.names))
     for _, path in zip(range(_PATHS), paths(family, names, "loops"), strict=False):
         try:
-            polynomial = interpolated(lambda t, path=path: mixing.determinant(seen(path.member(t))))  # type: ignore[misc]
+            polynomial = interpolated(mixing.along(lambda t, path=path: seen(path.member(t))))  # type: ignore[misc]
         except GcrulesError:  # a joint is none on the way
             continue
         for t in roots(polynomial or []):

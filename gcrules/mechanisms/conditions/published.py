@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import points_of
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.conditions.factor_causes import at_member, constant
 from gcrules.mechanisms.lines.equivalent import Equivalent

@@ -2,12 +2,12 @@ r"""What was found for a robot: its conditions in the robot's own words, and wha
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition

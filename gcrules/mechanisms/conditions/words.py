@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket, points_of
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.conditions.at_infinity import INFINITY
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.lines.wrenches import WrenchLine

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.hints import near
 from gcrules.rules.plugin import ROBOT_FILE, Plugin, installed, plugins_in, shipped, shipped_folder

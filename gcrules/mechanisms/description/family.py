@@ -14,11 +14,11 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.seeds import DRAWN, drawn
 from gcrules.mechanisms.description.relations import AXES, Relation, Values, Vector
 from gcrules.screws import RATIONALS, RESIDUES, Field

@@ -20,10 +20,10 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, Span
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near

@@ -17,13 +17,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from os import PathLike
 from pathlib import PurePath
 
 from gcrules.algebra.language.legs_text import leg_text
 from gcrules.core.arguments import ROW, TEXT, described, listed, mapping, read, row
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.floats import exact
 from gcrules.core.frozen import FrozenMap

@@ -13,11 +13,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.screws import Field
 
@@ -202,8 +202,14 @@ def combined(term: Term, values: Values, field: Field) -> Vector:
     """The value of a linear combination."""
     if len(term) == 1 and term[0][0] == 1:
         return values[term[0][1]]
-    parts = [(field.number(c), values[n]) for c, n in term]
-    x, y, z = (field.reduced(sum([c * v[i] for c, v in parts])) for i in range(3))
+    if len(term) == 2:  # mostly from one point to another
+        (c, m), (d, n) = term
+        a, b, v, w = field.number(c), field.number(d), values[m], values[n]
+        sums = [0 + a * v[0] + b * w[0], 0 + a * v[1] + b * w[1], 0 + a * v[2] + b * w[2]]
+    else:
+        parts = [(field.number(c), values[n]) for c, n in term]
+        sums = [sum([c * v[i] for c, v in parts]) for i in range(3)]
+    x, y, z = map(field.reduced, sums)
     return x, y, z
 
 

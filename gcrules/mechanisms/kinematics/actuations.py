@@ -10,11 +10,12 @@ platform and in its loops together.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.kinematics.amplification import Amplifications, Drives, amplifications
 from gcrules.mechanisms.kinematics.attachments import Values, moved

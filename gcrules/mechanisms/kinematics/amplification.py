@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
 from typing import Any
@@ -21,6 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import HoldsArrays
 from gcrules.mechanisms.kinematics.closure import CableTensions, closure, closures
 from gcrules.mechanisms.kinematics.transmission import Transmission, Transmissions

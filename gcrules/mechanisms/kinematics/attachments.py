@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.kinematics.chains import shape_of

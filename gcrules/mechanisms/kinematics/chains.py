@@ -13,12 +13,13 @@ does; so two motions may share one amount.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap

@@ -15,7 +15,6 @@ can move without any cable getting longer. Source: linear programming duality; t
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
@@ -23,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["CableTensions", "Closure", "closure", "closures"]
 

@@ -9,11 +9,11 @@ says from where on its branch is in doubt.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.branch import Steps, can_be_followed, follow_branch

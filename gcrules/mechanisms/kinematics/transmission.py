@@ -27,12 +27,13 @@ order. A parallelogram of rods with ball joints passes on a force along each rod
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import HoldsArrays
 
 __all__ = ["Transmission", "Transmissions", "of_constraints", "shaken", "transmitted"]

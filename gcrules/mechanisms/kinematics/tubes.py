@@ -29,13 +29,13 @@ bounds are derived here.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.chains import Chain, products
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, cross_matrix, crossed, exponential, inverse
 

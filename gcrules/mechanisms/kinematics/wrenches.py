@@ -2,12 +2,12 @@ r"""The Jacobian of actuations and constraints as numbers, with the characterist
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.floats import without_noise
 from gcrules.core.frozen import HoldsArrays
 from gcrules.mechanisms.kinematics.amplification import Amplification, Drives, amplification

@@ -15,9 +15,9 @@ r"""Directions and points that a robot's file does not name, made from those tha
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.description.relations import Term, Values, Vector, combined, name_of
 from gcrules.screws import Field
 from gcrules.screws.field import Row

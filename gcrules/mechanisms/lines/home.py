@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import RATIONALS, axis

@@ -17,8 +17,8 @@ numbers elsewhere in the family they are the six types of Zlatanov, Fenton and B
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import LimbSpec

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations, pairwise
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.errors import GcrulesError
 from gcrules.core.seeds import drawn
@@ -128,7 +129,7 @@ def _of(family: Family, limb: LimbSpec) -> LimbSingularity:
     special = _without_those_that_hold(every, family.member("limb"))
     for _, path in zip(range(_PATHS), paths(family, _names(limb), "limb"), strict=False):
         try:
-            polynomial = interpolated(lambda t, path=path: mixing.determinant(twists(path.member(t))))  # type: ignore[misc]
+            polynomial = interpolated(mixing.along(lambda t, path=path: twists(path.member(t))))  # type: ignore[misc]
         except GcrulesError:  # a joint is none on the way
             continue
         for t in roots(polynomial or []):
@@ -176,16 +177,17 @@ class _Conditions:
         crossed = {f"{a} × {b}": RESIDUES.cross(vectors[a], vectors[b]) for a, b in combinations(vectors, 2)}
         every, before, normal = {**vectors, **crossed}, ("", ""), (0, 0, 0)
         for said, names in self.tests:
-            match names:
-                case a, b:
-                    zero = RESIDUES.dot(vectors[a], vectors[b]) == 0
-                case a, b, c:
-                    if (a, b) != before:
-                        before, normal = (a, b), RESIDUES.cross(every[a], every[b])
-                    (u, v, w), (x, y, z) = normal, every[c]
-                    zero = (u * x + v * y + w * z) % PRIME == 0
-                case _:
-                    zero = not RESIDUES.determinant([points[n] for n in names])
+            if len(names) == 3:
+                a, b, c = names
+                if (a, b) != before:
+                    before, normal = (a, b), RESIDUES.cross(every[a], every[b])
+                (u, v, w), (x, y, z) = normal, every[c]
+                zero = (u * x + v * y + w * z) % PRIME == 0
+            elif len(names) == 2:
+                a, b = names
+                zero = RESIDUES.dot(vectors[a], vectors[b]) == 0
+            else:
+                zero = not RESIDUES.determinant([points[n] for n in names])
             if zero:
                 yield said
 

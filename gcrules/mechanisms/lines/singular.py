@@ -10,11 +10,12 @@ modulo the prime are members at which it vanishes exactly.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
-from operator import mul
+from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 
 from gcrules.algebra.evaluate import PRIME
 from gcrules.core.budget import checkpoint
+from gcrules.core.linear_algebra import FirstRows, permutation_sign
 from gcrules.screws import RESIDUES
 
 __all__ = ["PRIME", "Mixing", "Poly", "at", "divided", "gcd", "interpolated", "radical", "roots"]
@@ -51,29 +52,46 @@ class Mixing:
     determinant vanishes where the rows have less rank, and elsewhere hardly ever.
 
     All combinations A · rows · Bᵀ with an invertible first block of A and of B have, up to a number, the determinant of
-    those in which these blocks are unit matrices; the other blocks are drawn.
+    those in which these blocks are unit matrices; the other blocks are drawn. Up to its sign that is the determinant of
+    the rows in a frame, which keeps their zeros: beside them columns that A takes to 0, below them rows that Bᵀ does.
     """
 
     def __init__(self, rng: random.Random, rows: _Rows, usual: int) -> None:
-        self.usual = usual
-        self.left, self.right = (
-            [[rng.randrange(PRIME) for _ in range(size - usual)] for _ in range(usual)]
-            for size in (len(rows), len(rows[0]) if rows else usual)
+        height, width = len(rows), len(rows[0]) if rows else usual
+        left, right = (
+            [[rng.randrange(PRIME) for _ in range(size - usual)] for _ in range(usual)] for size in (height, width)
         )
+        corner = [0] * (height - usual)
+        self._beside = _taken_to_zero(left, height - usual)
+        self._below = [(*row, *corner) for row in zip(*_taken_to_zero(right, width - usual), strict=True)]
 
-    def determinant(self, rows: _Rows) -> int:
-        """The determinant modulo the prime for other rows of the same shape."""
-        n = self.usual
-        mixed = [
-            [x + sum(map(mul, row[n:], numbers)) for x, numbers in zip(row[:n], self.right, strict=True)]
-            for row in rows
-        ]
-        columns = list(zip(*mixed[n:], strict=True)) or [()] * n
-        square = [
-            [x + sum(map(mul, numbers, column)) for x, column in zip(row, columns, strict=True)]
-            for row, numbers in zip(mixed[:n], self.left, strict=True)
-        ]
-        return int(RESIDUES.determinant(square))
+    def along(self, rows_at: Callable[[int], _Rows]) -> Callable[[int], int]:
+        """The determinant modulo the prime at t, for rows of this shape that depend on t. Rows that are the same at two
+        members are eliminated once, and a member at which one of them is another one is computed by itself.
+        """
+        rows_at = cache(rows_at)
+        first, second = rows_at(0), rows_at(1)
+        same = [i for i, (a, b) in enumerate(zip(first, second, strict=True)) if a == b]
+        others = [i for i in range(len(first)) if i not in same]
+        sign = permutation_sign([*same, *range(len(first), len(first) + len(self._below)), *others])
+        above = FirstRows([*self._framed(first, same), *self._below], PRIME)
+
+        def value(t: int) -> int:
+            rows = rows_at(t)
+            if any(rows[i] != first[i] for i in same):
+                return int(RESIDUES.determinant([*self._framed(rows, range(len(rows))), *self._below]))
+            return sign * above.determinant(self._framed(rows, others))
+
+        return value
+
+    def _framed(self, rows: _Rows, places: Iterable[int]) -> list[Sequence[int]]:
+        return [(*rows[i], *self._beside[i]) for i in places]
+
+
+def _taken_to_zero(drawn: _Rows, size: int) -> list[Sequence[int]]:
+    """The rows of a matrix whose `size` columns (1, drawn) takes to 0."""
+    unit = [[int(i == j) for j in range(size)] for i in range(size)]
+    return [*([-x % PRIME for x in row] for row in drawn), *unit]
 
 
 def _newton(coefficients: Poly, t: int) -> int:

@@ -9,11 +9,10 @@ solution exists is not proved, but each that is listed closes the loops within r
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.chains import Chain, geometry_of, shape_of
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed, inverse, logarithm

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations_with_replacement, product
@@ -22,6 +22,7 @@ from typing import Any
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values

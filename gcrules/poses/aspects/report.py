@@ -2,9 +2,9 @@ r"""The answer to how the poses of a robot hang together: sets that are joined w
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 from gcrules.poses.modes.report import AssemblyModes
 from gcrules.poses.plans.report import Search, Waypoint, pose_json

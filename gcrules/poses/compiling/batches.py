@@ -3,12 +3,12 @@ r"""Many poses as a user gives them: shapes are checked at once, numbers chunk b
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.poses.numbers.arrays import real_numbers
 from gcrules.screws.pose import UNIT_TOLERANCE

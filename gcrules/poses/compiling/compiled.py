@@ -16,7 +16,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from typing import Any, overload
 
 import numpy as np
@@ -27,6 +26,7 @@ from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.language.text import text as as_text
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.analyze import analyze_legs

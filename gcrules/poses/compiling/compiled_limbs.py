@@ -13,13 +13,14 @@ r"""Robots of joints at very many poses: a frozen value that is called with arra
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence, Set
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.arguments import described
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.factor_causes import ASIDE

@@ -10,12 +10,12 @@ r"""What a controller computes of a robot at each pose, with numbers to test it 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import isfinite
 from typing import Any
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.margin import margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats

@@ -16,12 +16,13 @@ bodies, so that its least singular value is the lesser one of both.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.loops import Course, loop_rows, units_of

@@ -15,10 +15,10 @@ gcrules.poses.compiling.roots.NoForm: two roots meet at home
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt, sqrt
 
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
 from gcrules.poses.compiling.tape import lower
 

@@ -13,9 +13,10 @@ that 0 and 1 leave no trace. Equal sums and products become the same node (hash-
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Union
+
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["Graph", "Number", "Ring", "Scalar"]
 

@@ -23,11 +23,11 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
 
 __all__ = ["BINARY", "OPERATIONS", "Operation", "Program", "allocated", "lower"]

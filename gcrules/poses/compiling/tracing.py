@@ -8,13 +8,13 @@ origin and, for a platform that moves as a body, with every joint of it as the o
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
 
 from gcrules.algebra.claims import digest
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Expr
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault
 from gcrules.core.seeds import drawn
 from gcrules.poses.compiling.scalars import Graph, Ring, Scalar

@@ -8,7 +8,6 @@ one joint may be the origin. Derived here.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
@@ -17,6 +16,7 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket
 from gcrules.algebra.language.line_text import Leg
+from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import cross, permutation_sign
 from gcrules.poses.compiling.scalars import Ring, Scalar
 

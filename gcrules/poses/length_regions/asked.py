@@ -2,10 +2,10 @@ r"""Which lengths are asked for: the leg that is held, and the ranges of the oth
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.poses.length_regions.three_legs import ThreeLegs
 from gcrules.poses.limits import parse_limits

@@ -16,11 +16,11 @@ Source: Gosselin, Sefrioui and Richard (1992) for the degree 6; what is divided 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.length_regions.integer_polynomials import combined, product, resultant, roots_between
 from gcrules.poses.paths.roots import integers
 

@@ -8,13 +8,13 @@ crossing, a cusp or an isolated point. Everything is exact.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, reduce
 from itertools import count
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.length_regions.integer_polynomials import (
     derivative,
     interpolated,

@@ -2,9 +2,9 @@ r"""The answer to how the lengths of legs fall into regions, in each of which th
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 
 __all__ = ["LengthRange", "LengthRegion", "LengthRegions", "Strip"]

@@ -3,11 +3,11 @@ r"""A plane of two lengths, the third one held: its regions, each with a witness
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.poses.length_regions.asked import Range
 from gcrules.poses.length_regions.drawn_strips import root_of

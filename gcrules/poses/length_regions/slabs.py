@@ -18,7 +18,6 @@ there is kept apart from what does: the number of regions is then an interval. D
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 
@@ -26,6 +25,7 @@ import networkx as nx
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.length_regions.curve import CriticalLine, SingularCurve
 from gcrules.poses.length_regions.integer_polynomials import roots_between
 from gcrules.poses.paths.roots import integers

@@ -8,7 +8,6 @@ the other passes no singular lengths: on it the squares of the lengths change ev
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
 
@@ -16,6 +15,7 @@ import networkx as nx
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.length_regions.asked import Range
 from gcrules.poses.length_regions.drawn_strips import root_of
 from gcrules.poses.length_regions.integer_polynomials import interpolated, roots_between

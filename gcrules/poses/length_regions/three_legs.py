@@ -8,10 +8,10 @@ r"""Planar robots on three legs of variable length: their dimensions, exact, and
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt, lcm
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.limbs import Limbs

@@ -9,12 +9,13 @@ they are proved, and from its end it is predicted anew.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint, report
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.branch import Steps, follow_and_are_regular
 from gcrules.mechanisms.kinematics.configurations import Configurations

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 from math import isfinite, nan, prod
 from typing import Any
 
@@ -11,6 +10,7 @@ import numpy as np
 
 from gcrules.algebra.expr import ONE, Expr, Product, points_of
 from gcrules.algebra.language.text import text
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.rigid_motions import Floats

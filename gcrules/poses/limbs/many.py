@@ -9,7 +9,7 @@ not numbers.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from types import MappingProxyType
 from typing import Any
@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint, report
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.conditions.factor_causes import ASIDE
 from gcrules.mechanisms.kinematics.actuations import amplified
 from gcrules.mechanisms.kinematics.amplification import Amplifications

@@ -12,13 +12,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.frozen import HoldsArrays

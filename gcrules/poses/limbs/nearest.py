@@ -13,12 +13,12 @@ bound is a proof, by Krawczyk's operator on boxes: there is one branch of config
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 
 from gcrules.core.budget import checkpoint, report
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.configurations import Configurations

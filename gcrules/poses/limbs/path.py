@@ -17,7 +17,6 @@ as undecided: as a rule where the path touches a singular configuration, or wher
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -25,6 +24,7 @@ from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis

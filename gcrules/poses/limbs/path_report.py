@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.amplification import Amplifications, index_columns

@@ -6,12 +6,11 @@ side, each by steps of its own, which halve where the loops do not close or the 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.determinants import Frames, frames, relative_sign
 from gcrules.mechanisms.kinematics.linkage import Linkage

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap, HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.linkage import Actuator

@@ -8,13 +8,13 @@ wrenches are taken from the joint screws, not from the lines, and the motion tha
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from math import dist
 from typing import Any
 
 from gcrules.algebra.expr import points_of
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError
 from gcrules.core.linear_algebra import echelon
 from gcrules.mechanisms.conditions.checks import home_values

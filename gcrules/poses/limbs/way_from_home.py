@@ -7,10 +7,10 @@ it is singular. A way that crosses no singular configuration stays on home's ass
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import floor
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.margin import margin

@@ -10,7 +10,6 @@ run: a check by sampling; everything else is exact.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from math import sqrt
 from typing import Any
 
@@ -20,6 +19,7 @@ from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import ONE, Expr, points_of
 from gcrules.algebra.language.text import text
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.seeds import drawn
 from gcrules.mechanisms.conditions.factor_causes import ASIDE

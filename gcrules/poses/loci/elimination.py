@@ -9,10 +9,10 @@ working modes, so that elimination brings in no zeros. Where a cofactor divides 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.poses.loci.closed_form import ClosedForm
 from gcrules.poses.loci.form import PolynomialForm

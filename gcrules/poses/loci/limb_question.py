@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.kinematics.linkage import Linkage

@@ -3,11 +3,11 @@ r"""The locus of the singular poses of six legs: a polynomial in the variables o
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.moving_platform import MovingPlatform

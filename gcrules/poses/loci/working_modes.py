@@ -9,13 +9,13 @@ there. That is seen at the zeros that were met, and proves nothing of others.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise, product
 from math import lcm
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault
 from gcrules.core.seeds import drawn
 from gcrules.poses.loci.closed_form import ClosedFactor, ClosedForm

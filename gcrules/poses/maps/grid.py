@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -12,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.moving_platform import FAR, MovingPlatform
 from gcrules.poses.maps.axes import GridAxis

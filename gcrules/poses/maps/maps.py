@@ -17,13 +17,13 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from os import PathLike
 from typing import Any
 
 import numpy as np
 
 from gcrules.core.budget import checkpoint, report
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import drawn

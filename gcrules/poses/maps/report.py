@@ -3,7 +3,6 @@ r"""The answer for a map: arrays over the grid, singular curves or surfaces, whi
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.arguments import FILE, TEXT, checked, each
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown

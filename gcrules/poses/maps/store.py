@@ -11,12 +11,13 @@ import json
 import os
 import shutil
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.files import unwritable
 from gcrules.core.frozen import HoldsArrays

@@ -3,10 +3,10 @@ r"""What a map comes to in a few numbers, put together chunk by chunk."""
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from math import isfinite
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.maps.cells import MEANINGS
 
 __all__ = ["MapSummary", "together"]

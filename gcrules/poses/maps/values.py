@@ -8,13 +8,13 @@ for the cells between its layers and up to the next one.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.version import __version__
 from gcrules.mechanisms.kinematics.amplification import INDICES

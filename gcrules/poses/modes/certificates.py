@@ -15,11 +15,10 @@ ch. 5, for Krawczyk's operator; the bounds are derived here.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.modes.conditions import Complexes
 from gcrules.poses.modes.tracking import jacobians, residuals

@@ -3,12 +3,13 @@ r"""The joints of a limb for a place of the platform: all real amounts that lead
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import islice, product
 
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.assembled import configuration_at
 from gcrules.mechanisms.kinematics.chains import shape_of
 from gcrules.mechanisms.kinematics.coordinates import principal

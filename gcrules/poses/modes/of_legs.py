@@ -3,13 +3,14 @@ r"""All poses in which the legs of a platform have given lengths."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, change_about

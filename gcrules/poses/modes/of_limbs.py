@@ -3,13 +3,14 @@ r"""All configurations of a robot of joints whose actuators have given values.""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.floats import without_noise
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.configurations import Configurations

@@ -3,10 +3,11 @@ r"""All solutions of a direct kinematics as values: the modes, what is proved of
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isfinite
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.limbs import Limbs

@@ -2,11 +2,10 @@ r"""What paths end at where solutions are not regular: multiple solutions, and c
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.modes.conditions import Complexes
 from gcrules.poses.modes.curves import curve_through, project, sharpened

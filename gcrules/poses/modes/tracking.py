@@ -10,12 +10,11 @@ That is numerical: that no path is lost is seen from the ends, which are differe
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.modes.conditions import Complexes
 

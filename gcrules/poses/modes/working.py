@@ -10,11 +10,12 @@ r"""The working modes of a robot, with its numbers in each: all ways in which it
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import islice
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.floats import without_noise
 from gcrules.core.frozen import FrozenMap

@@ -2,10 +2,9 @@ r"""All common zeros of linear conditions on motions: 40 paths from a system tha
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.modes.certificates import Boxes, boxes
 from gcrules.poses.modes.conditions import FORMS, Complexes, quadrics

@@ -10,13 +10,13 @@ g ≥ 0 there, and f > 0 at the points of the box with |x| < R, where m > 0. Der
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.nearest.taylor import Taylor
 
 __all__ = ["GAPS", "MAX_BOXES", "BallSearch", "search"]

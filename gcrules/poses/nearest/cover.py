@@ -8,13 +8,13 @@ cube are free if that stays below Î¸ with d = 0, and all shifts |d| below some Î
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.numbers.arrays import from_vectors, matrices
 from gcrules.screws.guarantees import guarantees
 from gcrules.screws.margin import LegJacobians, jacobian

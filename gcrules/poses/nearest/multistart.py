@@ -9,13 +9,13 @@ the best are polished by Newton's method on the Lagrange equations. Every run gi
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.nearest.zero import fibonacci
 from gcrules.poses.numbers.arrays import from_vectors, matrices
 from gcrules.screws.margin import LegJacobians

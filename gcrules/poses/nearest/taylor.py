@@ -3,7 +3,6 @@ r"""A cubic in three variables in floats: its value, gradient and second derivat
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import permutations
 
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.numbers.cubic import Cubic
 
 __all__ = ["Taylor", "taylor"]

@@ -7,13 +7,14 @@ ball (`certify`) then proves that there is none nearer. If the search meets one,
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.nearest.certify import BallSearch, search
 from gcrules.poses.nearest.taylor import Taylor, taylor
 from gcrules.poses.numbers.cubic import Cubic

@@ -9,12 +9,12 @@ the part of degree 3 is zero. The total is at most 1 + 2 = 3. Derived here.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 from math import lcm
 
 from gcrules.algebra.language.legs_text import Leg
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 
 __all__ = [

@@ -8,7 +8,6 @@ measures and the clearances are derived here; docs/pose.md says why they are wha
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 
 from gcrules.algebra.expr import Bracket, Expr, Meet, Product, Sum, meet
 from gcrules.conditions.gained_motion import factors
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import HoldsArrays
 from gcrules.poses.numbers.extensors import (
     Points,

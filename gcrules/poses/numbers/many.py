@@ -3,12 +3,13 @@ r"""Many poses at once: the numbers of `pose` as arrays, without loops over pose
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown

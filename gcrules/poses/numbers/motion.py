@@ -3,7 +3,6 @@ r"""At or near a singular pose: the motion that the platform gains, the dependen
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 
 from gcrules.algebra.language.legs_text import Leg
 from gcrules.conditions.gained_motion import Screw, free_motions
+from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import kernel
 from gcrules.poses.numbers.variety import Variety, variety
 from gcrules.screws.margin import LegJacobians

@@ -3,9 +3,9 @@ r"""What was found of the nearest singular pose of one kind, and what is proved 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.screws.pose import Pose
 
 __all__ = ["NearestPose"]

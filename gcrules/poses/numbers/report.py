@@ -3,10 +3,10 @@ r"""The answer for one pose: numbers, verdict and reason; shows itself as text, 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.floats import as_float
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian

@@ -13,10 +13,10 @@ report of a pose must, and the signature is part of the answer. On spans of line
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import kernel
 
 __all__ = ["Variety", "signature", "variety"]

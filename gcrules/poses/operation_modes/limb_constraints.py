@@ -8,13 +8,13 @@ at fresh exact poses.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations_with_replacement
 from math import isqrt
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import echelon, kernel, rank

@@ -6,10 +6,10 @@ Looked for are directions that the platform keeps, a point of it that stays, and
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import content, echelon, kernel, rank
 from gcrules.core.seeds import PRIME
 from gcrules.poses.operation_modes.limb_constraints import lifted

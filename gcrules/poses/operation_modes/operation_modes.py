@@ -8,13 +8,13 @@ larger one. Derived here; the parameters are those of Study's kinematic mapping.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, product
 from random import Random
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.linear_algebra import kernel, rank
 from gcrules.core.seeds import drawn

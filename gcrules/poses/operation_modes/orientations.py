@@ -11,13 +11,13 @@ r"""Sets of orientations that forms in x0 … x3 describe, taken apart into piec
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from itertools import combinations
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import echelon, kernel
 
 __all__ = ["Orientations", "as_form", "forms_ring", "fraction", "pieces", "whole"]

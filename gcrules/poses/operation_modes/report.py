@@ -2,10 +2,10 @@ r"""The operation modes of a robot, as frozen values."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.robot import Robot
 from gcrules.poses.operation_modes.limb_constraints import Equation, LimbConstraints

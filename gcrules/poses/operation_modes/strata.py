@@ -7,10 +7,10 @@ Over the orientations of an irreducible set, where the rank is r the poses are a
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.operation_modes.limb_constraints import STUDY, Equation
 from gcrules.poses.operation_modes.orientations import Form, Orientations, as_form, pieces
 

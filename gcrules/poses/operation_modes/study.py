@@ -14,11 +14,12 @@ constant dual quaternion B, so poses are polynomials in the amounts. Home is x =
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.linear_algebra import cross
 from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.screws.pose import check_unit
 from gcrules.screws.pose_text import ANGLES, COORDINATES, TURNS

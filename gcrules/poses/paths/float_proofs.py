@@ -19,12 +19,12 @@ terms grows from |x| to |x| + |δ|. Derived here.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.numbers.arrays import Floats
 from gcrules.poses.paths.forms import Forms, superbracket
 from gcrules.poses.paths.motions import Motions

@@ -15,7 +15,6 @@ products of (n, N) and (1, t): `Forms` holds the coefficients. Where q and t are
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, combinations_with_replacement
@@ -25,6 +24,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.floats import as_float
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.screws.rotations import unscaled

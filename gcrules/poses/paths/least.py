@@ -8,12 +8,11 @@ from the centre, which moves by d. Derived here, from the proofs in docs/pose.md
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.many import CHUNK

@@ -2,12 +2,13 @@ r"""Motions between two poses in floats, many at once: where the platform is, an
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["Motions"]
 

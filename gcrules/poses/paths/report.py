@@ -3,13 +3,13 @@ r"""The answer for a path: numbers at samples as arrays, every singular place, t
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.amplification import index_columns

@@ -12,12 +12,12 @@ exact: nothing is missed, a touching zero neither.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import content
 
 __all__ = ["WIDTH", "Root", "integers", "roots", "sign_after", "sign_before", "value"]

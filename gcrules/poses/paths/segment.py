@@ -16,7 +16,6 @@ translation, ≤ 3 without turn. n > 0, so D has the same zeros. Derived here.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import count, islice
@@ -24,6 +23,7 @@ from math import gcd, lcm
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.cubic import whole_determinant

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import overload
@@ -13,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import watched
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.numbers.arrays import Floats, pose_rows

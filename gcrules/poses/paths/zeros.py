@@ -3,11 +3,11 @@ r"""The singular places of a path of several segments, in order and told apart: 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.poses.numbers.motion import Dependence
 from gcrules.poses.paths.roots import Root, roots, sign_after, sign_before
 

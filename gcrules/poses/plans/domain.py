@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.poses.limbs.path_report import RobotPath

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.numbers.arrays import from_poses

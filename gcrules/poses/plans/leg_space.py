@@ -5,13 +5,13 @@ Straight ways are those of `paths.segment`: the centre moves on a straight line,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.limits import LengthLimits

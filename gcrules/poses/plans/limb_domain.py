@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.kinematics.coordinates import principal, wrapped
 from gcrules.mechanisms.kinematics.rigid_motions import Floats

@@ -7,7 +7,7 @@ determinant of the undriven joints' screws, or of the condition's factors, tells
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import Any
 
@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.kinematics.configurations import Configurations

@@ -7,12 +7,12 @@ r"""Where poses of a plan may lie: ranges of coordinates, from home.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.limits import LengthLimits, parse_limits
 

@@ -3,9 +3,9 @@ r"""The answer to where a robot can go: a way that is proved, the proof that the
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.paths.report import PathReport

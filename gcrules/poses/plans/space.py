@@ -6,11 +6,11 @@ and ways are looked at in stacks, at samples; what is found so is proved afterwa
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.limits import LengthLimits
 from gcrules.poses.plans.region import Region, Truths

@@ -8,13 +8,13 @@ sides of the cut hang together, and by induction all do, with the one that holds
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint, report
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
 __all__ = ["Cover", "Prover", "Tried", "covered"]

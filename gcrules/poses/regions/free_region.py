@@ -12,11 +12,11 @@ proof ended.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import without_rounding
 from gcrules.mechanisms.kinematics.leading import leading

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.loops import Course, units_of

@@ -3,9 +3,9 @@ r"""The answer to how large a region around a pose is free of singular ones."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 

@@ -6,9 +6,10 @@ Between two poses in which such a number has opposite signs every way is singula
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from math import isfinite
 from typing import Any
+
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["SEEN", "ConditionSign", "FactorSign", "opposite", "signs_of"]
 

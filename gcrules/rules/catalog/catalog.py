@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.parts import substitute
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, FileError
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import permutation_sign

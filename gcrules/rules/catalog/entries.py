@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import Any
 
@@ -11,6 +11,7 @@ from gcrules.algebra.expr import ONE, Expr, Point, join
 from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.core.dataclass import dataclass
 from gcrules.rules.statement import Statement, filled
 
 __all__ = ["SHIPPED", "CatalogIdentity", "Entry"]

@@ -9,7 +9,6 @@ or a shipped one that was changed: it is proved by normal forms before it become
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from shlex import quote
@@ -17,6 +16,7 @@ from shlex import quote
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import ZERO, Expr, Number, mul, sub
 from gcrules.algebra.prove import Proof, prove
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError
 from gcrules.core.proof_memory import digest_of, remember, remembered
 from gcrules.rules.catalog.entries import CatalogIdentity, Entry

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 
 __all__ = ["LANGUAGES", "Language"]

@@ -3,7 +3,8 @@ r"""An axis of a drawing: numbers as places on the paper, and round numbers to b
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["Axis"]
 

@@ -6,8 +6,10 @@ A piece is a tuple of corners: three or more (a plane convex polygon), or two (a
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Generic, TypeVar
+
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["XYZ", "CutPolygon", "cross", "crossing", "dot", "minus", "painted"]
 

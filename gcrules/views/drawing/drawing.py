@@ -7,13 +7,14 @@ installed fonts or on the time: equal drawings give equal bytes.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from html import escape
 from math import floor
 from typing import Literal
 from unicodedata import east_asian_width
 
 from gcrules.algebra.language.notation import split_name
+from gcrules.core.dataclass import dataclass
 from gcrules.views.drawing.palette import ROLES
 
 __all__ = [

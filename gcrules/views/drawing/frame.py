@@ -3,10 +3,10 @@ r"""From the places of a robot to those on the page: the ball around it, and the
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import dist
 from typing import SupportsFloat
 
+from gcrules.core.dataclass import dataclass
 from gcrules.views.drawing.bsp import XYZ, dot
 from gcrules.views.drawing.drawing import XY
 from gcrules.views.drawing.solids import center

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache
 from math import cos, hypot, pi, sin
 
+from gcrules.core.dataclass import dataclass
 from gcrules.views.drawing.drawing import XY, Run, Text, text_width
 
 __all__ = ["Box", "Label", "label_box", "overlap", "place_labels"]

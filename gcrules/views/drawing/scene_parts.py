@@ -3,11 +3,11 @@ r"""The parts of a scene that come from the condition: entities, and what is con
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from gcrules.algebra.expr import Expr, Join, Meet, Point
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import factors
+from gcrules.core.dataclass import dataclass
 from gcrules.rules.condition import Entity
 from gcrules.views.drawing.figures import free_name, named_lines
 from gcrules.views.scene_data import Construction, EntityView

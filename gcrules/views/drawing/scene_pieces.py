@@ -3,9 +3,9 @@ r"""Pieces of the picture of a platform as shapes: areas, strokes, and legs with
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from math import dist
 
+from gcrules.core.dataclass import dataclass
 from gcrules.views.drawing.bsp import XYZ, CutPolygon, crossing, minus
 from gcrules.views.drawing.drawing import XY, Polygon, Shape, Stroke
 from gcrules.views.drawing.frame import Frame

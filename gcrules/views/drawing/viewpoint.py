@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from math import cos, hypot, inf, radians, sin
 
+from gcrules.core.dataclass import dataclass
 from gcrules.views.drawing.bsp import XYZ, cross, dot
 from gcrules.views.drawing.drawing import XY
 

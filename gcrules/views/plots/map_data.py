@@ -3,12 +3,12 @@ r"""A map as an xarray Dataset, and as NetCDF written chunk by chunk, both with 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.maps.cells import MEANINGS

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.files import check_target, replacing

@@ -14,7 +14,6 @@ joint p of the platform to R(p − about) + about + translation. Lengths are in 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import dist
@@ -25,6 +24,7 @@ from gcrules.algebra.structure import Structure
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import incidence_rows
 from gcrules.conditions.pose_value import XYZ, line_points
+from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred, resolved
 from gcrules.core.errors import InputError
 from gcrules.screws.pose import Pose

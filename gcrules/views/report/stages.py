@@ -3,7 +3,6 @@ r"""The stages of an analysis as a list of values that text, LaTeX and HTML are 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import ONE, Expr
@@ -12,6 +11,7 @@ from gcrules.algebra.language.text import text
 from gcrules.algebra.scalars import bracket
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import PoseValue
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.floats import decimal
 from gcrules.rules.condition import Condition, Entity

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["PathAccount", "PathPlace", "PathStretch", "account_lines", "in_ascii", "listed_verdicts", "wrapped"]
 

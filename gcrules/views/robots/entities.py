@@ -3,10 +3,10 @@ r"""What makes a factor of a robot's condition vanish, as things to be drawn: pl
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Sum, join, meet, points_of
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.conditions.at_infinity import INFINITY
 from gcrules.mechanisms.conditions.factor_causes import FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis

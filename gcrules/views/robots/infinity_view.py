@@ -5,10 +5,10 @@ lines at infinity great circles on it. Three couples depend on each other where 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from math import cos, pi, sin
 
+from gcrules.core.dataclass import dataclass
 from gcrules.views.drawing.bsp import XYZ, cross, dot
 from gcrules.views.drawing.drawing import XY, Circle, Run, Shape, Stroke, Text, name_runs
 from gcrules.views.drawing.labels import Label, place_labels

@@ -7,11 +7,12 @@ another way, is a carriage on a rail; a limb whose axes all pass through one poi
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 from math import atan2, cos, dist, sin
 from typing import SupportsFloat
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec, Subchain
 from gcrules.mechanisms.description.relations import Term, Values

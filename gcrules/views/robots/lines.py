@@ -5,11 +5,11 @@ and tetrahedra that decide whether the robot is singular.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import dist
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.conditions.pose_value import line_points
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.lines.wrenches import WrenchLine as Wrench
 from gcrules.views.drawing.bsp import XYZ, CutPolygon, cross, dot, minus
 from gcrules.views.drawing.drawing import Circle, Shape, Stroke, name_runs

@@ -3,10 +3,11 @@ r"""A robot in a configuration, ready to be drawn: its points in space, the view
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 from math import dist
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM
 from gcrules.poses.limbs.exact_values import Values, lines_at

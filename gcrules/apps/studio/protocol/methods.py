@@ -6,7 +6,6 @@ What answers it stands in `gcrules.apps.studio.answers`.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
@@ -17,6 +16,7 @@ from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, Pla
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
 from gcrules.apps.studio.protocol.where_views import AspectsAnswer, AssembliesAnswer, FreeAnswer
+from gcrules.core.dataclass import dataclass
 
 __all__ = ["LONGEST", "METHODS", "Method"]
 
