@@ -8,8 +8,9 @@ the lines of a limb are its wrenches in each pose is not taken for granted: σ i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
@@ -17,10 +18,11 @@ from gcrules.mechanisms.kinematics.margin import balance, kept_axes
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.compiling.limb_places import LimbPlaces
 from gcrules.poses.compiling.roots import NoForm, inverse, root
-from gcrules.poses.compiling.scalars import Ring
+from gcrules.poses.compiling.scalars import Ring, Scalar
+from gcrules.poses.compiling.tape import Program, lower
 from gcrules.poses.compiling.vectors import Vector, add, cross, exact, scaled, sub, total
 
-__all__ = ["balanced_wrenches"]
+__all__ = ["balanced_wrenches", "plain_wrenches"]
 
 _ROUNDING = 1e-14  # of entries of the balance, which is near 1
 
@@ -39,38 +41,53 @@ def balanced_wrenches(m: Limbs, places: LimbPlaces) -> tuple[Row, ...]:
     columns = [[Fraction(float(c)) for c in column] for column in scale.T]
     rows: list[Row] = []
     for limb, end, arm in zip(m.analysis.structure.limbs, k.ends, arms, strict=True):
-        if limb.lines is None or limb.derived:
-            raise NoForm("wrenches that are no lines of the file's points")
-        seen = _Seen(places, end, k.size)
-        for force, moment in _orthonormal([seen.line(*line.ends) for line in limb.lines]):
+        lines = [_line(places.seen, places, line.ends, end) for line in _lines_of(limb)]
+        for force, moment in _orthonormal(lines):
             whole = (*force, *add(moment, cross(exact(arm), force)))
             wrench = [whole[n] for n in keep]
             rows.append(tuple(total(a * b for a, b in zip(wrench, column, strict=True)) for column in columns))
     return tuple(rows)
 
 
-class _Seen:
-    """Lines seen from the platform, about the end of a limb at home, in parts of the robot's size."""
+def plain_wrenches(m: Limbs, places: LimbPlaces) -> Program:
+    """The entries of the same wrenches, row by row, as the lines are: of any length, about one point, seen from the
+    platform or from the base, whichever takes fewer operations. Raises NoForm, too.
+    """
+    keep = kept_axes(m.linkage)
+    found = []
+    for see, origin in ((places.seen, m.linkage.ends.mean(axis=0)), (places.at, np.zeros(3))):
+        rows = [_line(see, places, line.ends, origin) for limb in m.analysis.structure.limbs for line in _lines_of(limb)]
+        found.append(lower(places.graph, *(row[n] for row in rows for n in keep)))
+    return min(found, key=lambda program: program.operations)
 
-    def __init__(self, places: LimbPlaces, end: np.ndarray, size: float) -> None:
-        self.places, self.end, self.by = places, end, Fraction(1) / Fraction(size)
 
-    def line(self, first: str, last: str) -> Row:
-        """(f; m) of the line through two names: a couple where both are directions."""
-        p, q = (self._point(n) for n in (first, last))
-        if p is None and q is None:
-            force: Vector = (0, 0, 0)
-            return (*force, *cross(self.places.seen(first), self.places.seen(last)))
-        if p is None:
-            first, last, p, q = last, first, q, p
-        assert p is not None
-        force = sub(q, p) if q is not None else self.places.seen(last)
-        return (*force, *cross(p, force))
+def _lines_of(limb: Any) -> tuple[Any, ...]:
+    if limb.lines is None or limb.derived:
+        raise NoForm("wrenches that are no lines of the file's points")
+    return tuple(limb.lines)
 
-    def _point(self, name: str) -> Vector | None:
-        if self.places.sorts[name] != "point":
-            return None
-        return scaled(sub(self.places.seen(name), exact(self.end)), self.by)
+
+def _line(see: Callable[[str], Vector], places: LimbPlaces, ends: tuple[str, str], origin: np.ndarray) -> Row:
+    """(f; m) about a point of the line through two names, in parts of the robot's size: a couple where both are
+    directions. Its foot is the one that does not move where it is seen from, if there is one.
+    """
+    by = Fraction(1) / Fraction(places.size)
+    p, q = (
+        scaled(sub(see(n), exact(origin)), by) if places.sorts[n] == "point" else None for n in ends
+    )
+    first, last = ends
+    if p is None and q is None:
+        return (0, 0, 0, *cross(see(first), see(last)))
+    if p is None:
+        p, q, last = q, None, first
+    assert p is not None
+    force = sub(q, p) if q is not None else see(last)
+    foot = q if q is not None and _is_constant(q) else p
+    return (*force, *cross(foot, force))
+
+
+def _is_constant(v: Vector) -> bool:
+    return not any(isinstance(c, Scalar) for c in v)
 
 
 def _orthonormal(rows: Sequence[Row]) -> list[tuple[Vector, Vector]]:
