@@ -14,7 +14,7 @@ import hashlib
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 import numpy as np
@@ -41,7 +41,7 @@ class TiledArray:
     shape: tuple[int, ...]
     chunk: tuple[int, ...]
     dtype: str
-    attrs: FrozenMap[str, Any] = FrozenMap()
+    attrs: FrozenMap[str, Any] = field(default=FrozenMap(), compare=False)
 
     def region(self, grid: tuple[int, ...], tile: int) -> tuple[slice, ...]:
         """Where a tile lies in the array."""
