@@ -1,0 +1,113 @@
+"""Tiles on a Dask cluster: its workers keep the tiles themselves, in the folder of the store, which they have to share.
+
+So nothing but numbers of tiles goes through the scheduler, and a worker that is killed loses the tile on which it was.
+"""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import lru_cache
+from typing import Any
+
+from gcrules.core.budget import checkpoint, within
+from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReached
+from gcrules.poses.tiles.how import Progress, Running
+from gcrules.poses.tiles.store import TileStore
+from gcrules.poses.tiles.task import TileTask
+from gcrules.poses.tiles.zarr_files import attributes
+
+__all__ = ["by_cluster"]
+
+_AHEAD = 3
+"""Tiles that are given out for each thread of the cluster."""
+_LOOK = "200 ms"
+_PATIENCE = "30 s"  # for the scheduler to answer
+
+
+def by_cluster(task: TileTask, store: TileStore, tiles: list[int], progress: Progress, how: Running) -> None:
+    """Compute tiles on the cluster. Raises InputError where it is not reached or its workers do not share the disk,
+    what tiles raise, and LimitReached where one kills its workers.
+    """
+    try:
+        import distributed  # an extra of the installation
+    except ImportError:
+        raise InputError("a cluster needs Dask's distributed", hint='pip install "gcrules[cluster]"') from None
+    job = pickle.dumps((task, store))
+    with _client(distributed, how) as client:
+        waiting, running = iter(tiles), set()
+        try:
+            while True:
+                checkpoint()
+                threads = sum(client.nthreads().values())
+                for tile in waiting:
+                    running.add(client.submit(_kept, job, tile, key=f"gcrules-{store.layout.problem}-{tile}", pure=True))
+                    if len(running) >= _AHEAD * max(threads, 1):
+                        break
+                if not running:
+                    return
+                try:
+                    ended = distributed.wait(running, timeout=_LOOK, return_when="FIRST_COMPLETED").done
+                except distributed.TimeoutError:
+                    continue
+                for future in ended:
+                    running.discard(future)
+                    future.result()
+                    progress.add()
+        except distributed.KilledWorker as fault:
+            raise LimitReached(
+                f"several workers of the cluster ended while they computed a tile ({fault.task})",
+                hint="their memory may not be enough; finished tiles are kept",
+            ) from None
+        except (OSError, distributed.CancelledError, distributed.FutureCancelledError) as fault:
+            if isinstance(fault, GcrulesError):
+                raise
+            raise LimitReached(f"the cluster has gone: {fault}", hint="finished tiles are kept; run it again") from None
+        finally:
+            client.cancel(list(running), force=True)
+
+
+@contextmanager
+def _client(distributed: Any, how: Running) -> Iterator[Any]:
+    """A connection to the cluster, a new one where it is local."""
+    if how.scheduler == "local":
+        options = {"threads_per_worker": 1, "processes": True, "dashboard_address": None}
+        with (
+            distributed.LocalCluster(n_workers=how.workers or None, **options) as cluster,
+            distributed.Client(cluster) as client,
+        ):
+            yield client
+        return
+    try:
+        client = distributed.Client(how.scheduler, timeout=_PATIENCE)
+    except (OSError, ValueError) as fault:
+        raise InputError(
+            f"the scheduler {str(how.scheduler)[:80]} is not reached: {str(fault)[:200]}",
+            hint='an address is "tcp://host:8786", as dask scheduler prints it; "local" starts a cluster here',
+        ) from None
+    with client:
+        yield client
+
+
+@lru_cache(maxsize=4)
+def _job(data: bytes) -> tuple[TileTask, TileStore]:
+    task, store = pickle.loads(data)
+    return task, store
+
+
+def _kept(job: bytes, tile: int) -> int:
+    """What a worker of the cluster does."""
+    task, store = _job(job)
+    found = attributes(store.path)
+    if found is None or found["attributes"]["problem"] != store.layout.problem:
+        raise FileError(
+            "a worker of the cluster does not find the store there",
+            filename=str(store.path),
+            hint="the workers keep the tiles themselves, so they have to share the disk; without one, compute parts "
+            "(--part K/N) and put them together with gcrules map merge",
+        )
+    with within():
+        if not store.there(tile):
+            store.put(tile, task.compute(tile))
+    return tile

@@ -1,0 +1,112 @@
+r"""Where the tiles of a map are computed, which of them, and how far they are.
+
+>>> parse_part("3/8"), Running(part=(3, 8)).own(20, 8)
+((3, 8), (2, 10, 18))
+>>> parse_part("9/8")
+Traceback (most recent call last):
+gcrules.core.errors.InputError: 'K/N' is a part and how many there are, K from 1 to N: found '9/8'
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from time import monotonic
+
+from gcrules.core.budget import report
+from gcrules.core.errors import InputError
+from gcrules.poses.tiles.store import TileStore
+
+__all__ = ["HERE", "MAX_WORKERS", "Progress", "Running", "parse_part"]
+
+MAX_WORKERS = 256
+_BAR = 24
+_SHARDS_EACH = 8  # with so many shards for each part, whole shards are dealt, and it matters little who gets one more
+_PART = re.compile(r"([1-9]\d{0,8})/([1-9]\d{0,8})", re.ASCII)
+
+
+@dataclass(frozen=True)
+class Running:
+    """Where tiles are computed: in so many `workers` (processes of this machine; 0 is here), only the `part` (K, N) of
+    them, or by the workers of the Dask `scheduler` at an address, or of a "local" one.
+
+    Raises InputError for what does not go together.
+    """
+
+    workers: int = 0
+    part: tuple[int, int] | None = None
+    scheduler: str | None = None
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.workers <= MAX_WORKERS:
+            raise InputError(f"{self.workers} workers", hint=f"0 to {MAX_WORKERS}; 0 computes in this process")
+        if self.scheduler not in (None, "local") and self.workers:
+            raise InputError("the workers of a scheduler are its own", hint="leave workers out")
+        if self.scheduler is not None and self.part is not None:
+            raise InputError("a part of a job array has no scheduler", hint="leave one of them out")
+        if self.part is not None and not 1 <= self.part[0] <= self.part[1]:
+            parse_part("/".join(map(str, self.part)))
+
+    @property
+    def elsewhere(self) -> bool:
+        """Whether other processes are asked for, which need a store."""
+        return self != HERE
+
+    def own(self, number: int, shards: int) -> tuple[int, ...] | None:
+        """What is dealt to this part out of so many tiles, or shards where there are enough of them."""
+        if self.part is None:
+            return None
+        k, n = self.part
+        return tuple(range(k - 1, shards if shards >= _SHARDS_EACH * n else number, n))
+
+    def tiles(self, store: TileStore) -> tuple[int, ...]:
+        """The tiles of this part, or all."""
+        layout = store.layout
+        shards = len(store.shards)
+        own = self.own(layout.number, shards)
+        if own is None:
+            return tuple(range(layout.number))
+        assert self.part is not None
+        if shards >= _SHARDS_EACH * self.part[1]:
+            return tuple(t for shard in own for t in layout.tiles(shard))
+        return own
+
+
+HERE = Running()
+
+
+def parse_part(text: str) -> tuple[int, int]:
+    """The part that "K/N" names, K from 1 to N. Raises InputError."""
+    found = _PART.fullmatch(text.strip())
+    if found is None or int(found[1]) > int(found[2]):
+        raise InputError(
+            f"'K/N' is a part and how many there are, K from 1 to N: found {text[:40]!r}",
+            hint="of a job array of 100 jobs the first one is 1/100",
+        )
+    return int(found[1]), int(found[2])
+
+
+@dataclass
+class Progress:
+    """Counts tiles and tells the rate and the time left: `done` of `number`, of which `before` were there before."""
+
+    number: int
+    done: int
+    began: float = 0.0
+    before: int = 0
+
+    def __post_init__(self) -> None:
+        self.began, self.before = monotonic(), self.done
+
+    def add(self) -> None:
+        self.done += 1
+        self.tell()
+
+    def tell(self) -> None:
+        full = self.done * _BAR // max(self.number, 1)
+        words = f"[{'#' * full}{'.' * (_BAR - full)}] {self.done:,} of {self.number:,} tiles"
+        seconds = monotonic() - self.began
+        if self.done > self.before and seconds > 0:
+            rate = (self.done - self.before) / seconds
+            words += f", {rate:.3g} a second, {(self.number - self.done) / rate:,.0f} s left"
+        report(words)
