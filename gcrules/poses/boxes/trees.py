@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from gcrules.poses.boxes.deciding import Boxes, Decider
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
-__all__ = ["INSIDE", "LEAF", "NEGATIVE", "Leaves", "Tree", "grown", "leaves_of", "longest"]
+__all__ = ["INSIDE", "LEAF", "NEGATIVE", "Leaves", "Tree", "grown", "leaves_of"]
 
 Codes = NDArray[np.uint8]
 Floats = NDArray[np.float64]
@@ -61,16 +61,14 @@ class Leaves:
         return np.asarray(0.5**self.depths)
 
 
-def longest(depth: int) -> int:
-    """How many boxes there are at most where each is halved so many times."""
-    return int(2 ** (depth + 1) - 1)
-
-
-def grown(decider: Decider, whole: Boxes, depth: int, home: int) -> Tree:
-    """One box, halved until all is decided, `depth` times at most; `home` is the sign of the determinant at home."""
+def grown(decider: Decider, whole: Boxes, most: int, home: int) -> Tree:
+    """One box, halved until all is decided, or would be more than `most` boxes in all; `home` is the sign of the
+    determinant at home.
+    """
     boxes, levels = whole, []
     margin, place, bound = np.inf, np.full(whole.middles.shape[1], np.nan), np.inf
-    for level in range(depth + 1):
+    count = 0
+    while True:
         found = decider.decided(boxes)
         free = found.free & ~found.outside
         if free.any():
@@ -85,7 +83,8 @@ def grown(decider: Decider, whole: Boxes, depth: int, home: int) -> Tree:
         levels.append(codes)
         if not len(left):
             break
-        if level == depth:
+        count += len(boxes)
+        if count + 2 * len(left) > most:
             codes[left[decider.crossed(boxes[left])]] = LEAF + CROSSED
             break
         codes[left] = 1 + found.sides[left]
