@@ -109,6 +109,15 @@ FORMS: dict[str, Forms] = {
             "xarray": f"{_VIEWS}.plots.map_data:dataset",
         },
     ),
+    "gcrules.poses.boxes.report.BoxMap": _result(
+        "box_map",
+        formula="",
+        others={
+            "svg": f"{_RESULTS}.box_map:picture_of",
+            "save": f"{_VIEWS}.plots.box_files:save",
+            "xarray": f"{_VIEWS}.plots.box_files:dataset",
+        },
+    ),
     "gcrules.poses.modes.working.WorkingModes": _result("working_modes", formula=""),
     "gcrules.poses.modes.report.AssemblyModes": _result(
         "modes", formula="", others={"svg": f"{_RESULTS}.modes:svg", "picture": f"{_RESULTS}.modes:picture"}

@@ -137,7 +137,12 @@ class BoxTask(HoldsArrays):
         """The sign of the determinant at home; 0 where there is none."""
         return self.decider.sign_at(np.zeros(len(self.question.names)))
 
+    def check(self) -> None:
+        """Raises InputError where the mechanism, or its limits, have no closed form."""
+        _ = self.decider
+
     def compute(self, tile: int) -> Tile:
+        """All arrays of a tile."""
         found = grown(self.decider, self.box(tile), self.boxes, self.home)
         one = (1,) * len(self.grid)
         codes = np.zeros(self.boxes, np.uint8)
@@ -146,7 +151,7 @@ class BoxTask(HoldsArrays):
             "tree": codes.reshape(*one, -1),
             "share": shares_of(self.leaves(codes, tile)).reshape(*one, -1),
             "margin": np.full(one, found.margin, np.float32),
-            "place": (found.place / self._units).reshape(*one, -1),
+            "place": (found.place / self.units).reshape(*one, -1),
             "bound": np.full(one, found.bound, np.float32),
         }
 
@@ -154,7 +159,7 @@ class BoxTask(HoldsArrays):
         """The box of a tile, in radians and the file's unit."""
         at = tile_at(self.grid, tile)
         ends = np.array([[float(a.start + (k + s) * a.step) for s in (0, 1)] for a, k in zip(self.question.axes, at)])
-        low, high = (ends * self._units[:, None]).T
+        low, high = (ends * self.units[:, None]).T
         return Boxes((low + high)[None] / 2, (high - low)[None] / 2)
 
     def leaves(self, codes: NDArray[np.uint8], tile: int) -> Leaves:
@@ -167,7 +172,7 @@ class BoxTask(HoldsArrays):
         return number_of(self)
 
     @property
-    def _units(self) -> Floats:
+    def units(self) -> Floats:
         """What a unit of each axis is in radians, or in the file's unit."""
         return np.array([math.radians(1.0) if a.unit == "deg" else 1.0 for a in self.question.axes])
 
