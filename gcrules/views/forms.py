@@ -118,6 +118,10 @@ FORMS: dict[str, Forms] = {
             "xarray": f"{_VIEWS}.plots.box_files:dataset",
         },
     ),
+    "gcrules.poses.tiles.status.MapStatus": _result("tiles", formula=""),
+    "gcrules.poses.tiles.verifying.MapVerified": _result(
+        "tiles", text="verified_text", latex="verified_latex", formula=""
+    ),
     "gcrules.poses.modes.working.WorkingModes": _result("working_modes", formula=""),
     "gcrules.poses.modes.report.AssemblyModes": _result(
         "modes", formula="", others={"svg": f"{_RESULTS}.modes:svg", "picture": f"{_RESULTS}.modes:picture"}

@@ -42,7 +42,7 @@ def by_cluster(task: TileTask, store: TileStore, tiles: list[int], progress: Pro
                 checkpoint()
                 threads = sum(client.nthreads().values())
                 for tile in waiting:
-                    running.add(client.submit(_kept, job, tile, key=f"gcrules-{store.layout.problem}-{tile}", pure=True))
+                    running.add(client.submit(_kept, job, tile, pure=False))
                     if len(running) >= _AHEAD * max(threads, 1):
                         break
                 if not running:

@@ -17,7 +17,7 @@ from gcrules.core.budget import report
 from gcrules.core.errors import InputError
 from gcrules.poses.tiles.store import TileStore
 
-__all__ = ["HERE", "MAX_WORKERS", "Progress", "Running", "parse_part"]
+__all__ = ["HERE", "MAX_WORKERS", "Progress", "Running", "parse_part", "running"]
 
 MAX_WORKERS = 256
 _BAR = 24
@@ -44,13 +44,6 @@ class Running:
             raise InputError("the workers of a scheduler are its own", hint="leave workers out")
         if self.scheduler is not None and self.part is not None:
             raise InputError("a part of a job array has no scheduler", hint="leave one of them out")
-        if self.part is not None and not 1 <= self.part[0] <= self.part[1]:
-            parse_part("/".join(map(str, self.part)))
-
-    @property
-    def elsewhere(self) -> bool:
-        """Whether other processes are asked for, which need a store."""
-        return self != HERE
 
     def own(self, number: int, shards: int) -> tuple[int, ...] | None:
         """What is dealt to this part out of so many tiles, or shards where there are enough of them."""
@@ -73,6 +66,13 @@ class Running:
 
 
 HERE = Running()
+
+
+def running(workers: int = 0, part: str | tuple[int, int] | None = None, scheduler: str | None = None) -> Running:
+    """Where tiles are computed, as it is given. Raises InputError for what is no part, or does not go together."""
+    if part is None:
+        return Running(workers, None, scheduler)
+    return Running(workers, parse_part(part if isinstance(part, str) else "/".join(map(str, part))), scheduler)
 
 
 def parse_part(text: str) -> tuple[int, int]:

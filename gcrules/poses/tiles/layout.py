@@ -43,7 +43,9 @@ class Layout:
         k = len(self.grid)
         object.__setattr__(self, "arrays", tuple(sorted(self.arrays, key=lambda a: a.name)))
         for a in self.arrays:
-            whole = a.chunk[k:] == a.shape[k:] and all(-(-n // c) <= g for n, c, g in zip(a.shape, a.chunk, self.grid))
+            whole = a.chunk[k:] == a.shape[k:] and all(
+                -(-n // c) <= g for n, c, g in zip(a.shape[:k], a.chunk[:k], self.grid, strict=True)
+            )
             if not whole or len(a.shape) != len(a.dims) or not all(a.shape):
                 raise EngineFault(f"the array {a.name} does not lie in {self.grid} tiles")
 

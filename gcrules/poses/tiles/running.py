@@ -42,9 +42,8 @@ def run(task: TileTask, store: TileStore, how: Running = HERE) -> None:
             store.settle(shard)
         if not missing:
             break
-    if how.part is None:
-        if not store.settle_all():
-            raise EngineFault(f"tiles of {store.path} are lost as they are written")
+    if how.part is None and not store.settle_all():
+        raise EngineFault(f"tiles of {store.path} are lost as they are written")
 
 
 def here(task: TileTask, store: TileStore, tiles: list[int], progress: Progress, how: Running) -> None:

@@ -58,7 +58,7 @@ class Coordinate(HoldsArrays):
     name: str
     dims: tuple[str, ...]
     values: NDArray[Any]
-    attrs: FrozenMap[str, Any] = FrozenMap()
+    attrs: FrozenMap[str, Any] = field(default=FrozenMap())
 
 
 class TileTask(Protocol):
@@ -81,7 +81,7 @@ class TileTask(Protocol):
     @property
     def attrs(self) -> dict[str, Any]: ...
     @property
-    def recipe(self) -> dict[str, Any]: ...
+    def recipe(self) -> Mapping[str, Any]: ...
 
     def compute(self, tile: int) -> Tile:
         """All arrays of a tile, which depend on the manifest and the number only."""

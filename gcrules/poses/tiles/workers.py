@@ -11,7 +11,7 @@ import os
 import pickle
 import signal
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from multiprocessing import connection, get_context
 from multiprocessing.connection import Connection
@@ -97,10 +97,8 @@ def _started(job: bytes) -> _Worker:
 
 
 def _tell(worker: _Worker, tile: int) -> None:
-    try:
+    with suppress(OSError):  # it was killed, which is seen when it should answer
         worker.ours.send(tile)
-    except OSError:  # it was killed, which is seen when it should answer
-        pass
 
 
 def _end(worker: _Worker) -> None:

@@ -21,7 +21,7 @@ from gcrules.poses.tiles.task import TiledArray, TileTask, tile_at
 __all__ = ["ATTRIBUTES", "arrays_in", "attributes", "digests_file", "has_zarr", "make", "opened", "written_shard"]
 
 ATTRIBUTES = ("problem", "manifest", "recipe")
-"""Attributes of a store that say of what its tiles are: the hash of the manifest, and the others as the text of JSON."""
+"""Attributes of a store that say of what its tiles are: the hash of the manifest, and the two others as JSON text."""
 _LEVEL = 3  # of the compression
 
 
@@ -45,7 +45,7 @@ def _zarr() -> Any:
 def make(path: Path, layout: Layout, task: TileTask) -> None:
     """Make the folder `path`, which is not there yet: a store whose tiles are all missing."""
     zarr = _zarr()
-    about = {"problem": layout.problem, "manifest": _text(task.manifest), "recipe": _text(task.recipe)}
+    about = {"problem": layout.problem, "manifest": _text(task.manifest), "recipe": _text(dict(task.recipe))}
     group = zarr.create_group(path, zarr_format=3, attributes={**task.attrs, **about})
     for a in layout.arrays:
         kind = np.dtype(a.dtype)
