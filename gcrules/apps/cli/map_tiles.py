@@ -1,4 +1,4 @@
-"""What gcrules map does with stores of tiles: status, verify, merge."""
+"""What gcrules map does beside maps over nodes: boxes, refine, and with stores of tiles status, verify, merge."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand, Output, output_options, seeded
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.map_boxes import boxes_, refine
 from gcrules.core.errors import InputError
 from gcrules.poses.tiles.merging import merge_maps
 from gcrules.poses.tiles.status import map_status
@@ -92,7 +93,7 @@ def merge(stores: tuple[str, ...], merged: str, as_json: bool) -> None:
     Output(json=as_json).show(found)
 
 
-MAP_COMMANDS = {"status": status, "verify": seeded(verify), "merge": merge}
+MAP_COMMANDS = {"boxes": boxes_, "refine": refine, "status": status, "verify": seeded(verify), "merge": merge}
 """Commands of gcrules map, by the word that follows it."""
 
 

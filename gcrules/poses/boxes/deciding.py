@@ -1,10 +1,10 @@
 r"""What is proved of boxes of poses: that all are regular, that none is reached within the limits, or neither.
 
 The wrenches in a box are W = W₀ + Σ eᵢ Wᵢ + …, a matrix of Taylor models. With a left inverse B of its middle,
-|1 − B W| is in all entries at most the matrix A of the sums of sizes; where the spectral radius of A is below 1, every W of the box
-has full rank. The radius is at most max (A v)ᵢ / vᵢ for each positive v (Collatz and Wielandt). Where W is balanced
-(`balanced`), so that its least singular value is the margin σ, it is at least σ₀ (1 − |A|) and at least σ₀ − |R|, σ₀ in
-the middle, R the sizes of W − W₀ and |·| the norm √(|·|₁ |·|_∞). Derived here.
+|1 − B W| is in all entries at most a matrix A; where the spectral radius of A is below 1, every W of the box has full
+rank. The radius is at most max (A v)ᵢ / vᵢ for each positive v (Collatz and Wielandt). Where W is balanced, so that its
+least singular value is the margin σ, that is at least σ₀ (1 − |A|) and at least σ₀ − |R|, σ₀ in the middle, R the sizes
+of W − W₀, and |·| the norm √(|·|₁ |·|_∞). Derived here.
 """
 
 from __future__ import annotations
@@ -114,7 +114,9 @@ class Decider:
                 free[some] = enough
                 influence[:, some] = np.where(enough, influence[:, some], more)
         idle = ~(np.nan_to_num(influence).max(axis=0) > 0)
-        sides = np.where(idle, np.argmax(boxes.halves / self.weights, axis=1), np.argmax(np.nan_to_num(influence), axis=0))
+        sides = np.where(
+            idle, np.argmax(boxes.halves / self.weights, axis=1), np.argmax(np.nan_to_num(influence), axis=0)
+        )
         return Decided(free, outside, inside & ~outside, signs, margins, bounds, sides)
 
     def crossed(self, boxes: Boxes) -> Truths:

@@ -1,4 +1,4 @@
-"""What is known of a mechanism over whole boxes of poses: its wrenches and actuators, as programs of its coordinates."""
+"""What is known of a mechanism over whole boxes of poses: programs of its coordinates."""
 
 from __future__ import annotations
 

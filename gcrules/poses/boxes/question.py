@@ -33,8 +33,8 @@ LEG_MODE = "a pose has one configuration"
 @dataclass(frozen=True)
 class Question:
     """Poses over the `axes`, whose nodes are the borders of tiles; `names` are all coordinates that determine a pose,
-    `values` what they are where no axis stands for them (in radians and the file's unit), `size` is the robot's, `mode` the configurations that are meant, `sentence` the
-    condition.
+    `values` what they are where no axis stands for them (in radians and the file's unit), `size` is the robot's, `mode`
+    the configurations that are meant, `sentence` the condition.
     """
 
     axes: tuple[GridAxis, ...]
@@ -69,9 +69,7 @@ def question(m: Mechanism, over: Sequence[str | GridAxis], at: Any, limits: str 
     foreign = next((a for a in axes if a.name not in (*TRANSLATION, *TURNS)), None)
     if foreign is not None:
         more = "; gcrules free --over actuators proves ranges of actuators" if foreign.kind == ACTUATOR else ""
-        raise InputError(
-            f"whole boxes are not over {foreign.name}", hint=f"take x, y, z, roll, pitch or yaw{more}"
-        )
+        raise InputError(f"whole boxes are not over {foreign.name}", hint=f"take x, y, z, roll, pitch or yaw{more}")
     for a in axes:
         if a.unit in ("deg", "rad") and a.name in TURNS and float(a.stop - a.start) * _radians(a) > _ALL_ROUND:
             raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
@@ -91,7 +89,9 @@ def _of_legs(m: SixLegs, axes: tuple[GridAxis, ...], at: Any, limits: str | None
     turns = (np.arctan2(r[2, 1], r[2, 2]), -np.arcsin(np.clip(r[2, 0], -1, 1)), np.arctan2(r[1, 0], r[0, 0]))
     values = tuple(float(c) + 0.0 for c in (*pose.translation, *turns))
     reach = parse_limits(limits, m.actuators, m.unit) if limits is not None else None
-    return Question(axes, (*TRANSLATION, *reversed(TURNS)), values, reach, m.rig.size, LEG_MODE, m.analysis.condition.sentence)
+    return Question(
+        axes, (*TRANSLATION, *reversed(TURNS)), values, reach, m.rig.size, LEG_MODE, m.analysis.condition.sentence
+    )
 
 
 def _of_limbs(m: Limbs, axes: tuple[GridAxis, ...], at: Any, limits: str | None) -> Question:

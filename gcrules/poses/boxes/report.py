@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.core.arguments import FILE, checked, each
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
@@ -18,6 +19,9 @@ from gcrules.poses.boxes.trees import Leaves
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.maps.store import Store
+
+if TYPE_CHECKING:
+    from xarray import Dataset
 
 __all__ = ["BoxMap", "BoxSummary"]
 
@@ -103,14 +107,15 @@ class BoxMap(HoldsArrays, Shown):
         """The shares of each tile, (tiles along each coordinate …, statuses), in the order of `SHARES`."""
         found = np.zeros((self.task.number, len(SHARES)))
         for tile in range(self.task.number):
-            found[tile] = self._tile(tile)["share"].ravel()
+            found[tile] = self.tile(tile)["share"].ravel()
         return found.reshape(*self.task.grid, len(SHARES))
 
     def leaves(self, tile: int) -> Leaves:
         """The boxes of a tile that are not cut, in radians and the file's unit."""
-        return self.task.leaves(self._tile(tile)["tree"], tile)
+        return self.task.leaves(self.tile(tile)["tree"], tile)
 
-    def _tile(self, tile: int) -> Any:
+    def tile(self, tile: int) -> Any:
+        """The arrays of a tile."""
         found = self.store.get(tile)
         if found is None:
             raise InputError(f"tile {tile} is no longer there")
@@ -140,8 +145,18 @@ class BoxMap(HoldsArrays, Shown):
             "margin_bound": s.bound,
         }
 
+    def to_xarray(self) -> Dataset:
+        """An xarray Dataset of the tiles: shares, margins, with coordinates, units and metadata. Raises InputError
+        where xarray is missing.
+        """
+        data: Dataset = self._show("xarray")
+        return data
+
+    @checked("map.save", paths=each(FILE))
+    def save(self, *paths: str) -> None:
+        """Write files; the suffix says of what kind: .zarr, .svg, .pdf, .png, .json."""
+        self._show("save", paths=paths)
+
     def __repr__(self) -> str:
         over = ", ".join(a.name for a in self.axes)
         return f"<BoxMap over {over}: {100 * self.summary.decided:.4g} % decided, {self.verdict}>"
-
-

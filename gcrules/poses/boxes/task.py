@@ -71,7 +71,7 @@ class BoxTask(HoldsArrays):
             "robot": self.recipe["robot"],
             "about": self.recipe["about"],
             "over": [a.text for a in q.axes],
-            "rest": {n: v for n, v in zip(q.names, q.values, strict=True)},
+            "rest": dict(zip(q.names, q.values, strict=True)),
             "limits": q.limits.to_json() if q.limits else None,
             "margin": self.margin,
             "boxes": self.boxes,
@@ -122,7 +122,7 @@ class BoxTask(HoldsArrays):
 
     @cached_property
     def decider(self) -> Decider:
-        """What decides boxes, in radians and the file's unit. Raises InputError where the mechanism has no closed form."""
+        """What decides boxes, in radians and the file's unit. Raises InputError for what has no closed form."""
         q = self.question
         forms = box_forms(self.mechanism, q.names)
         if q.limits is not None and forms.actuators is None:
@@ -145,20 +145,26 @@ class BoxTask(HoldsArrays):
         """All arrays of a tile."""
         found = grown(self.decider, self.box(tile), self.boxes, self.home)
         one = (1,) * len(self.grid)
-        codes = np.zeros(self.boxes, np.uint8)
-        codes[: len(found.codes)] = found.codes
         return {
-            "tree": codes.reshape(*one, -1),
-            "share": shares_of(self.leaves(codes, tile)).reshape(*one, -1),
+            "tree": self.padded(found.codes),
+            "share": shares_of(self.leaves(found.codes, tile)).reshape(*one, -1),
             "margin": np.full(one, found.margin, np.float32),
             "place": (found.place / self.units).reshape(*one, -1),
             "bound": np.full(one, found.bound, np.float32),
         }
 
+    def padded(self, codes: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """The tree of a tile with zeros at its end, as it is kept."""
+        found = np.zeros((*(1,) * len(self.grid), self.boxes), np.uint8)
+        some = codes[codes > 0]
+        found[..., : len(some)] = some
+        return found
+
     def box(self, tile: int) -> Boxes:
         """The box of a tile, in radians and the file's unit."""
         at = tile_at(self.grid, tile)
-        ends = np.array([[float(a.start + (k + s) * a.step) for s in (0, 1)] for a, k in zip(self.question.axes, at)])
+        places = zip(self.question.axes, at, strict=True)
+        ends = np.array([[float(a.start + (k + side) * a.step) for side in (0, 1)] for a, k in places])
         low, high = (ends * self.units[:, None]).T
         return Boxes((low + high)[None] / 2, (high - low)[None] / 2)
 
@@ -188,7 +194,11 @@ _TREE = (
 def shares_of(leaves: Leaves) -> Floats:
     """The shares of a tile, in the order of `SHARES`."""
     free, size = leaves.status == FREE, leaves.shares
-    parts = (free & ~leaves.negative, free & leaves.negative, *(leaves.status == s for s in (OUTSIDE, CROSSED, UNDECIDED)))
+    parts = (
+        free & ~leaves.negative,
+        free & leaves.negative,
+        *(leaves.status == s for s in (OUTSIDE, CROSSED, UNDECIDED)),
+    )
     return np.array([size[p].sum() for p in parts])
 
 
@@ -207,8 +217,8 @@ def box_task(
     if boxes is not None and not 1 <= boxes <= MOST_BOXES:
         raise InputError(f"{boxes} boxes in each tile, expected 1 to {MOST_BOXES:,}")
     asked = question(m, over, at, limits, tiles)
-    recipe = {**recipe_of(m, asked.axes, at, limits, "boxes"), "kind": KIND, "margin": margin, "boxes": boxes or _BOXES}
-    return BoxTask(m, asked, margin, boxes or _BOXES, recipe)
+    recipe = recipe_of(KIND, m, asked.axes, at, limits, margin=margin, boxes=boxes or _BOXES)
+    return BoxTask(m, asked, margin, boxes or _BOXES, FrozenMap(recipe))
 
 
 def task_again(recipe: Mapping[str, Any]) -> BoxTask:

@@ -56,7 +56,9 @@ def plain_wrenches(m: Limbs, places: LimbPlaces) -> Program:
     keep = kept_axes(m.linkage)
     found = []
     for see, origin in ((places.seen, m.linkage.ends.mean(axis=0)), (places.at, np.zeros(3))):
-        rows = [_line(see, places, line.ends, origin) for limb in m.analysis.structure.limbs for line in _lines_of(limb)]
+        rows = [
+            _line(see, places, line.ends, origin) for limb in m.analysis.structure.limbs for line in _lines_of(limb)
+        ]
         found.append(lower(places.graph, *(row[n] for row in rows for n in keep)))
     return min(found, key=lambda program: program.operations)
 
@@ -72,9 +74,7 @@ def _line(see: Callable[[str], Vector], places: LimbPlaces, ends: tuple[str, str
     directions. Its foot is the one that does not move where it is seen from, if there is one.
     """
     by = Fraction(1) / Fraction(places.size)
-    p, q = (
-        scaled(sub(see(n), exact(origin)), by) if places.sorts[n] == "point" else None for n in ends
-    )
+    p, q = (scaled(sub(see(n), exact(origin)), by) if places.sorts[n] == "point" else None for n in ends)
     first, last = ends
     if p is None and q is None:
         return (0, 0, 0, *cross(see(first), see(last)))

@@ -49,7 +49,7 @@ def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold:
     if why := found.drives.missing(measure):
         there = ", ".join(found.drives.indices)
         raise InputError(f"{why}: there is no {measure.replace('_', ' ')}", hint=f"indices of this robot are {there}")
-    return replace(plan, recipe=FrozenMap(recipe_of(found, over, at, limits, measure)))
+    return replace(plan, recipe=FrozenMap(recipe_of("grid map", found, over, at, limits, measure=measure)))
 
 
 def _of_legs(m: SixLegs, over: Any, at: Any, limits: str | None, limit: Threshold, measure: str) -> Plan:

@@ -15,7 +15,10 @@ from gcrules.poses.tiles.task import TileTask
 __all__ = ["KINDS", "task_of"]
 
 KINDS: Mapping[str, Callable[[Mapping[str, Any]], TileTask]] = FrozenMap(
-    {"grid map": deferred("gcrules.poses.maps.tiled:task_again")}
+    {
+        "grid map": deferred("gcrules.poses.maps.tiled:task_again"),
+        "map of boxes": deferred("gcrules.poses.boxes.task:task_again"),
+    }
 )
 """For each `kind` of a recipe the function that makes the task of it."""
 

@@ -54,10 +54,19 @@ def _flat(m: BoxMap) -> Figure:
     for name, colour, low, high in _coloured(m):
         if not two:
             low, high = (np.stack([c[:, 0], np.full(len(c), y)], axis=1) for c, y in ((low, 0.0), (high, 1.0)))
-        corners = np.stack([low, np.stack([high[:, 0], low[:, 1]], axis=1), high, np.stack([low[:, 0], high[:, 1]], axis=1)], axis=1)
+        corners = np.stack(
+            [low, np.stack([high[:, 0], low[:, 1]], axis=1), high, np.stack([low[:, 0], high[:, 1]], axis=1)], axis=1
+        )
         fine = name in ("crossed", "undecided")
         axes.add_collection(
-            PolyCollection(list(corners), facecolor=colour, edgecolor="white", lw=0.1 if fine else 0.35, zorder=2, rasterized=len(corners) > 4000)
+            PolyCollection(
+                list(corners),
+                facecolor=colour,
+                edgecolor="white",
+                lw=0.1 if fine else 0.35,
+                zorder=2,
+                rasterized=len(corners) > 4000,
+            )
         )
         drawn.setdefault(name, Patch(facecolor=colour, edgecolor="#999999", lw=0.4, label=_WORDS[name]))
     first = m.axes[0]
@@ -125,7 +134,16 @@ def _pairs(m: BoxMap) -> Figure:
         first, second = m.axes[i], m.axes[j]
         extent = (float(first.start), float(first.stop), float(second.start), float(second.stop))
         axes.set_facecolor(_OUTSIDE)
-        image = axes.imshow(left[i, j].T, origin="lower", extent=extent, aspect="auto", cmap=_LEFT, vmin=0, vmax=top, interpolation="nearest")
+        image = axes.imshow(
+            left[i, j].T,
+            origin="lower",
+            extent=extent,
+            aspect="auto",
+            cmap=_LEFT,
+            vmin=0,
+            vmax=top,
+            interpolation="nearest",
+        )
         axes.tick_params(direction="out", length=2.5, width=0.6, labelsize=7)
         axes.set(xlabel=first.label if j == n - 1 else "", ylabel=second.label if i == 0 else "")
         if j < n - 1:
@@ -133,7 +151,9 @@ def _pairs(m: BoxMap) -> Figure:
         if i > 0:
             axes.set_yticklabels([])
     assert image is not None
-    bar = made.colorbar(image, ax=made.axes, location="top", shrink=0.5, aspect=40, pad=0.02, format=lambda v, _: f"{100 * v:.3g} %")
+    bar = made.colorbar(
+        image, ax=made.axes, location="top", shrink=0.5, aspect=40, pad=0.02, format=lambda v, _: f"{100 * v:.3g} %"
+    )
     bar.set_label("not proved free, of what is reached: mean over all other coordinates")
     bar.ax.tick_params(length=2.5, width=0.6, labelsize=8)
     made.suptitle(m.task.mechanism.title, fontsize=11)

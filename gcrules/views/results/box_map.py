@@ -42,7 +42,7 @@ def verdict(m: BoxMap) -> str:
             return f"No singular pose was found; {_percent(undecided)} of the range is undecided, the rest proved."
     if free and other:
         return (
-            f"Poses with both signs of the determinant lie in this range ({_percent(free)} and {_percent(other)} of it): "
+            f"Poses with both signs of the determinant lie in this range, {_percent(free)} and {_percent(other)} of it: "
             "every way from one to the other passes a singular pose, or poses that are not reached."
         )
     bad = f"singular, or has a margin below {m.task.margin:g}" if m.task.margin else "singular"
