@@ -57,7 +57,7 @@ _EULER = re.compile(r"([xyz]{3}|[XYZ]{3})([123])")
 _ANGLES = {"deg": "deg", "degree": "deg", "degrees": "deg", "°": "deg", "rad": "rad", "radian": "rad", "radians": "rad"}
 _FORM = 'write a coordinate, start:stop:number and the unit of angles: "x -200:200:201", "rz -90:90:181 deg"'
 _RANGE_FORM = 'write a coordinate, start:stop and the unit of angles: "x -200:200", "roll -20:20 deg"'
-_TILES = (64, 16, 8, 5, 4, 4)  # along each coordinate, by the number of coordinates
+_TILES = (64, 16, 8, 5, 3, 3)  # along each coordinate, by the number of coordinates
 _NAMES = (
     "x, y, z; roll, pitch, yaw; rx, ry, rz; zyx1, zyx2, zyx3 (or another sequence); azimuth, tilt, torsion; of a robot "
     "of joints its actuators q1, q2 …"

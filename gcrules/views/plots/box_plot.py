@@ -28,6 +28,7 @@ Floats = NDArray[np.float64]
 
 _WIDTH = 6.3  # inches
 _CELLS = 8  # of a raster, for each tile
+_MANY = 4_000  # boxes are drawn as pixels
 _FREE, _OTHER, _OUTSIDE = "#D8E6F2", "#7FB2D8", "#ECECEC"
 _AMBER = "#E69F00"
 _CROSSED = LIGHT["entity2"]
@@ -57,16 +58,10 @@ def _flat(m: BoxMap) -> Figure:
         corners = np.stack(
             [low, np.stack([high[:, 0], low[:, 1]], axis=1), high, np.stack([low[:, 0], high[:, 1]], axis=1)], axis=1
         )
-        fine = name in ("crossed", "undecided")
+        fine = name in ("crossed", "undecided")  # thin ones are seen, too
+        style: Any = {"edgecolor": colour, "lw": 0.8, "zorder": 3} if fine else {"edgecolor": "white", "lw": 0.35}
         axes.add_collection(
-            PolyCollection(
-                list(corners),
-                facecolor=colour,
-                edgecolor="white",
-                lw=0.1 if fine else 0.35,
-                zorder=2,
-                rasterized=len(corners) > 4000,
-            )
+            PolyCollection(list(corners), facecolor=colour, rasterized=len(corners) > _MANY, **{"zorder": 2, **style})
         )
         drawn.setdefault(name, Patch(facecolor=colour, edgecolor="#999999", lw=0.4, label=_WORDS[name]))
     first = m.axes[0]
@@ -80,7 +75,7 @@ def _flat(m: BoxMap) -> Figure:
         axes.set(ylim=(0, 1), yticks=[])
     axes.set_title(m.task.mechanism.title, fontsize=11)
     axes.tick_params(direction="out", length=3, width=0.7)
-    made.legend(handles=list(drawn.values()), loc="outside lower center", ncols=5, frameon=False, fontsize=9)
+    made.legend(handles=list(drawn.values()), loc="outside lower center", ncols=3, frameon=False, fontsize=9)
     return made
 
 
