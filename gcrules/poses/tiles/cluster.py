@@ -48,7 +48,7 @@ def by_cluster(task: TileTask, store: TileStore, tiles: list[int], progress: Pro
                 if not running:
                     return
                 try:
-                    ended = distributed.wait(running, timeout=_LOOK, return_when="FIRST_COMPLETED").done
+                    ended = _wait(distributed, running)
                 except distributed.TimeoutError:
                     continue
                 for future in ended:
@@ -60,12 +60,18 @@ def by_cluster(task: TileTask, store: TileStore, tiles: list[int], progress: Pro
                 f"several workers of the cluster ended while they computed a tile ({fault.task})",
                 hint="their memory may not be enough; finished tiles are kept",
             ) from None
-        except (OSError, distributed.CancelledError, distributed.FutureCancelledError) as fault:
+        except (OSError, distributed.CancelledError) as fault:
             if isinstance(fault, GcrulesError):
                 raise
             raise LimitReached(f"the cluster has gone: {fault}", hint="finished tiles are kept; run it again") from None
         finally:
             client.cancel(list(running), force=True)
+
+
+def _wait(distributed: Any, running: set[Any]) -> set[Any]:
+    """Those that have ended, as soon as there is one."""
+    found: set[Any] = distributed.wait(running, timeout=_LOOK, return_when="FIRST_COMPLETED").done
+    return found
 
 
 @contextmanager
