@@ -27,21 +27,8 @@ FOLDERS = (".zarr",)
 """Endings of what is a folder of files."""
 SUFFIXES = frozenset(
     (
-        ".csv",
-        ".gca",
-        ".glb",
-        ".html",
-        ".json",
-        ".nc",
-        ".pdf",
-        ".ply",
-        ".png",
-        ".svg",
-        ".tex",
-        ".txt",
-        ".yaml",
-        ".yml",
-        *FOLDERS,
+        *(".csv", ".gca", ".glb", ".html", ".json", ".nc", ".pdf", ".ply", ".png", ".svg", ".tex", ".txt"),
+        *(".yaml", ".yml", *FOLDERS),
     )
 )
 """Endings of files that gcrules writes; a name that is nothing else was meant to have more in front."""

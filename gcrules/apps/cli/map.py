@@ -113,8 +113,8 @@ def map_(
     over x, y, z, roll, pitch, yaw or over its actuators q1, q2 …, from home; --at names what the others are. "-" reads
     the robot's file from standard input; the id of a robot, as of "gcrules robot list", does as well.
 
-    A long run is computed in tiles and may be interrupted: with -o map.nc they are kept in map.nc.part, with -o map.zarr
-    they are the answer, and the same command goes on from there. On stores of tiles work, too:
+    A long run is computed in tiles and may be interrupted: with -o map.nc they are kept in map.nc.part, with -o
+    map.zarr they are the answer, and the same command goes on from there. Of stores of tiles:
 
     \b
     gcrules map status STORE                    how far they are, from another terminal
@@ -156,10 +156,8 @@ def _work(plan: Plan, outputs: tuple[str, ...], how: Running) -> str | None:
     if kept is not None or not outputs:
         return kept
     name = f"{next((o for o in outputs if o.lower().endswith('.nc')), outputs[0])}.part"
-    if how == HERE and not os.path.isdir(name):
-        if plan.task.number == 1 or (not has_zarr() and plan.task.grid.size <= MAX_HELD):
-            return None
-    return name
+    small = plan.task.number == 1 or (not has_zarr() and plan.task.grid.size <= MAX_HELD)
+    return None if small and how == HERE and not os.path.isdir(name) else name
 
 
 def _save(found: Any, outputs: tuple[str, ...]) -> None:

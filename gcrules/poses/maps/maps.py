@@ -67,7 +67,7 @@ def singular_map(
     workers: int = 0,
     part: str | tuple[int, int] | None = None,
     scheduler: str | None = None,
-) -> SingularMap | MapStatus:
+) -> Any:
     """The singular poses over two or three coordinates (a `SingularMap`): arrays, curves or a surface, and what is
     proved free of them.
 

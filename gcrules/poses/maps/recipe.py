@@ -51,7 +51,7 @@ def robot_of(given: Mapping[str, Any]) -> Source:
     home = given["home"]
     if home is None:
         return robot
-    return replace(robot, home={n: tuple(Fraction(c) for c in xyz) for n, xyz in home.items()})
+    return replace(robot, home={n: (Fraction(x), Fraction(y), Fraction(z)) for n, (x, y, z) in home.items()})
 
 
 def _plain(value: Any) -> Any:

@@ -7,14 +7,15 @@ from __future__ import annotations
 
 import pickle
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import lru_cache
+from itertools import islice
 from typing import Any
 
 from gcrules.core.budget import checkpoint, within
-from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReached
+from gcrules.core.errors import EngineFault, FileError, InputError, LimitReached
 from gcrules.poses.tiles.how import Progress, Running
-from gcrules.poses.tiles.store import TileStore
+from gcrules.poses.tiles.store import TileStore, keep
 from gcrules.poses.tiles.task import TileTask
 from gcrules.poses.tiles.zarr_files import attributes
 
@@ -28,7 +29,7 @@ _PATIENCE = "30 s"  # for the scheduler to answer
 
 def by_cluster(task: TileTask, store: TileStore, tiles: list[int], progress: Progress, how: Running) -> None:
     """Compute tiles on the cluster. Raises InputError where it is not reached or its workers do not share the disk,
-    what tiles raise, and LimitReached where one kills its workers.
+    what tiles raise, and LimitReached where one kills its workers, or where the cluster goes away.
     """
     try:
         import distributed  # an extra of the installation
@@ -40,32 +41,43 @@ def by_cluster(task: TileTask, store: TileStore, tiles: list[int], progress: Pro
         try:
             while True:
                 checkpoint()
-                threads = sum(client.nthreads().values())
-                for tile in waiting:
-                    running.add(client.submit(_kept, job, tile, pure=False))
-                    if len(running) >= _AHEAD * max(threads, 1):
-                        break
+                ahead = _AHEAD * max(sum(client.nthreads().values()), 1) - len(running)
+                running |= {client.submit(_kept, job, tile, pure=False) for tile in islice(waiting, max(ahead, 0))}
                 if not running:
                     return
                 try:
-                    ended = distributed.wait(running, timeout=_LOOK, return_when="FIRST_COMPLETED").done
+                    ended = _wait(distributed, running)
                 except distributed.TimeoutError:
                     continue
                 for future in ended:
                     running.discard(future)
-                    future.result()
+                    _check(distributed, future)
                     progress.add()
-        except distributed.KilledWorker as fault:
-            raise LimitReached(
-                f"several workers of the cluster ended while they computed a tile ({fault.task})",
-                hint="their memory may not be enough; finished tiles are kept",
-            ) from None
-        except (OSError, distributed.CancelledError, distributed.FutureCancelledError) as fault:
-            if isinstance(fault, GcrulesError):
-                raise
+        except (OSError, distributed.CancelledError) as fault:
             raise LimitReached(f"the cluster has gone: {fault}", hint="finished tiles are kept; run it again") from None
         finally:
-            client.cancel(list(running), force=True)
+            with suppress(OSError, distributed.CancelledError):
+                client.cancel(list(running), force=True)
+
+
+def _check(distributed: Any, future: Any) -> None:
+    """Raises what a tile has raised."""
+    if future.status == "cancelled":
+        raise distributed.CancelledError(future.key)
+    fault = future.exception()
+    if isinstance(fault, distributed.KilledWorker):
+        raise LimitReached(
+            "several workers of the cluster ended while they computed one tile",
+            hint="their memory may not be enough; finished tiles are kept",
+        )
+    if fault is not None:
+        raise EngineFault(f"a tile was not computed: {fault!r}") if isinstance(fault, OSError) else fault
+
+
+def _wait(distributed: Any, running: set[Any]) -> set[Any]:
+    """Those that have ended, as soon as there is one."""
+    found: set[Any] = distributed.wait(running, timeout=_LOOK, return_when="FIRST_COMPLETED").done
+    return found
 
 
 @contextmanager
@@ -108,6 +120,5 @@ def _kept(job: bytes, tile: int) -> int:
             "(--part K/N) and put them together with gcrules map merge",
         )
     with within():
-        if not store.there(tile):
-            store.put(tile, task.compute(tile))
+        keep(task, store, tile)
     return tile

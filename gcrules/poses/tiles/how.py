@@ -1,7 +1,7 @@
 r"""Where the tiles of a map are computed, which of them, and how far they are.
 
->>> parse_part("3/8"), Running(part=(3, 8)).own(20, 8)
-((3, 8), (2, 10, 18))
+>>> parse_part("3/8"), running(2)
+((3, 8), Running(workers=2, part=None, scheduler=None))
 >>> parse_part("9/8")
 Traceback (most recent call last):
 gcrules.core.errors.InputError: 'K/N' is a part and how many there are, K from 1 to N: found '9/8'
@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from hashlib import sha256
 from time import monotonic
 
 from gcrules.core.budget import report
@@ -21,7 +22,7 @@ __all__ = ["HERE", "MAX_WORKERS", "Progress", "Running", "parse_part", "running"
 
 MAX_WORKERS = 256
 _BAR = 24
-_SHARDS_EACH = 8  # with so many shards for each part, whole shards are dealt, and it matters little who gets one more
+_SHARDS_EACH = 8  # so many shards for each part are many
 _PART = re.compile(r"([1-9]\d{0,8})/([1-9]\d{0,8})", re.ASCII)
 
 
@@ -45,24 +46,24 @@ class Running:
         if self.scheduler is not None and self.part is not None:
             raise InputError("a part of a job array has no scheduler", hint="leave one of them out")
 
-    def own(self, number: int, shards: int) -> tuple[int, ...] | None:
-        """What is dealt to this part out of so many tiles, or shards where there are enough of them."""
-        if self.part is None:
-            return None
-        k, n = self.part
-        return tuple(range(k - 1, shards if shards >= _SHARDS_EACH * n else number, n))
-
     def tiles(self, store: TileStore) -> tuple[int, ...]:
-        """The tiles of this part, or all."""
+        """The tiles of this part, or all. They are dealt as shuffled cards are, the same way in each process: whole
+        shards where there are many for each part, so that few parts share one, else single tiles.
+        """
         layout = store.layout
-        shards = len(store.shards)
-        own = self.own(layout.number, shards)
-        if own is None:
+        if self.part is None:
             return tuple(range(layout.number))
-        assert self.part is not None
-        if shards >= _SHARDS_EACH * self.part[1]:
-            return tuple(t for shard in own for t in layout.tiles(shard))
-        return own
+        k, n = self.part
+        if len(store.shards) >= _SHARDS_EACH * n:
+            dealt = [t for shard in _shuffled(layout.problem, len(store.shards)) for t in layout.tiles(shard)]
+        else:
+            dealt = _shuffled(layout.problem, layout.number)
+        return tuple(sorted(dealt[(k - 1) * len(dealt) // n : k * len(dealt) // n]))
+
+
+def _shuffled(problem: str, number: int) -> list[int]:
+    """The numbers below `number`, in an order that depends on the problem."""
+    return sorted(range(number), key=lambda i: sha256(f"{problem} {i}".encode()).digest())
 
 
 HERE = Running()

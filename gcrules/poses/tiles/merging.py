@@ -44,7 +44,7 @@ def merge_maps(stores: Sequence[str | PathLike[str]], output: str | PathLike[str
 
 
 def _merge(tile: int, stores: Sequence[TileStore], merged: TileStore) -> None:
-    held = {}
+    held: dict[bytes, TileStore] = {}
     for store in stores:
         if store.there(tile) and (arrays := store.get(tile)) is not None:
             held.setdefault(merged.layout.packed(tile, arrays), store)

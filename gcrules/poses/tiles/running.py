@@ -8,7 +8,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import EngineFault
 from gcrules.poses.tiles.how import HERE, Progress, Running
-from gcrules.poses.tiles.store import TileStore
+from gcrules.poses.tiles.store import TileStore, keep
 from gcrules.poses.tiles.task import TileTask
 
 __all__ = ["run"]
@@ -50,6 +50,5 @@ def here(task: TileTask, store: TileStore, tiles: list[int], progress: Progress,
     """In this process."""
     for tile in tiles:
         checkpoint()
-        if not store.there(tile):  # another run may have been quicker
-            store.put(tile, task.compute(tile))
+        keep(task, store, tile)
         progress.add()

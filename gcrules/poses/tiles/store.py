@@ -37,7 +37,7 @@ from gcrules.poses.tiles.layout import DIGEST, Layout, layout_of
 from gcrules.poses.tiles.task import Tile, TileTask, tile_at
 from gcrules.poses.tiles.zarr_files import arrays_in, attributes, digests_file, make, opened, written_shard
 
-__all__ = ["TileStore", "written"]
+__all__ = ["TileStore", "differing", "keep", "written"]
 
 _NEW = ".new-"
 _TRIES = 100  # a folder may be removed between making it and writing to it, but not for ever
@@ -328,13 +328,19 @@ class TileStore:
             written_shard(self.path, scratch, self.layout, shard, found)
             note = digests_file(self.path, self.layout, shard)
             note.parent.mkdir(parents=True, exist_ok=True)
-            _replace(note, digests.tobytes())
+            _replace(note, digests.tobytes(), scratch)
         except Exception:
             if self.digests(shard) is None:
                 raise
             # another one was quicker, and has tidied up
         finally:
             shutil.rmtree(scratch, ignore_errors=True)
+
+
+def keep(task: TileTask, store: TileStore, tile: int) -> None:
+    """Compute a tile and keep it, unless another run was quicker."""
+    if not store.done([tile]):
+        store.put(tile, task.compute(tile))
 
 
 def written(fault: OSError, path: str) -> InputError:
@@ -368,9 +374,9 @@ def differing(one: Any, other: Any, name: str = "") -> list[str]:
     return found
 
 
-def _replace(target: Path, data: bytes) -> None:
-    """A file that appears complete or not at all."""
-    temporary = target.with_name(f"{_NEW}{_own()}")
+def _replace(target: Path, data: bytes, scratch: Path | None = None) -> None:
+    """A file that appears complete or not at all; it is written in `scratch`, or beside."""
+    temporary = (scratch or target.parent) / f"{_NEW}{_own()}"
     try:
         temporary.write_bytes(data)
         os.replace(temporary, target)

@@ -20,7 +20,7 @@ from typing import Any
 from gcrules.core.budget import checkpoint, within
 from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.poses.tiles.how import Progress, Running
-from gcrules.poses.tiles.store import TileStore
+from gcrules.poses.tiles.store import TileStore, keep
 from gcrules.poses.tiles.task import TileTask
 
 __all__ = ["by_workers"]
@@ -60,7 +60,7 @@ def by_workers(task: TileTask, store: TileStore, tiles: list[int], progress: Pro
                     team.remove(worker)
                     _end(worker)
                     lost = worker.tile
-                    if lost is not None and not store.there(lost):
+                    if lost is not None and not store.done([lost]):
                         deaths[lost] += 1
                         _check_deaths(lost, deaths[lost], worker)
                         waiting.append(lost)
@@ -143,8 +143,7 @@ def _work(theirs: Connection, job: bytes) -> None:
         fault: BaseException | None = None
         try:
             with within():
-                if not store.there(tile):
-                    store.put(tile, task.compute(tile))
+                keep(task, store, tile)
         except BaseException as found:
             fault = found if _travels(found) else EngineFault(f"tile {tile}: {found!r}")
         try:

@@ -87,7 +87,7 @@ def _sizes(small: Mapping[str, Variable]) -> dict[str, int]:
 
 def _variables(m: SingularMap) -> dict[str, Variable]:
     """With what is known when all is computed."""
-    more = {"margin": {"threshold": m.sigma}, "cell_status": {"comment": m.guarantee}}
+    more: dict[str, dict[str, Any]] = {"margin": {"threshold": m.sigma}, "cell_status": {"comment": m.guarantee}}
     found = variables(m.task)
     return {n: replace(v, attributes={**v.attributes, **more.get(n, {})}) for n, v in found.items()}
 
