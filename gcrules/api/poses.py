@@ -8,6 +8,8 @@ from typing import Any
 from gcrules.api.signatures import public
 from gcrules.mechanisms.load import Source
 from gcrules.poses.aspects.aspects import aspects as _aspects
+from gcrules.poses.boxes.box_map import box_map as _box_map
+from gcrules.poses.boxes.refining import refine_map as _refine_map
 from gcrules.poses.compiling.compiled import compiled as _compiled
 from gcrules.poses.compiling.controller import controller as _controller
 from gcrules.poses.loci.locus import locus as _locus
@@ -28,6 +30,7 @@ from gcrules.views.code.source_code import source_code as _source_code
 __all__ = [
     "aspects",
     "assembly_modes",
+    "box_map",
     "compiled",
     "export",
     "free_region",
@@ -38,6 +41,7 @@ __all__ = [
     "path",
     "plan",
     "pose",
+    "refine_map",
     "singular",
     "singular_map",
     "verify_map",
@@ -46,6 +50,7 @@ __all__ = [
 
 aspects = public(_aspects)
 assembly_modes = public(_assembly_modes)
+box_map = public(_box_map)
 compiled = public(_compiled)
 free_region = public(_free_region)
 locus = public(_locus)
@@ -55,6 +60,7 @@ operation_modes = public(_operation_modes)
 path = public(_path)
 plan = public(_plan)
 pose = public(_pose)
+refine_map = public(_refine_map)
 singular = public(_singular)
 singular_map = public(_singular_map)
 verify_map = public(_verify_map)

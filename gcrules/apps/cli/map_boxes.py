@@ -13,7 +13,7 @@ from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.boxes.box_map import box_part, boxes_done
-from gcrules.poses.boxes.refining import refine_boxes
+from gcrules.poses.boxes.refining import refine_map
 from gcrules.poses.boxes.task import box_task
 from gcrules.poses.tiles.how import HERE, MAX_WORKERS, running
 from gcrules.views.plots.box_files import BOX_FORMATS, check_box_outputs
@@ -89,8 +89,8 @@ def boxes_(
     gcrules map boxes 6-rus --over "x -0.2:0.2" --over "roll -20:20 deg" --over "pitch -20:20 deg" -o boxes.svg
 
     The coordinates are x, y, z, roll, pitch, yaw, of a robot of joints from home. Boxes that are not decided are
-    halved. With -o FILE.zarr the tiles are kept as they are done, and the same command goes on from there; --workers, --part,
-    --scheduler and "gcrules map status", verify and merge are as for maps over nodes.
+    halved. With -o FILE.zarr the tiles are kept as they are done, and the same command goes on from there; --workers,
+    --part, --scheduler and "gcrules map status", verify and merge are as for maps over nodes.
     """
     check_box_outputs(outputs)
     how = running(workers, part, scheduler)
@@ -148,5 +148,5 @@ def refine(
     if not refined.lower().endswith(".zarr"):
         raise InputError(f"{refined}: no name of a store", hint="stores end in .zarr")
     with working("computing"):
-        found = refine_boxes(store, refined, boxes, over or None, workers=workers, scheduler=scheduler)
+        found = refine_map(store, refined, boxes, over or None, workers=workers, scheduler=scheduler)
     Output(json=as_json).show(found)

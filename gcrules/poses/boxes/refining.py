@@ -20,14 +20,14 @@ from gcrules.poses.tiles.kinds import task_of
 from gcrules.poses.tiles.store import TileStore
 from gcrules.poses.tiles.task import tile_at
 
-__all__ = ["refine_boxes"]
+__all__ = ["refine_map"]
 
 _FINER = 4
 
 Ends = tuple[tuple[Fraction, Fraction], ...]
 
 
-def refine_boxes(
+def refine_map(
     store: str | PathLike[str],
     output: str | PathLike[str],
     boxes: int | None = None,

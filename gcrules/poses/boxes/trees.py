@@ -108,4 +108,4 @@ def leaves_of(codes: Codes, whole: Boxes) -> Leaves:
     every = np.concatenate(numbers)
     found = Boxes(np.concatenate([b.middles for b in kept]), np.concatenate([b.halves for b in kept]))
     negative, inside = (every & NEGATIVE).astype(bool), (every & INSIDE).astype(bool)
-    return Leaves(found, np.concatenate(depths), every & 3, negative, inside)
+    return Leaves(found, np.concatenate(depths), (every & 3).astype(np.uint8), negative, inside)

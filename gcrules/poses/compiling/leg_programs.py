@@ -68,7 +68,7 @@ def plain_leg_wrenches(m: SixLegs, graph: Graph, turned_by: TurnedBy) -> Program
     """
     joints, x, size = joints_of(m.analysis, m.rig), graph.inputs, _spread(m)
     turn, centre = by_angles(x[3:], turned_by), add((x[0], x[1], x[2]), joints.centre)
-    middle = exact(np.array([[float(c) for c in joints.fixed[a]] for a, _ in m.rig.legs]).mean(axis=0))
+    middle = exact(m.rig.base.mean(axis=0))
     rows: list[Ring] = []
     for a, b in m.rig.legs:
         base = joints.fixed[a]

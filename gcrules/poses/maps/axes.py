@@ -44,7 +44,7 @@ TRANSLATION = ("x", "y", "z")
 VECTOR = ("rx", "ry", "rz")
 TILT = ("azimuth", "tilt", "torsion")
 TURNS = ("yaw", "pitch", "roll")
-"""In the order of the Euler angles zyx, which they are."""
+"""In the order of the Euler angles ZYX, about axes that turn along, which they are."""
 ACTUATOR = "actuator"
 """The kind of axes that stand for actuators, of robots of joints."""
 MAX_NODES = 100_000
@@ -69,7 +69,7 @@ class GridAxis:
     """`number` nodes of the coordinate `name`, evenly from `start` to `stop`, both included, in `unit`.
 
     `kind` is translation | vector | tilt | actuator | a sequence of Euler angles, `place` which of its coordinates this
-    is; roll, pitch and yaw are Euler angles zyx.
+    is; roll, pitch and yaw are Euler angles ZYX.
     """
 
     name: str
@@ -84,7 +84,7 @@ class GridAxis:
             if self.name in names:
                 return kind
         if self.name in TURNS:
-            return "zyx"
+            return "ZYX"
         return ACTUATOR if _DRIVE.fullmatch(self.name) else self.name[:3]
 
     @property
@@ -131,7 +131,7 @@ class GridAxis:
             case "actuator":
                 return f"amount of the actuator {self.name}, from home"
         if self.name in TURNS:
-            return f"{self.name} of the platform (rotation: yaw about z, then pitch about y, then roll about x)"
+            return f"{self.name} of the platform (rotation about fixed axes: roll about x, then pitch about y, then yaw about z)"
         ordinal = ("first", "second", "third")[self.place]
         return f"{ordinal} Euler angle of the platform, sequence {self.kind}"
 

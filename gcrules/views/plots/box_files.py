@@ -25,7 +25,7 @@ picture = deferred("gcrules.views.plots.box_plot:picture")
 
 
 def _picture(kind: str) -> Callable[[BoxMap], bytes]:
-    return lambda m: picture(m, kind)  # type: ignore[no-any-return]
+    return lambda m: picture(m, kind)
 
 
 def _json(m: BoxMap) -> bytes:

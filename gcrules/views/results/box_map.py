@@ -32,7 +32,9 @@ def _lines(m: BoxMap) -> Iterator[str]:
 
 def verdict(m: BoxMap) -> str:
     """The answer in one sentence."""
-    free, other, _, crossed, undecided = m.summary.shares
+    free, other, outside, crossed, undecided = m.summary.shares
+    if outside == 1:
+        return f"Proved: no pose of this range is reached{' within the limits' if m.task.question.limits else ''}."
     pose = "pose of this range" + (" that is reached within the limits" if m.task.question.limits else "")
     least = f", and the margin is {m.task.margin:g} at least" if m.task.margin else ""
     match m.verdict:
@@ -42,8 +44,8 @@ def verdict(m: BoxMap) -> str:
             return f"No singular pose was found; {_percent(undecided)} of the range is undecided, the rest proved."
     if free and other:
         return (
-            f"Poses with both signs of the determinant lie in this range, {_percent(free)} and {_percent(other)} of it: "
-            "every way from one to the other passes a singular pose, or poses that are not reached."
+            f"Poses with both signs of the determinant lie in this range ({_percent(free)} and {_percent(other)}): every "
+            "way from one to the other passes a singular pose, or poses that are not reached."
         )
     bad = f"singular, or has a margin below {m.task.margin:g}" if m.task.margin else "singular"
     return f"In {_percent(crossed)} of this range lie boxes that hold a pose that is {bad}."
