@@ -165,7 +165,7 @@ class TestLegs:
         assert found.summary.bound is not None
         assert found.summary.bound >= 0.2 - 1e-6
         rng = np.random.default_rng(5)
-        places, low = [], []
+        places = []
         for lower_ends, upper_ends, status in found.boxes("free"):
             assert not status.any()
             for a, b in zip(lower_ends, upper_ends, strict=True):
@@ -173,9 +173,26 @@ class TestLegs:
         poses = gc.pose(
             OCTAHEDRAL, [[x, 0, z] for x, z, _ in places], euler=("zyx", [[t, 0, 0] for *_, t in places]), degrees=True
         )
-        low = poses.margin
-        assert len(low) > 50
-        assert low.min() >= 0.2 - 1e-9
+        margins = np.asarray(poses.margin)
+        assert len(margins) > 50
+        assert margins.min() >= 0.2 - 1e-9
+
+    def test_a_margin_of_joints_is_kept(self) -> None:
+        """Limbs with one wrench, with two, and in the plane."""
+        for robot, over, margin in (
+            ("3-rpr", ["x -0.2:0.2", "y -0.2:0.2", "yaw -20:5 deg"], 0.1),
+            ("3-rps", ["z -0.1:0.1", "roll -10:10 deg", "pitch -10:10 deg"], 0.05),
+            ("delta", ["x -0.3:0.3", "y -0.3:0.3", "z -0.3:0.3"], 0.1),
+        ):
+            found = answer(robot, over, margin=margin, tiles=1, boxes=4095)
+            assert found.summary.shares[0] > 0.5
+            assert found.summary.bound >= margin
+            ends = [(a, b) for low, high, _ in found.boxes("free") for a, b in zip(low, high, strict=True)][:200]
+            units = np.array([np.pi / 180 if a.unit == "deg" else 1.0 for a in found.axes])
+            places = np.concatenate([[a for a, _ in ends], [b for _, b in ends]]) * units
+            value = gc.compiled(robot, coordinates=", ".join(a.name for a in found.axes))
+            numbers = value.numbers(places, "margins")["margins"]
+            assert np.nanmin(numbers) >= margin - 1e-9
 
 
 class TestRobots:

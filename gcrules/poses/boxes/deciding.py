@@ -2,9 +2,12 @@ r"""What is proved of boxes of poses: that all are regular, that none is reached
 
 The wrenches in a box are W = W₀ + Σ eᵢ Wᵢ + …, a matrix of Taylor models. With a left inverse B of its middle,
 |1 − B W| is in all entries at most a matrix A; where the spectral radius of A is below 1, every W of the box has full
-rank. The radius is at most max (A v)ᵢ / vᵢ for each positive v (Collatz and Wielandt). Where W is balanced, so that its
-least singular value is the margin σ, that is at least σ₀ (1 − |A|) and at least σ₀ − |R|, σ₀ in the middle, R the sizes
-of W − W₀, and |·| the norm √(|·|₁ |·|_∞). Derived here.
+rank. The radius is at most max (A v)ᵢ / vᵢ for each positive v (Collatz and Wielandt).
+
+Where W is balanced, so that its least singular value is the margin σ, let W + D have a kernel, x in it, and |D| ≤ m.
+Then x = (1 − B W) x − B D x, so that |x| ≤ A |x| + m |x| ℓ with the lengths ℓ of B's rows. With v = (1 − A)⁻¹ ℓ,
+positive, and t the least with |x| ≤ t v, some vᵢ ≤ (A v)ᵢ + m |v| ℓᵢ: so σ ≥ 1/|v|. In small boxes σ₀ − |R| is better,
+σ₀ in the middle, R the sizes of W − W₀ and |R| ≤ √(|R|₁ |R|_∞). Derived here.
 """
 
 from __future__ import annotations
@@ -126,10 +129,8 @@ class Decider:
         found = np.zeros(len(boxes), dtype=bool)
         if not len(boxes):
             return found
-        here = self._rows(run(self.forms.balanced, "numpy", self._inputs(boxes.middles)))
-        fine = np.isfinite(here).all(axis=(1, 2))
-        sizes = np.linalg.svd(here[fine], compute_uv=False)[:, self.forms.columns - 1]
-        found[fine] = sizes < self.margin * (1 - _CERTAIN)
+        if self.margin > 0:
+            found |= np.nan_to_num(self._margins_at(boxes.middles), nan=1.0) < self.margin * (1 - _CERTAIN)
         if len(self.forms.wrenches.results) != self.forms.columns**2:
             return found
         for start in range(0, len(boxes), _BLOCK):
@@ -183,19 +184,59 @@ class Decider:
 
     def _margins(self, boxes: Boxes) -> tuple[Floats, Floats, Floats]:
         """The margin in the middle, what it is at least, and how much each coordinate (n, N) lowers it."""
-        rows = self._rows(run(self.forms.balanced, "numpy", self._inputs(boxes.middles)))
-        margins, bounds = np.full(len(boxes), np.nan), np.zeros(len(boxes))
-        fine = np.isfinite(rows).all(axis=(1, 2))
-        margins[fine] = np.minimum(np.linalg.svd(rows[fine], compute_uv=False)[:, self.forms.columns - 1], 1.0)
+        margins = self._margins_at(boxes.middles)
+        bounds = np.zeros(len(boxes))
         if not self.margin > 0:
             return margins, bounds, np.zeros((boxes.middles.shape[1], len(boxes)))
-        found = self._models(self.forms.balanced, boxes)
-        influence = found.influence.copy()
-        known = found.exists & np.isfinite(found.rest).all(axis=0) & np.isfinite(found.terms).all(axis=(0, 1))
+        rows, products = (self._models(p, boxes) for p in (self.forms.lines.rows, self.forms.lines.products))
+        influence = rows.influence.copy()
+        known = rows.exists & np.isfinite(rows.rest).all(axis=0) & np.isfinite(margins)
+        known &= np.isfinite(rows.terms).all(axis=(0, 1)) & np.isfinite(products.rest).all(axis=0)
         if known.any():
-            whole = _Matrices.of(found, known, self.forms.columns)
-            bounds[known], influence[:, known] = whole.bounds(len(influence))
+            whole = _Matrices.of(rows, known, self.forms.columns)
+            lengths, longer = self._lengths(
+                products.terms[:, 0, known], products.radii[:, known], products.centres[:, known]
+            )
+            found, influence[:, known] = whole.scaled(lengths).bounds(len(influence))
+            bounds[known] = found / longer
         return margins, bounds, influence
+
+    def _margins_at(self, middles: Floats) -> Floats:
+        """The margins (N,), not numbers where the wrenches have no closed form there."""
+        lines, inputs = self.forms.lines, self._inputs(middles)
+        rows = self._rows(run(lines.rows, "numpy", inputs))
+        products = run(lines.products, "numpy", inputs)
+        found = np.full(len(middles), np.nan)
+        fine = np.isfinite(rows).all(axis=(1, 2)) & np.isfinite(products).all(axis=0)
+        if fine.any():
+            lengths, _ = self._lengths(products[:, fine], np.zeros((len(products), int(fine.sum()))), products[:, fine])
+            balanced = lengths @ rows[fine]
+            found[fine] = np.minimum(np.linalg.svd(balanced, compute_uv=False)[:, self.forms.columns - 1], 1.0)
+        return found
+
+    def _lengths(self, products: Floats, radii: Floats, centres: Floats) -> tuple[Floats, Floats]:
+        """What makes the wrenches of each limb orthonormal in the middle, (N, rows, rows), and by what factor others in
+        the box are longer at most, (N,); infinite where they depend on each other.
+
+        With the products G of a limb's wrenches, G₀ = K Kᵀ in the middle, K⁻¹ makes them orthonormal there, and in the
+        box the largest eigenvalue of K⁻¹ G K⁻ᵀ, at most its largest sum of a row, is the square of that factor.
+        """
+        number, total = products.shape[1], sum(self.forms.lines.groups)
+        found, longest = np.zeros((number, total, total)), np.ones(number)
+        at = row = 0
+        for k in self.forms.lines.groups:
+            middle, far, centre = (
+                np.moveaxis(c[at : at + k * k].reshape(k, k, number), -1, 0) for c in (products, radii, centres)
+            )
+            fine = np.linalg.eigvalsh(middle)[:, 0] > _ROUNDING * np.trace(middle, axis1=1, axis2=2)
+            back = np.linalg.inv(np.linalg.cholesky(np.where(fine[:, None, None], middle, np.eye(k))))
+            changed = np.abs(back @ centre @ np.swapaxes(back, 1, 2)) + np.abs(back) @ far @ np.abs(
+                np.swapaxes(back, 1, 2)
+            )
+            longest = np.where(fine, np.maximum(longest, changed.sum(axis=2).max(axis=1)), np.inf)
+            found[:, row : row + k, row : row + k] = back
+            at, row = at + k * k, row + k
+        return found, np.sqrt(longest) * (1 + _ROUNDING)
 
     def _kept(self, limits: LengthLimits, found: Models) -> tuple[Truths, Truths]:
         """Where no pose keeps to the limits, or none is reached, and where all do."""
@@ -254,18 +295,16 @@ class _Matrices:
         changes[:, n : 2 * n] /= 2
         return cls(terms[:, 0] + changes[:, n : 2 * n].sum(axis=1), changes, rest)
 
+    def scaled(self, by: Floats) -> _Matrices:
+        """Products of matrices (N, r, r) and these."""
+        return _Matrices(by @ self.middles, by[:, None] @ self.terms, np.abs(by) @ self.rest)
+
     def radius(self, n: int) -> tuple[Floats, Floats]:
-        """A bound (N,) of the spectral radius of |1 − B W|, infinite where the middle has no inverse, and the parts
-        (n, N) that the coordinates have in it.
+        """A bound (N,) of the spectral radius of A, infinite where the middle has no inverse, and the parts (n, N) that
+        the coordinates have in it.
         """
-        back = _left_inverses(self.middles)
-        number, count, rows, columns = self.terms.shape
-        flat = self.terms.transpose(0, 2, 1, 3).reshape(number, rows, count * columns)
-        sizes = np.abs((back @ flat).reshape(number, columns, count, columns)).transpose(0, 2, 1, 3)
-        most = np.abs(self.middles) + np.abs(self.terms).sum(axis=1) + self.rest
-        off = np.abs(np.eye(columns) - back @ self.middles) + np.abs(back) @ (self.rest + _ROUNDING * most)
-        whole = sizes.sum(axis=1) + off
-        v = np.ones((number, columns, 1))
+        whole, sizes = self._changes(_left_inverses(self.middles))
+        v = np.ones((*whole.shape[:2], 1))
         for _ in range(_POWERS):
             v = whole @ v + v / 8
             v /= v.max(axis=1, keepdims=True)
@@ -275,11 +314,31 @@ class _Matrices:
 
     def bounds(self, n: int) -> tuple[Floats, Floats]:
         """What the least singular value is at least in a box, and the parts of the coordinates."""
-        least = np.linalg.svd(self.middles, compute_uv=False)[:, -1]
+        back = _left_inverses(self.middles)
+        whole, sizes = self._changes(back)
+        lengths = np.linalg.norm(back, axis=2)[..., None]
+        small = np.isfinite(whole).all(axis=(1, 2)) & np.isfinite(lengths).all(axis=(1, 2))
+        left = np.eye(whole.shape[1]) - np.where(small[:, None, None], whole, 0.0)
+        small &= np.abs(np.linalg.det(left)) > _ROUNDING
+        left[~small] = np.eye(whole.shape[1])
+        v = np.linalg.solve(left, np.where(small[:, None, None], lengths, 1.0))
+        good = small & (v > 0).all(axis=(1, 2))
+        spare = ((v - whole @ v) / lengths).min(axis=(1, 2))  # is 1 but for rounding
+        by_inverse = np.where(good, spare / np.linalg.norm(v, axis=(1, 2)), 0.0)
         far = np.abs(self.terms).sum(axis=1) + self.rest + _ROUNDING
-        by_inverse = least * (1 - _norm(np.abs(_left_inverses(self.middles)) @ far))
-        found = np.maximum(least - _norm(far), by_inverse) - _ROUNDING
-        return np.maximum(np.nan_to_num(found), 0.0), _shared(np.abs(self.terms).sum(axis=(2, 3)), n)
+        by_size = np.linalg.svd(self.middles, compute_uv=False)[:, -1] - _norm(far)
+        found = np.nan_to_num(np.maximum(by_inverse, by_size) - _ROUNDING)
+        parts = (sizes @ np.where(good[:, None, None], np.abs(v), 1.0)[:, None] / lengths[:, None]).max(axis=(2, 3))
+        return np.maximum(found, 0.0), _shared(np.nan_to_num(parts), n)
+
+    def _changes(self, back: Floats) -> tuple[Floats, Floats]:
+        """A (N, c, c) for left inverses, and what each term (N, T, c, c) has in it."""
+        number, count, rows, columns = self.terms.shape
+        flat = self.terms.transpose(0, 2, 1, 3).reshape(number, rows, count * columns)
+        sizes = np.abs((back @ flat).reshape(number, columns, count, columns)).transpose(0, 2, 1, 3)
+        most = np.abs(self.middles) + np.abs(self.terms).sum(axis=1) + self.rest
+        off = np.abs(np.eye(columns) - back @ self.middles) + np.abs(back) @ (self.rest + _ROUNDING * most)
+        return sizes.sum(axis=1) + off, sizes
 
 
 def _left_inverses(matrices: Floats) -> Floats:

@@ -12,8 +12,9 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.compiling.leg_programs import leg_lengths, leg_wrenches, plain_leg_wrenches
+from gcrules.poses.compiling.leg_programs import balanced_leg_lines, leg_lengths, plain_leg_wrenches
 from gcrules.poses.compiling.limb_programs import wrench_programs
+from gcrules.poses.compiling.limb_wrenches import BalancedLines
 from gcrules.poses.compiling.roads import check_finite
 from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
 from gcrules.poses.compiling.tape import Program
@@ -27,12 +28,13 @@ class BoxForms:
     """Programs of a mechanism's coordinates, angles in rad.
 
     `wrenches` has the entries of a matrix of so many `columns`, row by row, with the rank of the platform's wrenches;
-    the least singular value of `balanced` is the margin. `actuators` has for each of them the cosine and the sine of
+    `lines` are the same in the balance in which margins are measured. `actuators` has for each of them the cosine and
+    the sine of
     its turn from home, or a length, as `turns` says; None where it has no closed form.
     """
 
     wrenches: Program
-    balanced: Program
+    lines: BalancedLines
     actuators: Program | None
     columns: int
     turns: tuple[bool, ...]
@@ -52,8 +54,8 @@ def box_forms(m: Mechanism, names: tuple[str, ...]) -> BoxForms:
 def _of_legs(m: SixLegs, _: tuple[str, ...]) -> BoxForms:
     check_finite(m.analysis.structure)
     graph = Graph(6)
-    wrenches, balanced = plain_leg_wrenches(m, graph, turned_by), leg_wrenches(m, graph, turned_by)
-    return BoxForms(wrenches, balanced, leg_lengths(m, graph, turned_by), 6, (False,) * 6)
+    wrenches, lines = plain_leg_wrenches(m, graph, turned_by), balanced_leg_lines(m, graph, turned_by)
+    return BoxForms(wrenches, lines, leg_lengths(m, graph, turned_by), 6, (False,) * 6)
 
 
 def _of_limbs(m: Limbs, names: tuple[str, ...]) -> BoxForms:
@@ -63,9 +65,8 @@ def _of_limbs(m: Limbs, names: tuple[str, ...]) -> BoxForms:
             f"the wrenches of {m.robot.id} have no closed form in {listed(names)} that is known here",
             hint="a map over nodes (with a number in each range), gcrules free and gcrules path do without",
         )
-    forms, plain = found
-    assert forms.wrenches is not None
-    return BoxForms(plain, forms.wrenches, forms.actuators, forms.columns, forms.turns)
+    forms, plain, lines = found
+    return BoxForms(plain, lines, forms.actuators, forms.columns, forms.turns)
 
 
 _FORMS: Methods[BoxForms] = {SixLegs: _of_legs, Limbs: _of_limbs}

@@ -2,6 +2,7 @@ r"""A platform's determinant, margin and lengths of its six legs as programs of 
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 from gcrules.mechanisms.kinematics.margin import balance
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.closed_forms import ClosedForms
+from gcrules.poses.compiling.limb_wrenches import BalancedLines
 from gcrules.poses.compiling.roads import check_finite, joints_of, roads_of
 from gcrules.poses.compiling.roots import cosine_and_sine, inverse, root
 from gcrules.poses.compiling.scalars import Graph, Ring
@@ -18,7 +20,7 @@ from gcrules.poses.compiling.tracing import COORDINATES
 from gcrules.poses.compiling.turns import TurnedBy, back, by_angles
 from gcrules.poses.compiling.vectors import Vector, add, cross, dot, exact, scaled, sub, total, turned
 
-__all__ = ["leg_lengths", "leg_programs", "leg_wrenches", "plain_leg_wrenches"]
+__all__ = ["balanced_leg_lines", "leg_lengths", "leg_programs", "leg_wrenches", "plain_leg_wrenches"]
 
 Floats = NDArray[np.float64]
 
@@ -50,16 +52,26 @@ def leg_lengths(m: SixLegs, graph: Graph, turned_by: TurnedBy = cosine_and_sine)
     return lower(graph, *(length for _, length in _bars(m, graph, turned_by)))
 
 
-def leg_wrenches(m: SixLegs, graph: Graph, turned_by: TurnedBy = cosine_and_sine) -> Program:
+def leg_wrenches(m: SixLegs, graph: Graph) -> Program:
     """The entries of the legs' wrenches, row by row: six columns, the least singular value is the margin."""
+    units = [scaled(bar, inverse(length)) for bar, length in _bars(m, graph)]
+    return lower(graph, *(c for row in _balanced(m, units) for c in row))
+
+
+def balanced_leg_lines(m: SixLegs, graph: Graph, turned_by: TurnedBy) -> BalancedLines:
+    """The same, in parts of the robot's size as long as the legs are, and the squares of these lengths."""
+    forces = [scaled(bar, 1 / Fraction(m.rig.size)) for bar, _ in _bars(m, graph, turned_by)]
+    rows = lower(graph, *(c for row in _balanced(m, forces) for c in row))
+    return BalancedLines(rows, lower(graph, *(dot(f, f) for f in forces)), (1,) * 6)
+
+
+def _balanced(m: SixLegs, forces: Sequence[Vector]) -> Iterator[tuple[Ring, ...]]:
+    """The wrenches of forces along the legs, as the platform sees them, in the balance of margins."""
     arms = _arms(m) / _spread(m)
     columns = [exact(c[:3]) + exact(c[3:]) for c in balance(arms[None], (True,) * 6)[0].T]
-    rows: list[Ring] = []
-    for (bar, length), arm in zip(_bars(m, graph, turned_by), arms, strict=True):
-        force = scaled(bar, inverse(length))
+    for force, arm in zip(forces, arms, strict=True):
         wrench = (*force, *cross(exact(arm), force))
-        rows += [total(a * b for a, b in zip(wrench, column, strict=True)) for column in columns]
-    return lower(graph, *rows)
+        yield tuple(total(a * b for a, b in zip(wrench, column, strict=True)) for column in columns)
 
 
 def plain_leg_wrenches(m: SixLegs, graph: Graph, turned_by: TurnedBy) -> Program:

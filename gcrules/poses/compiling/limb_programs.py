@@ -22,7 +22,7 @@ from gcrules.poses.compiling.closed_forms import ClosedForms, run
 from gcrules.poses.compiling.limb_amounts import amounts
 from gcrules.poses.compiling.limb_factors import traced_factors
 from gcrules.poses.compiling.limb_places import LimbPlaces
-from gcrules.poses.compiling.limb_wrenches import balanced_wrenches, plain_wrenches
+from gcrules.poses.compiling.limb_wrenches import BalancedLines, balanced_lines, balanced_wrenches, plain_wrenches
 from gcrules.poses.compiling.roots import NoForm, cosine_and_sine
 from gcrules.poses.compiling.scalars import Ring
 from gcrules.poses.compiling.tape import Program, lower
@@ -46,15 +46,15 @@ def limb_programs(m: Limbs, target: Target) -> ClosedForms:
     return _checked(replace(_wrenches_and_actuators(m, places), factors=factors), target, m)
 
 
-def wrench_programs(m: Limbs, target: Target, turned_by: TurnedBy) -> tuple[ClosedForms, Program] | None:
-    """The programs of the margin and of the actuators, checked likewise, and the `plain_wrenches`; `turned_by` makes
-    cosines and sines of angles. None where the wrenches have no closed form.
+def wrench_programs(m: Limbs, target: Target, turned_by: TurnedBy) -> tuple[ClosedForms, Program, BalancedLines] | None:
+    """The programs of the margin and of the actuators, checked likewise, with the `plain_wrenches` and the
+    `balanced_lines`; `turned_by` makes cosines and sines of angles. None where the wrenches have no closed form.
     """
     places = _places(m, target, turned_by)
     if places is None:
         return None
     found = _checked(_wrenches_and_actuators(m, places), target, m)
-    return (found, plain_wrenches(m, places)) if found.wrenches else None
+    return (found, plain_wrenches(m, places), balanced_lines(m, places)) if found.wrenches else None
 
 
 def _none(m: Limbs) -> ClosedForms:

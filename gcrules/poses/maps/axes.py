@@ -131,7 +131,8 @@ class GridAxis:
             case "actuator":
                 return f"amount of the actuator {self.name}, from home"
         if self.name in TURNS:
-            return f"{self.name} of the platform (rotation about fixed axes: roll about x, then pitch about y, then yaw about z)"
+            turn = "about fixed axes: roll about x, then pitch about y, then yaw about z"
+            return f"{self.name} of the platform ({turn})"
         ordinal = ("first", "second", "third")[self.place]
         return f"{ordinal} Euler angle of the platform, sequence {self.kind}"
 

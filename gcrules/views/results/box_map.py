@@ -44,11 +44,11 @@ def verdict(m: BoxMap) -> str:
             return f"No singular pose was found; {_percent(undecided)} of the range is undecided, the rest proved."
     if free and other:
         return (
-            f"Poses with both signs of the determinant lie in this range ({_percent(free)} and {_percent(other)}): every "
-            "way from one to the other passes a singular pose, or poses that are not reached."
+            f"Poses with both signs of the determinant lie in this range ({_percent(free)} and {_percent(other)}): "
+            "every way from one to the other passes a singular pose, or poses that are not reached."
         )
     bad = f"singular, or has a margin below {m.task.margin:g}" if m.task.margin else "singular"
-    return f"In {_percent(crossed)} of this range lie boxes that hold a pose that is {bad}."
+    return f"This range is not free: boxes of {_percent(crossed)} of it hold a pose that is {bad}."
 
 
 def _asked(m: BoxMap) -> Iterator[tuple[str, str]]:
