@@ -228,8 +228,9 @@ def test_a_damaged_shard_is_mended(
         assert not found.sound
         assert {b.tile for b in found.bad} == set(bad)
     for tile in bad:
-        store.unseal(tile)
-        run(TASK, store)
+        if store.get(tile) is None:
+            store.unseal(tile)
+            run(TASK, store)
     assert contents(store.path) == undisturbed
 
 
