@@ -125,6 +125,7 @@ class Doomed:
 
     def __init__(self, last: int, patch: pytest.MonkeyPatch) -> None:
         self.left, self.before, self.dead = last, bool(last % 2), False
+        owner: Any
         for owner, name in ((os, "replace"), (os, "rename")):
             patch.setattr(owner, name, self.counted(getattr(owner, name)))
         for owner, name in ((shutil, "rmtree"), (os, "unlink"), (os, "rmdir"), (Path, "unlink"), (Path, "rmdir")):
