@@ -125,6 +125,7 @@ class Doomed:
 
     def __init__(self, last: int, patch: pytest.MonkeyPatch) -> None:
         self.left, self.before, self.dead = last, bool(last % 2), False
+        owner: Any
         for owner, name in ((os, "replace"), (os, "rename")):
             patch.setattr(owner, name, self.counted(getattr(owner, name)))
         for owner, name in ((shutil, "rmtree"), (os, "unlink"), (os, "rmdir"), (Path, "unlink"), (Path, "rmdir")):
@@ -228,8 +229,9 @@ def test_a_damaged_shard_is_mended(
         assert not found.sound
         assert {b.tile for b in found.bad} == set(bad)
     for tile in bad:
-        store.unseal(tile)
-        run(TASK, store)
+        if store.get(tile) is None:
+            store.unseal(tile)
+            run(TASK, store)
     assert contents(store.path) == undisturbed
 
 

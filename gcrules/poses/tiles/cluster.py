@@ -37,7 +37,8 @@ def by_cluster(task: TileTask, store: TileStore, tiles: list[int], progress: Pro
         raise InputError("a cluster needs Dask's distributed", hint='pip install "gcrules[cluster]"') from None
     job = pickle.dumps((task, store))
     with _client(distributed, how) as client:
-        waiting, running = iter(tiles), set()
+        waiting = iter(tiles)
+        running: set[Any] = set()
         try:
             while True:
                 checkpoint()

@@ -62,8 +62,7 @@ class TileStore:
         Raises FileError where the folder holds something else, unless `restart` says to begin anew and it is a store,
         and where it cannot be written; InputError without the extra that Zarr needs.
         """
-        folder, layout = Path(os.path.abspath(path)), layout_of(task)
-        check_name(str(folder))
+        folder, layout = _folder(path), layout_of(task)
         store = TileStore(folder, layout)
         if folder.exists() and not folder.is_dir():
             raise FileError("a file is in the way, expected a store of tiles", filename=str(path))
@@ -84,8 +83,7 @@ class TileStore:
     @staticmethod
     def existing(path: str | os.PathLike[str]) -> TileStore:
         """The store that is there. Raises FileError where there is none."""
-        folder = Path(os.path.abspath(path))
-        check_name(str(folder))
+        folder = _folder(path)
         try:
             found = attributes(folder)
             if found is not None:
@@ -111,7 +109,7 @@ class TileStore:
 
     def copied(self, path: str | os.PathLike[str]) -> TileStore:
         """A new store for the same problem, without tiles. Raises FileError where something is there already."""
-        folder = Path(os.path.abspath(path))
+        folder = _folder(path)
         if folder.exists():
             raise FileError("this is there already", filename=str(path), hint="give the new store another name")
         tiled = {str(self.path / name) for name in (*(a.name for a in self.layout.arrays), "digest")}
@@ -335,6 +333,15 @@ class TileStore:
             # another one was quicker, and has tidied up
         finally:
             shutil.rmtree(scratch, ignore_errors=True)
+
+
+def _folder(path: str | os.PathLike[str]) -> Path:
+    """The whole name of a folder. Raises FileError for what is none."""
+    check_name(os.fspath(path))
+    try:
+        return Path(os.path.abspath(path))
+    except OSError as fault:  # the working directory has gone
+        raise FileError(f"cannot be found: {fault.strerror}", filename=os.fspath(path)) from None
 
 
 def keep(task: TileTask, store: TileStore, tile: int) -> None:
