@@ -28,7 +28,7 @@ Floats = NDArray[np.float64]
 
 _WIDTH = 6.3  # inches
 _CELLS = 8  # of a raster, for each tile
-_MANY = 4_000  # boxes are drawn as pixels
+_MANY = 1_500  # boxes are drawn as pixels
 _FREE, _OTHER, _OUTSIDE = "#D8E6F2", "#7FB2D8", "#ECECEC"
 _AMBER = "#E69F00"
 _CROSSED = LIGHT["entity2"]
