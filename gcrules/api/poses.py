@@ -8,6 +8,8 @@ from typing import Any
 from gcrules.api.signatures import public
 from gcrules.mechanisms.load import Source
 from gcrules.poses.aspects.aspects import aspects as _aspects
+from gcrules.poses.boxes.box_map import box_map as _box_map
+from gcrules.poses.boxes.refining import refine_map as _refine_map
 from gcrules.poses.compiling.compiled import compiled as _compiled
 from gcrules.poses.compiling.controller import controller as _controller
 from gcrules.poses.length_regions.length_regions import length_regions as _length_regions
@@ -21,37 +23,50 @@ from gcrules.poses.plans.plan import plan as _plan
 from gcrules.poses.pose import pose as _pose
 from gcrules.poses.pose import singular as _singular
 from gcrules.poses.regions.free_region import free_region as _free_region
+from gcrules.poses.tiles.merging import merge_maps as _merge_maps
+from gcrules.poses.tiles.status import map_status as _map_status
+from gcrules.poses.tiles.verifying import verify_map as _verify_map
 from gcrules.views.code.source_code import source_code as _source_code
 
 __all__ = [
     "aspects",
     "assembly_modes",
+    "box_map",
     "compiled",
     "export",
     "free_region",
     "length_regions",
     "locus",
+    "map_status",
+    "merge_maps",
     "operation_modes",
     "path",
     "plan",
     "pose",
+    "refine_map",
     "singular",
     "singular_map",
+    "verify_map",
     "working_modes",
 ]
 
 aspects = public(_aspects)
 assembly_modes = public(_assembly_modes)
+box_map = public(_box_map)
 compiled = public(_compiled)
 free_region = public(_free_region)
 length_regions = public(_length_regions)
 locus = public(_locus)
+map_status = public(_map_status)
+merge_maps = public(_merge_maps)
 operation_modes = public(_operation_modes)
 path = public(_path)
 plan = public(_plan)
 pose = public(_pose)
+refine_map = public(_refine_map)
 singular = public(_singular)
 singular_map = public(_singular_map)
+verify_map = public(_verify_map)
 working_modes = public(_working_modes)
 
 

@@ -30,6 +30,7 @@ from gcrules.core.arguments import (
     listed,
     mapping,
     optional,
+    row,
 )
 from gcrules.mechanisms.load import LOADED
 from gcrules.rules.rule import RewriteRule
@@ -73,6 +74,7 @@ _SOURCE = either(
     listed("", _LEG),
 ).hinting()
 _FOLDERS = listed("names of folders", FILE, alone=True)
+_PART = either('a part of a job array as text ("3/100") or as two whole numbers', TEXT, row("", WHOLE, WHOLE))
 _ORDER = either("an order of the legs as text or as a sequence", TEXT, listed("", either("", WHOLE, _LEG)))
 _FILES = listed("names of files", FILE, alone=True)
 _ABOUT = either('"origin", "centroid" or a point of three numbers', TEXT, ROW)
@@ -132,6 +134,21 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "threshold": _THRESHOLD,
         "plugins": _FOLDERS,
     },
+    "box_map": {
+        "source": _SOURCE,
+        "over": _AXES,
+        "at": optional(_POSE),
+        "about": _ABOUT,
+        "limits": optional(TEXT),
+        "margin": NUMBER,
+        "tiles": optional(WHOLE),
+        "boxes": optional(WHOLE),
+        "work": optional(FILE),
+        "restart": FLAG,
+        "workers": WHOLE,
+        "part": optional(_PART),
+        "scheduler": optional(TEXT),
+    },
     "compiled": {
         "source": _SOURCE,
         "expression": optional(_EXPR),
@@ -154,6 +171,16 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "about": _ABOUT,
         "limit": COUNT,
     },
+    "map_status": {"store": FILE},
+    "refine_map": {
+        "store": FILE,
+        "output": FILE,
+        "boxes": optional(WHOLE),
+        "over": optional(TEXTS),
+        "workers": WHOLE,
+        "scheduler": optional(TEXT),
+    },
+    "merge_maps": {"stores": listed("names of stores", FILE), "output": FILE},
     "operation_modes": {"source": _SOURCE, "plugins": _FOLDERS},
     "free_region": {
         "source": _SOURCE,
@@ -257,6 +284,9 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "measure": TEXT,
         "work": optional(FILE),
         "restart": FLAG,
+        "workers": WHOLE,
+        "part": optional(_PART),
+        "scheduler": optional(TEXT),
     },
     "straighten": {"e": _SCALAR, **_LIMITED},
     "superbracket": {"legs": _LEGS, "order": optional(_ORDER), "form": WHOLE, "points": NAMES, "ideal": NAMES},
@@ -269,6 +299,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "threshold": _THRESHOLD,
         "plugins": _FOLDERS,
     },
+    "verify_map": {"store": FILE, "tiles": either('a whole number, or "all"', WHOLE, TEXT)},
     "within": {
         "seconds": optional(_LIMIT),
         "memory": optional(_LIMIT),

@@ -115,6 +115,7 @@ NASTY: dict[str, Callable[[], Any]] = {
 RIGHT: dict[str, dict[str, Any]] = {
     "analyze": {"source": LEGS, "search": 0.0},
     "assembly_modes": {"source": PLATFORM},
+    "box_map": {"source": PLATFORM, "over": ["x -1:1"], "tiles": 1, "boxes": 1},
     "compiled": {"source": PLATFORM, "engine": "numpy"},
     "evaluate": {"e": "[ab]", "points": {"a": (1, 0), "b": (0, 1)}, "rank": 2},
     "expand": {"e": "[abcd]"},
@@ -136,6 +137,9 @@ RIGHT: dict[str, dict[str, Any]] = {
     "rewrite": {"e": "[aabc]", "rules": ["vanishing"]},
     "shorten": {"e": "[abcd]", "seconds": 1.0},
     "shortest": {"legs": LEGS},
+    "map_status": {"store": "no.zarr"},
+    "verify_map": {"store": "no.zarr", "tiles": 1},
+    "merge_maps": {"stores": ["no.zarr"], "output": "none.zarr"},
     "singular_map": {"source": PLATFORM, "over": ["x -1:1:2", "y -1:1:2"], "measure": "value"},
     "working_modes": {"source": "5r"},
     "singular": {"source": ANALYZED, "towards": "z=0.1, roll=0deg, pitch=0deg"},

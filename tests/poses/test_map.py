@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from places import EXAMPLES
 from poses.platforms import PLATFORMS
 from poses.small_maps import TURNING, exact_value, ranges, rig_of
 
@@ -63,6 +64,14 @@ def test_coordinates(text: str, kind: str, place: int, unit: str) -> None:
     assert len(axis.nodes) == axis.number
     assert axis.nodes[[0, -1]].tolist() == [float(axis.start), float(axis.stop)]
     assert parse_axis(axis.text, "mm") == axis
+
+
+def test_turns_are_those_of_poses() -> None:
+    """Roll, pitch and yaw in a map, and in the text of a pose, are one turn."""
+    robot = EXAMPLES / "octahedral.yaml"
+    for over, at in ((("roll", "yaw"), "roll=30deg, yaw=40deg"), (("pitch", "yaw"), "pitch=30deg, yaw=40deg")):
+        found = gc.singular_map(robot, [f"{over[0]} 0:30:2 deg", f"{over[1]} 0:40:2 deg"])
+        assert found.values("margin")[1, 1] == pytest.approx(gc.pose(robot, at).margin, abs=1e-6)
 
 
 @pytest.mark.parametrize(

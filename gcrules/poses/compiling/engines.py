@@ -69,6 +69,7 @@ def _numpy(program: Program) -> Run:
     held, count = allocated(program)
     size = int(np.clip(CACHE // (8 * count), 256, 16_384))
     ufuncs = {"add": np.add, "sub": np.subtract, "mul": np.multiply, "shift": np.add, "scale": np.multiply}
+    functions = {"sqrt": np.sqrt, "cos": np.cos, "sin": np.sin}
     constants = [np.array(float(line.constant)) for line in program.lines]
     one = np.array(1.0)
     kept = [(k, held[r]) for k, r in enumerate(program.results) if isinstance(r, int)]
@@ -84,8 +85,8 @@ def _numpy(program: Program) -> Run:
             a = registers[held[line.args[0]]]
             if line.op == "inv":
                 found.append((np.divide, one, a, out))
-            elif line.op == "sqrt":
-                found.append((np.sqrt, a, None, out))
+            elif line.op in functions:
+                found.append((functions[line.op], a, None, out))
             else:
                 other = registers[held[line.args[1]]] if line.op in BINARY else constants[n]
                 found.append((ufuncs[line.op], a, other, out))

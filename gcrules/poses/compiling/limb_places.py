@@ -25,7 +25,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.compiling.exact_places import at_home, combined_at, floats, left_inverse, near
 from gcrules.poses.compiling.roots import NoForm, Roots, cosine_and_sine
 from gcrules.poses.compiling.scalars import Graph, Ring
-from gcrules.poses.compiling.turns import about, back, level, product
+from gcrules.poses.compiling.turns import TurnedBy, about, back, level, product
 from gcrules.poses.compiling.vectors import (
     Turn,
     Vector,
@@ -61,7 +61,7 @@ class LimbPlaces:
         self,
         names: Sequence[str],
         solved: Solved,
-        turned_by: Callable[[Ring], tuple[Ring, Ring]] = cosine_and_sine,
+        turned_by: TurnedBy = cosine_and_sine,
     ) -> None:
         self.names, self.solved, self.m = names, solved, solved.m.linkage
         self.turned_by = turned_by

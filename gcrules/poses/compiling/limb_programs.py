@@ -22,14 +22,15 @@ from gcrules.poses.compiling.closed_forms import ClosedForms, run
 from gcrules.poses.compiling.limb_amounts import amounts
 from gcrules.poses.compiling.limb_factors import traced_factors
 from gcrules.poses.compiling.limb_places import LimbPlaces
-from gcrules.poses.compiling.limb_wrenches import balanced_wrenches
-from gcrules.poses.compiling.roots import NoForm
+from gcrules.poses.compiling.limb_wrenches import BalancedLines, balanced_lines, balanced_wrenches, plain_wrenches
+from gcrules.poses.compiling.roots import NoForm, cosine_and_sine
 from gcrules.poses.compiling.scalars import Ring
 from gcrules.poses.compiling.tape import Program, lower
+from gcrules.poses.compiling.turns import TurnedBy
 from gcrules.poses.limbs.many import Solved, proved_at
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["limb_programs", "solved_near_home"]
+__all__ = ["limb_programs", "solved_near_home", "wrench_programs"]
 
 _POSES = 24  # from which closed forms are found, and as many with which they are compared
 _REACHES = (0.1, 0.02, 0.005)  # in parts of the robot's size, and rad
@@ -38,25 +39,41 @@ _EQUAL = 1e-9  # of values from −1 to 1
 
 def limb_programs(m: Limbs, target: Target) -> ClosedForms:
     """The programs that are found and checked for coordinates of the platform; none for actuators."""
-    none = ClosedForms(columns=len(kept_axes(m.linkage)), turns=tuple(a.angle for a in m.linkage.actuators))
+    places = _places(m, target)
+    if places is None:
+        return _none(m)
+    factors = _lowered(places, lambda: traced_factors(m, places))
+    return _checked(replace(_wrenches_and_actuators(m, places), factors=factors), target, m)
+
+
+def wrench_programs(m: Limbs, target: Target, turned_by: TurnedBy) -> tuple[ClosedForms, Program, BalancedLines] | None:
+    """The programs of the margin and of the actuators, checked likewise, with the `plain_wrenches` and the
+    `balanced_lines`; `turned_by` makes cosines and sines of angles. None where the wrenches have no closed form.
+    """
+    places = _places(m, target, turned_by)
+    if places is None:
+        return None
+    found = _checked(_wrenches_and_actuators(m, places), target, m)
+    return (found, plain_wrenches(m, places), balanced_lines(m, places)) if found.wrenches else None
+
+
+def _none(m: Limbs) -> ClosedForms:
+    return ClosedForms(columns=len(kept_axes(m.linkage)), turns=tuple(a.angle for a in m.linkage.actuators))
+
+
+def _places(m: Limbs, target: Target, turned_by: TurnedBy = cosine_and_sine) -> LimbPlaces | None:
     if target.driven:
-        return none
+        return None
     found = solved_near_home(m, target, np.random.default_rng(0))
-    if found is None:
-        return none
     try:
-        places = LimbPlaces(target.names, found[1])
+        return None if found is None else LimbPlaces(target.names, found[1], turned_by)
     except NoForm:
-        return none
-    made = replace(
-        none,
-        factors=_lowered(places, lambda: traced_factors(m, places)),
-        wrenches=_lowered(places, lambda: tuple(c for row in balanced_wrenches(m, places) for c in row)),
-        actuators=_lowered(places, lambda: amounts(places)),
-    )
-    seed = drawn("closed form", m.robot.id, *target.names).getrandbits(64)
-    check = solved_near_home(m, target, np.random.default_rng(seed))
-    return none if check is None else _checked(made, *check)
+        return None
+
+
+def _wrenches_and_actuators(m: Limbs, places: LimbPlaces) -> ClosedForms:
+    wrenches = _lowered(places, lambda: tuple(c for row in balanced_wrenches(m, places) for c in row))
+    return replace(_none(m), wrenches=wrenches, actuators=_lowered(places, lambda: amounts(places)))
 
 
 def _lowered(places: LimbPlaces, of: Callable[[], tuple[Ring, ...]]) -> Program | None:
@@ -66,9 +83,14 @@ def _lowered(places: LimbPlaces, of: Callable[[], tuple[Ring, ...]]) -> Program 
         return None
 
 
-def _checked(made: ClosedForms, poses: Floats, there: Solved) -> ClosedForms:
-    """Those that agree with the joints at these configurations."""
-    m, factors, wrenches, actuators = there.m.linkage, made.factors, made.wrenches, made.actuators
+def _checked(made: ClosedForms, target: Target, mechanism: Limbs) -> ClosedForms:
+    """Those that agree with the joints at other configurations."""
+    seed = drawn("closed form", mechanism.robot.id, *target.names).getrandbits(64)
+    check = solved_near_home(mechanism, target, np.random.default_rng(seed))
+    if check is None:
+        return _none(mechanism)
+    poses, there = check
+    m, factors, wrenches, actuators = mechanism.linkage, made.factors, made.wrenches, made.actuators
     if factors and not _agree(run(factors, "numpy", poses).T - there.factors):
         factors = None
     if wrenches and not _agree(made.margins("numpy", poses) - margins(m, there.here).sigma):

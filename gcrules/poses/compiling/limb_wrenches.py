@@ -8,78 +8,140 @@ the lines of a limb are its wrenches in each pose is not taken for granted: σ i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.margin import balance, kept_axes
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.compiling.limb_places import LimbPlaces
 from gcrules.poses.compiling.roots import NoForm, inverse, root
-from gcrules.poses.compiling.scalars import Ring
+from gcrules.poses.compiling.scalars import Ring, Scalar
+from gcrules.poses.compiling.tape import Program, lower
 from gcrules.poses.compiling.vectors import Vector, add, cross, exact, scaled, sub, total
 
-__all__ = ["balanced_wrenches"]
+__all__ = ["BalancedLines", "balanced_lines", "balanced_wrenches", "dot_rows", "plain_wrenches"]
 
 _ROUNDING = 1e-14  # of entries of the balance, which is near 1
 
 Row = tuple[Ring, ...]
 
 
+@dataclass(frozen=True)
+class BalancedLines:
+    """Programs of the entries of wrenches of any length, row by row in the `balance`, and of the `products` of those of
+    each limb, as their lengths are measured; `groups` are how many each limb has.
+    """
+
+    rows: Program
+    products: Program
+    groups: tuple[int, ...]
+
+
 def balanced_wrenches(m: Limbs, places: LimbPlaces) -> tuple[Row, ...]:
     """The wrenches, rows whose least singular value is the margin σ (at most 1): six columns, three in the plane.
     Raises NoForm where a limb's wrenches are no lines, or lines of which something has no closed form.
     """
+    rows: list[Row] = []
+    for limb in _limbs(m, places):
+        rows += [limb.balanced(row) for row in _orthonormal(limb.lines)]
+    return tuple(rows)
+
+
+def balanced_lines(m: Limbs, places: LimbPlaces) -> BalancedLines:
+    """The same wrenches, of any length, and their products. Raises NoForm, too."""
+    limbs = list(_limbs(m, places))
+    rows = [c for limb in limbs for row in limb.lines for c in limb.balanced(row)]
+    products = [dot_rows(a, b) for limb in limbs for a in limb.lines for b in limb.lines]
+    groups = tuple(len(limb.lines) for limb in limbs)
+    return BalancedLines(lower(places.graph, *rows), lower(places.graph, *products), groups)
+
+
+@dataclass(frozen=True, eq=False)
+class _Limb:
+    """The lines of a limb about its end, to which an `arm` leads from the middle of all ends, and the balance."""
+
+    lines: list[Row]
+    arm: Vector
+    keep: list[int]
+    columns: list[list[Fraction]]
+
+    def balanced(self, row: Row) -> Row:
+        """A wrench about the limb's end, in the balance of all."""
+        force, moment = (row[0], row[1], row[2]), (row[3], row[4], row[5])
+        whole = (*force, *add(moment, cross(self.arm, force)))
+        wrench = [whole[n] for n in self.keep]
+        return tuple(total(a * b for a, b in zip(wrench, column, strict=True)) for column in self.columns)
+
+
+def _limbs(m: Limbs, places: LimbPlaces) -> Iterator[_Limb]:
     k = m.linkage
     middle = k.ends.mean(axis=0)
     arms = (k.ends - middle) / k.size
     keep = kept_axes(k)
     scale = np.where(np.abs(found := balance(arms[None], k.ball_ended, keep)[0]) > _ROUNDING, found, 0.0)
     columns = [[Fraction(float(c)) for c in column] for column in scale.T]
-    rows: list[Row] = []
     for limb, end, arm in zip(m.analysis.structure.limbs, k.ends, arms, strict=True):
-        if limb.lines is None or limb.derived:
-            raise NoForm("wrenches that are no lines of the file's points")
-        seen = _Seen(places, end, k.size)
-        for force, moment in _orthonormal([seen.line(*line.ends) for line in limb.lines]):
-            whole = (*force, *add(moment, cross(exact(arm), force)))
-            wrench = [whole[n] for n in keep]
-            rows.append(tuple(total(a * b for a, b in zip(wrench, column, strict=True)) for column in columns))
-    return tuple(rows)
+        lines = [_line(places.seen, places, line.ends, end) for line in _lines_of(limb)]
+        yield _Limb(lines, exact(arm), keep, columns)
 
 
-class _Seen:
-    """Lines seen from the platform, about the end of a limb at home, in parts of the robot's size."""
-
-    def __init__(self, places: LimbPlaces, end: np.ndarray, size: float) -> None:
-        self.places, self.end, self.by = places, end, Fraction(1) / Fraction(size)
-
-    def line(self, first: str, last: str) -> Row:
-        """(f; m) of the line through two names: a couple where both are directions."""
-        p, q = (self._point(n) for n in (first, last))
-        if p is None and q is None:
-            force: Vector = (0, 0, 0)
-            return (*force, *cross(self.places.seen(first), self.places.seen(last)))
-        if p is None:
-            first, last, p, q = last, first, q, p
-        assert p is not None
-        force = sub(q, p) if q is not None else self.places.seen(last)
-        return (*force, *cross(p, force))
-
-    def _point(self, name: str) -> Vector | None:
-        if self.places.sorts[name] != "point":
-            return None
-        return scaled(sub(self.places.seen(name), exact(self.end)), self.by)
+def dot_rows(one: Row, other: Row) -> Ring:
+    """The sum of the products of their entries."""
+    return total(a * b for a, b in zip(one, other, strict=True))
 
 
-def _orthonormal(rows: Sequence[Row]) -> list[tuple[Vector, Vector]]:
-    """Forces and moments of length 1 together that span the same, one after the other."""
+def plain_wrenches(m: Limbs, places: LimbPlaces) -> Program:
+    """The entries of the same wrenches, row by row, as the lines are: of any length, about one point, seen from the
+    platform or from the base, whichever takes fewer operations. Raises NoForm, too.
+    """
+    keep = kept_axes(m.linkage)
+    found = []
+    for see, origin in ((places.seen, m.linkage.ends.mean(axis=0)), (places.at, np.zeros(3))):
+        rows = [
+            _line(see, places, line.ends, origin) for limb in m.analysis.structure.limbs for line in _lines_of(limb)
+        ]
+        found.append(lower(places.graph, *(row[n] for row in rows for n in keep)))
+    return min(found, key=lambda program: program.operations)
+
+
+def _lines_of(limb: Any) -> tuple[Any, ...]:
+    if limb.lines is None or limb.derived:
+        raise NoForm("wrenches that are no lines of the file's points")
+    return tuple(limb.lines)
+
+
+def _line(see: Callable[[str], Vector], places: LimbPlaces, ends: tuple[str, str], origin: np.ndarray) -> Row:
+    """(f; m) about a point of the line through two names, in parts of the robot's size: a couple where both are
+    directions. Its foot is the one that does not move where it is seen from, if there is one.
+    """
+    by = Fraction(1) / Fraction(places.size)
+    p, q = (scaled(sub(see(n), exact(origin)), by) if places.sorts[n] == "point" else None for n in ends)
+    first, last = ends
+    if p is None and q is None:
+        return (0, 0, 0, *cross(see(first), see(last)))
+    if p is None:
+        p, q, last = q, None, first
+    assert p is not None
+    force = sub(q, p) if q is not None else see(last)
+    foot = q if q is not None and _is_constant(q) else p
+    return (*force, *cross(foot, force))
+
+
+def _is_constant(v: Vector) -> bool:
+    return not any(isinstance(c, Scalar) for c in v)
+
+
+def _orthonormal(rows: Sequence[Row]) -> list[Row]:
+    """Wrenches (f; m) of length 1 that span the same, one after the other."""
     done: list[Row] = []
     for row in rows:
         for other in done:
-            along = total(a * b for a, b in zip(row, other, strict=True))
+            along = dot_rows(row, other)
             row = tuple(a - along * b for a, b in zip(row, other, strict=True))
-        size = inverse(root(total(a * a for a in row)))
+        size = inverse(root(dot_rows(row, row)))
         done.append(tuple(a * size for a in row))
-    return [((r[0], r[1], r[2]), (r[3], r[4], r[5])) for r in done]
+    return done

@@ -28,7 +28,8 @@ Node = tuple[str, int, int | Fraction]
 class Graph:
     """The nodes that a trace has made, operands before their use; the first ones are the inputs.
 
-    add, sub, mul have two operands, shift adds a constant, scale multiplies by a positive one, inv is 1/x, sqrt √x.
+    add, sub, mul have two operands, shift adds a constant, scale multiplies by a positive one, inv is 1/x, sqrt √x, cos
+    and sin take angles in rad; machine code knows neither of these two.
     """
 
     def __init__(self, inputs: int) -> None:
@@ -95,6 +96,11 @@ class Scalar:
         """√self, not a number where self is negative."""
         node = self.node if self.sign > 0 else self.graph.node("scale", self.node, -1)
         return Scalar(self.graph, 1, self.graph.node("sqrt", node))
+
+    def cosine_and_sine(self) -> tuple[Scalar, Scalar]:
+        """Those of self in rad, as nodes of their own; `roots.cosine_and_sine` makes them of products and sums."""
+        cosine, sine = (self.graph.node(op, self.node) for op in ("cos", "sin"))
+        return Scalar(self.graph, 1, cosine), Scalar(self.graph, self.sign, sine)
 
     def _shifted(self, by: Fraction) -> Scalar:
         node, by = self.node, by * self.sign

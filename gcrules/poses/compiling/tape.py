@@ -56,6 +56,8 @@ OPERATIONS: Mapping[str, Callable[[Any, Any], Any]] = MappingProxyType(
         "scale": operator.mul,
         "inv": lambda x, _: 1 / x,
         "sqrt": lambda x, _: math.sqrt(x),
+        "cos": lambda x, _: math.cos(x),
+        "sin": lambda x, _: math.sin(x),
     }
 )
 """What a line computes from its operand and another one, or the constant."""
@@ -71,6 +73,8 @@ _TEXTS = {
     "scale": "{c} * v{0}",
     "inv": "1 / v{0}",
     "sqrt": "√v{0}",
+    "cos": "cos v{0}",
+    "sin": "sin v{0}",
 }
 
 

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from gcrules.poses.compiling.roots import cosine_and_sine
 from gcrules.poses.compiling.scalars import Ring
 from gcrules.poses.compiling.vectors import Turn, Vector, turned, vector
 
-__all__ = ["about", "back", "by_angles", "level", "product"]
+__all__ = ["TurnedBy", "about", "back", "by_angles", "level", "product"]
 
 
-def by_angles(angles: Sequence[Ring]) -> Turn:
+TurnedBy = Callable[[Ring], tuple[Ring, Ring]]
+"""What makes the cosine and the sine of an angle."""
+
+
+def by_angles(angles: Sequence[Ring], turned_by: TurnedBy = cosine_and_sine) -> Turn:
     """By roll, pitch and yaw from −π to π, in rad."""
-    roll, pitch, yaw = map(cosine_and_sine, angles)
+    roll, pitch, yaw = map(turned_by, angles)
     return product(about(2, *yaw), level(roll, pitch))
 
 

@@ -41,7 +41,7 @@ from gcrules.poses.maps.task import Chunk
 from gcrules.screws.pose import exact_float
 from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount, check_known, read_named
 
-__all__ = ["MAX_POSES", "LimbsGrid", "LimbsTask", "limbs_task"]
+__all__ = ["MAX_POSES", "LimbsGrid", "LimbsTask", "coordinates_of", "limbs_task"]
 
 MAX_POSES = 1_000_000
 _ALL_ROUND = 2 * math.pi
@@ -313,7 +313,7 @@ def limbs_task(m: Limbs, over: Any, at: Any = None, limits: str | None = None, m
     if measure == "value":
         raise InputError("a robot of joints has no superbracket of its legs", hint="leave --measure out")
     driven = axes[0].kind == ACTUATOR
-    names, values = _coordinates(k, axes, at, driven)
+    names, values = coordinates_of(k, axes, at, driven)
     reach = parse_limits(limits, tuple(angles), m.unit, tuple(angles.values())) if limits is not None else None
     grid = LimbsGrid(
         axes, names, values, driven, m.title or k.robot.id, tuple(angles), tuple(angles.values()), m.unit, k.notes
@@ -329,10 +329,10 @@ def limbs_task(m: Limbs, over: Any, at: Any = None, limits: str | None = None, m
     return LimbsTask(m, grid, reach, measure)
 
 
-def _coordinates(
+def coordinates_of(
     m: Linkage, axes: Sequence[GridAxis], at: Any, driven: bool
 ) -> tuple[tuple[str, ...], tuple[float, ...]]:
-    """All coordinates by which poses are told, and what they are where no axis stands for them."""
+    """All coordinates by which poses are told, and what they are where no axis stands for them. Raises InputError."""
     over = [a.name for a in axes]
     given = {} if at is None else _given(m, at, driven)
     twice = [n for n in given if n in over]

@@ -69,7 +69,7 @@ def limb_question(
     Raises InputError for unknown names, names given twice, coordinates that do not determine the pose, and where
     nothing is left free.
     """
-    if rotation not in ("quaternion", "zyx"):
+    if rotation not in ("quaternion", "ZYX"):
         raise InputError(
             f"the turn of {m.robot.id} has no variables {rotation[:20]!r} here",
             hint="leave --rotation out: the variables are t_roll, t_pitch and t_yaw, tangents of half the angles",

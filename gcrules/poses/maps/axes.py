@@ -24,7 +24,19 @@ from gcrules.core.hints import run_together
 from gcrules.screws.pose import check_unit, read_number
 from gcrules.screws.rotations import check_sequence
 
-__all__ = ["ACTUATOR", "MAX_NODES", "TILT", "TRANSLATION", "TURNS", "VECTOR", "GridAxis", "parse_axis", "read_axes"]
+__all__ = [
+    "ACTUATOR",
+    "MAX_NODES",
+    "TILT",
+    "TRANSLATION",
+    "TURNS",
+    "VECTOR",
+    "GridAxis",
+    "is_range",
+    "parse_axis",
+    "read_axes",
+    "read_ranges",
+]
 
 Floats = NDArray[np.float64]
 
@@ -32,16 +44,20 @@ TRANSLATION = ("x", "y", "z")
 VECTOR = ("rx", "ry", "rz")
 TILT = ("azimuth", "tilt", "torsion")
 TURNS = ("yaw", "pitch", "roll")
-"""In the order of the Euler angles zyx, which they are."""
+"""In the order of the Euler angles ZYX, about axes that turn along, which they are."""
 ACTUATOR = "actuator"
 """The kind of axes that stand for actuators, of robots of joints."""
 MAX_NODES = 100_000
 """Nodes of one axis; more are refused."""
+MAX_TILES = 1_000
+"""Tiles of a map of whole boxes along one coordinate."""
 
 _DRIVE = re.compile(r"q[1-9]\d*")
 _EULER = re.compile(r"([xyz]{3}|[XYZ]{3})([123])")
 _ANGLES = {"deg": "deg", "degree": "deg", "degrees": "deg", "°": "deg", "rad": "rad", "radian": "rad", "radians": "rad"}
 _FORM = 'write a coordinate, start:stop:number and the unit of angles: "x -200:200:201", "rz -90:90:181 deg"'
+_RANGE_FORM = 'write a coordinate, start:stop and the unit of angles: "x -200:200", "roll -20:20 deg"'
+_TILES = (64, 16, 8, 5, 3, 3)  # along each coordinate, by the number of coordinates
 _NAMES = (
     "x, y, z; roll, pitch, yaw; rx, ry, rz; zyx1, zyx2, zyx3 (or another sequence); azimuth, tilt, torsion; of a robot "
     "of joints its actuators q1, q2 …"
@@ -53,7 +69,7 @@ class GridAxis:
     """`number` nodes of the coordinate `name`, evenly from `start` to `stop`, both included, in `unit`.
 
     `kind` is translation | vector | tilt | actuator | a sequence of Euler angles, `place` which of its coordinates this
-    is; roll, pitch and yaw are Euler angles zyx.
+    is; roll, pitch and yaw are Euler angles ZYX.
     """
 
     name: str
@@ -68,7 +84,7 @@ class GridAxis:
             if self.name in names:
                 return kind
         if self.name in TURNS:
-            return "zyx"
+            return "ZYX"
         return ACTUATOR if _DRIVE.fullmatch(self.name) else self.name[:3]
 
     @property
@@ -115,7 +131,8 @@ class GridAxis:
             case "actuator":
                 return f"amount of the actuator {self.name}, from home"
         if self.name in TURNS:
-            return f"{self.name} of the platform (rotation: yaw about z, then pitch about y, then roll about x)"
+            turn = "about fixed axes: roll about x, then pitch about y, then yaw about z"
+            return f"{self.name} of the platform ({turn})"
         ordinal = ("first", "second", "third")[self.place]
         return f"{ordinal} Euler angle of the platform, sequence {self.kind}"
 
@@ -149,6 +166,30 @@ def read_axes(
     axes = tuple(a if isinstance(a, GridAxis) else parse_axis(a, unit, actuators) for a in listed)
     if len(axes) not in (2, 3):
         raise InputError(f"a map is over two or three coordinates, found {len(axes)}", hint=_FORM)
+    return _together(axes)
+
+
+def read_ranges(over: Sequence[str | GridAxis], unit: str, tiles: int | None) -> tuple[GridAxis, ...]:
+    """One to six ranges "NAME start:stop [unit]" of coordinates of a pose, each cut into so many tiles, whose borders
+    are the nodes; without a number into as many as make some hundred in all. Raises InputError as `read_axes`.
+    """
+    listed = [over] if isinstance(over, (str, GridAxis)) else list(over)
+    if not 1 <= len(listed) <= len(_TILES):
+        raise InputError(f"a map of whole boxes is over one to six coordinates, found {len(listed)}", hint=_RANGE_FORM)
+    if tiles is not None and not 1 <= tiles <= MAX_TILES:
+        raise InputError(f"{tiles} tiles along each coordinate, expected 1 to {MAX_TILES}")
+    number = (tiles or _TILES[len(listed) - 1]) + 1
+    return _together(tuple(a if isinstance(a, GridAxis) else parse_axis(a, unit, number=number) for a in listed))
+
+
+def is_range(text: str) -> bool:
+    """Whether this is the text of a range, without a number of nodes."""
+    words = text.split()
+    return len(words) > 1 and words[1].count(":") == 1
+
+
+def _together(axes: tuple[GridAxis, ...]) -> tuple[GridAxis, ...]:
+    """The axes. Raises InputError for coordinates that do not go together."""
     meant = [(a.kind, a.place) for a in axes]
     twice = next((a.name for i, a in enumerate(axes) if meant[i] in meant[:i]), None)
     if twice is not None:
@@ -171,24 +212,27 @@ def read_axes(
     return axes
 
 
-def parse_axis(text: str, unit: str = "", actuators: Mapping[str, bool] | None = None) -> GridAxis:
-    """Read "NAME start:stop:number [unit]"; lengths are in `unit`, which they may name, angles say deg or rad, those of
-    `actuators` that are angles too.
+def parse_axis(
+    text: str, unit: str = "", actuators: Mapping[str, bool] | None = None, number: int | None = None
+) -> GridAxis:
+    """Read "NAME start:stop:number [unit]", or "NAME start:stop [unit]" where the `number` of nodes is given; lengths
+    are in `unit`, which they may name, angles say deg or rad, those of `actuators` that are angles too.
 
     Raises InputError for what is no axis, for numbers that are not finite, for a range that is empty or runs
     backwards and for fewer than two nodes, LimitReached for more than `MAX_NODES`.
     """
     try:
-        return _axis(text.replace("°", " ° ").split(), unit, actuators or {})
+        return _axis(text.replace("°", " ° ").split(), unit, actuators or {}, number)
     except GcrulesError as fault:
         raise fault.located(text, "--over", Span(0, max(len(text), 1))) from None
 
 
-def _axis(words: list[str], unit: str, actuators: Mapping[str, bool]) -> GridAxis:
+def _axis(words: list[str], unit: str, actuators: Mapping[str, bool], nodes: int | None) -> GridAxis:
+    form = _FORM if nodes is None else _RANGE_FORM
     if not 2 <= len(words) <= 3:
         apart = run_together(words[0], (*TRANSLATION, *VECTOR, *TILT, *TURNS)) if words else None
         more = f", one --over for each of {' and '.join(apart)}" if apart else ""
-        raise InputError("this is no coordinate with its range", hint=f"{_FORM}{more}; the coordinates are {_NAMES}")
+        raise InputError("this is no coordinate with its range", hint=f"{form}{more}; the coordinates are {_NAMES}")
     name, bounds = words[:2]
     angle = actuators.get(name, name not in TRANSLATION)
     euler = _EULER.fullmatch(name)
@@ -200,14 +244,14 @@ def _axis(words: list[str], unit: str, actuators: Mapping[str, bool]) -> GridAxi
             raise InputError(f"there is no actuator {name} to map over", hint=some)
         raise InputError(f"{name[:40]!r} is no coordinate of a pose", hint=f"the coordinates are {_NAMES}")
     parts = bounds.split(":")
-    if len(parts) != 3:
-        raise InputError(f"{bounds[:60]!r} is no range", hint=_FORM)
+    if len(parts) != (3 if nodes is None else 2):
+        raise InputError(f"{bounds[:60]!r} is no range", hint=form)
     start, stop = read_number(parts[0]), read_number(parts[1])
-    number = _number(parts[2])
+    number = _number(parts[2]) if nodes is None else nodes
     if start == stop:
         raise InputError(f"the range of {name} is empty: it starts and ends at {parts[0]}")
     if start > stop:
-        raise InputError(f"the range of {name} is reversed", hint=f"write {parts[1]}:{parts[0]}:{parts[2]}")
+        raise InputError(f"the range of {name} is reversed", hint=f"write {':'.join([parts[1], parts[0], *parts[2:]])}")
     word = words[2] if len(words) == 3 else None
     if not angle:
         if word is not None:

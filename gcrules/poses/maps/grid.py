@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.moving_platform import FAR, MovingPlatform
-from gcrules.poses.maps.axes import GridAxis
+from gcrules.poses.maps.axes import TURNS, GridAxis
 from gcrules.poses.numbers.arrays import from_poses, read_arrays
 from gcrules.poses.numbers.pose_arguments import one_pose
 from gcrules.screws.pose import Pose
@@ -206,7 +206,8 @@ def _rest(pose: Pose, given: Any, axis: GridAxis) -> tuple[tuple[Fraction, ...],
             angles = [angles[0] if unique else 0.0, angles[1], torsion]
         if not unique and axis.kind != "tilt":
             last = 1 if axis.kind.islower() else 3
-            notes = (f"the pose has no unique angles {axis.kind}; {axis.kind}{last} is taken as 0",)
+            named = ("roll, pitch and yaw", "roll") if axis.name in TURNS else (axis.kind, f"{axis.kind}{last}")
+            notes = (f"the pose has no unique angles {named[0]}; {named[1]} is taken as 0",)
     return tuple(Fraction(math.degrees(a) if degrees else a) for a in angles), notes
 
 

@@ -1,16 +1,13 @@
 r"""Pictures of maps through matplotlib: margin with singular curves, or singular surfaces from several sides.
 
 Colours are told apart by colour-blind readers and in grey: margin from dark blue (near a singularity) to nearly
-white, curves in vermilion with a white rim. Equal maps give equal bytes: no dates, no installed fonts.
+white, curves in vermilion with a white rim.
 """
 
 from __future__ import annotations
 
-from io import BytesIO
-from threading import Lock
 from typing import Any
 
-import matplotlib
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import BoundaryNorm, LinearSegmentedColormap, ListedColormap
@@ -25,24 +22,11 @@ from gcrules.poses.maps.cells import CROSSED, UNDECIDED
 from gcrules.poses.maps.report import SingularMap
 from gcrules.views.drawing.palette import LIGHT
 from gcrules.views.plots.map_surface import views
+from gcrules.views.plots.saving import saved
 
 __all__ = ["figure", "framed", "picture"]
 
 Floats = NDArray[np.float64]
-
-_SETTINGS: Any = {
-    "font.family": "STIXGeneral",
-    "font.size": 9.5,
-    "mathtext.fontset": "stix",
-    "svg.fonttype": "path",
-    "svg.hashsalt": "gcrules",
-    "pdf.fonttype": 42,
-    "axes.linewidth": 0.7,
-    "axes.unicode_minus": True,
-    "hatch.linewidth": 0.55,
-    "text.usetex": False,
-}
-_SETTING = Lock()  # the settings of matplotlib are global
 
 _CURVE, _INK, _YELLOW, _AMBER = LIGHT["entity2"], LIGHT["ink"], "#F0E442", "#E69F00"
 _SIGMA = LinearSegmentedColormap.from_list("margin", ["#08306B", "#2F74B5", "#7FB2D8", "#C6DCEE", "#F4F8FC"])
@@ -67,17 +51,7 @@ def framed(m: SingularMap) -> tuple[bytes, tuple[float, float, float, float]]:
 
 
 def _saved(m: SingularMap, kind: str) -> tuple[bytes, Figure]:
-    out = BytesIO()
-    with _SETTING, matplotlib.rc_context(_SETTINGS):
-        made = figure(m)
-        title = m.about["title"]
-        metadata: dict[str, dict[str, Any]] = {
-            "svg": {"Date": None, "Title": title},
-            "pdf": {"CreationDate": None, "Title": title},
-            "png": {"Title": title},
-        }
-        made.savefig(out, format=kind, dpi=200, metadata=metadata[kind])
-    return out.getvalue(), made
+    return saved(lambda: figure(m), m.about["title"], kind)
 
 
 def figure(m: SingularMap) -> Figure:

@@ -1,0 +1,152 @@
+"""The commands map boxes and map refine: whole boxes of poses over up to six coordinates."""
+
+from __future__ import annotations
+
+import json
+
+import click
+
+from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
+from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.sources import mode_option, read_source, warn
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.boxes.box_map import box_part, boxes_done
+from gcrules.poses.boxes.refining import refine_map
+from gcrules.poses.boxes.task import box_task
+from gcrules.poses.tiles.how import HERE, MAX_WORKERS, running
+from gcrules.views.plots.box_files import BOX_FORMATS, check_box_outputs
+
+__all__ = ["boxes_", "refine"]
+
+_workers = click.option(
+    "--workers", type=click.IntRange(0, MAX_WORKERS), default=0, metavar="N", help="Compute in so many processes."
+)
+_scheduler = click.option("--scheduler", metavar="ADDRESS", help='Compute on a Dask cluster; "local" starts one here.')
+
+
+@click.command("boxes", cls=ExpressionCommand)
+@click.argument("file", metavar="FILE.yaml|ID")
+@mode_option
+@click.option(
+    "--over",
+    multiple=True,
+    required=True,
+    metavar="RANGE",
+    help='A coordinate with start:stop, "x -200:200" or "roll -20:20 deg"; give one to six.',
+)
+@click.option("--at", metavar="POSE", help="The pose of the other coordinates, as in gcrules pose; the file's own.")
+@about_option
+@click.option(
+    "--limits",
+    metavar="RANGES",
+    help='What legs or actuators reach: "leg lengths 1..3", "ab 1..3, cd 2..", of joints "q1 -30..30 deg".',
+)
+@click.option("--margin", type=float, default=0.0, metavar="M", help="Free poses have this margin σ at least.")
+@click.option("--tiles", type=int, metavar="N", help="Cut each range into so many tiles.")
+@click.option("--boxes", type=int, metavar="N", help="Cut each tile into so many boxes at most; 4095 by default.")
+@time_limit(None)
+@click.option("--restart", is_flag=True, help="Throw away finished tiles of an earlier run and begin anew.")
+@_workers
+@click.option("--part", metavar="K/N", help="Compute only this part of a job array; with -o FILE.zarr.")
+@_scheduler
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@click.option(
+    "--unicode/--ascii", " /--plain", "mathematics", default=None, help="Unicode or plain ASCII; by default what fits."
+)
+@click.option(
+    "-o",
+    "--output",
+    "outputs",
+    type=OutputFile(),
+    multiple=True,
+    metavar="FILE",
+    help=f"Write a file, as often as you like; its suffix says what: {' '.join(BOX_FORMATS)}.",
+)
+def boxes_(
+    file: str,
+    mode: str | None,
+    over: tuple[str, ...],
+    at: str | None,
+    about: str,
+    limits: str | None,
+    margin: float,
+    tiles: int | None,
+    boxes: int | None,
+    restart: bool,
+    workers: int,
+    part: str | None,
+    scheduler: str | None,
+    as_json: bool,
+    mathematics: bool | None,
+    outputs: tuple[str, ...],
+) -> None:
+    """Prove which poses over whole ranges of one to six coordinates are free of singular ones, box by box.
+
+    \b
+    gcrules map boxes robot.yaml --over "x -100:100" --over "y -100:100" --over "z -50:50" --limits "legs 200..500"
+    gcrules map boxes 6-rus --over "x -0.2:0.2" --over "roll -20:20 deg" --over "pitch -20:20 deg" -o boxes.svg
+
+    The coordinates are x, y, z, roll, pitch, yaw, of a robot of joints from home. Boxes that are not decided are
+    halved. With -o FILE.zarr the tiles are kept as they are done, and the same command goes on from there; --workers,
+    --part, --scheduler and "gcrules map status", verify and merge are as for maps over nodes.
+    """
+    check_box_outputs(outputs)
+    how = running(workers, part, scheduler)
+    work = next((o for o in outputs if o.lower().endswith(".zarr")), None)
+    if work is None and (restart or how != HERE):
+        raise InputError("tiles are kept only where -o names a store", hint="-o range.zarr")
+    robot = mechanism(warn(read_source(file, mode=mode)), about=about)
+    task = box_task(robot, over, at, limits, margin, tiles, boxes)
+    out = Output(json=as_json, mathematics=mathematics)
+    try:
+        with working("computing"):
+            if how.part is not None:
+                out.show(box_part(task, how, work=work, restart=restart))
+                return
+            found = boxes_done(task, how, work=work, restart=restart)
+            for path in outputs:
+                found.save(path)
+    except KeyboardInterrupt:
+        if work is not None:
+            click.echo(f"\ninterrupted; finished tiles are kept in {work}: run the same command again", err=True)
+        raise
+    if as_json:
+        click.echo(json.dumps(found.to_json()))
+    else:
+        out.show(found)
+
+
+@click.command("refine", cls=ExpressionCommand)
+@click.argument("store", metavar="STORE")
+@click.option("-o", "--output", "refined", type=OutputFile(), required=True, metavar="FILE.zarr", help="The new store.")
+@click.option(
+    "--boxes", type=int, metavar="N", help="So many boxes in each tile at most; four times as many as before."
+)
+@click.option("--over", multiple=True, metavar="RANGE", help="Another range, of whole tiles of the store.")
+@time_limit(None)
+@_workers
+@_scheduler
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+def refine(
+    store: str,
+    refined: str,
+    boxes: int | None,
+    over: tuple[str, ...],
+    workers: int,
+    scheduler: str | None,
+    as_json: bool,
+) -> None:
+    """A map of boxes once more: finer where it is undecided, or over wider ranges. What is decided is taken over.
+
+    \b
+    gcrules map refine range.zarr -o finer.zarr
+    gcrules map refine range.zarr -o wider.zarr --over "x -200:200"
+    """
+    check_box_outputs([refined])
+    if not refined.lower().endswith(".zarr"):
+        raise InputError(f"{refined}: no name of a store", hint="stores end in .zarr")
+    with working("computing"):
+        found = refine_map(store, refined, boxes, over or None, workers=workers, scheduler=scheduler)
+    Output(json=as_json).show(found)

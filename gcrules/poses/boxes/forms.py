@@ -1,0 +1,72 @@
+"""What is known of a mechanism over whole boxes of poses: programs of its coordinates."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gcrules.core.dataclass import dataclass
+from gcrules.core.english import listed
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.targets import Target
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.mechanism import Mechanism
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.compiling.leg_programs import balanced_leg_lines, leg_lengths, plain_leg_wrenches
+from gcrules.poses.compiling.limb_programs import wrench_programs
+from gcrules.poses.compiling.limb_wrenches import BalancedLines
+from gcrules.poses.compiling.roads import check_finite
+from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
+from gcrules.poses.compiling.tape import Program
+from gcrules.poses.methods import Methods, method
+
+__all__ = ["BoxForms", "box_forms"]
+
+
+@dataclass(frozen=True)
+class BoxForms:
+    """Programs of a mechanism's coordinates, angles in rad.
+
+    `wrenches` has the entries of a matrix of so many `columns`, row by row, with the rank of the platform's wrenches;
+    `lines` are the same in the balance in which margins are measured. `actuators` has for each of them the cosine and
+    the sine of
+    its turn from home, or a length, as `turns` says; None where it has no closed form.
+    """
+
+    wrenches: Program
+    lines: BalancedLines
+    actuators: Program | None
+    columns: int
+    turns: tuple[bool, ...]
+
+
+def turned_by(angle: Ring) -> tuple[Ring, Ring]:
+    """Cosine and sine as they are: Taylor models know them."""
+    assert isinstance(angle, Scalar)
+    return angle.cosine_and_sine()
+
+
+def box_forms(m: Mechanism, names: tuple[str, ...]) -> BoxForms:
+    """The programs of a mechanism; raises InputError where its wrenches have no closed form."""
+    return method(_FORMS, m, "a map of whole boxes")(names)
+
+
+def _of_legs(m: SixLegs, _: tuple[str, ...]) -> BoxForms:
+    check_finite(m.analysis.structure)
+    graph = Graph(6)
+    wrenches, lines = plain_leg_wrenches(m, graph, turned_by), balanced_leg_lines(m, graph, turned_by)
+    return BoxForms(wrenches, lines, leg_lengths(m, graph, turned_by), 6, (False,) * 6)
+
+
+def _of_limbs(m: Limbs, names: tuple[str, ...]) -> BoxForms:
+    found = wrench_programs(m, Target(names, np.zeros(len(names)), text="home"), turned_by)
+    if found is None:
+        raise InputError(
+            f"the wrenches of {m.robot.id} have no closed form in {listed(names)} that is known here",
+            hint="a map over nodes (with a number in each range), gcrules free and gcrules path do without",
+        )
+    forms, plain, lines = found
+    return BoxForms(plain, lines, forms.actuators, forms.columns, forms.turns)
+
+
+_FORMS: Methods[BoxForms] = {SixLegs: _of_legs, Limbs: _of_limbs}
+"""The method for each kind of mechanism."""

@@ -1,0 +1,107 @@
+"""What is asked of a map of whole boxes: over which coordinates, what the others are, and within which limits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.linkage import Linkage
+from gcrules.mechanisms.kinematics.solve import check_target
+from gcrules.mechanisms.kinematics.targets import Target
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.mechanism import Mechanism
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.limbs.map_task import coordinates_of
+from gcrules.poses.limits import LengthLimits, parse_limits
+from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, read_ranges
+from gcrules.poses.methods import Methods, method
+from gcrules.poses.numbers.pose_arguments import one_pose
+
+__all__ = ["LEG_MODE", "LIMB_MODE", "Question", "question"]
+
+_ALL_ROUND = 2 * math.pi
+
+LIMB_MODE = "home's: of two solutions of a limb, or of the platform, the one that is home's"
+LEG_MODE = "a pose has one configuration"
+
+
+@dataclass(frozen=True)
+class Question:
+    """Poses over the `axes`, whose nodes are the borders of tiles; `names` are all coordinates that determine a pose,
+    `values` what they are where no axis stands for them (in radians and the file's unit), `size` is the robot's, `mode`
+    the configurations that are meant, `sentence` the condition.
+    """
+
+    axes: tuple[GridAxis, ...]
+    names: tuple[str, ...]
+    values: tuple[float, ...]
+    limits: LengthLimits | None
+    size: float
+    mode: str
+    sentence: str
+
+    @property
+    def free(self) -> tuple[int, ...]:
+        """The places of the axes' coordinates among all."""
+        return tuple(self.names.index(a.name) for a in self.axes)
+
+    @property
+    def weights(self) -> tuple[float, ...]:
+        """By how much coordinates change that are worth the same: the robot's size, or 1 rad."""
+        return tuple(self.size if a.name in TRANSLATION else 1.0 for a in self.axes)
+
+    @property
+    def rest(self) -> str:
+        """What the other coordinates are, in words."""
+        over = {a.name for a in self.axes}
+        pairs = [(n, v) for n, v in zip(self.names, self.values, strict=True) if n not in over]
+        return ", ".join(f"{n} = {math.degrees(v):.6g}°" if n in TURNS else f"{n} = {v:.6g}" for n, v in pairs)
+
+
+def question(m: Mechanism, over: Sequence[str | GridAxis], at: Any, limits: str | None, tiles: int | None) -> Question:
+    """What is asked for. Raises InputError for what makes no sense."""
+    axes = read_ranges(over, m.unit, tiles)
+    foreign = next((a for a in axes if a.name not in (*TRANSLATION, *TURNS)), None)
+    if foreign is not None:
+        more = "; gcrules free --over actuators proves ranges of actuators" if foreign.kind == ACTUATOR else ""
+        raise InputError(f"whole boxes are not over {foreign.name}", hint=f"take x, y, z, roll, pitch or yaw{more}")
+    for a in axes:
+        if a.unit in ("deg", "rad") and a.name in TURNS and float(a.stop - a.start) * _radians(a) > _ALL_ROUND:
+            raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
+    return method(_QUESTION, m, "a map of whole boxes")(axes, at, limits)
+
+
+def _radians(axis: GridAxis) -> float:
+    """What one unit of an axis is in radians, or in the file's unit of length."""
+    return math.radians(1.0) if axis.unit == "deg" else 1.0
+
+
+def _of_legs(m: SixLegs, axes: tuple[GridAxis, ...], at: Any, limits: str | None) -> Question:
+    pose = one_pose(at, {}, False, m.unit)
+    if pose is None:
+        raise InputError("a map is around one pose", hint='at="0 0 5; euler zyx 10 0 0 deg"')
+    r = np.array(pose.rotation, dtype=np.float64)
+    turns = (np.arctan2(r[2, 1], r[2, 2]), -np.arcsin(np.clip(r[2, 0], -1, 1)), np.arctan2(r[1, 0], r[0, 0]))
+    values = tuple(float(c) + 0.0 for c in (*pose.translation, *turns))
+    reach = parse_limits(limits, m.actuators, m.unit) if limits is not None else None
+    return Question(
+        axes, (*TRANSLATION, *reversed(TURNS)), values, reach, m.rig.size, LEG_MODE, m.analysis.condition.sentence
+    )
+
+
+def _of_limbs(m: Limbs, axes: tuple[GridAxis, ...], at: Any, limits: str | None) -> Question:
+    k: Linkage = m.linkage
+    names, values = coordinates_of(k, axes, at, driven=False)
+    check_target(k, Target(names, np.zeros(len(names)), text="home"))
+    angles = {a.name: a.angle for a in k.actuators}
+    reach = parse_limits(limits, tuple(angles), m.unit, tuple(angles.values())) if limits is not None else None
+    return Question(axes, names, values, reach, k.size, LIMB_MODE, m.analysis.statement)
+
+
+_QUESTION: Methods[Question] = {SixLegs: _of_legs, Limbs: _of_limbs}
+"""The method for each kind of mechanism."""

@@ -1,0 +1,127 @@
+r"""A map of whole boxes of poses as text, as LaTeX and as a picture: how much is free, outside, undecided, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gcrules.core.deferred import deferred
+from gcrules.core.floats import rounded_down
+from gcrules.poses.boxes.question import LIMB_MODE
+from gcrules.poses.boxes.report import BoxMap
+from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
+from gcrules.views.text_tables import ASCII, table, wrapped
+
+__all__ = ["as_latex", "as_text", "picture_of", "verdict"]
+
+picture = deferred("gcrules.views.plots.box_plot:picture")  # matplotlib, an extra of the installation
+
+
+def as_text(m: BoxMap, *, unicode: bool = False) -> str:
+    """The whole answer; without `unicode` in ASCII."""
+    found = "\n".join(_lines(m))
+    return found if unicode else found.translate(ASCII)
+
+
+def _lines(m: BoxMap) -> Iterator[str]:
+    yield from wrapped(verdict(m))
+    yield ""
+    rows = [*_asked(m), *_shares(m), *_proof(m)]
+    before = ["", *(name for name, _ in rows)]
+    yield from table([("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)])
+
+
+def verdict(m: BoxMap) -> str:
+    """The answer in one sentence."""
+    free, other, outside, crossed, undecided = m.summary.shares
+    if outside == 1:
+        return f"Proved: no pose of this range is reached{' within the limits' if m.task.question.limits else ''}."
+    pose = "pose of this range" + (" that is reached within the limits" if m.task.question.limits else "")
+    least = f", and the margin is {m.task.margin:g} at least" if m.task.margin else ""
+    match m.verdict:
+        case "free":
+            return f"Proved: no {pose} is singular{least}."
+        case "undecided":
+            return f"No singular pose was found; {_percent(undecided)} of the range is undecided, the rest proved."
+    if free and other:
+        return (
+            f"Poses with both signs of the determinant lie in this range ({_percent(free)} and {_percent(other)}): "
+            "every way from one to the other passes a singular pose, or poses that are not reached."
+        )
+    bad = f"singular, or has a margin below {m.task.margin:g}" if m.task.margin else "singular"
+    return f"This range is not free: boxes of {_percent(crossed)} of it hold a pose that is {bad}."
+
+
+def _asked(m: BoxMap) -> Iterator[tuple[str, str]]:
+    q = m.task.question
+    yield "map", f"whole boxes of poses of {m.task.mechanism.title or 'the robot'}"
+    for a in m.axes:
+        span = f"{a.name} from {float(a.start):g} to {float(a.stop):g} {a.unit}".rstrip()
+        yield "over", f"{span}: {a.meaning}"
+    if q.rest:
+        yield "rest", q.rest
+    if q.limits:
+        yield "limits", q.limits.text
+    if q.mode == LIMB_MODE:
+        yield "mode", q.mode
+
+
+def _shares(m: BoxMap) -> Iterator[tuple[str, str]]:
+    free, other, outside, crossed, undecided = m.summary.shares
+    yield "free", f"{_percent(free)} of the volume" + (f", and {_percent(other)} with the other sign" if other else "")
+    if outside:
+        where = "poses that are not reached" + (" within the limits" if m.task.question.limits else "")
+        yield "outside", f"{_percent(outside)}: {where}"
+    if crossed:
+        what = f"a pose that is singular{', or close to one' if m.task.margin else ''}"
+        yield "crossed", f"{_percent(crossed)}: boxes that hold {what}"
+    if undecided:
+        yield "undecided", _percent(undecided)
+    s = m.summary
+    if s.margin is not None and s.place is not None:
+        at = ", ".join(f"{a.name} = {c:.5g}" for a, c in zip(m.axes, s.place, strict=True))
+        yield "least", f"margin σ = {s.margin:.4g} in the middle of a free box, at {at}"
+    if s.bound is not None:
+        yield "", f"σ ≥ {rounded_down(s.bound)} in all free boxes, proved"
+
+
+def _proof(m: BoxMap) -> Iterator[tuple[str, str]]:
+    tiles = " × ".join(str(n) for n in m.task.grid)
+    yield "boxes", f"{m.summary.boxes:,} in {tiles} tiles, at most {m.task.boxes:,} in each"
+    words = (
+        "in a free box the wrenches hold the platform at all poses, by Taylor models of second order with bounds of "
+        "all that they leave out and of rounding"
+    )
+    if m.task.question.mode == LIMB_MODE:
+        words += "; their closed forms agree with the joints at poses at random"
+    yield "proof", f"{words}."
+
+
+def _percent(share: float) -> str:
+    """A share in percent; what is not all, and not nothing, is not shown as if it were."""
+    shown = f"{100 * share:.3g}"
+    if shown == "100" and share < 1:
+        shown = f"{min(100 * share, 99.9999):.6g}"
+    return f"{shown} %"
+
+
+def as_latex(m: BoxMap) -> str:
+    """A tabular of the ranges and of the shares; needs no package."""
+    rows = []
+    for a in m.axes:
+        ends = (latex_quantity(float(c), a.unit) for c in (a.start, a.stop))
+        rows.append((latex_words(a.name), " to ".join(ends)))
+    free, other, outside, crossed, undecided = m.summary.shares
+    for name, share in (("free", free + other), ("outside", outside), ("crossed", crossed), ("undecided", undecided)):
+        rows.append((name, latex_words(_percent(share))))
+    if m.summary.margin is not None:
+        rows.append(("least margin $\\sigma$ in a middle", latex_quantity(m.summary.margin)))
+    return latex_table(rows)
+
+
+def picture_of(m: BoxMap) -> str | None:
+    """The shares over each pair of coordinates as SVG; None where matplotlib is missing."""
+    try:
+        svg: bytes = picture(m, "svg")
+    except ImportError:
+        return None
+    return svg.decode()
