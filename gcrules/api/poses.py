@@ -21,6 +21,9 @@ from gcrules.poses.plans.plan import plan as _plan
 from gcrules.poses.pose import pose as _pose
 from gcrules.poses.pose import singular as _singular
 from gcrules.poses.regions.free_region import free_region as _free_region
+from gcrules.poses.tiles.merging import merge_maps as _merge_maps
+from gcrules.poses.tiles.status import map_status as _map_status
+from gcrules.poses.tiles.verifying import verify_map as _verify_map
 from gcrules.views.code.source_code import source_code as _source_code
 
 __all__ = [
@@ -31,12 +34,15 @@ __all__ = [
     "free_region",
     "length_regions",
     "locus",
+    "map_status",
+    "merge_maps",
     "operation_modes",
     "path",
     "plan",
     "pose",
     "singular",
     "singular_map",
+    "verify_map",
     "working_modes",
 ]
 
@@ -46,12 +52,15 @@ compiled = public(_compiled)
 free_region = public(_free_region)
 length_regions = public(_length_regions)
 locus = public(_locus)
+map_status = public(_map_status)
+merge_maps = public(_merge_maps)
 operation_modes = public(_operation_modes)
 path = public(_path)
 plan = public(_plan)
 pose = public(_pose)
 singular = public(_singular)
 singular_map = public(_singular_map)
+verify_map = public(_verify_map)
 working_modes = public(_working_modes)
 
 

@@ -30,6 +30,7 @@ from gcrules.core.arguments import (
     listed,
     mapping,
     optional,
+    row,
 )
 from gcrules.mechanisms.load import LOADED
 from gcrules.rules.rule import RewriteRule
@@ -73,6 +74,7 @@ _SOURCE = either(
     listed("", _LEG),
 ).hinting()
 _FOLDERS = listed("names of folders", FILE, alone=True)
+_PART = either('a part of a job array as text ("3/100") or as two whole numbers', TEXT, row("", WHOLE, WHOLE))
 _ORDER = either("an order of the legs as text or as a sequence", TEXT, listed("", either("", WHOLE, _LEG)))
 _FILES = listed("names of files", FILE, alone=True)
 _ABOUT = either('"origin", "centroid" or a point of three numbers', TEXT, ROW)
@@ -154,6 +156,8 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "about": _ABOUT,
         "limit": COUNT,
     },
+    "map_status": {"store": FILE},
+    "merge_maps": {"stores": listed("names of stores", FILE), "output": FILE},
     "operation_modes": {"source": _SOURCE, "plugins": _FOLDERS},
     "free_region": {
         "source": _SOURCE,
@@ -257,6 +261,9 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "measure": TEXT,
         "work": optional(FILE),
         "restart": FLAG,
+        "workers": WHOLE,
+        "part": optional(_PART),
+        "scheduler": optional(TEXT),
     },
     "straighten": {"e": _SCALAR, **_LIMITED},
     "superbracket": {"legs": _LEGS, "order": optional(_ORDER), "form": WHOLE, "points": NAMES, "ideal": NAMES},
@@ -269,6 +276,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "threshold": _THRESHOLD,
         "plugins": _FOLDERS,
     },
+    "verify_map": {"store": FILE, "tiles": either('a whole number, or "all"', WHOLE, TEXT)},
     "within": {
         "seconds": optional(_LIMIT),
         "memory": optional(_LIMIT),

@@ -24,8 +24,13 @@ __all__ = [
     "write_file",
 ]
 
+FOLDERS = (".zarr",)
+"""Endings of what is a folder of files."""
 SUFFIXES = frozenset(
-    (".csv", ".gca", ".glb", ".html", ".json", ".nc", ".pdf", ".ply", ".png", ".svg", ".tex", ".txt", ".yaml", ".yml")
+    (
+        *(".csv", ".gca", ".glb", ".html", ".json", ".nc", ".pdf", ".ply", ".png", ".svg", ".tex", ".txt"),
+        *(".yaml", ".yml", *FOLDERS),
+    )
 )
 """Endings of files that gcrules writes; a name that is nothing else was meant to have more in front."""
 
@@ -58,7 +63,8 @@ def check_target(path: str) -> None:
     if name.lower() in SUFFIXES:
         raise FileError("this is an ending without a name", filename=path, hint=f"for example figure{name}")
     target = os.path.realpath(path)
-    if os.path.isdir(target) or not name:
+    folder_meant = name.lower().endswith(FOLDERS)
+    if (os.path.isdir(target) and not folder_meant) or not name:
         raise FileError("this is a directory, expected the name of a file", filename=path)
     folder = os.path.dirname(target)
     try:
@@ -68,6 +74,8 @@ def check_target(path: str) -> None:
             raise FileError("cannot be written: there is no such directory", filename=path) from None
     except OSError as fault:
         raise unwritable(fault, path) from None
+    if folder_meant and os.path.isfile(target):
+        raise FileError("this is a file, expected a folder or a new name", filename=path)
     if os.path.exists(target) and not os.access(target, os.W_OK):
         raise FileError("cannot be written: the file is write-protected", filename=path)
     if not _special(target) and not os.access(folder, os.W_OK | os.X_OK):

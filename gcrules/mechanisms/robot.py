@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import field
 from fractions import Fraction
 from typing import Any
 
@@ -37,7 +38,7 @@ class Robot:
     `family` holds the points and directions with the relations that make them, `limbs` the joints; `lines` are
     given in place of limbs where wrenches are known already, with the points `derived` for those that are meets of
     planes. `mobility` is that expected of the platform (checked), `home` one configuration (empty for names that
-    the relations determine), `condition` a published one in the language.
+    the relations determine), `condition` a published one in the language. `text` is that of the file.
     """
 
     id: str
@@ -55,6 +56,7 @@ class Robot:
     filename: str = "<input>"
     owner: str = ""
     derived: tuple[Derived, ...] = ()
+    text: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
         if self.home is not None:

@@ -115,6 +115,10 @@ FORMS: dict[str, Forms] = {
             "xarray": f"{_VIEWS}.plots.map_data:dataset",
         },
     ),
+    "gcrules.poses.tiles.status.MapStatus": _result("tiles", formula=""),
+    "gcrules.poses.tiles.verifying.MapVerified": _result(
+        "tiles", text="verified_text", latex="verified_latex", formula=""
+    ),
     "gcrules.poses.modes.working.WorkingModes": _told("working_modes"),
     "gcrules.poses.modes.report.AssemblyModes": _told(
         "modes", svg=f"{_RESULTS}.modes:svg", picture=f"{_RESULTS}.modes:picture"

@@ -34,6 +34,8 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.conditions.analyze_robot import analyze_robot
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.mechanisms.load import read_robot
+from gcrules.poses.tiles.status import MapStatus
+from gcrules.poses.tiles.verifying import BadTile, MapVerified
 from gcrules.rules.catalog.file import load
 from gcrules.rules.script import run_script
 
@@ -105,6 +107,8 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "map": lambda: gc.singular_map(PLATFORM, FLAT, limits="leg lengths 100..900"),
     "map that turns": lambda: gc.singular_map(PLATFORM, ["rx -90:90:4 deg", "rz -90:90:4 deg"], measure="value"),
     "map in space": lambda: gc.singular_map(PLATFORM, DEEP),
+    "map status": lambda: MapStatus("map.zarr", 200, 50, 0.5, 3.0),
+    "verified map": lambda: MapVerified("map.zarr", 20, 20, (1, 7), 0, (BadTile(7, "it is damaged"),)),
     "mesh": lambda: gc.singular_map(PLATFORM, DEEP).mesh,
     "curve": lambda: gc.singular_map(PLATFORM, ["x -100:100:5", "z -600:100:5"]).curves[0],
     "modes": lambda: gc.assembly_modes(PLATFORM),

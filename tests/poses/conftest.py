@@ -13,7 +13,7 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.poses.compiling.compiled import compiled
-from gcrules.poses.maps import maps
+from gcrules.poses.maps import planned
 
 
 @pytest.fixture(scope="session")
@@ -38,5 +38,5 @@ def compiled_once() -> Iterator[None]:
         return known.setdefault(key, known.get(key) or compiled(a, about=about, engine="numpy"))
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(maps, "compiled", made)
+        patch.setattr(planned, "compiled", made)
         yield

@@ -16,6 +16,7 @@ import pytest
 from click.testing import CliRunner
 from commands import assert_refused
 from poses.small_maps import HUNT
+from poses.tile_tasks import contents
 
 import gcrules as gc
 from gcrules.apps.cli import cli
@@ -24,6 +25,7 @@ from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.poses.maps import report, store, values
 from gcrules.poses.maps.cells import FREE
 from gcrules.poses.maps.maps import singular_map
+from gcrules.poses.tiles.store import TileStore
 from gcrules.views.plots import map_files as outputs
 
 pytestmark = pytest.mark.usefixtures("compiled_once")
@@ -119,54 +121,40 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 
 def test_an_interrupted_run_goes_on(robots: dict[str, Analysis], tmp_path: Path, counted: list[int]) -> None:
-    work = tmp_path / "map.part"
+    work = tmp_path / "map.zarr"
     counted.append(-1)
     with pytest.raises(KeyboardInterrupt):
         singular_map(robots["octahedral"], SMALL, work=work)
-    assert sorted(p.name for p in work.iterdir()) == [
-        *(f"chunk-{n:06d}.npz" for n in range(3)),
-        "lock",
-        "manifest.json",
-    ]
-    (work / "chunk-000001.npz").write_bytes((work / "chunk-000001.npz").read_bytes()[:-50])  # damaged
+    assert TileStore.existing(work).done() == {0, 1, 2}
     counted.clear()
     m = singular_map(robots["octahedral"], SMALL, work=work)
-    assert counted.pop() in (0, 2)  # one of those that were kept, looked at again
-    assert counted == [1, *range(3, m.task.number)]
+    assert counted.pop() in (0, 1, 2)  # one of those that were kept, looked at again
+    assert counted == [*range(3, m.task.number)]
     direct = singular_map(robots["octahedral"], SMALL)
     for name in m.arrays:
         assert np.array_equal(m.values(name), direct.values(name))
     assert m.summary == direct.summary
     m.store.close()
-    assert not work.exists()
+    assert not list(tmp_path.iterdir())
 
 
-def test_a_chunk_without_cells_is_looked_at_again(
-    robots: dict[str, Analysis], tmp_path: Path, counted: list[int], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_chunk_without_cells(robots: dict[str, Analysis], tmp_path: Path, counted: list[int]) -> None:
     """The last chunk may hold poses, and no cells: they lie between it and the one before."""
-
-    class Last:
-        def choice(self, kept: list[int]) -> int:
-            return kept[-1]
-
-    monkeypatch.setattr("gcrules.poses.maps.maps.drawn", lambda *_: Last())
-    work = tmp_path / "map.part"
-    counted.append(-1)
-    with pytest.raises(KeyboardInterrupt):
-        singular_map(robots["octahedral"], SMALL, work=work)
-    task = singular_map(robots["octahedral"], SMALL).task
-    last = task.compute(task.number - 1)
+    m = singular_map(robots["octahedral"], SMALL, work=tmp_path / "map.zarr")
+    last = m.task.compute(m.task.number - 1)
     assert any(a.size == 0 for a in last.values())
-    np.savez(work / f"chunk-{task.number - 1:06d}.npz", **last)
-    assert singular_map(robots["octahedral"], SMALL, work=work).summary.poses == 240
+    assert gc.verify_map(tmp_path / "map.zarr", "all").sound
+    m.save(str(tmp_path / "map.zarr"))
+    direct = singular_map(robots["octahedral"], SMALL)
+    direct.save(str(tmp_path / "other.zarr"))
+    assert contents(tmp_path / "other.zarr").keys() == contents(tmp_path / "map.zarr").keys()
 
 
 @pytest.mark.parametrize(
     "change", [{"at": "1 0 0"}, {"measure": "value"}, {"limits": "legs 1.."}, {"about": "origin"}], ids=str
 )
 def test_a_changed_map_is_noticed(robots: dict[str, Analysis], tmp_path: Path, counted: list[int], change: Any) -> None:
-    work = tmp_path / "map.part"
+    work = tmp_path / "map.zarr"
     singular_map(robots["octahedral"], SMALL, work=work)
     with pytest.raises(InputError, match="of another map") as fault:
         singular_map(robots["octahedral"], SMALL, work=work, **change)
@@ -175,46 +163,28 @@ def test_a_changed_map_is_noticed(robots: dict[str, Analysis], tmp_path: Path, c
     assert not work.exists()
 
 
-def test_two_runs_at_a_time(robots: dict[str, Analysis], tmp_path: Path, counted: list[int]) -> None:
-    pytest.importorskip("fcntl")
-    work = tmp_path / "map.part"
-    m = singular_map(robots["octahedral"], SMALL, work=work)
-    lock = f"import fcntl; f = open({str(work / 'lock')!r}, 'ab'); fcntl.lockf(f, fcntl.LOCK_EX | fcntl.LOCK_NB)"
-    other = subprocess.run([sys.executable, "-c", lock], capture_output=True, text=True, check=False)
-    assert "BlockingIOError" in other.stderr
-    m.store.close()
-    holder = subprocess.Popen(
-        [sys.executable, "-c", f"import os; os.mkdir({str(work)!r}); {lock}; print(1, flush=True); input()"],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-    )
-    with holder:
-        assert holder.stdout is not None
-        holder.stdout.readline()
-        with pytest.raises(InputError, match="another run is at work"):
-            singular_map(robots["octahedral"], SMALL, work=work)
-        holder.kill()
-    singular_map(robots["octahedral"], SMALL, work=work).store.close()  # a killed run holds nothing
-    assert not work.exists()
+def test_workers_and_parts_of_a_map(robots: dict[str, Analysis], tmp_path: Path) -> None:
+    over = ["x -300:300:401", "z -500:100:400"]
+    whole = singular_map(robots["octahedral"], over, work=tmp_path / "whole.zarr", workers=2)
+    assert whole.task.number > 3
+    for k in (1, 2):
+        status = singular_map(robots["octahedral"], over, work=tmp_path / "parts.zarr", part=(k, 2))
+    assert status.complete
+    assert contents(tmp_path / "parts.zarr") == contents(tmp_path / "whole.zarr")
+    again = singular_map(robots["octahedral"], over, work=tmp_path / "parts.zarr")
+    assert again.summary == whole.summary
+    for options in ({"part": "1/2"}, {"workers": 2}, {"work": tmp_path / "a.zarr", "part": "1/2", "restart": True}):
+        with pytest.raises(InputError, match=r"store|begin anew"):
+            singular_map(robots["octahedral"], over, **options)
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_damaged_chunks_are_computed_again(
-    robots: dict[str, Analysis], tmp_path: Path, counted: list[int], seed: int
-) -> None:
-    m = singular_map(robots["octahedral"], SMALL, work=tmp_path / "map.part")
-    chunk = tmp_path / "map.part" / "chunk-000000.npz"
-    whole, expected = chunk.read_bytes(), m.store.get(0)
-    assert expected is not None
-    rng = np.random.default_rng(seed)
-    for _ in range(60):
-        data = bytearray(whole)
-        at = int(rng.integers(len(data)))
-        data[at : at + int(rng.integers(1, 9))] = bytes(rng.integers(0, 256, int(rng.integers(1, 9))).tolist())
-        chunk.write_bytes(data[: int(rng.integers(len(data)))] if rng.random() < 0.3 else data)
-        found = m.store.get(0)
-        assert found is None or all(np.array_equal(found[n], expected[n]) for n in m.arrays)
-    m.store.close()
+@pytest.mark.parametrize("source", ["3-rpr", "octahedral"])
+def test_a_map_is_made_anew_from_its_store(tmp_path: Path, source: str) -> None:
+    over = ["x -0.1:0.1:5", "yaw 10:60:5 deg"] if source == "3-rpr" else ["x -0.1:0.1:5", "rz 10:60:5 deg"]
+    singular_map(source, over, work=tmp_path / "map.zarr")
+    found = gc.verify_map(tmp_path / "map.zarr", "all")
+    assert found.sound
+    assert found.again == (0,)
 
 
 def test_other_files_are_left_alone(robots: dict[str, Analysis], tmp_path: Path) -> None:
@@ -241,7 +211,7 @@ def test_an_interrupted_command(robot: str, tmp_path: Path, counted: list[int]) 
     done = run(robot, *OVER, "-o", str(out))
     assert done.exit_code == 130
     assert "map.nc.part: run the same command again" in done.stderr
-    assert [p.name for p in tmp_path.iterdir()] == ["map.nc.part"]
+    assert {p.name for p in tmp_path.iterdir()} == {"map.nc.part", "map.nc.part.tiles"}
     done = run(robot, *OVER, "-o", str(out), "--limits", "legs 1..")
     assert done.exit_code == 2
     assert "--restart" in done.stderr
@@ -261,7 +231,7 @@ def test_a_full_disk(
 ) -> None:
     pytest.importorskip("h5netcdf")
     if where == "chunk":
-        monkeypatch.setattr("numpy.savez", full)
+        monkeypatch.setattr("gcrules.poses.tiles.store.written_shard", full)
     elif where == "file":
         broken = {**outputs.MAP_FORMATS, ".nc": outputs.MapFormat(full)}
         monkeypatch.setattr(outputs, "MAP_FORMATS", broken)
@@ -272,8 +242,8 @@ def test_a_full_disk(
     assert done.exit_code == 2
     assert "No space left on device" in done.stderr
     assert "make room" in done.stderr
-    assert {p.name for p in tmp_path.iterdir()} == {"map.nc.part"}
-    assert not [p for p in (tmp_path / "map.nc.part").iterdir() if p.name.startswith(".")]
+    assert {p.name for p in tmp_path.iterdir()} <= {"map.nc.part", "map.nc.part.tiles"}
+    assert not list(tmp_path.rglob(".new-*"))
     monkeypatch.undo()
     monkeypatch.setattr(values, "_POSES", 40)
     assert run(robot, *OVER, "-o", str(tmp_path / "map.nc")).exit_code == 0

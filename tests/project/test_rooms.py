@@ -22,7 +22,8 @@ MODULES = sorted(p for p in PACKAGE.rglob("*.py"))
 
 LATE = (
     *("lark", "yaml", "networkx", "mpmath", "numpy", "sympy"),  # which take long to load
-    *("h5netcdf", "h5py", "matplotlib", "numba", "skimage", "trimesh", "xarray"),  # extras of the installation
+    *("h5netcdf", "h5py", "matplotlib", "numba", "skimage", "trimesh", "xarray", "zarr"),  # extras of the
+    "distributed",  # installation
     *("fcntl", "threading"),  # which few systems have; which few programs need
 )
 """What may be imported inside a function."""

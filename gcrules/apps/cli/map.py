@@ -8,23 +8,27 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
+from gcrules.apps.cli.base import Output, about_option
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.map_tiles import MapCommand
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.budget import report
 from gcrules.core.errors import InputError
 from gcrules.core.files import after_writing
 from gcrules.mechanisms.mechanism import mechanism
-from gcrules.poses.maps.maps import bytes_of, done, planned
+from gcrules.poses.maps.maps import MAX_HELD, computed_part, done
+from gcrules.poses.maps.planned import Plan, bytes_of, planned
 from gcrules.poses.maps.store import check_room
 from gcrules.poses.maps.task import MEASURES
+from gcrules.poses.tiles.how import HERE, MAX_WORKERS, Running, running
+from gcrules.poses.tiles.zarr_files import has_zarr
 from gcrules.views.plots.map_files import MAP_FORMATS, check_outputs
 
 __all__ = ["map_"]
 
 
-@click.command("map", cls=ExpressionCommand)
+@click.command("map", cls=MapCommand)
 @click.argument("file", metavar="FILE.yaml|ID")
 @mode_option
 @click.option(
@@ -51,7 +55,21 @@ __all__ = ["map_"]
     help="margin σ and leg lengths too; the superbracket only, which is quick; or the margin and what actuators do.",
 )
 @time_limit(None)
-@click.option("--restart", is_flag=True, help="Throw away finished chunks of an earlier run and begin anew.")
+@click.option("--restart", is_flag=True, help="Throw away finished tiles of an earlier run and begin anew.")
+@click.option(
+    "--workers",
+    type=click.IntRange(0, MAX_WORKERS),
+    default=0,
+    show_default="in this process",
+    metavar="N",
+    help="Compute tiles in so many processes of this machine.",
+)
+@click.option("--part", metavar="K/N", help="Compute only the K-th of N parts, as a job of an array.")
+@click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help='Compute tiles on a Dask cluster that shares the disk; "local" starts one on this machine.',
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.option(
     "--unicode/--ascii", " /--plain", "mathematics", default=None, help="Unicode or plain ASCII; by default what fits."
@@ -75,6 +93,9 @@ def map_(
     threshold: str,
     measure: str,
     restart: bool,
+    workers: int,
+    part: str | None,
+    scheduler: str | None,
     as_json: bool,
     mathematics: bool | None,
     outputs: tuple[str, ...],
@@ -89,39 +110,54 @@ def map_(
 
     The coordinates are x, y, z (translation), roll, pitch, yaw, rx, ry, rz (rotation vector), zyx1, zyx2, zyx3 or
     another sequence of Euler angles, or azimuth, tilt, torsion; angles end with deg or rad. A robot of joints is mapped
-    over x, y, z, roll, pitch, yaw or over its actuators q1, q2 …, from home; --at names what the others are. A long run
-    may be interrupted: with -o the finished chunks are kept in a folder FILE.part, and the same command goes on from
-    there. "-" reads the robot's file from standard input; the id of a robot, as of "gcrules robot list", does as well.
+    over x, y, z, roll, pitch, yaw or over its actuators q1, q2 …, from home; --at names what the others are. "-" reads
+    the robot's file from standard input; the id of a robot, as of "gcrules robot list", does as well.
+
+    A long run is computed in tiles and may be interrupted: with -o map.nc they are kept in map.nc.part, with -o
+    map.zarr they are the answer, and the same command goes on from there. Of stores of tiles:
+
+    \b
+    gcrules map status STORE                    how far they are, from another terminal
+    gcrules map verify STORE [--tiles N|all]    all digests, and some tiles computed again
+    gcrules map merge STORE... -o FILE.zarr     parts that were computed on disks of their own
     """
     check_outputs(outputs, len(over))
-    work = _folder(outputs)
-    if work is None and restart:
-        raise InputError("--restart without -o", hint="chunks are kept only where -o names a file")
+    how = running(workers, part, scheduler)
+    if not outputs and (restart or how != HERE):
+        option = "--restart" if restart else "--workers, --part or --scheduler"
+        raise InputError(f"{option} without -o", hint="tiles are kept only where -o names a file")
     plan = planned(mechanism(warn(read_source(file, mode=mode)), about=about), over, at, limits, threshold, measure)
-    task = plan.task
+    work = _work(plan, outputs, how)
     if work is not None:
-        if task.number == 1 and not os.path.isdir(work):
-            work = None
-        check_room(outputs[0], bytes_of(task) * ((work is not None) + any(o.lower().endswith(".nc") for o in outputs)))
-    with working("computing"):
-        try:
-            found = done(plan, work=work, restart=restart)
-            _save(found, outputs)
-        except KeyboardInterrupt:
-            if work is not None:
-                click.echo(f"\ninterrupted; finished chunks are kept in {work}: run the same command again", err=True)
-            raise
+        check_room(work, bytes_of(plan.task) * (1 + any(o.lower().endswith(".nc") for o in outputs)))
     out = Output(json=as_json, mathematics=mathematics)
+    try:
+        with working("computing"):
+            if how.part is not None:
+                out.show(computed_part(plan, how, work=work, restart=restart))
+                return
+            found = done(plan, how, work=work, restart=restart)
+            _save(found, outputs)
+    except KeyboardInterrupt:
+        if work is not None:
+            click.echo(f"\ninterrupted; finished tiles are kept in {work}: run the same command again", err=True)
+        raise
     if as_json:
         click.echo(json.dumps(found.to_json()))
     else:
         out.show(found)
-    after_writing(found.store.close)
+    if work not in outputs:
+        after_writing(found.store.close)
 
 
-def _folder(outputs: tuple[str, ...]) -> str | None:
-    data = [o for o in outputs if o.lower().endswith(".nc")] or list(outputs)
-    return f"{data[0]}.part" if data else None
+def _work(plan: Plan, outputs: tuple[str, ...], how: Running) -> str | None:
+    """The store of the tiles: an output that is one, else beside an output, or none for a map of one tile."""
+    kept = next((o for o in outputs if o.lower().endswith(".zarr")), None)
+    if kept is not None or not outputs:
+        return kept
+    name = f"{next((o for o in outputs if o.lower().endswith('.nc')), outputs[0])}.part"
+    small = plan.task.number == 1 or (not has_zarr() and plan.task.grid.size <= MAX_HELD)
+    return None if small and how == HERE and not os.path.isdir(name) else name
 
 
 def _save(found: Any, outputs: tuple[str, ...]) -> None:

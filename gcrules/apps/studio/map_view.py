@@ -32,7 +32,8 @@ from gcrules.poses.limbs.map_task import LimbsGrid
 from gcrules.poses.maps.axes import ACTUATOR, GridAxis, read_axes
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.maps.grid import Grid
-from gcrules.poses.maps.maps import Plan, done, planned
+from gcrules.poses.maps.maps import done
+from gcrules.poses.maps.planned import Plan, planned
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.methods import Methods, method
 from gcrules.screws.threshold import DEFAULT, Threshold

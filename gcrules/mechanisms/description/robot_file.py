@@ -128,6 +128,7 @@ class _Reader:
             facts=tuple(fact for _, fact in facts),
             filename=self.document.filename,
             owner=self.owner,
+            text=self.document.source,
         )
         check_family(robot, self.places, facts)
         self.document.check()

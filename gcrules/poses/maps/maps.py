@@ -14,48 +14,43 @@ r"""Maps of singular poses over two or three coordinates: what is to be done, do
 
 from __future__ import annotations
 
-import hashlib
-import json
-from collections.abc import Mapping, Sequence
-from os import PathLike
+from collections.abc import Sequence
+from os import PathLike, fspath
 from typing import Any
 
 import numpy as np
 
 from gcrules.core.budget import checkpoint, report
-from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import FileError, InputError, LimitReached
+from gcrules.core.errors import EngineFault, FileError, InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import drawn
 from gcrules.mechanisms.kinematics.amplification import INDICES
-from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
-from gcrules.mechanisms.mechanism import Mechanism, mechanism
-from gcrules.mechanisms.platform_analysis import with_platform
-from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.compiling.compiled import compiled
-from gcrules.poses.limbs.map_task import limbs_task
-from gcrules.poses.limits import parse_limits
-from gcrules.poses.maps.axes import GridAxis, read_axes
+from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import CROSSED, FREE, MEANINGS, OUTSIDE, UNDECIDED
-from gcrules.poses.maps.grid import grid
 from gcrules.poses.maps.joining import joined
 from gcrules.poses.maps.marching import marched
+from gcrules.poses.maps.planned import Plan, planned
 from gcrules.poses.maps.report import Curve, SingularMap
-from gcrules.poses.maps.slices import factors, middle, slice_polynomial, vanishes
-from gcrules.poses.maps.store import Folder, Memory, Store
+from gcrules.poses.maps.slices import middle
+from gcrules.poses.maps.store import Memory, Store
 from gcrules.poses.maps.summary import MapSummary, together
-from gcrules.poses.maps.task import KINDS, MEASURES, Chunk, MapTask, width_of
+from gcrules.poses.maps.task import Chunk, MapTask
+from gcrules.poses.maps.tiled import GridTiles
 from gcrules.poses.maps.tracing import polished, traced
-from gcrules.poses.maps.values import LegsTask
-from gcrules.poses.methods import Methods, method
-from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of
+from gcrules.poses.tiles.how import HERE, Running, running
+from gcrules.poses.tiles.running import run
+from gcrules.poses.tiles.status import MapStatus, status_of
+from gcrules.poses.tiles.store import TileStore
+from gcrules.poses.tiles.verifying import alike
+from gcrules.screws.threshold import DEFAULT, Threshold, margin_of
 
-__all__ = ["Plan", "bytes_of", "done", "planned", "singular_map"]
+__all__ = ["MAX_HELD", "computed_part", "done", "singular_map"]
 
 _BAR = 24
 MAX_HELD = 8_000_000
-"""Poses whose numbers are kept in memory; more need a folder for the work."""
+"""Poses whose numbers are kept in memory; more need a store."""
 
 
 def singular_map(
@@ -69,7 +64,10 @@ def singular_map(
     measure: str = "margin",
     work: str | PathLike[str] | None = None,
     restart: bool = False,
-) -> SingularMap:
+    workers: int = 0,
+    part: str | tuple[int, int] | None = None,
+    scheduler: str | None = None,
+) -> Any:
     """The singular poses over two or three coordinates (a `SingularMap`): arrays, curves or a surface, and what is
     proved free of them.
 
@@ -77,115 +75,91 @@ def singular_map(
     start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"]; for a robot of joints
     coordinates of its pose or actuators, from home. `limits` is text such as "leg lengths 1..3" or "q1 -30..30 deg";
     `threshold` is an angle. `measure` is "margin", for platforms "value" for the superbracket alone, which is quick, or
-    "isotropy" or another one of the `INDICES` of the actuators, which comes on top of the margin. `work` names a folder
-    for the chunks of a large map: a run that was interrupted goes on from there, unless `restart` throws them away;
-    `.store.close()` removes it. Raises InputError for what makes
-    no sense and for degenerate robots, LimitReached for maps that are too large.
+    "isotropy" or another one of the `INDICES` of the actuators, which comes on top of the margin. `work` names a
+    Zarr store for the tiles of a large map: a run that was interrupted goes on from there, unless `restart` throws them
+    away; `.store.close()` removes it. With `work` tiles may be computed in so many `workers`, processes of this
+    machine, or on a Dask cluster, `scheduler` being its address or "local"; with `part`, as "3/100", only this part of
+    a job array's is computed, and the answer is how many tiles there are (a `MapStatus`).
+
+    Raises InputError for what makes no sense and for degenerate robots, LimitReached for maps that are too large.
     """
+    how = running(workers, part, scheduler)
     plan = planned(mechanism(source, about=about), over, at, limits, threshold, measure)
-    return done(plan, work=work, restart=restart)
+    if how.part is not None:
+        return computed_part(plan, how, work=work, restart=restart)
+    return done(plan, how, work=work, restart=restart)
 
 
-@dataclass(frozen=True, eq=False)
-class Plan:
-    """What is to be computed, of which condition, and the threshold."""
-
-    task: MapTask
-    sentence: str
-    wording: Mapping[str, str | None]
-    limit: Threshold
-
-
-def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold: Any, measure: str) -> Plan:
-    """What is to be computed, all faults of the input told."""
-    limit = angle_threshold(threshold, "in a map")
-    if measure not in MEASURES:
-        raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
-    plan = method(_PLANNED, found, "a map")(over, at, limits, limit, measure)
-    if why := found.drives.missing(measure):
-        there = ", ".join(found.drives.indices)
-        raise InputError(f"{why}: there is no {measure.replace('_', ' ')}", hint=f"indices of this robot are {there}")
-    return plan
-
-
-def _of_legs(m: SixLegs, over: Any, at: Any, limits: str | None, limit: Threshold, measure: str) -> Plan:
-    axes = read_axes(over, m.unit)
-    reached = parse_limits(limits, m.actuators, m.unit) if limits is not None else None
-    g = grid(m.rig, axes, at)
-    known = m.analysis if m.analysis.platform is not None else with_platform(m.analysis, m.platform)
-    condition = compiled(known, about=m.about)
-    moved = g.rotation_axis is not None
-    everywhere = vanishes(g) if moved else not slice_polynomial(g)
-    task = LegsTask(g, condition, measure, reached, None if moved else factors(g), everywhere)
-    stated = m.analysis.condition
-    return Plan(task, stated.sentence, stated.wording(), limit)
-
-
-def _of_limbs(m: Limbs, over: Any, at: Any, limits: str | None, limit: Threshold, measure: str) -> Plan:
-    """By the exact polynomial where the limbs are six legs."""
-    try:
-        legs = m.six_legs()
-    except InputError:
-        stated = m.analysis.statement
-        task = limbs_task(m, over, at, limits, measure)
-        return Plan(task, stated, {"statement": stated, "statement_source": None}, limit)
-    return _of_legs(legs, over, at, limits, limit, measure)
-
-
-_PLANNED: Methods[Plan] = {SixLegs: _of_legs, Limbs: _of_limbs}
-"""The method for each kind of mechanism."""
-
-
-def done(plan: Plan, *, work: str | PathLike[str] | None = None, restart: bool = False) -> SingularMap:
+def done(
+    plan: Plan, how: Running = HERE, *, work: str | PathLike[str] | None = None, restart: bool = False
+) -> SingularMap:
     """What was planned, computed; raises as `singular_map`."""
     task = plan.task
+    tiles = GridTiles(task, plan.sentence, plan.recipe)
     store: Store = Memory()
     if work is not None:
-        store = Folder.open(str(work), task.names, _manifest(task), restart=restart)
+        store = TileStore.open(work, tiles, restart=restart)
+    elif how != HERE:
+        raise InputError("workers keep their tiles in a store", hint='name one: work="map.zarr", or -o map.zarr')
     elif task.grid.size > MAX_HELD:
         raise LimitReached(
             f"{task.grid.size:,} poses: more than {MAX_HELD:,} are not kept in memory",
-            hint='name a folder for them, work="map.part" (the command does so for -o map.nc), or take a coarser grid',
+            hint='name a store for them, work="map.zarr" (the command does so for -o map.nc), or take a coarser grid',
         )
-    summary = _computed(task, store, plan.limit)
+    if isinstance(store, TileStore):
+        kept = sorted(store.done())
+        run(tiles, store, how)
+        if kept:
+            _check_kept(task, store, drawn("map", str(store.path), len(kept)).choice(kept))
+    summary = _computed(tiles, store, plan.limit)
     parts = (task, plan.sentence, FrozenMap(plan.wording), plan.limit, store, summary)
-    found = SingularMap(*parts, notes=task.grid.notes)
+    found = SingularMap(*parts, notes=task.grid.notes, recipe=plan.recipe)
     curves = _curves(found) if len(task.grid.axes) == 2 and not task.everywhere else ()
-    return SingularMap(*parts, curves, task.grid.notes)
+    return SingularMap(*parts, curves, task.grid.notes, plan.recipe)
 
 
-def bytes_of(task: MapTask) -> int:
-    """How many bytes the arrays of a map take on disk."""
-    each: int = sum(np.dtype(KINDS[n]).itemsize * width_of(task, n) for n in task.names)
-    return each * task.grid.size
+def computed_part(
+    plan: Plan, how: Running, *, work: str | PathLike[str] | None = None, restart: bool = False
+) -> MapStatus:
+    """A part of what was planned, computed and kept, and how much of the whole is there; raises as `singular_map`."""
+    if work is None:
+        raise InputError("a part of a job array keeps its tiles in a store", hint='name one: work="map.zarr"')
+    if restart:
+        raise InputError("a part does not begin anew", hint="the other parts may be at work; remove the store before")
+    tiles = GridTiles(plan.task, plan.sentence, plan.recipe)
+    store = TileStore.open(work, tiles)
+    run(tiles, store, how)
+    return status_of(store, fspath(work))
 
 
-def _manifest(task: MapTask) -> dict[str, Any]:
-    """Of what the chunks of a task are, with a fingerprint of all of it."""
-    digest = hashlib.sha256(json.dumps(task.manifest, sort_keys=True).encode()).hexdigest()
-    return {**task.manifest, "fingerprint": digest}
-
-
-def _computed(task: MapTask, store: Store, limit: Threshold) -> MapSummary:
+def _computed(tiles: GridTiles, store: Store, limit: Threshold) -> MapSummary:
+    """The summary of all chunks, which are computed where they are not there."""
     assert limit.angle is not None
-    sigma = margin_of(limit.angle)
+    task, sigma = tiles.task, margin_of(limit.angle)
     parts: list[MapSummary] = []
-    kept: list[int] = []
     poses = 0
     for n in range(task.number):
         checkpoint()
         chunk = store.get(n)
         if chunk is None:
-            chunk = task.compute(n)
-            store.put(n, chunk)
-        else:
-            kept.append(n)
+            chunk = _anew(tiles, store, n)
         parts.append(_summed(chunk, task, n, sigma))
         poses += parts[-1].poses
         report(_bar(poses, task.grid.size))
-    if kept and isinstance(store, Folder):
-        _check_kept(task, store, drawn("map", str(store.path), len(kept)).choice(kept))
     return together(parts)
+
+
+def _anew(tiles: GridTiles, store: Store, n: int) -> Chunk:
+    """A chunk that is not there, or is damaged."""
+    if isinstance(store, Memory):
+        store.put(n, tiles.compute(n))
+    else:
+        store.unseal(n)
+        run(tiles, store)
+    chunk = store.get(n)
+    if chunk is None:
+        raise EngineFault(f"chunk {n} of the map is lost as it is written")
+    return chunk
 
 
 def _summed(chunk: Chunk, task: MapTask, number: int, sigma: float) -> MapSummary:
@@ -222,27 +196,15 @@ def _bar(done: int, number: int) -> str:
     return f"[{'#' * full}{'.' * (_BAR - full)}] {100 * done // number:3d} % of {number:,} poses"
 
 
-def _check_kept(task: MapTask, store: Folder, n: int) -> None:
-    """Compute a chunk again that was found in a folder. Raises FileError where the folder holds something else."""
-    there, here = store.get(n), task.compute(n)
-    if there is None or not all(_alike(there[name], here[name]) for name in task.names):
+def _check_kept(task: MapTask, store: TileStore, n: int) -> None:
+    """Compute a tile again that was found in a store. Raises FileError where it holds something else."""
+    there = store.get(n)
+    if there is not None and not alike(there, task.compute(n)):
         raise FileError(
-            f"chunk {n} is not what is computed now; its files were changed",
+            f"tile {n} is not what is computed now; its files were changed",
             filename=str(store.path),
-            hint="begin anew with --restart (in Python restart=True), or take another folder",
+            hint="begin anew with --restart (in Python restart=True), or take another store",
         )
-
-
-def _alike(a: Any, b: Any) -> bool:
-    """Whether arrays agree but for rounding, which may decide differently on another machine, though seldom."""
-    if a.shape != b.shape or not a.size:  # the last chunk may have poses, and no cells
-        return bool(a.shape == b.shape)
-    if a.dtype.kind == "f":
-        return bool(np.isclose(a, b, rtol=1e-4, atol=1e-6, equal_nan=True).mean() > _MOSTLY)
-    return bool((a == b).mean() > _MOSTLY)
-
-
-_MOSTLY = 0.999
 
 
 def _curves(m: SingularMap) -> tuple[Curve, ...]:

@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 from gcrules.core.arguments import FILE, TEXT, checked, each
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError, LimitReached
-from gcrules.core.frozen import HoldsArrays
+from gcrules.core.frozen import FrozenMap, HoldsArrays
 from gcrules.core.shown import Shown
-from gcrules.core.version import __version__
 from gcrules.poses.limits import LengthLimits
 from gcrules.poses.maps.mesh import Mesh
 from gcrules.poses.maps.slices import SliceFactor
@@ -22,6 +21,7 @@ from gcrules.poses.maps.store import Store
 from gcrules.poses.maps.summary import MapSummary
 from gcrules.poses.maps.surface import Sheet, of_factor, sheet
 from gcrules.poses.maps.task import Chunk, MapTask, Slice, width_of
+from gcrules.poses.maps.variables import about
 from gcrules.screws.threshold import Threshold, margin_of
 
 if TYPE_CHECKING:
@@ -66,7 +66,8 @@ class SingularMap(HoldsArrays, Shown):
     `values(name)` are arrays over the grid, in the order of the axes (`arrays` are their names); `curves` are the
     singular curves of a map over two coordinates, `mesh` is the surface of one over three. `factors` are those of the
     superbracket where it is a polynomial on the slice (None otherwise), `everywhere` says that it is 0 throughout.
-    `sentence` is the robot's condition in words, `wording` that with its source apart.
+    `sentence` is the robot's condition in words, `wording` that with its source apart; from the `recipe` it is planned
+    anew.
     """
 
     task: MapTask
@@ -77,6 +78,7 @@ class SingularMap(HoldsArrays, Shown):
     summary: MapSummary
     curves: tuple[Curve, ...] = ()
     notes: tuple[str, ...] = ()
+    recipe: Mapping[str, Any] = FrozenMap()
 
     @property
     def grid(self) -> Slice:
@@ -116,9 +118,10 @@ class SingularMap(HoldsArrays, Shown):
     def chunks(self) -> Iterator[tuple[int, Chunk]]:
         """The first layer of each chunk, and its arrays."""
         for n in range(self.task.number):
-            yield self.task.span(n)[0], self._chunk(n)
+            yield self.task.span(n)[0], self.chunk(n)
 
-    def _chunk(self, n: int) -> Chunk:
+    def chunk(self, n: int) -> Chunk:
+        """The arrays of one chunk."""
         chunk = self.store.get(n)
         if chunk is None:
             raise EngineFault(f"chunk {n} of the map is gone")
@@ -175,7 +178,7 @@ class SingularMap(HoldsArrays, Shown):
         found = []
         for n in range(first // self.task.layers, -(-last // self.task.layers)):
             start, stop = self.task.span(n)
-            found.append(self.task.level(self._chunk(n))[max(first - start, 0) : min(last, stop) - start])
+            found.append(self.task.level(self.chunk(n))[max(first - start, 0) : min(last, stop) - start])
         return np.concatenate(found)
 
     def allows(self, coordinates: Floats) -> NDArray[np.bool_]:
@@ -185,17 +188,7 @@ class SingularMap(HoldsArrays, Shown):
     @property
     def about(self) -> Mapping[str, str]:
         """What the map is, for the attributes of files; no dates, so that equal maps are equal files."""
-        title = self.grid.title or "a robot"
-        found = {
-            "Conventions": "CF-1.11",
-            "title": f"Singular poses of {title} over {', '.join(a.name for a in self.grid.axes)}",
-            "source": f"gcrules {__version__}",
-            **self.task.about(self.sentence),
-            "axes": "; ".join(a.text for a in self.grid.axes),
-            "limits": self.limits.text if self.limits else "none",
-            "guarantee": self.guarantee,
-        }
-        return {k: v for k, v in found.items() if v}
+        return {**about(self.task, self.sentence), "guarantee": self.guarantee}
 
     @property
     def guarantee(self) -> str:
@@ -227,7 +220,7 @@ class SingularMap(HoldsArrays, Shown):
 
     @checked("map.save", paths=each(FILE))
     def save(self, *paths: str) -> None:
-        """Write files; the suffix says of what kind: .nc, .svg, .pdf, .png, .ply, .glb, .json."""
+        """Write files; the suffix says of what kind: .nc, .zarr, .svg, .pdf, .png, .ply, .glb, .json."""
         self._show("save", paths=paths)
 
     def __repr__(self) -> str:

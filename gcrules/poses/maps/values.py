@@ -179,6 +179,7 @@ class LegsTask(HoldsArrays):
             "angles": [str(c) for c in g.angles],
             "over": [a.text for a in g.axes],
             "measure": self.measure,
+            "superbracket": self.condition.expression,
             "limits": self.limits.to_json() if self.limits else None,
             "layers": self.layers,
         }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
 from typing import Any
 
 from gcrules.core.dataclass import dataclass
@@ -13,8 +14,8 @@ from gcrules.core.errors import InputError
 from gcrules.core.files import check_target, replacing
 from gcrules.core.frozen import FrozenMap
 from gcrules.poses.maps.report import SingularMap
-from gcrules.poses.maps.store import written
-from gcrules.views.plots.map_data import netcdf
+from gcrules.poses.tiles.store import written
+from gcrules.views.plots.map_data import netcdf, tiles
 from gcrules.views.plots.map_meshes import glb, ply
 
 __all__ = ["MAP_FORMATS", "MapFormat", "check_outputs", "save"]
@@ -27,13 +28,15 @@ _Write = Callable[[SingularMap, str], None]
 @dataclass(frozen=True)
 class MapFormat:
     """A kind of file: `write` makes a new file of this name. `needs` are libraries with what needs them, `in_space`
-    those that maps over three coordinates need too; a `surface` is of such maps only.
+    those that maps over three coordinates need too; a `surface` is of such maps only. A `folder` is kept as it grows,
+    and `write` takes its own name.
     """
 
     write: _Write
     needs: tuple[tuple[str, str], ...] = ()
     in_space: tuple[tuple[str, str], ...] = ()
     surface: bool = False
+    folder: bool = False
 
 
 def _data(made: Callable[[SingularMap], bytes]) -> _Write:
@@ -66,6 +69,7 @@ _HDF = (("h5netcdf", "NetCDF files need h5netcdf"), ("h5py", "NetCDF files need 
 MAP_FORMATS: Mapping[str, MapFormat] = FrozenMap(
     {
         ".nc": MapFormat(netcdf, _HDF),
+        ".zarr": MapFormat(tiles, (("zarr", "stores of tiles need zarr"),), folder=True),
         ".svg": _picture("svg"),
         ".pdf": _picture("pdf"),
         ".png": _picture("png"),
@@ -110,8 +114,9 @@ def save(m: SingularMap, paths: Sequence[str]) -> None:
     """Write all files. Raises as `check_outputs`, and FileError for files that cannot be written."""
     check_outputs(paths, len(m.grid.axes))
     for path in paths:
+        form = MAP_FORMATS[_suffix(path)]
         try:
-            with replacing(path) as temporary:
-                MAP_FORMATS[_suffix(path)].write(m, temporary)
+            with nullcontext(path) if form.folder else replacing(path) as name:
+                form.write(m, name)
         except OSError as fault:
             raise written(fault, path) from None

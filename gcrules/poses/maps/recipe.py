@@ -1,0 +1,65 @@
+"""From what a map is planned anew, by another process or later: as JSON, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.load import Source
+from gcrules.mechanisms.mechanism import Mechanism
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.screws.pose import Pose
+
+__all__ = ["recipe_of", "robot_of"]
+
+
+def recipe_of(found: Mechanism, over: Any, at: Any, limits: str | None, measure: str) -> dict[str, Any]:
+    """From what the task is made anew, as JSON: the robot with its coordinates, and the options as they were given."""
+    return {
+        "kind": "grid map",
+        "robot": _described(found),
+        "about": _plain(getattr(found, "about", "centroid")),
+        "over": [axis if isinstance(axis, str) else axis.text for axis in over],
+        "at": at.text() if isinstance(at, Pose) else _plain(at),
+        "limits": limits,
+        "measure": measure,
+    }
+
+
+def _described(found: Mechanism) -> dict[str, Any]:
+    """A platform by its legs and points, a robot of joints by the text of its file and its home, which a mode may have
+    changed.
+    """
+    if isinstance(found, Limbs):
+        robot = found.robot
+        return {"id": robot.id, "text": robot.text, "home": _plain(robot.home)}
+    assert isinstance(found, SixLegs)
+    p = found.platform
+    return {"legs": _plain(p.legs), "points": _plain(p.points), "title": p.title, "units": p.units}
+
+
+def robot_of(given: Mapping[str, Any]) -> Source:
+    if "text" not in given:
+        return {name: value for name, value in given.items() if value}
+    robot = parse_robot(given["text"], name=given["id"])
+    home = given["home"]
+    if home is None:
+        return robot
+    return replace(robot, home={n: (Fraction(x), Fraction(y), Fraction(z)) for n, (x, y, z) in home.items()})
+
+
+def _plain(value: Any) -> Any:
+    """A value as JSON has it, exact numbers as text."""
+    if isinstance(value, Mapping):
+        return {str(k): _plain(v) for k, v in value.items()}
+    if value is None or isinstance(value, (str, int, float)):
+        return value
+    if isinstance(value, Fraction):
+        return str(value)
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    return [_plain(v) for v in value] if isinstance(value, (list, tuple)) else str(value)
