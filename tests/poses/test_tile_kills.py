@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -11,6 +12,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -251,7 +253,7 @@ def test_parts_at_the_same_time(tmp_path: Path, undisturbed: dict[str, bytes]) -
 @pytest.fixture(scope="module")
 def cluster() -> Iterator[Any]:
     distributed = pytest.importorskip("distributed")
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster:
         yield cluster
 
 
@@ -279,16 +281,10 @@ def test_workers_that_do_not_share_the_disk(tmp_path: Path, cluster: Any, monkey
     task = Sines(GRID)
     store = TileStore.open(tmp_path / "map.zarr", task)
     elsewhere = TileStore(tmp_path / "elsewhere.zarr", store.layout)
-    monkeypatch.setattr("gcrules.poses.tiles.cluster.pickle.dumps", _of((task, elsewhere)))
+    job = pickle.dumps((task, elsewhere))
+    monkeypatch.setattr("gcrules.poses.tiles.cluster.pickle", SimpleNamespace(dumps=lambda _: job))
     with pytest.raises(InputError, match="does not find the store"):
         run(task, store, Running(scheduler=cluster.scheduler_address))
-
-
-def _of(value: Any) -> Callable[..., bytes]:
-    import pickle
-
-    data = pickle.dumps(value)
-    return lambda *_, **__: data
 
 
 def test_a_fault_of_a_tile_comes_back_from_the_cluster(tmp_path: Path, cluster: Any) -> None:

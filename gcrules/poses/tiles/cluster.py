@@ -85,7 +85,7 @@ def _wait(distributed: Any, running: set[Any]) -> set[Any]:
 def _client(distributed: Any, how: Running) -> Iterator[Any]:
     """A connection to the cluster, a new one where it is local."""
     if how.scheduler == "local":
-        options = {"threads_per_worker": 1, "processes": True, "dashboard_address": None}
+        options = {"threads_per_worker": 1, "processes": True, "dashboard_address": ":0"}
         with (
             distributed.LocalCluster(n_workers=how.workers or None, **options) as cluster,
             distributed.Client(cluster) as client,
