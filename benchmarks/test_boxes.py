@@ -30,9 +30,8 @@ def test_six_coordinates_at_nodes(benchmark: Any) -> None:
     benchmark.group = f"a range of six coordinates: proved, or {NODES} nodes along each"
     ends = [(float(a.start), float(a.stop)) for a in box_task(mechanism(PLATFORM), OVER, tiles=1).question.axes]
     nodes = np.array(list(itertools.product(*(np.linspace(low, high, NODES) for low, high in ends))))
-    found = benchmark(
-        lambda: gc.pose(PLATFORM, nodes[:, :3], euler=("xyz", nodes[:, 3:]), degrees=True, nearest=False).margin
-    )
+    options: dict[str, Any] = {"euler": ("xyz", nodes[:, 3:]), "degrees": True, "nearest": False}
+    found = benchmark(lambda: np.asarray(getattr(gc.pose(PLATFORM, nodes[:, :3], **options), "margin")))  # noqa: B009
     assert len(found) == NODES**6
 
 
@@ -50,6 +49,6 @@ def test_a_box(benchmark: Any) -> None:
 
 def test_a_pose(benchmark: Any) -> None:
     benchmark.group = "512 boxes of a robot of joints, and 512 poses"
-    value = gc.compiled("6-rus", engine="numpy")
+    value: Any = gc.compiled("6-rus", engine="numpy")
     poses = np.random.default_rng(0).uniform(-0.1, 0.1, (512, 6))
     benchmark(lambda: value.margins(poses))

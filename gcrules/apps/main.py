@@ -9,6 +9,7 @@ import sys
 
 from gcrules.core import interrupts  # what else is needed is imported when signals are heard
 from gcrules.core.deferred import deferred
+from gcrules.core.threads import with_one_thread
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ def main() -> NoReturn:
     """Answer the command line. A fault of gcrules itself shows its traceback and ends with code 70."""
     try:
         gc.set_threshold(_NEW_VALUES)
+        with_one_thread(os.environ)
         code = interrupts.run(_answered)
     except KeyboardInterrupt:  # it came before signals were heard
         code = _INTERRUPTED

@@ -14,8 +14,11 @@ from places import EXAMPLES
 
 import gcrules as gc
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.solve import free_coordinates
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.boxes.deciding import Boxes
+from gcrules.poses.boxes.forms import box_forms
 from gcrules.poses.boxes.report import BoxMap
 from gcrules.poses.boxes.task import BoxTask, box_task
 from gcrules.poses.boxes.taylor import models
@@ -131,7 +134,7 @@ class TestLegs:
         assert signs[False] != signs[True]
         assert crossed
         assert found.verdict == "singular"
-        assert "both signs" in found.text()
+        assert "Both signs" in found.text()
 
     def test_limits_of_lengths(self) -> None:
         over = ["x -300:300", "y -300:300", "z -500:200"]
@@ -327,3 +330,83 @@ def gc_axis(text: str) -> Any:
     from gcrules.poses.maps.axes import parse_axis
 
     return parse_axis(text)
+
+
+class TestTruth:
+    """What once was false."""
+
+    def test_both_signs_apart_by_limits_are_free(self) -> None:
+        found = answer("3-rpr", ["yaw 0:150 deg"], limits="q1 -0.26..9", tiles=4, boxes=4000)
+        free, other, outside, crossed, undecided = found.summary.shares
+        assert free
+        assert other
+        assert outside
+        assert (crossed, undecided) == (0, 0)
+        assert found.verdict == "free"
+        assert "or poses that are not reached within the limits" in found.text().replace("\n", " ").replace("   ", " ")
+
+    def test_a_singular_pose_beyond_the_limits_is_none(self) -> None:
+        found = answer(
+            "3-rpr", ["yaw 15.713425:18.213425 deg"], limits="q1 -0.257031..-0.244350", tiles=1, boxes=1
+        )  # that at 17.7134 deg has q1 = -0.267
+        assert found.summary.shares[3] == 0
+
+    def test_where_reach_is_not_seen_nothing_is_crossed_or_inside(self) -> None:
+        """The wrenches of these robots are told by the platform alone, whether their elbows reach or not."""
+        far = ["x -4.0625:-3.75", "y -2.8125:-2.5", "z -2.1875:-1.875"]
+        assert answer("3-uru", far, tiles=1, boxes=1).summary.shares[3] == 0
+        found = answer("quadrupteron", ["x 1.5:2", "y -1.5:-1", "yaw 60:88 deg"], limits="actuators -5..5", tiles=1)
+        assert not any(found.leaves(0).inside)
+
+    def test_reach_is_seen(self) -> None:
+        """Of robots whose links are placed by roots, or whose limbs stretch; and Newton's method agrees."""
+        seen = {
+            name: box_forms(m, free_coordinates(m.linkage)).reached
+            for name in ("6-rus", "delta", "3-rps", "3-rpr", "gough-stewart", "3-uru", "quadrupteron")
+            for m in (mechanism(name),)
+            if isinstance(m, Limbs)
+        }
+        assert [name for name, known in seen.items() if not known] == ["3-uru", "quadrupteron"]
+
+    def test_regular_matrices_have_a_sign_however_small(self) -> None:
+        legs = str(EXAMPLES / "platform-6-6.yaml")
+        found = answer(legs, ["z 1999:2000", "yaw -100:100 deg"], tiles=2, boxes=511)
+        rig = mechanism(legs).six_legs().rig
+        for tile in range(found.task.number):
+            leaves = found.leaves(tile)
+            for k in np.flatnonzero(leaves.status == 0):
+                z, yaw = leaves.boxes.middles[k]
+                c, s = np.cos(yaw), np.sin(yaw)
+                turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+                ends = rig.arms @ turn.T + rig.centre_of_turns + np.array([0, 0, z])
+                here, home = exact_sign(ends, rig.base), exact_sign(rig.arms + rig.centre_of_turns, rig.base)
+                assert bool(leaves.negative[k]) == (here != home)
+
+    def test_bounds_are_not_rounded_up(self) -> None:
+        for start in np.linspace(-0.4, 0.4, 12):
+            found = answer("3-rpr", [f"x {start}:{start + 1e-9}"], margin=0.001, tiles=1, boxes=1)
+            if found.summary.bound is None:
+                continue
+            true = gc.compiled("3-rpr").margins([[start + t * 1e-9, 0, 0] for t in np.linspace(0, 1, 5)])
+            assert found.summary.bound <= true.min() + 1e-13
+
+
+def exact_sign(ends: np.ndarray, base: np.ndarray) -> int:
+    """Of the determinant in Fractions, of floats as the numbers that they are."""
+    rows = []
+    for p, b in zip(ends.tolist(), base.tolist(), strict=True):
+        f = [Fraction(x) - Fraction(y) for x, y in zip(p, b, strict=True)]
+        q = [Fraction(c) for c in b]
+        rows.append([*f, q[1] * f[2] - q[2] * f[1], q[2] * f[0] - q[0] * f[2], q[0] * f[1] - q[1] * f[0]])
+    sign = 1
+    for k in range(6):
+        pivot = next((r for r in range(k, 6) if rows[r][k]), None)
+        if pivot is None:
+            return 0
+        if pivot != k:
+            rows[k], rows[pivot], sign = rows[pivot], rows[k], -sign
+        for r in range(k + 1, 6):
+            factor = rows[r][k] / rows[k][k]
+            rows[r] = [a - factor * c for a, c in zip(rows[r], rows[k], strict=True)]
+        sign *= 1 if rows[k][k] > 0 else -1
+    return sign

@@ -15,6 +15,7 @@ from typing import Any
 from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.wire import Job, Tell, framed, read_frame
 from gcrules.core.errors import EngineFault, GcrulesError, LimitReached
+from gcrules.core.threads import with_one_thread
 
 __all__ = ["Pool", "WorkerFault"]
 
@@ -88,11 +89,12 @@ class Pool:
             self.idle.append(await self._start())
 
     async def _start(self) -> Process:
-        quiet = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+        environment = dict(os.environ)
+        with_one_thread(environment)
         process = await asyncio.create_subprocess_exec(
             sys.executable, "-m", "gcrules.apps.studio.worker",
             stdin=PIPE, stdout=PIPE, stderr=None if _DEBUG else DEVNULL,
-            env={**os.environ, **quiet}, limit=_MOST, start_new_session=True,
+            env=environment, limit=_MOST, start_new_session=True,
         )  # fmt: skip
         self.all.add(process)
         return process

@@ -12,6 +12,8 @@ positive, and t the least with |x| ≤ t v, some vᵢ ≤ (A v)ᵢ + m |v| ℓ�
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -32,6 +34,7 @@ Places = NDArray[np.intp]
 _BLOCK = 512
 _POWERS = 4  # of a matrix: they bring a vector near to the one by which its radius is bounded best
 _ROUNDING = 1e-12  # of an inverse and of products with it, in parts of their terms
+_APART = 1e-6  # of the lengths of a limb's wrenches: nearer to dependent ones no bound is told
 _CERTAIN = 1e-9  # of the product of the rows' lengths: smaller determinants have no sign
 _WIDE = 1e12  # of amounts that have no bound
 
@@ -101,52 +104,45 @@ class Decider:
         return Decided(*(np.concatenate([getattr(p, f) for p in parts]) for f in Decided.__dataclass_fields__))
 
     def _block(self, boxes: Boxes) -> Decided:
-        number = len(boxes)
-        outside, inside = np.zeros(number, dtype=bool), np.ones(number, dtype=bool)
-        if self.limits is not None:
-            outside, inside = self._kept(self.limits, self._models(self.forms.actuators, boxes))
         found = self._models(self.forms.wrenches, boxes)
-        outside |= found.unreached
+        outside, inside = self._kept(found, boxes)
         free, signs, influence = self._regular(found, outside)
-        margins, bounds = np.full(number, np.nan), np.full(number, np.nan)
+        margins, bounds = np.full(len(boxes), np.nan), np.full(len(boxes), np.nan)
         if (some := np.flatnonzero(free)).size:
             margins[some], bounds[some], more = self._margins(boxes[some])
             if self.margin > 0:
                 enough = bounds[some] >= self.margin
                 free[some] = enough
                 influence[:, some] = np.where(enough, influence[:, some], more)
-        idle = ~(np.nan_to_num(influence).max(axis=0) > 0)
-        sides = np.where(
-            idle, np.argmax(boxes.halves / self.weights, axis=1), np.argmax(np.nan_to_num(influence), axis=0)
-        )
-        return Decided(free, outside, inside & ~outside, signs, margins, bounds, sides)
+        counts = np.nan_to_num(influence)
+        idle = ~(counts.max(axis=0) > 0)
+        sides = np.where(idle, np.argmax(boxes.halves / self.weights, axis=1), np.argmax(counts, axis=0))
+        return Decided(free, outside, inside, signs, margins, bounds, sides)
 
     def crossed(self, boxes: Boxes) -> Truths:
-        """In which boxes (N,) there certainly is a singular pose: the wrenches are continuous in all of them and their
-        determinant has both signs; or, with a margin asked for, where the middle does not keep it.
+        """In which boxes (N,), all of whose poses are reached within the limits, there certainly is a singular pose: the
+        wrenches are continuous in all of them, and their determinant has both signs; or, with a margin asked for, where
+        the middle does not keep it.
         """
         found = np.zeros(len(boxes), dtype=bool)
-        if not len(boxes):
-            return found
-        if self.margin > 0:
-            found |= np.nan_to_num(self._margins_at(boxes.middles), nan=1.0) < self.margin * (1 - _CERTAIN)
-        if len(self.forms.wrenches.results) != self.forms.columns**2:
-            return found
         for start in range(0, len(boxes), _BLOCK):
             checkpoint()
             some = np.arange(start, min(start + _BLOCK, len(boxes)))
             m = self._models(self.forms.wrenches, boxes[some])
-            some = some[m.exists & np.isfinite(m.terms).all(axis=(0, 1))]
-            if len(some):
-                found[some] |= self._changes(boxes[some])
+            some = some[self._kept(m, boxes[some])[1] & np.isfinite(m.terms).all(axis=(0, 1))]
+            if len(some) and self.forms.entries == self.forms.columns**2:
+                found[some] = self._changes(boxes[some])
+            if len(some) and self.margin > 0:
+                margins = np.nan_to_num(self._margins_at(boxes.middles[some]), nan=1.0)
+                found[some] |= margins < self.margin * (1 - _CERTAIN)
         return found
 
     def sign_at(self, coordinates: Floats) -> int:
-        """The sign of the determinant at one place (n,) of all coordinates of the forms; 0 where it has none."""
-        rows = self._rows(run(self.forms.wrenches, "numpy", coordinates[None]))
-        if rows.shape[1] != rows.shape[2] or not np.isfinite(rows).all():
-            return 0
-        return int(_signs(rows)[0])
+        """The sign of the determinant at one place (n,) of all coordinates of the forms; 0 where it is not known."""
+        place = Boxes(coordinates[None, :1], np.zeros((1, 1)))
+        decider = replace(self, centre=tuple(coordinates.tolist()), free=(0,), weights=(1.0,), limits=None, margin=0.0)
+        found = decider._models(self.forms.wrenches, place)
+        return int(decider._regular(found, np.zeros(1, dtype=bool))[1][0])
 
     def _inputs(self, middles: Floats) -> Floats:
         found = np.tile(np.array(self.centre), (len(middles), 1))
@@ -160,8 +156,9 @@ class Decider:
         return models(program, self._inputs(boxes.middles), halves, self.free)
 
     def _rows(self, values: Floats) -> Floats:
-        """Matrices (N, rows, columns) of values (rows × columns, N)."""
-        return np.ascontiguousarray(values.T).reshape(values.shape[1], -1, self.forms.columns)
+        """Matrices (N, rows, columns) of values (rows × columns, N) and what follows them."""
+        entries = values[: self.forms.entries]
+        return np.ascontiguousarray(entries.T).reshape(values.shape[1], -1, self.forms.columns)
 
     def _regular(self, found: Models, aside: Truths) -> tuple[Truths, NDArray[np.int8], Floats]:
         """Where all wrenches of a box have full rank, the sign of the determinant there, and by how much each
@@ -173,12 +170,11 @@ class Decider:
         known = found.exists & ~aside & np.isfinite(found.rest).all(axis=0) & np.isfinite(found.terms).all(axis=(0, 1))
         if not known.any():
             return free, signs, influence
-        whole = _Matrices.of(found, known, self.forms.columns)
-        radius, shares = whole.radius(n)
+        whole = _Matrices.of(found, known, self.forms.entries, self.forms.columns)
+        radius, influence[:, known] = whole.radius(n)
         free[known] = radius < 1
-        if whole.middles.shape[1] == whole.middles.shape[2]:
-            signs[known] = np.where(radius < 1, _signs(whole.middles), 0)
-        influence[:, known] = shares
+        if whole.middles.shape[1] == whole.middles.shape[2]:  # the proof has room for what the middle is rounded by
+            signs[known] = np.where(radius < 1, np.linalg.slogdet(whole.middles)[0], 0)
         return free, signs, influence
 
     def _margins(self, boxes: Boxes) -> tuple[Floats, Floats, Floats]:
@@ -192,7 +188,7 @@ class Decider:
         known = rows.exists & np.isfinite(rows.rest).all(axis=0) & np.isfinite(margins)
         known &= np.isfinite(rows.terms).all(axis=(0, 1)) & np.isfinite(products.rest).all(axis=0)
         if known.any():
-            whole = _Matrices.of(rows, known, self.forms.columns)
+            whole = _Matrices.of(rows, known, self.forms.entries, self.forms.columns)
             lengths, longer = self._lengths(
                 products.terms[:, 0, known], products.radii[:, known], products.centres[:, known]
             )
@@ -227,7 +223,7 @@ class Decider:
             middle, far, centre = (
                 np.moveaxis(c[at : at + k * k].reshape(k, k, number), -1, 0) for c in (products, radii, centres)
             )
-            fine = np.linalg.eigvalsh(middle)[:, 0] > _ROUNDING * np.trace(middle, axis1=1, axis2=2)
+            fine = np.linalg.eigvalsh(middle)[:, 0] > _APART * np.trace(middle, axis1=1, axis2=2)
             back = np.linalg.inv(np.linalg.cholesky(np.where(fine[:, None, None], middle, np.eye(k))))
             changed = np.abs(back @ centre @ np.swapaxes(back, 1, 2)) + np.abs(back) @ far @ np.abs(
                 np.swapaxes(back, 1, 2)
@@ -235,21 +231,26 @@ class Decider:
             longest = np.where(fine, np.maximum(longest, changed.sum(axis=2).max(axis=1)), np.inf)
             found[:, row : row + k, row : row + k] = back
             at, row = at + k * k, row + k
-        return found, np.sqrt(longest) * (1 + _ROUNDING)
+        return found, np.sqrt(longest) * (1 + _CERTAIN)
 
-    def _kept(self, limits: LengthLimits, found: Models) -> tuple[Truths, Truths]:
-        """Where no pose keeps to the limits, or none is reached, and where all do."""
-        low, high = found.ranges()
-        outside, inside = found.unreached.copy(), found.exists.copy()
+    def _kept(self, found: Models, boxes: Boxes) -> tuple[Truths, Truths]:
+        """Where no pose is reached within the limits, and where all are; by the models of the wrenches."""
+        outside, inside = found.unreached.copy(), found.exists & self.forms.reached
+        limits = self.limits
+        if limits is None:
+            return outside, inside & ~outside
+        driven = self._models(self.forms.actuators, boxes)
+        outside |= driven.unreached
+        low, high = driven.ranges()
         row = 0
         for k, turns in enumerate(self.forms.turns):
             least, most = limits.low[k], limits.high[k]
-            if turns:
-                away, within = _turned(found, row, least, most)
-            else:
-                away = (high[row] < least) | (low[row] > most)
-                within = (low[row] >= least) & (high[row] <= most)
             if np.isfinite(least) or np.isfinite(most):
+                if turns:
+                    away, within = _turned(driven, row, least, most)
+                else:
+                    away = (high[row] < least) | (low[row] > most)
+                    within = (low[row] >= least) & (high[row] <= most)
                 outside |= away
                 inside &= within
             row += 1 + turns
@@ -284,12 +285,14 @@ class _Matrices:
     rest: Floats
 
     @classmethod
-    def of(cls, found: Models, known: Truths, columns: int) -> _Matrices:
-        """The models of some boxes as matrices with so many columns, of which squares are from −1/2 to 1/2."""
+    def of(cls, found: Models, known: Truths, entries: int, columns: int) -> _Matrices:
+        """The first models of some boxes as matrices with so many columns, of which squares are from −1/2 to 1/2."""
         n, number = len(found.influence), int(known.sum())
         count = found.terms.shape[1]
-        terms = np.ascontiguousarray(found.terms[:, :, known].transpose(2, 1, 0)).reshape(number, count, -1, columns)
-        rest = np.ascontiguousarray(found.rest[:, known].T).reshape(number, -1, columns)
+        terms = np.ascontiguousarray(found.terms[:entries, :, known].transpose(2, 1, 0)).reshape(
+            number, count, -1, columns
+        )
+        rest = np.ascontiguousarray(found.rest[:entries, known].T).reshape(number, -1, columns)
         changes = terms[:, 1:]
         changes[:, n : 2 * n] /= 2
         return cls(terms[:, 0] + changes[:, n : 2 * n].sum(axis=1), changes, rest)

@@ -12,7 +12,7 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.leg_programs import balanced_leg_lines, leg_lengths, plain_leg_wrenches
-from gcrules.poses.compiling.limb_programs import wrench_programs
+from gcrules.poses.compiling.limb_programs import wrench_forms
 from gcrules.poses.compiling.limb_wrenches import BalancedLines
 from gcrules.poses.compiling.roads import check_finite
 from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
@@ -26,10 +26,10 @@ __all__ = ["BoxForms", "box_forms"]
 class BoxForms:
     """Programs of a mechanism's coordinates, angles in rad.
 
-    `wrenches` has the entries of a matrix of so many `columns`, row by row, with the rank of the platform's wrenches;
-    `lines` are the same in the balance in which margins are measured. `actuators` has for each of them the cosine and
-    the sine of
-    its turn from home, or a length, as `turns` says; None where it has no closed form.
+    `wrenches` has the entries of a matrix of so many `columns`, row by row, with the rank of the platform's wrenches,
+    and then roots that have to exist; `lines` are the same wrenches in the balance in which margins are measured.
+    `actuators` has for each of them the cosine and the sine of its turn from home, or a length, as `turns` says; None
+    where it has no closed form. `reached` says that a pose is reached wherever the roots exist.
     """
 
     wrenches: Program
@@ -37,6 +37,12 @@ class BoxForms:
     actuators: Program | None
     columns: int
     turns: tuple[bool, ...]
+    reached: bool
+
+    @property
+    def entries(self) -> int:
+        """How many of the values of `wrenches` are those of the matrix."""
+        return sum(self.lines.groups) * self.columns
 
 
 def turned_by(angle: Ring) -> tuple[Ring, Ring]:
@@ -54,18 +60,18 @@ def _of_legs(m: SixLegs, _: tuple[str, ...]) -> BoxForms:
     check_finite(m.analysis.structure)
     graph = Graph(6)
     wrenches, lines = plain_leg_wrenches(m, graph, turned_by), balanced_leg_lines(m, graph, turned_by)
-    return BoxForms(wrenches, lines, leg_lengths(m, graph, turned_by), 6, (False,) * 6)
+    return BoxForms(wrenches, lines, leg_lengths(m, graph, turned_by), 6, (False,) * 6, True)
 
 
 def _of_limbs(m: Limbs, names: tuple[str, ...]) -> BoxForms:
-    found = wrench_programs(m, Target(names, np.zeros(len(names)), text="home"), turned_by)
+    found = wrench_forms(m, Target(names, np.zeros(len(names)), text="home"), turned_by)
     if found is None:
         raise InputError(
             f"the wrenches of {m.robot.id} have no closed form in {listed(names)} that is known here",
             hint="a map over nodes (with a number in each range), gcrules free and gcrules path do without",
         )
-    forms, plain, lines = found
-    return BoxForms(plain, lines, forms.actuators, forms.columns, forms.turns)
+    forms = found.checked
+    return BoxForms(found.plain, found.lines, forms.actuators, forms.columns, forms.turns, found.reached)
 
 
 _FORMS: Methods[BoxForms] = {SixLegs: _of_legs, Limbs: _of_limbs}

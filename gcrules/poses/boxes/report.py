@@ -64,13 +64,13 @@ class BoxMap(HoldsArrays, Shown):
 
     @property
     def verdict(self) -> str:
-        """free: no pose of the range is singular, proved; singular: one certainly is, or both signs of the determinant
-        occur, so that no way leads from one to the other without one; else undecided.
+        """free: no pose of the range that is reached within the limits is singular, proved; outside: none is reached;
+        singular: one certainly is; else undecided.
         """
-        free, other, _, crossed, undecided = self.summary.shares
-        if crossed or (other and free):
+        free, other, outside, crossed, undecided = self.summary.shares
+        if crossed or (free and other and not outside):  # between both signs lies a singular pose
             return "singular"
-        return "undecided" if undecided else "free"
+        return "undecided" if undecided else "free" if free or other else "outside"
 
     def status(self, place: Sequence[float]) -> str:
         """What is proved of a pose, given by its coordinates in the units of the axes: free, crossed, undecided or
@@ -86,8 +86,8 @@ class BoxMap(HoldsArrays, Shown):
             min(int((c - float(a.start)) / float(a.step)), a.number - 2) for a, c in zip(self.axes, at, strict=True)
         ]
         leaves = self.leaves(int(np.ravel_multi_index(index, self.task.grid)))
-        off = np.abs(leaves.boxes.middles - at * self.task.units) / leaves.boxes.halves
-        return MEANINGS[int(leaves.status[int(np.argmin(off.max(axis=1)))])]
+        beyond = np.abs(leaves.boxes.middles - at * self.task.units) - leaves.boxes.halves
+        return MEANINGS[int(leaves.status[int(np.argmin((beyond / self.task.question.weights).max(axis=1)))])]
 
     def boxes(self, status: str | None = None) -> Iterator[tuple[Floats, Floats, Floats]]:
         """The boxes of a status, or all, tile by tile: their lower and upper ends (N, axes), in the units of the axes,

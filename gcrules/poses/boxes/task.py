@@ -35,8 +35,9 @@ Floats = NDArray[np.float64]
 
 KIND = "map of boxes"
 SHARES = ("free", "free with the other sign", "outside", "crossed", "undecided")
-"""What parts of a tile are: free of singular poses, with the sign of the determinant that it has at home (or without
-one), or with the other one; reached nowhere within the limits; boxes that hold a singular pose; neither proved."""
+"""What parts of a tile are: free of singular poses, with the sign of the determinant that it has at home (where home is
+singular the positive one; or without one, with more wrenches than freedoms), or with the other one; reached nowhere
+within the limits; boxes that hold a singular pose; neither proved."""
 
 
 MOST_BOXES = 1_000_000
@@ -89,9 +90,9 @@ class BoxTask(HoldsArrays):
         return (
             array("tree", "uint8", (("box", self.boxes),), long_name="boxes of a tile, level by level", comment=_TREE),
             array("share", "float64", (("status", len(SHARES)),), long_name="share of the tile", units="1"),
-            array("margin", "float32", long_name="least margin sigma in the middle of a free box", units="1"),
+            array("margin", "float64", long_name="least margin sigma in the middle of a free box", units="1"),
             array("place", "float64", (("coordinate", n),), long_name="where that is, in the units of the coordinates"),
-            array("bound", "float32", long_name="proved: sigma is at least this in all free boxes", units="1"),
+            array("bound", "float64", long_name="proved: sigma is at least this in all free boxes", units="1"),
         )
 
     @property
@@ -135,8 +136,8 @@ class BoxTask(HoldsArrays):
 
     @cached_property
     def home(self) -> int:
-        """The sign of the determinant at home; 0 where there is none."""
-        return self.decider.sign_at(np.zeros(len(self.question.names)))
+        """The sign of the determinant at home; 1 where there is none."""
+        return self.decider.sign_at(np.zeros(len(self.question.names))) or 1
 
     def check(self) -> None:
         """Raises InputError where the mechanism, or its limits, have no closed form."""
@@ -149,9 +150,9 @@ class BoxTask(HoldsArrays):
         return {
             "tree": self.padded(found.codes),
             "share": shares_of(self.leaves(found.codes, tile)).reshape(*one, -1),
-            "margin": np.full(one, found.margin, np.float32),
+            "margin": np.full(one, found.margin),
             "place": (found.place / self.units).reshape(*one, -1),
-            "bound": np.full(one, found.bound, np.float32),
+            "bound": np.full(one, found.bound),
         }
 
     def padded(self, codes: NDArray[np.uint8]) -> NDArray[np.uint8]:

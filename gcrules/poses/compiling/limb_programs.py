@@ -12,6 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.seeds import drawn
 from gcrules.mechanisms.kinematics.coordinates import principal
 from gcrules.mechanisms.kinematics.margin import kept_axes, margins
@@ -22,6 +23,7 @@ from gcrules.poses.compiling.closed_forms import ClosedForms, run
 from gcrules.poses.compiling.limb_amounts import amounts
 from gcrules.poses.compiling.limb_factors import traced_factors
 from gcrules.poses.compiling.limb_places import LimbPlaces
+from gcrules.poses.compiling.limb_reach import placing_roots, reach_is_seen
 from gcrules.poses.compiling.limb_wrenches import BalancedLines, balanced_lines, balanced_wrenches, plain_wrenches
 from gcrules.poses.compiling.roots import NoForm, cosine_and_sine
 from gcrules.poses.compiling.scalars import Ring
@@ -30,7 +32,7 @@ from gcrules.poses.compiling.turns import TurnedBy
 from gcrules.poses.limbs.many import Solved, proved_at
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["limb_programs", "solved_near_home", "wrench_programs"]
+__all__ = ["limb_programs", "solved_near_home", "wrench_forms"]
 
 _POSES = 24  # from which closed forms are found, and as many with which they are compared
 _REACHES = (0.1, 0.02, 0.005)  # in parts of the robot's size, and rad
@@ -46,15 +48,31 @@ def limb_programs(m: Limbs, target: Target) -> ClosedForms:
     return _checked(replace(_wrenches_and_actuators(m, places), factors=factors), target, m)
 
 
-def wrench_programs(m: Limbs, target: Target, turned_by: TurnedBy) -> tuple[ClosedForms, Program, BalancedLines] | None:
-    """The programs of the margin and of the actuators, checked likewise, with the `plain_wrenches` and the
-    `balanced_lines`; `turned_by` makes cosines and sines of angles. None where the wrenches have no closed form.
+@dataclass(frozen=True)
+class WrenchForms:
+    """What the closed forms of a robot tell of its wrenches and limbs: `checked` programs of the margin and of the
+    actuators, the `plain` wrenches, followed by all roots that place links, and the balanced `lines`; whether every
+    limb reaches a pose in which these roots exist.
+    """
+
+    checked: ClosedForms
+    plain: Program
+    lines: BalancedLines
+    reached: bool
+
+
+def wrench_forms(m: Limbs, target: Target, turned_by: TurnedBy) -> WrenchForms | None:
+    """The wrenches over coordinates of the platform; `turned_by` makes cosines and sines of angles. None where they
+    have no closed form.
     """
     places = _places(m, target, turned_by)
     if places is None:
         return None
+    roots, reached = placing_roots(m, places), reach_is_seen(m, places)
     found = _checked(_wrenches_and_actuators(m, places), target, m)
-    return (found, plain_wrenches(m, places), balanced_lines(m, places)) if found.wrenches else None
+    if found.wrenches is None:
+        return None
+    return WrenchForms(found, plain_wrenches(m, places, roots), balanced_lines(m, places), reached)
 
 
 def _none(m: Limbs) -> ClosedForms:

@@ -94,9 +94,9 @@ def dot_rows(one: Row, other: Row) -> Ring:
     return total(a * b for a, b in zip(one, other, strict=True))
 
 
-def plain_wrenches(m: Limbs, places: LimbPlaces) -> Program:
+def plain_wrenches(m: Limbs, places: LimbPlaces, more: Sequence[Ring] = ()) -> Program:
     """The entries of the same wrenches, row by row, as the lines are: of any length, about one point, seen from the
-    platform or from the base, whichever takes fewer operations. Raises NoForm, too.
+    platform or from the base, whichever takes fewer operations; and then what `more` is wanted. Raises NoForm, too.
     """
     keep = kept_axes(m.linkage)
     found = []
@@ -104,7 +104,7 @@ def plain_wrenches(m: Limbs, places: LimbPlaces) -> Program:
         rows = [
             _line(see, places, line.ends, origin) for limb in m.analysis.structure.limbs for line in _lines_of(limb)
         ]
-        found.append(lower(places.graph, *(row[n] for row in rows for n in keep)))
+        found.append(lower(places.graph, *(row[n] for row in rows for n in keep), *more))
     return min(found, key=lambda program: program.operations)
 
 

@@ -7,7 +7,6 @@ it was is given to another one. Where this process ends, however it does, the wo
 
 from __future__ import annotations
 
-import os
 import pickle
 import signal
 from collections.abc import Iterator
@@ -19,6 +18,7 @@ from typing import Any
 from gcrules.core.budget import checkpoint, within
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, LimitReached
+from gcrules.core.threads import one_thread
 from gcrules.poses.tiles.how import Progress, Running
 from gcrules.poses.tiles.store import TileStore, keep
 from gcrules.poses.tiles.task import TileTask
@@ -28,7 +28,6 @@ __all__ = ["by_workers"]
 _DEATHS = 3
 """So many workers may be killed at one tile before it is given up."""
 _LOOK = 0.2  # seconds between two looks at the budgets
-_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 @dataclass
@@ -90,7 +89,7 @@ def _started(job: bytes) -> _Worker:
     context = get_context("spawn")
     ours, theirs = context.Pipe()
     process = context.Process(target=_work, args=(theirs, job), daemon=True)
-    with _quiet(), _one_thread():
+    with _quiet(), one_thread():
         process.start()
     theirs.close()  # so that its end is seen here
     return _Worker(process, ours)
@@ -118,18 +117,6 @@ def _quiet() -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
-
-
-@contextmanager
-def _one_thread() -> Iterator[None]:
-    """Each worker has one thread for linear algebra, unless the user said otherwise."""
-    added = [name for name in _THREADS if name not in os.environ]
-    os.environ.update(dict.fromkeys(added, "1"))
-    try:
-        yield
-    finally:
-        for name in added:
-            del os.environ[name]
 
 
 def _work(theirs: Connection, job: bytes) -> None:

@@ -33,22 +33,27 @@ def _lines(m: BoxMap) -> Iterator[str]:
 def verdict(m: BoxMap) -> str:
     """The answer in one sentence."""
     free, other, outside, crossed, undecided = m.summary.shares
-    if outside == 1:
-        return f"Proved: no pose of this range is reached{' within the limits' if m.task.question.limits else ''}."
-    pose = "pose of this range" + (" that is reached within the limits" if m.task.question.limits else "")
+    q = m.task.question
+    reached = "reached within the limits" if q.limits else "reached"
+    pose = "pose of this range" + (f" that is {reached}" if outside or q.limits else "")
     least = f", and the margin is {m.task.margin:g} at least" if m.task.margin else ""
+    parted = (
+        f" Both signs of the determinant occur ({_percent(free)} and {_percent(other)}): every way from one to the "
+        f"other passes a singular pose{f', or poses that are not {reached}' if q.limits or q.mode == LIMB_MODE else ''}."
+        if free and other
+        else ""
+    )
     match m.verdict:
+        case "outside":
+            return f"Proved: no pose of this range is {reached}."
         case "free":
-            return f"Proved: no {pose} is singular{least}."
+            return f"Proved: no {pose} is singular{least}.{parted}"
         case "undecided":
-            return f"No singular pose was found; {_percent(undecided)} of the range is undecided, the rest proved."
-    if free and other:
-        return (
-            f"Poses with both signs of the determinant lie in this range ({_percent(free)} and {_percent(other)}): "
-            "every way from one to the other passes a singular pose, or poses that are not reached."
-        )
+            return f"No singular pose was found, but {_percent(undecided)} of the range is undecided.{parted}"
+    if not crossed:
+        return f"This range is not free: there is a singular pose in what is undecided.{parted}"
     bad = f"singular, or has a margin below {m.task.margin:g}" if m.task.margin else "singular"
-    return f"This range is not free: boxes of {_percent(crossed)} of it hold a pose that is {bad}."
+    return f"This range is not free: boxes of {_percent(crossed)} of it hold a pose that is {bad}.{parted}"
 
 
 def _asked(m: BoxMap) -> Iterator[tuple[str, str]]:
@@ -91,9 +96,9 @@ def _proof(m: BoxMap) -> Iterator[tuple[str, str]]:
         "in a free box the wrenches hold the platform at all poses, by Taylor models of second order with bounds of "
         "all that they leave out and of rounding"
     )
-    if m.task.question.mode == LIMB_MODE:
-        words += "; their closed forms agree with the joints at poses at random"
     yield "proof", f"{words}."
+    if m.task.question.mode == LIMB_MODE:
+        yield "check", "the closed forms of the wrenches agree with the joints at poses at random"
 
 
 def _percent(share: float) -> str:
