@@ -120,9 +120,9 @@ class Decider:
         return Decided(free, outside, inside, signs, margins, bounds, sides)
 
     def crossed(self, boxes: Boxes) -> Truths:
-        """In which boxes (N,), all of whose poses are reached within the limits, there certainly is a singular pose: the
-        wrenches are continuous in all of them, and their determinant has both signs; or, with a margin asked for, where
-        the middle does not keep it.
+        """In which boxes (N,), all of whose poses are reached within the limits, there certainly is a singular pose:
+        the wrenches are continuous in all of them, and their determinant has both signs; or, with a margin asked for,
+        where the middle does not keep it.
         """
         found = np.zeros(len(boxes), dtype=bool)
         for start in range(0, len(boxes), _BLOCK):

@@ -37,12 +37,13 @@ def verdict(m: BoxMap) -> str:
     reached = "reached within the limits" if q.limits else "reached"
     pose = "pose of this range" + (f" that is {reached}" if outside or q.limits else "")
     least = f", and the margin is {m.task.margin:g} at least" if m.task.margin else ""
+    beside = f", or poses that are not {reached}" if q.limits or q.mode == LIMB_MODE else ""
     parted = (
-        f" Both signs of the determinant occur ({_percent(free)} and {_percent(other)}): every way from one to the "
-        f"other passes a singular pose{f', or poses that are not {reached}' if q.limits or q.mode == LIMB_MODE else ''}."
-        if free and other
-        else ""
+        f" Both signs of the determinant occur ({_percent(free)} and {_percent(other)}): every way from one to the other "
+        f"passes a singular pose{beside}."
     )
+    if not (free and other):
+        parted = ""
     match m.verdict:
         case "outside":
             return f"Proved: no pose of this range is {reached}."
