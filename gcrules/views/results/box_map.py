@@ -39,8 +39,8 @@ def verdict(m: BoxMap) -> str:
     least = f", and the margin is {m.task.margin:g} at least" if m.task.margin else ""
     beside = f", or poses that are not {reached}" if q.limits or q.mode == LIMB_MODE else ""
     parted = (
-        f" Both signs of the determinant occur ({_percent(free)} and {_percent(other)}): every way from one to the other "
-        f"passes a singular pose{beside}."
+        f" Both signs of the determinant occur ({_percent(free)} and {_percent(other)}): every way from one to the "
+        f"other passes a singular pose{beside}."
     )
     if not (free and other):
         parted = ""
