@@ -133,6 +133,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "plan": {"source": PLATFORM, "start": "0 0 0", "goal": "0 0 1", "states": 2},
     "pose": {"source": PLATFORM, "at": "0 0 0", "nearest": False},
     "prove": {"claim": "[abcd] == [abcd]"},
+    "refine_map": {"store": "no.zarr", "output": "none.zarr"},
     "report": {"source": ANALYSIS, "interactive": False, "plan": ["home", "0 0 1"], "free": "ball"},
     "rewrite": {"e": "[aabc]", "rules": ["vanishing"]},
     "shorten": {"e": "[abcd]", "seconds": 1.0},

@@ -19,6 +19,19 @@ NOT_RUN = {
     ("README.md", "make demo     # makes .venv, installs, analyses the octahedral platform and writes its report"): (
         "targets of make; .ci/run goes through make test and make check"
     ),
+    (
+        "docs/boxes.md",
+        "gcrules map refine range.zarr -o finer.zarr                      # four times as many boxes",
+    ): ("tests/poses/test_boxes.py refines stores"),
+    (
+        "docs/boxes.md",
+        'gcrules map boxes 6-rus --over "x -0.4:0.4" --over "y -0.4:0.4" --over "z -0.4:0.4" \\',
+    ): ("it takes a quarter of an hour"),
+    (
+        "docs/map.md",
+        'gcrules map robot.yaml --over "x -200:200:2001" --over "y -200:200:2001" -o map.zarr --workers 8',
+    ): ("it takes long; tests/poses/test_tiles.py and test_tile_kills.py run such maps"),
+    ("docs/map.md", "#!/bin/sh"): "a job array; tests/poses/test_tile_kills.py computes parts",
     ("docs/rules.md", '[project.entry-points."gcrules.plugins"]'): "tests/outside is a package with such a table",
     ("docs/index.md", "make demo     # makes .venv, installs, analyses a platform and writes its report"): (
         "a target of make"

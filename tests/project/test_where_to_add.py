@@ -7,9 +7,10 @@ import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import click
+import numpy as np
 import pytest
 from commands import invoke
 from mechanisms.shipped_robots import GOOD
@@ -27,6 +28,10 @@ from gcrules.core.shown import Shown
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses import pose as methods
+from gcrules.poses.tiles.kinds import KINDS
+from gcrules.poses.tiles.running import run
+from gcrules.poses.tiles.store import TileStore
+from gcrules.poses.tiles.task import TiledArray
 from gcrules.screws import JOINTS
 from gcrules.screws.joints import JointKind
 from gcrules.screws.screw import prismatic_of, revolute_of
@@ -70,6 +75,7 @@ SHOWN_BY = {
     "a form of a result": "test_a_form_of_a_result",
     "a kind of answer": "test_a_kind_of_answer",
     "a language of exported code": "test_a_language_of_exported_code",
+    "a kind of task in tiles": "test_a_kind_of_task_in_tiles",
     "a file format of a map": "test_a_file_format_of_a_map",
     "a kind of mechanism": "test_a_kind_of_mechanism",
     "a command": "test_a_command",
@@ -228,6 +234,32 @@ def test_a_command(add: Add) -> None:
 
 def write_shape(m: gc.SingularMap, path: str) -> None:
     Path(path).write_text(f"{m.values('margin').shape}", encoding="utf-8")
+
+
+@dataclass(frozen=True)
+class Squares:
+    """A `TileTask`: the squares of numbers, three in a tile."""
+
+    number: int
+    manifest = property(lambda self: {"squares": self.number})
+    recipe = property(lambda self: {"kind": "squares", "number": self.number})
+    attrs: ClassVar[dict[str, Any]] = {"title": "squares"}
+    coordinates: ClassVar[tuple[Any, ...]] = ()
+    grid = property(lambda self: (-(-self.number // 3),))
+    arrays = property(lambda self: (TiledArray("square", ("n",), (self.number,), (3,), "int64"),))
+
+    def compute(self, tile: int) -> dict[str, Any]:
+        return {"square": np.arange(3 * tile, min(3 * tile + 3, self.number)) ** 2}
+
+
+def test_a_kind_of_task_in_tiles(add: Add, tmp_path: Path) -> None:
+    pytest.importorskip("zarr")
+    add(KINDS, "squares", lambda recipe: Squares(recipe["number"]))
+    store = TileStore.open(tmp_path / "squares.zarr", Squares(8))
+    run(Squares(8), store)
+    found = gc.verify_map(tmp_path / "squares.zarr", "all")
+    assert found.sound
+    assert found.complete
 
 
 def test_a_file_format_of_a_map(add: Add, tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ from gcrules.mechanisms.kinematics.solve import check_target
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism
+from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.map_task import coordinates_of
 from gcrules.poses.limits import LengthLimits, parse_limits
@@ -73,7 +74,11 @@ def question(m: Mechanism, over: Sequence[str | GridAxis], at: Any, limits: str 
     for a in axes:
         if a.unit in ("deg", "rad") and a.name in TURNS and float(a.stop - a.start) * _radians(a) > _ALL_ROUND:
             raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
-    return method(_QUESTION, m, "a map of whole boxes")(axes, at, limits)
+    found = method(_QUESTION, m, "a map of whole boxes")(axes, at, limits)
+    far = next((a for a in axes if a.name in TRANSLATION and max(-a.start, a.stop) > FAR * found.size), None)
+    if far is not None:
+        raise InputError(f"{far.name} goes more than {FAR:g} times the robot's size away", hint="check the unit")
+    return found
 
 
 def _radians(axis: GridAxis) -> float:
@@ -88,6 +93,8 @@ def _of_legs(m: SixLegs, axes: tuple[GridAxis, ...], at: Any, limits: str | None
     r = np.array(pose.rotation, dtype=np.float64)
     turns = (np.arctan2(r[2, 1], r[2, 2]), -np.arcsin(np.clip(r[2, 0], -1, 1)), np.arctan2(r[1, 0], r[0, 0]))
     values = tuple(float(c) + 0.0 for c in (*pose.translation, *turns))
+    if max(map(abs, values)) > FAR * m.rig.size:
+        raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
     reach = parse_limits(limits, m.actuators, m.unit) if limits is not None else None
     return Question(
         axes, (*TRANSLATION, *reversed(TURNS)), values, reach, m.rig.size, LEG_MODE, m.analysis.condition.sentence

@@ -16,7 +16,7 @@ inclusion methods, Int. J. Pure Appl. Math. 4 (2003); the remainders are derived
 >>> program = lower(graph, (x + y) * x, (x - 4).root())
 >>> found = models(program, np.array([[1.0, 2.0]]), np.array([[0.1, 0.2]]), (0, 1))
 >>> [[round(float(c), 9) for c in bounds[:, 0]] for bounds in found.ranges()]  # of x² + xy
-[[2.57, nan], [3.48, nan]]
+[[2.38, nan], [3.63, nan]]
 >>> bool(found.unreached[0])  # the root's argument is negative in all of the box
 True
 """

@@ -2,7 +2,7 @@ r"""The regions of the lengths of a robot's legs, in each of which the number of
 
 >>> found = length_regions("3-rpr")
 >>> found.decided, found.counts
-(True, {0: 4, 2: 4, 4: 6, 6: 1})
+(True, {0: 1, 2: 1, 4: 2})
 """
 
 from __future__ import annotations
