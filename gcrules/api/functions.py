@@ -304,6 +304,7 @@ def report(
     at: Any = None,
     limits: str | None = None,
     within: str | None = None,
+    margin: float = 0.0,
     about: str | Sequence[Any] = "centroid",
     threshold: Any = DEFAULT.text,
     modes: bool = False,
@@ -317,7 +318,8 @@ def report(
 
     `source` is what `load` takes. `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
     `path`, poses or the name of a table as `gcrules.path` takes them, adds the singular places on that path; `over`,
-    coordinates with their ranges as `gcrules.singular_map` takes them with `at` and `limits`, adds the map over them.
+    coordinates with their ranges as `gcrules.singular_map` takes them with `at` and `limits`, adds the map over them;
+    ranges without a number of nodes, as `gcrules.box_map` takes them with `margin` too, that of whole boxes.
     `modes` adds the assembly modes (`gcrules.assembly_modes`, `at` a pose), of a robot of joints its working and
     operation modes too; `aspects` its aspects (`gcrules.aspects`); `plan`, a start and a goal or a start alone, a way
     without a singularity (`gcrules.plan`); `free`, "box" or "ball", the largest one that is proved free of singular
@@ -330,6 +332,7 @@ def report(
         at=at,
         limits=limits,
         within=within,
+        margin=margin,
         about=about,
         threshold=threshold,
         modes=modes,

@@ -95,7 +95,7 @@ _ACTUATORS = either("amounts of the actuators: text, a mapping or numbers", TEXT
 _PATH = either("the name of a table, or a sequence of poses", FILE, listed("", _POSE))
 _ENDS = listed("a sequence of one pose or two", _POSE)
 _AXES = listed(
-    "a sequence of two or three coordinates with their ranges, as text",
+    "a sequence of coordinates with their ranges, as text",
     either("", TEXT, ArgumentKind("", _axis)),
     alone=True,
 )
@@ -253,6 +253,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "at": optional(_POSE),
         "limits": optional(TEXT),
         "within": optional(TEXT),
+        "margin": NUMBER,
         "about": _ABOUT,
         "threshold": _THRESHOLD,
         "modes": FLAG,

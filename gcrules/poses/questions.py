@@ -20,6 +20,8 @@ __all__ = ["SHAPES", "Questions", "Unanswered"]
 # each loads numpy, and is needed where it is asked for only
 path_of = deferred("gcrules.poses.path_report:path")
 map_of = deferred("gcrules.poses.maps.maps:singular_map")
+are_ranges = deferred("gcrules.poses.maps.axes:are_ranges")
+box_map = deferred("gcrules.poses.boxes.box_map:box_map")
 assembly_modes = deferred("gcrules.poses.modes.modes:assembly_modes")
 working_modes = deferred("gcrules.poses.modes.working:working_modes")
 operation_modes = deferred("gcrules.poses.operation_modes.operation_modes:operation_modes")
@@ -29,6 +31,12 @@ free_region = deferred("gcrules.poses.regions.free_region:free_region")
 
 SHAPES = ("box", "ball")
 """Those that a free region can have."""
+
+_TILES = (64, 16, 8, 2, 2, 2)
+_BOXES = 16_384
+"""Tiles along each coordinate, by the number of coordinates, and boxes in all of them, of whole ranges in a report:
+some seconds.
+"""
 
 
 @dataclass(frozen=True)
@@ -41,7 +49,8 @@ class Unanswered:
 
 @dataclass(frozen=True)
 class Questions:
-    """`path` are poses, or the name of a table; `over` the coordinates of a map; `modes` and `aspects` whether they are
+    """`path` are poses, or the name of a table; `over` the coordinates of a map over nodes, or of one of whole boxes
+    where they are ranges without a number, whose free poses have the `margin`; `modes` and `aspects` whether they are
     asked for; `plan` the start and the goal, or the start of a way out; `free` the shape of a free region, one of
     `SHAPES`. `at` is a pose: that of the modes and of the free region, and the rest of the map; `limits` are those of
     map, aspects and plan, `within` those of the last two.
@@ -52,6 +61,7 @@ class Questions:
     at: Any = None
     limits: str | None = None
     within: str | None = None
+    margin: float = 0.0
     about: Any = "centroid"
     threshold: Any = DEFAULT.text
     modes: bool = False
@@ -66,6 +76,8 @@ class Questions:
             raise InputError("a pose is that of a map, of modes or of a free region", hint=_NONE_OF_THEM)
         if self.limits is not None and not (mapped or self.aspects or planned):
             raise InputError("limits are those of a map, of aspects or of a plan", hint=_NONE_OF_THEM)
+        if not (mapped and are_ranges(self.over)) and self.margin:
+            raise InputError("a margin is that of a map of whole boxes", hint='give ranges without a number: "x -1:1"')
         if self.within is not None and not (self.aspects or planned):
             raise InputError("ranges of coordinates are those of aspects or of a plan", hint=_NONE_OF_THEM)
         if self.plan is not None and not 1 <= len(self.plan) <= 2:
@@ -87,7 +99,7 @@ class Questions:
         if self.path is not None:
             yield path_of(a, self.path, about=about, threshold=threshold)
         if self.over is not None:
-            yield map_of(a, self.over, self.at, about=about, limits=limits, threshold=threshold)
+            yield self._map(a)
         if self.modes:
             yield assembly_modes(a, self.at, about=about, threshold=threshold)
             if isinstance(a, RobotAnalysis):  # legs between two points have one working and one operation mode
@@ -98,6 +110,17 @@ class Questions:
             yield plan_of(a, *self.plan, about=about, limits=limits, within=self.within)
         if self.free:
             yield free_region(a, self.at, about=about, ball=self.free == "ball")
+
+    def _map(self, a: Analysis | RobotAnalysis) -> Any:
+        """Over nodes, or of whole boxes: what the coordinates are."""
+        if not are_ranges(self.over):
+            return map_of(a, self.over, self.at, about=self.about, limits=self.limits, threshold=self.threshold)
+        over = [self.over] if isinstance(self.over, str) else list(self.over or ())
+        tiles = _TILES[min(len(over), len(_TILES)) - 1]
+        boxes = max(_BOXES // tiles ** len(over) - 1, 1)
+        return box_map(
+            a, over, self.at, about=self.about, limits=self.limits, margin=self.margin, tiles=tiles, boxes=boxes
+        )
 
     def _further_modes(self, a: RobotAnalysis) -> Iterator[Any]:
         """Those that not every robot of joints has."""

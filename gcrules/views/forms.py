@@ -115,14 +115,11 @@ FORMS: dict[str, Forms] = {
             "xarray": f"{_VIEWS}.plots.map_data:dataset",
         },
     ),
-    "gcrules.poses.boxes.report.BoxMap": _result(
+    "gcrules.poses.boxes.report.BoxMap": _told(
         "box_map",
-        formula="",
-        others={
-            "svg": f"{_RESULTS}.box_map:picture_of",
-            "save": f"{_VIEWS}.plots.box_files:save",
-            "xarray": f"{_VIEWS}.plots.box_files:dataset",
-        },
+        svg=f"{_RESULTS}.box_map:picture_of",
+        save=f"{_VIEWS}.plots.box_files:save",
+        xarray=f"{_VIEWS}.plots.box_files:dataset",
     ),
     "gcrules.poses.tiles.status.MapStatus": _result("tiles", formula=""),
     "gcrules.poses.tiles.verifying.MapVerified": _result(

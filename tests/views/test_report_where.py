@@ -12,10 +12,9 @@ import pytest
 from commands import invoke
 from places import EXAMPLES
 from views.shown_pages import Shown, open_from_file
+from views.shown_sections import agrees, plain
 
 import gcrules as gc
-from gcrules.views.forms import shown
-from gcrules.views.results.result_account import Facts, Grid, ResultAccount
 
 OCTAHEDRAL = str(EXAMPLES / "octahedral.yaml")
 ROBOTS = {"six legs": OCTAHEDRAL, "joints in space": "3-rps", "joints in a plane": "3-rpr"}
@@ -30,34 +29,6 @@ ANSWERS: dict[str, tuple[dict[str, Any], Callable[[str], Any]]] = {
     "aspects": ({"aspects": True}, gc.aspects),
     "box": ({"free": "box"}, gc.free_region),
 }
-
-
-def plain(page: str) -> str:
-    """The words of the sections, spaces between them."""
-    sections = re.findall(r'<section class="motion.*?</section>', page, re.DOTALL)
-    assert sections
-    without_drawings = re.sub(r"<(svg|script|style)\b.*?</\1>", " ", " ".join(sections), flags=re.DOTALL)
-    return " ".join(unescape(re.sub(r"<[^>]+>", " ", without_drawings)).split())
-
-
-def agrees(page: str, result: Any) -> None:
-    """Whatever a result says is in the page, in the same words."""
-    told: ResultAccount = shown(result, "account")
-    words = plain(page)
-
-    def seen(text: str) -> bool:
-        wanted = text.replace("/\\", "∧").replace("`", " ")
-        return " ".join(wanted.split()) in words
-
-    assert seen(told.verdict)
-    for block in told.blocks:
-        if isinstance(block, Facts):
-            assert all(seen(value) for _, value in block.rows)
-        elif isinstance(block, Grid):
-            assert all(seen(cell) for row in block.rows for cell in row)
-        else:
-            assert all(map(seen, block.lines))
-    assert " ".join(result.latex().split()) in words
 
 
 @pytest.mark.parametrize("robot", [OCTAHEDRAL, "3-rpr"], ids=["six legs", "joints"])

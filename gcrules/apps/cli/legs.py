@@ -162,12 +162,13 @@ def report(
     gcrules report 3-rps -o 3-rps.html
     gcrules report 3-rps --path home --path "z=0.2, roll=20deg, pitch=10deg" -o 3-rps.html
     gcrules report delta --over "x -0.8:0.8:41" --over "y -0.8:0.8:41" --at "z=0.2" -o delta.html
+    gcrules report delta --over "x -0.8:0.8" --over "y -0.8:0.8" --over "z -0.5:0.5" --margin 0.1 -o delta.html
 
     It takes the same lines as `gcrules analyze`: with --given, --ideal and --rank too; and robots that are described by
     their joints, as `gcrules robot analyze` does: an id, or a robot file. In the page the robot is seen in 3D, and its
     platform can be moved; the page loads nothing, and works from a file. --no-3d leaves that out. --path and
-    --over add the singular poses on a path and in a map, with what is proved of them, as `gcrules path` and
-    `gcrules map` find them.
+    --over add the singular poses on a path and in a map, with what is proved of them, as `gcrules path`,
+    `gcrules map` and, of ranges without a number of nodes, `gcrules map boxes` find them.
 
     \b
     gcrules report platform.yaml --modes --aspects --free box -o platform.html

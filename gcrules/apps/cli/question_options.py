@@ -14,7 +14,7 @@ from gcrules.screws.threshold import DEFAULT
 
 __all__ = ["question_options"]
 
-_NAMES = ("over", "at", "limits", "within", "about", "threshold", "modes", "aspects", "plan", "free")
+_NAMES = ("over", "at", "limits", "within", "margin", "about", "threshold", "modes", "aspects", "plan", "free")
 
 
 def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -35,6 +35,7 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
             )
         if not (asked.aspects or asked.plan) and asked.within is not None:
             raise click.UsageError("--within are ranges of aspects or of a plan: give --aspects or --plan.")
+        asked.check()
         return command(questions=asked, **options)
 
     decorators = [
@@ -47,7 +48,11 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
         ),
         click.option("--poses", "table", metavar="POSES.csv", help="Add the path of a table of poses."),
         click.option(
-            "--over", multiple=True, metavar="RANGE", help='Add a map over two or three coordinates, "x -200:200:81".'
+            "--over",
+            multiple=True,
+            metavar="RANGE",
+            help='Add a map over two or three coordinates, "x -200:200:81"; without numbers, "x -200:200", of whole '
+            "boxes over one to six.",
         ),
         click.option("--modes", is_flag=True, help="Add the assembly modes, of joints working and operation modes."),
         click.option("--aspects", is_flag=True, help="Add how the poses hang together without a singularity."),
@@ -62,6 +67,13 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
             "--limits", metavar="RANGES", help='What legs or actuators reach in map, aspects and plan: "legs 1..3".'
         ),
         click.option("--within", metavar="RANGES", help="Of coordinates in aspects and plan, from home."),
+        click.option(
+            "--margin",
+            type=float,
+            default=0.0,
+            metavar="M",
+            help="In whole boxes free poses have this margin σ at least.",
+        ),
         about_option,
         click.option(
             "--threshold",

@@ -32,7 +32,7 @@ __all__ = [
     "TURNS",
     "VECTOR",
     "GridAxis",
-    "is_range",
+    "are_ranges",
     "parse_axis",
     "read_axes",
     "read_ranges",
@@ -182,10 +182,19 @@ def read_ranges(over: Sequence[str | GridAxis], unit: str, tiles: int | None) ->
     return _together(tuple(a if isinstance(a, GridAxis) else parse_axis(a, unit, number=number) for a in listed))
 
 
-def is_range(text: str) -> bool:
-    """Whether this is the text of a range, without a number of nodes."""
-    words = text.split()
-    return len(words) > 1 and words[1].count(":") == 1
+def are_ranges(over: Sequence[str | GridAxis]) -> bool:
+    """Whether these are ranges without numbers of nodes, which a map of whole boxes takes. Raises InputError where
+    some of them have a number and others have none.
+    """
+    listed = [over] if isinstance(over, (str, GridAxis)) else list(over)
+    colons = [2 if isinstance(a, GridAxis) else "".join(a.split()[1:2]).count(":") for a in listed]
+    if 1 in colons and 2 in colons:
+        plain, numbered = (a if isinstance(a, str) else a.text for a in (listed[colons.index(n)] for n in (1, 2)))
+        raise InputError(
+            f'"{plain[:60]}" is a whole range, and "{numbered[:60]}" has a number of nodes',
+            hint="give each coordinate a number, for a map over nodes, or none, for one of whole boxes",
+        )
+    return 1 in colons
 
 
 def _together(axes: tuple[GridAxis, ...]) -> tuple[GridAxis, ...]:

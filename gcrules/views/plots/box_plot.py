@@ -63,7 +63,7 @@ def _flat(m: BoxMap) -> Figure:
         axes.add_collection(
             PolyCollection(list(corners), facecolor=colour, rasterized=len(corners) > _MANY, **{"zorder": 2, **style})
         )
-        drawn.setdefault(name, Patch(facecolor=colour, edgecolor="#999999", lw=0.4, label=_WORDS[name]))
+        drawn.setdefault(name, Patch(facecolor=colour, edgecolor="#999999", lw=0.4, label=_label(m, name)))
     first = m.axes[0]
     axes.set(xlabel=first.label, xlim=(float(first.start), float(first.stop)))
     if two:
@@ -86,6 +86,10 @@ _WORDS = {
     "crossed": "holds a singular pose",
     "undecided": "undecided",
 }
+
+
+def _label(m: BoxMap, name: str) -> str:
+    return "holds a pose below the margin" if name == "crossed" and m.task.margin else _WORDS[name]
 
 
 def _coloured(m: BoxMap) -> Any:

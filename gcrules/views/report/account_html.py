@@ -11,9 +11,19 @@ from gcrules.views.forms import shown
 from gcrules.views.results.result_account import Block, Facts, Grid, ResultAccount, Sentences
 from gcrules.views.results.robot_pose import signed
 
-__all__ = ["account_section", "blocks_html", "facts_html", "figure_card", "latex_html", "section_html", "words_html"]
+__all__ = [
+    "account_section",
+    "blocks_html",
+    "facts_html",
+    "figure_card",
+    "inline_svg",
+    "latex_html",
+    "section_html",
+    "words_html",
+]
 
 
+_STYLE = re.compile(r"<style\b.*?</style>", re.DOTALL)
 _CODE = re.compile("`([^`]*)`")
 
 
@@ -81,6 +91,14 @@ def words_html(text: str) -> str:
 def latex_html(result: Any) -> str:
     """Its LaTeX, folded away, to be copied into a paper."""
     return f'<details class="latex"><summary>LaTeX</summary><pre>{escape(shown(result, "latex"))}</pre></details>'
+
+
+def inline_svg(drawing: str, words: str) -> str:
+    """A picture of matplotlib as a part of the page, with `words` for those who do not see it. Its rule of style would
+    hold for all drawings of the page; it is inherited instead.
+    """
+    alone = _STYLE.sub("", drawing[drawing.index("<svg") + 4 :], count=1)
+    return f'<svg role="img" aria-label="{escape(words)}" stroke-linejoin="round" stroke-linecap="butt"{alone}'
 
 
 def figure_card(drawing: str, heading: str, *words: str, step: int | None = None) -> str:

@@ -9,6 +9,7 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.aspects.report import Aspects
+from gcrules.poses.boxes.report import BoxMap
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.modes.report import AssemblyModes
@@ -24,7 +25,7 @@ from gcrules.views.report.mode_sections import (
     unanswered_html,
     working_modes_html,
 )
-from gcrules.views.report.motion_sections import map_html, path_html
+from gcrules.views.report.motion_sections import boxes_html, map_html, path_html
 from gcrules.views.report.way_sections import aspects_html, free_region_html, plan_html
 
 __all__ = ["answers_html"]
@@ -33,6 +34,7 @@ _SECTIONS: Mapping[type, Callable[..., str]] = {
     PathReport: path_html,
     RobotPath: path_html,
     SingularMap: map_html,
+    BoxMap: boxes_html,
     AssemblyModes: assembly_modes_html,
     WorkingModes: working_modes_html,
     OperationModes: operation_modes_html,

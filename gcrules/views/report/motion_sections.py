@@ -1,4 +1,4 @@
-"""A path and a map of any mechanism as sections of its report: figure, singular places, and what is proved."""
+"""A path and maps of any mechanism as sections of its report: figure, singular places, and what is proved."""
 
 from __future__ import annotations
 
@@ -6,19 +6,21 @@ from base64 import b64encode
 from html import escape
 
 from gcrules.core.deferred import deferred
-from gcrules.core.english import as_sentence
+from gcrules.core.english import as_sentence, listed
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.boxes.report import BoxMap
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.paths.report import PathReport
 from gcrules.views.forms import shown
-from gcrules.views.report.account_html import facts_html
+from gcrules.views.report.account_html import account_section, facts_html, inline_svg
 from gcrules.views.report.leads import path_lead
+from gcrules.views.results.box_map import seen
 from gcrules.views.results.map import account
 from gcrules.views.results.path_account import PathAccount, PathPlace, PathStretch
 
-__all__ = ["map_html", "path_html"]
+__all__ = ["boxes_html", "map_html", "path_html"]
 
 picture = deferred("gcrules.views.plots.map_plot:picture")  # matplotlib, an extra of the installation
 
@@ -78,13 +80,46 @@ def map_html(r: SingularMap, m: SixLegs | Limbs, *, live: bool) -> str:
 
 def _picture(m: SingularMap) -> str:
     """Curves as SVG, surfaces from several sides as PNG; where matplotlib is missing the page says so."""
+    title = m.grid.title or "the robot"
+    seen = f"Singular poses of {title} over {listed([a.name for a in m.grid.axes])}."
     try:
         if len(m.grid.axes) == 2:
-            drawn = picture(m, "svg").decode()
-            drawn = drawn[drawn.index("<svg") :]
+            drawn = inline_svg(picture(m, "svg").decode(), seen)
         else:
-            drawn = f'<img alt="" src="data:image/png;base64,{b64encode(picture(m, "png")).decode()}">'
+            drawn = f'<img alt="{escape(seen)}" src="data:image/png;base64,{b64encode(picture(m, "png")).decode()}">'
     except ImportError:
-        return '<p class="note">There is no picture: pictures of maps need matplotlib, gcrules[maps].</p>'
-    words = f"Singular poses of {m.grid.title or 'the robot'}; what is proved of them stands above."
+        return _NO_PICTURE
+    words = f"Singular poses of {title}; what is proved of them stands above."
+    return _plot(drawn, words)
+
+
+def _plot(drawn: str, words: str) -> str:
     return f'<figure class="plot map">{drawn}<figcaption>{escape(words)}</figcaption></figure>'
+
+
+_NO_PICTURE = '<p class="note">There is no picture: pictures of maps need matplotlib, gcrules[maps].</p>'
+
+
+def boxes_html(r: BoxMap, m: SixLegs | Limbs, *, live: bool) -> str:
+    """The sentence that says what is proved of whole ranges, the picture, and how much is free and what is not."""
+    return account_section(r, f"Whole ranges of {listed([a.name for a in r.axes])}", _boxes_picture(r), _more(r))
+
+
+def _boxes_picture(r: BoxMap) -> str:
+    """The boxes, or what is left of them over each pair of coordinates; nothing where nothing is left."""
+    *_, crossed, undecided = r.summary.shares
+    pairs = len(r.axes) > 2
+    if pairs and not (crossed or undecided):
+        return ""
+    drawn = shown(r, "svg")
+    if drawn is None:
+        return _NO_PICTURE
+    words = "What is not proved free, over each pair of coordinates" if pairs else "Boxes of poses"
+    return _plot(inline_svg(drawn, seen(r)), f"{words}; what is proved stands above.")
+
+
+def _more(r: BoxMap) -> str:
+    """What decides more, where something is undecided."""
+    if not r.summary.shares[-1]:
+        return ""
+    return "<p>More boxes decide more: <code>gcrules map boxes … --boxes N</code>.</p>"

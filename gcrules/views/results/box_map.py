@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gcrules.core.deferred import deferred
+from gcrules.core.english import listed
 from gcrules.core.floats import rounded_down
 from gcrules.poses.boxes.question import LIMB_MODE
 from gcrules.poses.boxes.report import BoxMap
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
+from gcrules.views.results.result_account import Facts, ResultAccount
 from gcrules.views.text_tables import ASCII, table, wrapped
 
-__all__ = ["as_latex", "as_text", "picture_of", "verdict"]
+__all__ = ["account", "as_latex", "as_text", "picture_of", "seen", "verdict"]
 
 picture = deferred("gcrules.views.plots.box_plot:picture")  # matplotlib, an extra of the installation
 
@@ -25,9 +27,18 @@ def as_text(m: BoxMap, *, unicode: bool = False) -> str:
 def _lines(m: BoxMap) -> Iterator[str]:
     yield from wrapped(verdict(m))
     yield ""
-    rows = [*_asked(m), *_shares(m), *_proof(m)]
+    rows = _rows(m)
     before = ["", *(name for name, _ in rows)]
     yield from table([("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)])
+
+
+def account(m: BoxMap) -> ResultAccount:
+    """What there is to say of it."""
+    return ResultAccount(verdict(m), (Facts(tuple(_rows(m))),))
+
+
+def _rows(m: BoxMap) -> list[tuple[str, str]]:
+    return [*_asked(m), *_shares(m), *_proof(m)]
 
 
 def verdict(m: BoxMap) -> str:
@@ -78,8 +89,7 @@ def _shares(m: BoxMap) -> Iterator[tuple[str, str]]:
         where = "poses that are not reached" + (" within the limits" if m.task.question.limits else "")
         yield "outside", f"{_percent(outside)}: {where}"
     if crossed:
-        what = f"a pose that is singular{', or close to one' if m.task.margin else ''}"
-        yield "crossed", f"{_percent(crossed)}: boxes that hold {what}"
+        yield "crossed", f"{_percent(crossed)}: boxes that hold {_bad(m)}"
     if undecided:
         yield "undecided", _percent(undecided)
     s = m.summary
@@ -88,6 +98,11 @@ def _shares(m: BoxMap) -> Iterator[tuple[str, str]]:
         yield "least", f"margin σ = {s.margin:.4g} in the middle of a free box, at {at}"
     if s.bound is not None:
         yield "", f"σ ≥ {rounded_down(s.bound)} in all free boxes, proved"
+
+
+def _bad(m: BoxMap) -> str:
+    """What a crossed box holds."""
+    return f"a pose that is singular{', or close to one' if m.task.margin else ''}"
 
 
 def _proof(m: BoxMap) -> Iterator[tuple[str, str]]:
@@ -131,3 +146,16 @@ def picture_of(m: BoxMap) -> str | None:
     except ImportError:
         return None
     return svg.decode()
+
+
+def seen(m: BoxMap) -> str:
+    """What the picture shows, in words for those who do not see it."""
+    names, title = listed([a.name for a in m.axes]), m.task.mechanism.title or "the robot"
+    kinds = ("free", "free with the other sign", "not reached", f"in boxes that hold {_bad(m)}", "undecided")
+    shares = [f"{_percent(s)} {kind}" for kind, s in zip(kinds, m.summary.shares, strict=True) if s]
+    if len(m.axes) <= 2:
+        return f"Boxes of poses of {title} over {names}: {listed(shares)}."
+    return (
+        f"For each pair of {names} which part of what is reached is not proved free, as a mean over all other "
+        f"coordinates of {title}; of the whole range {listed(shares)}."
+    )
