@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import errno
 import os
+import shutil
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from dataclasses import field
+from typing import Any
 
 from gcrules.core import budget, interrupts, streams
 from gcrules.core.dataclass import dataclass
@@ -16,6 +18,7 @@ from gcrules.core.errors import FileError
 __all__ = [
     "after_writing",
     "check_name",
+    "check_room",
     "check_target",
     "held",
     "remove_unfinished",
@@ -216,3 +219,14 @@ def remove_unfinished() -> None:
     """Remove what was begun and not finished, however the program comes to its end."""
     for temporary in tuple(_unfinished):
         _remove(temporary)
+
+
+def check_room(path: str, needed: int, hint: str, free: Callable[[str], Any] = shutil.disk_usage) -> None:
+    """Raises FileError, with a hint, where the disk has less than `needed` bytes left."""
+    folder = os.path.dirname(os.path.abspath(path))
+    if os.path.isdir(folder) and (left := free(folder).free) < needed:
+        raise FileError(
+            f"about {needed / 1e9:.1f} GB are needed, {left / 1e9:.1f} GB are free on this disk",
+            filename=path,
+            hint=hint,
+        )

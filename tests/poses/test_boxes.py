@@ -270,7 +270,7 @@ class TestQuestions:
             (["x 0:1:5"], "is no range"),
             (["x 0:1", "x 0:1"], "given twice"),
             (["rx 0:1 deg"], "not over rx"),
-            (["q1 0:1"], "no actuator q1"),
+            (["q1 0:1"], "not over q1"),
             (["yaw 0:400 deg"], "more than once around"),
             ([], "one to six coordinates"),
         ],

@@ -22,7 +22,8 @@ import gcrules as gc
 from gcrules.apps.cli import cli
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
-from gcrules.poses.maps import report, store, values
+from gcrules.core.files import check_room
+from gcrules.poses.maps import report, values
 from gcrules.poses.maps.cells import FREE
 from gcrules.poses.maps.maps import singular_map
 from gcrules.poses.tiles.store import TileStore
@@ -134,7 +135,7 @@ def test_an_interrupted_run_goes_on(robots: dict[str, Analysis], tmp_path: Path,
     for name in m.arrays:
         assert np.array_equal(m.values(name), direct.values(name))
     assert m.summary == direct.summary
-    m.store.close()
+    m.store.remove()
     assert not list(tmp_path.iterdir())
 
 
@@ -159,7 +160,7 @@ def test_a_changed_map_is_noticed(robots: dict[str, Analysis], tmp_path: Path, c
     with pytest.raises(InputError, match="of another map") as fault:
         singular_map(robots["octahedral"], SMALL, work=work, **change)
     assert "--restart" in fault.value.render()
-    singular_map(robots["octahedral"], SMALL, work=work, restart=True, **change).store.close()
+    singular_map(robots["octahedral"], SMALL, work=work, restart=True, **change).store.remove()
     assert not work.exists()
 
 
@@ -255,7 +256,7 @@ def test_room_is_looked_for_first(tmp_path: Path) -> None:
         free = 1000
 
     with pytest.raises(InputError, match="are needed"):
-        store.check_room(str(tmp_path / "map.nc"), 10**9, free=lambda _: Left)
+        check_room(str(tmp_path / "map.nc"), 10**9, "take less", free=lambda _: Left)
 
 
 LARGE = """

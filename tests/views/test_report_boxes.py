@@ -84,7 +84,7 @@ def test_pairs_of_coordinates_are_drawn_where_something_is_left() -> None:
 
 def test_poses_below_a_margin_are_not_called_singular() -> None:
     page = gc.report("3-rpr", interactive=False, over=["x -0.05:0.05"], margin=0.9)
-    assert "in boxes that hold a pose that is singular, or close to one" in label(page)
+    assert "in boxes that hold a pose that is singular, or has a margin below 0.9" in label(page)
     assert "a margin below 0.9" in plain(page)
 
 

@@ -26,7 +26,10 @@ COMMANDS = {
     "regions": ("gcrules.apps.cli.regions:regions", "Find how singular lengths part the lengths of a robot's legs."),
     "modes": ("gcrules.apps.cli.modes:modes", "Find all poses that a robot can take with its actuators held."),
     "locus": ("gcrules.apps.cli.locus:locus", "Compute the polynomial whose zeros are a robot's singular poses."),
-    "map": ("gcrules.apps.cli.map:map_", "Map the singular poses over two or three coordinates."),
+    "map": (
+        "gcrules.apps.cli.map:map_",
+        "Map the singular poses over two or three coordinates; prove whole ranges of up to six.",
+    ),
     "export": ("gcrules.apps.cli.export:export", "Write the condition as source code for a controller."),
     "report": ("gcrules.apps.cli.legs:report", "Write the analysis as a self-contained HTML page."),
     "studio": ("gcrules.apps.cli.studio:studio", "Open a page that leads through an analysis, in the browser."),

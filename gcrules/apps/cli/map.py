@@ -15,11 +15,10 @@ from gcrules.apps.cli.map_tiles import MapCommand
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.budget import report
 from gcrules.core.errors import InputError
-from gcrules.core.files import after_writing
+from gcrules.core.files import after_writing, check_room
 from gcrules.mechanisms.mechanism import mechanism
-from gcrules.poses.maps.maps import MAX_HELD, computed_part, done
+from gcrules.poses.maps.maps import MAX_HELD, done, map_part
 from gcrules.poses.maps.planned import Plan, bytes_of, planned
-from gcrules.poses.maps.store import check_room
 from gcrules.poses.maps.task import MEASURES
 from gcrules.poses.tiles.how import HERE, MAX_WORKERS, Running, running
 from gcrules.poses.tiles.zarr_files import has_zarr
@@ -114,9 +113,11 @@ def map_(
     the robot's file from standard input; the id of a robot, as of "gcrules robot list", does as well.
 
     A long run is computed in tiles and may be interrupted: with -o map.nc they are kept in map.nc.part, with -o
-    map.zarr they are the answer, and the same command goes on from there. Of stores of tiles:
+    map.zarr they are the answer, and the same command goes on from there. And of stores of tiles:
 
     \b
+    gcrules map boxes ROBOT --over RANGE...     whole ranges of one to six coordinates, proved box by box
+    gcrules map refine STORE -o FILE.zarr       such a map once more, finer or wider
     gcrules map status STORE                    how far they are, from another terminal
     gcrules map verify STORE [--tiles N|all]    all digests, and some tiles computed again
     gcrules map merge STORE... -o FILE.zarr     parts that were computed on disks of their own
@@ -129,12 +130,13 @@ def map_(
     plan = planned(mechanism(warn(read_source(file, mode=mode)), about=about), over, at, limits, threshold, measure)
     work = _work(plan, outputs, how)
     if work is not None:
-        check_room(work, bytes_of(plan.task) * (1 + any(o.lower().endswith(".nc") for o in outputs)))
+        needed = bytes_of(plan.task) * (1 + any(o.lower().endswith(".nc") for o in outputs))
+        check_room(work, needed, "take a coarser grid, or --measure value, which needs less")
     out = Output(json=as_json, mathematics=mathematics)
     try:
         with working("computing"):
             if how.part is not None:
-                out.show(computed_part(plan, how, work=work, restart=restart))
+                out.show(map_part(plan, how, work=work, restart=restart))
                 return
             found = done(plan, how, work=work, restart=restart)
             _save(found, outputs)
@@ -147,7 +149,7 @@ def map_(
     else:
         out.show(found)
     if work not in outputs:
-        after_writing(found.store.close)
+        after_writing(found.store.remove)
 
 
 def _work(plan: Plan, outputs: tuple[str, ...], how: Running) -> str | None:

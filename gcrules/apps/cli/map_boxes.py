@@ -44,7 +44,12 @@ _scheduler = click.option("--scheduler", metavar="ADDRESS", help='Compute on a D
     help='What legs or actuators reach: "leg lengths 1..3", "ab 1..3, cd 2..", of joints "q1 -30..30 deg".',
 )
 @click.option("--margin", type=float, default=0.0, metavar="M", help="Free poses have this margin σ at least.")
-@click.option("--tiles", type=int, metavar="N", help="Cut each range into so many tiles.")
+@click.option(
+    "--tiles",
+    type=int,
+    metavar="N",
+    help="Cut each range into so many tiles; 64, 16, 8, 5, 3, 3 by the number of ranges.",
+)
 @click.option("--boxes", type=int, metavar="N", help="Cut each tile into so many boxes at most; 4095 by default.")
 @time_limit(None)
 @click.option("--restart", is_flag=True, help="Throw away finished tiles of an earlier run and begin anew.")
@@ -90,7 +95,8 @@ def boxes_(
 
     The coordinates are x, y, z, roll, pitch, yaw, of a robot of joints from home. Boxes that are not decided are
     halved. With -o FILE.zarr the tiles are kept as they are done, and the same command goes on from there; --workers,
-    --part, --scheduler and "gcrules map status", verify and merge are as for maps over nodes.
+    --part, --scheduler and "gcrules map status", verify and merge are as for maps over nodes. The exit code is 0
+    whatever is decided.
     """
     check_box_outputs(outputs)
     how = running(workers, part, scheduler)
@@ -144,9 +150,9 @@ def refine(
     gcrules map refine range.zarr -o finer.zarr
     gcrules map refine range.zarr -o wider.zarr --over "x -200:200"
     """
-    check_box_outputs([refined])
     if not refined.lower().endswith(".zarr"):
         raise InputError(f"{refined}: no name of a store", hint="stores end in .zarr")
+    check_box_outputs([refined])
     with working("computing"):
         found = refine_map(store, refined, boxes, over or None, workers=workers, scheduler=scheduler)
     Output(json=as_json).show(found)

@@ -8,25 +8,26 @@ r"""Which parts of whole ranges of poses are free of singular ones, over one to 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from os import PathLike, fspath
+from os import PathLike
 from typing import Any
 
 import numpy as np
 
 from gcrules.core.budget import checkpoint, report
-from gcrules.core.errors import InputError
+from gcrules.core.errors import LimitReached
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.boxes.report import BoxMap, BoxSummary
-from gcrules.poses.boxes.task import BoxTask, box_task
+from gcrules.poses.boxes.task import SHARES, BoxTask, box_task
 from gcrules.poses.maps.axes import GridAxis
-from gcrules.poses.maps.store import Memory, Store
 from gcrules.poses.tiles.how import HERE, Running, running
-from gcrules.poses.tiles.running import run
-from gcrules.poses.tiles.status import MapStatus, status_of
-from gcrules.poses.tiles.store import TileStore
+from gcrules.poses.tiles.keeping import Store, computed_part, store_of, tile_of
+from gcrules.poses.tiles.status import MapStatus
 
 __all__ = ["box_map", "box_part", "boxes_done"]
+
+_MOST_HELD = 500_000_000
+"""Boxes of all tiles for which there is room in memory; more need a store."""
 
 
 def box_map(
@@ -69,46 +70,38 @@ def boxes_done(
 ) -> BoxMap:
     """The map of a task; raises as `box_map`."""
     task.check()
-    store: Store = Memory()
-    if work is not None:
-        store = TileStore.open(work, task, restart=restart)
-        run(task, store, how)
-    elif how != HERE:
-        raise InputError("workers keep their tiles in a store", hint='name one: work="range.zarr", or -o range.zarr')
-    parts = []
-    for tile in range(task.number):
-        checkpoint()
-        found = store.get(tile)
-        if found is None:
-            found = task.compute(tile)
-            store.put(tile, found)
-            report(f"{tile + 1:,} of {task.number:,} tiles")
-        parts.append(found)
-    return BoxMap(task, store, _summed(parts))
+    if work is None and task.number * task.boxes > _MOST_HELD:
+        raise LimitReached(
+            f"{task.number:,} tiles of {task.boxes:,} boxes are not kept in memory",
+            hint='name a store for them, work="range.zarr", or -o range.zarr',
+        )
+    store = store_of(task, how, work, restart=restart)
+    return BoxMap(task, store, _summed(task, store))
 
 
 def box_part(
     task: BoxTask, how: Running, *, work: str | PathLike[str] | None = None, restart: bool = False
 ) -> MapStatus:
     """A part of the map, computed and kept, and how much of the whole is there; raises as `box_map`."""
-    if work is None:
-        raise InputError("a part of a job array keeps its tiles in a store", hint='name one: work="range.zarr"')
-    if restart:
-        raise InputError("a part does not begin anew", hint="the other parts may be at work; remove the store before")
     task.check()
-    store = TileStore.open(work, task)
-    run(task, store, how)
-    return status_of(store, fspath(work))
+    return computed_part(task, how, work, restart=restart)
 
 
-def _summed(parts: Sequence[Any]) -> BoxSummary:
-    """The summary of all tiles, which are equally large."""
-    shares = np.mean([p["share"].ravel() for p in parts], axis=0)
-    boxes = sum(int(np.count_nonzero(p["tree"])) for p in parts)
-    margins = np.array([float(p["margin"].item()) for p in parts])
-    k = int(np.argmin(margins))
-    bound = min(float(p["bound"].item()) for p in parts)
-    if not np.isfinite(margins[k]):
-        return BoxSummary(tuple(shares.tolist()), boxes, None, None, None)
-    place = tuple(map(float, parts[k]["place"].ravel()))
-    return BoxSummary(tuple(shares.tolist()), boxes, float(margins[k]), place, bound if 0 < bound < np.inf else None)
+def _summed(task: BoxTask, store: Store) -> BoxSummary:
+    """The summary of all tiles, which are equally large; those are computed that are not there."""
+    shares, boxes = np.zeros(len(SHARES)), 0
+    margin, bound = np.inf, np.inf
+    place: tuple[float, ...] = ()
+    for tile in range(task.number):
+        checkpoint()
+        found = tile_of(task, store, tile)
+        shares += found["share"].ravel()
+        boxes += int(np.count_nonzero(found["tree"]))
+        bound = min(bound, float(found["bound"].item()))
+        if (here := float(found["margin"].item())) < margin:
+            margin, place = here, tuple(map(float, found["place"].ravel()))
+        report(f"{tile + 1:,} of {task.number:,} tiles")
+    parts = tuple((shares / task.number).tolist())
+    if margin == np.inf:
+        return BoxSummary(parts, boxes, None, None, None)
+    return BoxSummary(parts, boxes, margin, place, bound if 0 < bound < np.inf else None)

@@ -10,6 +10,7 @@ import numpy as np
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.solve import check_target
 from gcrules.mechanisms.kinematics.targets import Target
@@ -23,19 +24,16 @@ from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, read
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.pose_arguments import one_pose
 
-__all__ = ["LEG_MODE", "LIMB_MODE", "Question", "question"]
+__all__ = ["Question", "question"]
 
 _ALL_ROUND = 2 * math.pi
-
-LIMB_MODE = "home's: of two solutions of a limb, or of the platform, the one that is home's"
-LEG_MODE = "a pose has one configuration"
 
 
 @dataclass(frozen=True)
 class Question:
     """Poses over the `axes`, whose nodes are the borders of tiles; `names` are all coordinates that determine a pose,
-    `values` what they are where no axis stands for them (in radians and the file's unit), `size` is the robot's, `mode`
-    the configurations that are meant, `sentence` the condition.
+    `values` what they are where no axis stands for them (in radians and the file's unit), `size` is the robot's,
+    `chosen` says that of several configurations home's is meant, `sentence` is the condition.
     """
 
     axes: tuple[GridAxis, ...]
@@ -43,8 +41,13 @@ class Question:
     values: tuple[float, ...]
     limits: LengthLimits | None
     size: float
-    mode: str
+    chosen: bool
     sentence: str
+
+    @property
+    def always_reached(self) -> bool:
+        """Whether each pose is reached: that of six legs without limits."""
+        return not self.chosen and self.limits is None
 
     @property
     def free(self) -> tuple[int, ...]:
@@ -66,7 +69,8 @@ class Question:
 
 def question(m: Mechanism, over: Sequence[str | GridAxis], at: Any, limits: str | None, tiles: int | None) -> Question:
     """What is asked for. Raises InputError for what makes no sense."""
-    axes = read_ranges(over, m.unit, tiles)
+    drives = {a.name: a.angle for a in leading(m.linkage)} if isinstance(m, Limbs) else {}
+    axes = read_ranges(over, m.unit, tiles, drives)
     foreign = next((a for a in axes if a.name not in (*TRANSLATION, *TURNS)), None)
     if foreign is not None:
         more = "; gcrules free --over actuators proves ranges of actuators" if foreign.kind == ACTUATOR else ""
@@ -97,7 +101,7 @@ def _of_legs(m: SixLegs, axes: tuple[GridAxis, ...], at: Any, limits: str | None
         raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
     reach = parse_limits(limits, m.actuators, m.unit) if limits is not None else None
     return Question(
-        axes, (*TRANSLATION, *reversed(TURNS)), values, reach, m.rig.size, LEG_MODE, m.analysis.condition.sentence
+        axes, (*TRANSLATION, *reversed(TURNS)), values, reach, m.rig.size, False, m.analysis.condition.sentence
     )
 
 
@@ -107,7 +111,7 @@ def _of_limbs(m: Limbs, axes: tuple[GridAxis, ...], at: Any, limits: str | None)
     check_target(k, Target(names, np.zeros(len(names)), text="home"))
     angles = {a.name: a.angle for a in k.actuators}
     reach = parse_limits(limits, tuple(angles), m.unit, tuple(angles.values())) if limits is not None else None
-    return Question(axes, names, values, reach, k.size, LIMB_MODE, m.analysis.statement)
+    return Question(axes, names, values, reach, k.size, True, m.analysis.statement)
 
 
 _QUESTION: Methods[Question] = {SixLegs: _of_legs, Limbs: _of_limbs}

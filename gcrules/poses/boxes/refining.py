@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from fractions import Fraction
 from os import PathLike, fspath
@@ -11,7 +12,7 @@ from gcrules.core.errors import FileError, InputError
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.boxes.box_map import boxes_done
 from gcrules.poses.boxes.report import BoxMap
-from gcrules.poses.boxes.task import KIND, MOST_BOXES, BoxTask, box_task
+from gcrules.poses.boxes.task import MOST_BOXES, BoxTask, box_task
 from gcrules.poses.maps.axes import GridAxis, parse_axis
 from gcrules.poses.maps.cells import CROSSED, UNDECIDED
 from gcrules.poses.maps.recipe import robot_of
@@ -43,11 +44,13 @@ def refine_map(
     FileError for a store of something else, InputError for ranges that cut its tiles.
     """
     how = running(workers, None, scheduler)
+    if os.path.abspath(store) == os.path.abspath(output):
+        raise FileError("a store is not refined into itself", filename=fspath(output), hint="give the new one a name")
     old = TileStore.existing(store)
     known = task_of(old)
     if not isinstance(known, BoxTask):
         raise FileError(
-            "no map of boxes", filename=fspath(store), hint=f"gcrules map boxes makes one, of kind {KIND!r}"
+            "no map of whole boxes", filename=fspath(store), hint="gcrules map boxes … -o range.zarr makes one"
         )
     most = boxes or (known.boxes if over else min(_FINER * known.boxes, MOST_BOXES))
     if most < known.boxes:
@@ -79,7 +82,7 @@ def _axes(over: Sequence[str], known: BoxTask) -> tuple[GridAxis, ...]:
         if new.unit != old.unit or first.denominator != 1 or count.denominator != 1:
             raise InputError(
                 f"the range of {name} is not of whole tiles of the store",
-                hint=f"they are {float(old.step):g} {old.unit} wide, one begins at {float(old.start):g}",
+                hint=f"they are {f'{float(old.step):g} {old.unit}'.rstrip()} wide, one begins at {float(old.start):g}",
             )
         found.append(GridAxis(name, new.start, new.stop, int(count) + 1, old.unit))
     return tuple(found)

@@ -14,11 +14,11 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
-from gcrules.poses.boxes.task import SHARES, BoxTask
+from gcrules.poses.boxes.task import MODES, SHARES, BoxTask
 from gcrules.poses.boxes.trees import Leaves
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import MEANINGS
-from gcrules.poses.maps.store import Store
+from gcrules.poses.tiles.keeping import Store
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -64,12 +64,15 @@ class BoxMap(HoldsArrays, Shown):
 
     @property
     def verdict(self) -> str:
-        """free: no pose of the range that is reached within the limits is singular, proved; outside: none is reached;
-        singular: one certainly is; else undecided.
+        """free: no pose of the range that is reached within the limits is singular, proved, nor has a margin below the
+        one asked for; outside: none is reached; singular: one certainly is; below: one certainly is, or has a margin
+        below the one asked for; else undecided.
         """
-        free, other, outside, crossed, undecided = self.summary.shares
-        if crossed or (free and other and not outside):  # between both signs lies a singular pose
+        free, other, _, crossed, undecided = self.summary.shares
+        if free and other and self.task.question.always_reached:  # between both signs lies a singular pose
             return "singular"
+        if crossed:
+            return "below" if self.task.margin else "singular"
         return "undecided" if undecided else "free" if free or other else "outside"
 
     def status(self, place: Sequence[float]) -> str:
@@ -135,7 +138,7 @@ class BoxMap(HoldsArrays, Shown):
             "limits": q.limits.to_json() if q.limits else None,
             "margin_asked": self.task.margin,
             "condition": q.sentence,
-            "mode": q.mode,
+            "mode": MODES[q.chosen],
             "verdict": self.verdict,
             "shares": dict(zip(SHARES, s.shares, strict=True)),
             "decided": s.decided,

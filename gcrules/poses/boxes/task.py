@@ -29,7 +29,7 @@ from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 from gcrules.poses.maps.recipe import recipe_of, robot_of
 from gcrules.poses.tiles.task import Coordinate, Tile, TiledArray, number_of, tile_at
 
-__all__ = ["KIND", "SHARES", "BoxTask", "box_task", "shares_of", "task_again"]
+__all__ = ["KIND", "MODES", "SHARES", "BoxTask", "box_task", "shares_of", "task_again"]
 
 Floats = NDArray[np.float64]
 
@@ -39,6 +39,12 @@ SHARES = ("free", "free with the other sign", "outside", "crossed", "undecided")
 singular the positive one; or without one, with more wrenches than freedoms), or with the other one; reached nowhere
 within the limits; boxes that hold a singular pose; neither proved."""
 
+
+MODES = {
+    False: "a pose has one configuration",
+    True: "home's: of two solutions of a limb, or of the platform, the one that is home's",
+}
+"""Which configurations are meant, by whether there are several."""
 
 MOST_BOXES = 1_000_000
 _BOXES = 4_095
@@ -116,7 +122,7 @@ class BoxTask(HoldsArrays):
             "title": f"Boxes of poses of {self.mechanism.title}",
             "source": f"gcrules {__version__}",
             "condition": q.sentence,
-            "mode": q.mode,
+            "mode": MODES[q.chosen],
             "coordinates_of_the_rest": q.rest,
             "limits": q.limits.text if q.limits else "",
             "least_margin_asked_for": self.margin,
@@ -189,7 +195,7 @@ _TREE = (
     f"a box that is cut has 1 + the number of the coordinate across which it is cut, its halves stand on the next "
     f"level, the lower one first; others have {LEAF} + {FREE} free, {CROSSED} crossed, {UNDECIDED} undecided, "
     f"{OUTSIDE} outside, + {NEGATIVE} where the determinant has not the sign that it has at home, + {INSIDE} where all "
-    "of it is reached within the limits; 0 at the end is nothing"
+    "of a free one is known to be reached within the limits; 0 at the end is nothing"
 )
 
 

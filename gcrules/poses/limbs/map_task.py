@@ -357,9 +357,10 @@ def coordinates_of(
     names = tuple(named) if len(named) == m.robot.mobility else free_coordinates(m, named)
     missing = [n for n in named if n not in names]
     if missing:
-        beside = listed([n for n in named if n != missing[0]])
+        others = listed([n for n in named if n != missing[0]])
+        beside = f" beside {others}" if others else ""
         raise InputError(
-            f"{missing[0]} tells nothing of the pose of {m.robot.id} near home beside {beside}",
+            f"{missing[0]} tells nothing of the pose of {m.robot.id} near home{beside}",
             hint=f"independent there are, for example, {', '.join(free_coordinates(m))}",
         )
     return names, tuple(given.get(n, 0.0) for n in names)

@@ -9,6 +9,7 @@ r"""The coordinates of poses that a map runs over: their names, units and nodes.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -51,12 +52,22 @@ MAX_NODES = 100_000
 """Nodes of one axis; more are refused."""
 MAX_TILES = 1_000
 """Tiles of a map of whole boxes along one coordinate."""
+MOST_TILES = 10_000_000
+"""Tiles of a map of whole boxes in all."""
 
 _DRIVE = re.compile(r"q[1-9]\d*")
 _EULER = re.compile(r"([xyz]{3}|[XYZ]{3})([123])")
 _ANGLES = {"deg": "deg", "degree": "deg", "degrees": "deg", "°": "deg", "rad": "rad", "radian": "rad", "radians": "rad"}
 _FORM = 'write a coordinate, start:stop:number and the unit of angles: "x -200:200:201", "rz -90:90:181 deg"'
 _RANGE_FORM = 'write a coordinate, start:stop and the unit of angles: "x -200:200", "roll -20:20 deg"'
+_OTHER_RANGES = {
+    (
+        True,
+        2,
+    ): 'a number of nodes is missing, as in "x -200:200:201"; without one gcrules map boxes proves whole ranges',
+    (False, 3): 'whole ranges have no number of nodes, as in "x -200:200"; gcrules map shows the poses at nodes',
+}
+"""Hints for ranges of the other kind of map, by whether a number of nodes belongs there, and the number of parts."""
 _TILES = (64, 16, 8, 5, 3, 3)  # along each coordinate, by the number of coordinates
 _NAMES = (
     "x, y, z; roll, pitch, yaw; rx, ry, rz; zyx1, zyx2, zyx3 (or another sequence); azimuth, tilt, torsion; of a robot "
@@ -169,9 +180,12 @@ def read_axes(
     return _together(axes)
 
 
-def read_ranges(over: Sequence[str | GridAxis], unit: str, tiles: int | None) -> tuple[GridAxis, ...]:
+def read_ranges(
+    over: Sequence[str | GridAxis], unit: str, tiles: int | None, actuators: Mapping[str, bool] | None = None
+) -> tuple[GridAxis, ...]:
     """One to six ranges "NAME start:stop [unit]" of coordinates of a pose, each cut into so many tiles, whose borders
-    are the nodes; without a number into as many as make some hundred in all. Raises InputError as `read_axes`.
+    are the nodes; without a number into as many as make some hundreds in all. Raises InputError as `read_axes`,
+    LimitReached for too many tiles in all.
     """
     listed = [over] if isinstance(over, (str, GridAxis)) else list(over)
     if not 1 <= len(listed) <= len(_TILES):
@@ -179,7 +193,11 @@ def read_ranges(over: Sequence[str | GridAxis], unit: str, tiles: int | None) ->
     if tiles is not None and not 1 <= tiles <= MAX_TILES:
         raise InputError(f"{tiles} tiles along each coordinate, expected 1 to {MAX_TILES}")
     number = (tiles or _TILES[len(listed) - 1]) + 1
-    return _together(tuple(a if isinstance(a, GridAxis) else parse_axis(a, unit, number=number) for a in listed))
+    axes = tuple(a if isinstance(a, GridAxis) else parse_axis(a, unit, actuators, number) for a in listed)
+    every = math.prod(a.number - 1 for a in axes)
+    if every > MOST_TILES:
+        raise LimitReached(f"{every:,} tiles: more than {MOST_TILES:,} in one map", hint="take fewer along each range")
+    return _together(axes)
 
 
 def are_ranges(over: Sequence[str | GridAxis]) -> bool:
@@ -254,7 +272,8 @@ def _axis(words: list[str], unit: str, actuators: Mapping[str, bool], nodes: int
         raise InputError(f"{name[:40]!r} is no coordinate of a pose", hint=f"the coordinates are {_NAMES}")
     parts = bounds.split(":")
     if len(parts) != (3 if nodes is None else 2):
-        raise InputError(f"{bounds[:60]!r} is no range", hint=form)
+        other = _OTHER_RANGES.get((nodes is None, len(parts)), form)
+        raise InputError(f"{bounds[:60]!r} is no range", hint=other)
     start, stop = read_number(parts[0]), read_number(parts[1])
     number = _number(parts[2]) if nodes is None else nodes
     if start == stop:

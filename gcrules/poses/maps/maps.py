@@ -15,15 +15,14 @@ r"""Maps of singular poses over two or three coordinates: what is to be done, do
 from __future__ import annotations
 
 from collections.abc import Sequence
-from os import PathLike, fspath
+from os import PathLike
 from typing import Any
 
 import numpy as np
 
 from gcrules.core.budget import checkpoint, report
-from gcrules.core.errors import EngineFault, FileError, InputError, LimitReached
+from gcrules.core.errors import LimitReached
 from gcrules.core.frozen import FrozenMap
-from gcrules.core.seeds import drawn
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import mechanism
@@ -34,19 +33,16 @@ from gcrules.poses.maps.marching import marched
 from gcrules.poses.maps.planned import Plan, planned
 from gcrules.poses.maps.report import Curve, SingularMap
 from gcrules.poses.maps.slices import middle
-from gcrules.poses.maps.store import Memory, Store
 from gcrules.poses.maps.summary import MapSummary, together
 from gcrules.poses.maps.task import Chunk, MapTask
 from gcrules.poses.maps.tiled import GridTiles
 from gcrules.poses.maps.tracing import polished, traced
 from gcrules.poses.tiles.how import HERE, Running, running
-from gcrules.poses.tiles.running import run
-from gcrules.poses.tiles.status import MapStatus, status_of
-from gcrules.poses.tiles.store import TileStore
-from gcrules.poses.tiles.verifying import alike
+from gcrules.poses.tiles.keeping import Store, computed_part, store_of, tile_of
+from gcrules.poses.tiles.status import MapStatus
 from gcrules.screws.threshold import DEFAULT, Threshold, margin_of
 
-__all__ = ["MAX_HELD", "computed_part", "done", "singular_map"]
+__all__ = ["MAX_HELD", "done", "map_part", "singular_map"]
 
 _BAR = 24
 MAX_HELD = 8_000_000
@@ -77,7 +73,7 @@ def singular_map(
     `threshold` is an angle. `measure` is "margin", for platforms "value" for the superbracket alone, which is quick, or
     "isotropy" or another one of the `INDICES` of the actuators, which comes on top of the margin. `work` names a
     Zarr store for the tiles of a large map: a run that was interrupted goes on from there, unless `restart` throws them
-    away; `.store.close()` removes it. With `work` tiles may be computed in so many `workers`, processes of this
+    away; `.store.remove()` removes it. With `work` tiles may be computed in so many `workers`, processes of this
     machine, or on a Dask cluster, `scheduler` being its address or "local"; with `part`, as "3/100", only this part of
     a job array's is computed, and the answer is how many tiles there are (a `MapStatus`).
 
@@ -86,7 +82,7 @@ def singular_map(
     how = running(workers, part, scheduler)
     plan = planned(mechanism(source, about=about), over, at, limits, threshold, measure)
     if how.part is not None:
-        return computed_part(plan, how, work=work, restart=restart)
+        return map_part(plan, how, work=work, restart=restart)
     return done(plan, how, work=work, restart=restart)
 
 
@@ -96,21 +92,12 @@ def done(
     """What was planned, computed; raises as `singular_map`."""
     task = plan.task
     tiles = GridTiles(task, plan.sentence, plan.recipe)
-    store: Store = Memory()
-    if work is not None:
-        store = TileStore.open(work, tiles, restart=restart)
-    elif how != HERE:
-        raise InputError("workers keep their tiles in a store", hint='name one: work="map.zarr", or -o map.zarr')
-    elif task.grid.size > MAX_HELD:
+    if work is None and how == HERE and task.grid.size > MAX_HELD:
         raise LimitReached(
             f"{task.grid.size:,} poses: more than {MAX_HELD:,} are not kept in memory",
             hint='name a store for them, work="map.zarr" (the command does so for -o map.nc), or take a coarser grid',
         )
-    if isinstance(store, TileStore):
-        kept = sorted(store.done())
-        run(tiles, store, how)
-        if kept:
-            _check_kept(task, store, drawn("map", str(store.path), len(kept)).choice(kept))
+    store = store_of(tiles, how, work, restart=restart)
     summary = _computed(tiles, store, plan.limit)
     parts = (task, plan.sentence, FrozenMap(plan.wording), plan.limit, store, summary)
     found = SingularMap(*parts, notes=task.grid.notes, recipe=plan.recipe)
@@ -118,18 +105,9 @@ def done(
     return SingularMap(*parts, curves, task.grid.notes, plan.recipe)
 
 
-def computed_part(
-    plan: Plan, how: Running, *, work: str | PathLike[str] | None = None, restart: bool = False
-) -> MapStatus:
+def map_part(plan: Plan, how: Running, *, work: str | PathLike[str] | None = None, restart: bool = False) -> MapStatus:
     """A part of what was planned, computed and kept, and how much of the whole is there; raises as `singular_map`."""
-    if work is None:
-        raise InputError("a part of a job array keeps its tiles in a store", hint='name one: work="map.zarr"')
-    if restart:
-        raise InputError("a part does not begin anew", hint="the other parts may be at work; remove the store before")
-    tiles = GridTiles(plan.task, plan.sentence, plan.recipe)
-    store = TileStore.open(work, tiles)
-    run(tiles, store, how)
-    return status_of(store, fspath(work))
+    return computed_part(GridTiles(plan.task, plan.sentence, plan.recipe), how, work, restart=restart)
 
 
 def _computed(tiles: GridTiles, store: Store, limit: Threshold) -> MapSummary:
@@ -140,26 +118,11 @@ def _computed(tiles: GridTiles, store: Store, limit: Threshold) -> MapSummary:
     poses = 0
     for n in range(task.number):
         checkpoint()
-        chunk = store.get(n)
-        if chunk is None:
-            chunk = _anew(tiles, store, n)
+        chunk = tile_of(tiles, store, n)
         parts.append(_summed(chunk, task, n, sigma))
         poses += parts[-1].poses
         report(_bar(poses, task.grid.size))
     return together(parts)
-
-
-def _anew(tiles: GridTiles, store: Store, n: int) -> Chunk:
-    """A chunk that is not there, or is damaged."""
-    if isinstance(store, Memory):
-        store.put(n, tiles.compute(n))
-    else:
-        store.unseal(n)
-        run(tiles, store)
-    chunk = store.get(n)
-    if chunk is None:
-        raise EngineFault(f"chunk {n} of the map is lost as it is written")
-    return chunk
 
 
 def _summed(chunk: Chunk, task: MapTask, number: int, sigma: float) -> MapSummary:
@@ -194,17 +157,6 @@ def _summed(chunk: Chunk, task: MapTask, number: int, sigma: float) -> MapSummar
 def _bar(done: int, number: int) -> str:
     full = done * _BAR // number
     return f"[{'#' * full}{'.' * (_BAR - full)}] {100 * done // number:3d} % of {number:,} poses"
-
-
-def _check_kept(task: MapTask, store: TileStore, n: int) -> None:
-    """Compute a tile again that was found in a store. Raises FileError where it holds something else."""
-    there = store.get(n)
-    if there is not None and not alike(there, task.compute(n)):
-        raise FileError(
-            f"tile {n} is not what is computed now; its files were changed",
-            filename=str(store.path),
-            hint="begin anew with --restart (in Python restart=True), or take another store",
-        )
 
 
 def _curves(m: SingularMap) -> tuple[Curve, ...]:

@@ -17,11 +17,11 @@ from gcrules.core.shown import Shown
 from gcrules.poses.limits import LengthLimits
 from gcrules.poses.maps.mesh import Mesh
 from gcrules.poses.maps.slices import SliceFactor
-from gcrules.poses.maps.store import Store
 from gcrules.poses.maps.summary import MapSummary
 from gcrules.poses.maps.surface import Sheet, of_factor, sheet
 from gcrules.poses.maps.task import Chunk, MapTask, Slice, width_of
 from gcrules.poses.maps.variables import about
+from gcrules.poses.tiles.keeping import Store
 from gcrules.screws.threshold import Threshold, margin_of
 
 if TYPE_CHECKING:

@@ -37,7 +37,7 @@ def merge_maps(stores: Sequence[str | PathLike[str]], output: str | PathLike[str
             _merge(tile, found, merged)
             report(f"{tile + 1:,} of {first.number:,} tiles")
     except BaseException:
-        merged.close()
+        merged.remove()
         raise
     merged.settle_all()
     return status_of(merged, fspath(output))

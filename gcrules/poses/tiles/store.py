@@ -71,7 +71,7 @@ class TileStore:
             raise FileError("this folder holds other files; it is not touched", filename=str(path))
         try:
             if restart:
-                store.close()
+                store.remove()
                 found = None
             if found is None:
                 found = store._made(task)
@@ -219,7 +219,7 @@ class TileStore:
         except OSError as fault:
             raise written(fault, str(self.path)) from None
 
-    def close(self) -> None:
+    def remove(self) -> None:
         """Remove the store and what lies beside it."""
         if attributes(self.path) is not None:
             shutil.rmtree(self.path, ignore_errors=True)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from gcrules.core.deferred import deferred
 from gcrules.core.english import listed
 from gcrules.core.floats import rounded_down
-from gcrules.poses.boxes.question import LIMB_MODE
 from gcrules.poses.boxes.report import BoxMap
+from gcrules.poses.boxes.task import MODES
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.results.result_account import Facts, ResultAccount
 from gcrules.views.text_tables import ASCII, table, wrapped
@@ -48,7 +48,7 @@ def verdict(m: BoxMap) -> str:
     reached = "reached within the limits" if q.limits else "reached"
     pose = "pose of this range" + (f" that is {reached}" if outside or q.limits else "")
     least = f", and the margin is {m.task.margin:g} at least" if m.task.margin else ""
-    beside = f", or poses that are not {reached}" if q.limits or q.mode == LIMB_MODE else ""
+    beside = "" if q.always_reached else f", or poses that are not {reached}"
     parted = (
         f" Both signs of the determinant occur ({_percent(free)} and {_percent(other)}): every way from one to the "
         f"other passes a singular pose{beside}."
@@ -64,8 +64,7 @@ def verdict(m: BoxMap) -> str:
             return f"No singular pose was found, but {_percent(undecided)} of the range is undecided.{parted}"
     if not crossed:
         return f"This range is not free: there is a singular pose in what is undecided.{parted}"
-    bad = f"singular, or has a margin below {m.task.margin:g}" if m.task.margin else "singular"
-    return f"This range is not free: boxes of {_percent(crossed)} of it hold a pose that is {bad}.{parted}"
+    return f"This range is not free: boxes of {_percent(crossed)} of it hold {_bad(m)}.{parted}"
 
 
 def _asked(m: BoxMap) -> Iterator[tuple[str, str]]:
@@ -78,8 +77,8 @@ def _asked(m: BoxMap) -> Iterator[tuple[str, str]]:
         yield "rest", q.rest
     if q.limits:
         yield "limits", q.limits.text
-    if q.mode == LIMB_MODE:
-        yield "mode", q.mode
+    if q.chosen:
+        yield "mode", MODES[q.chosen]
 
 
 def _shares(m: BoxMap) -> Iterator[tuple[str, str]]:
@@ -102,7 +101,8 @@ def _shares(m: BoxMap) -> Iterator[tuple[str, str]]:
 
 def _bad(m: BoxMap) -> str:
     """What a crossed box holds."""
-    return f"a pose that is singular{', or close to one' if m.task.margin else ''}"
+    below = f", or has a margin below {m.task.margin:g}" if m.task.margin else ""
+    return f"a pose that is singular{below}"
 
 
 def _proof(m: BoxMap) -> Iterator[tuple[str, str]]:
@@ -113,7 +113,7 @@ def _proof(m: BoxMap) -> Iterator[tuple[str, str]]:
         "all that they leave out and of rounding"
     )
     yield "proof", f"{words}."
-    if m.task.question.mode == LIMB_MODE:
+    if m.task.question.chosen:
         yield "check", "the closed forms of the wrenches agree with the joints at poses at random"
 
 
