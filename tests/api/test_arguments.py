@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 import operator
+import os
 import traceback
 import types
 import warnings
@@ -110,6 +111,8 @@ NASTY: dict[str, Callable[[], Any]] = {
     "library": gc.load_rules,
     "simple namespace": types.SimpleNamespace,
 }
+
+PACKAGE = f"{Path(gc.__file__).parent}{os.sep}"
 
 # What is right, so that one argument at a time is wrong. Searches are short.
 RIGHT: dict[str, dict[str, Any]] = {
@@ -338,7 +341,7 @@ def test_an_operand_of_another_kind_is_pythons_type_error(name: str, symbol: str
             except GcrulesError:
                 continue
             except Exception as fault:
-                inside = [f.name for f in traceback.extract_tb(fault.__traceback__) if "/gcrules/" in f.filename]
+                inside = [f.name for f in traceback.extract_tb(fault.__traceback__) if f.filename.startswith(PACKAGE)]
                 if inside or not isinstance(fault, TypeError):
                     wrong[key] = f"{type(fault).__name__}: {fault} in {inside}"
     assert not wrong
