@@ -144,6 +144,7 @@ class TestLegs:
         kinds = {"outside": 0, "inside": 0}
         for tile in range(found.task.number):
             leaves = found.leaves(tile)
+            inside = found.task.decider.reached(leaves.boxes)[1]
             for k in range(len(leaves.status)):
                 places = leaves.boxes.middles[k] + rng.uniform(-1, 1, (5, 3)) * leaves.boxes.halves[k]
                 lengths = np.linalg.norm(rig.arms + rig.centre_of_turns + places[:, None] - rig.base, axis=2)
@@ -151,7 +152,7 @@ class TestLegs:
                 if leaves.status[k] == 3:
                     assert not kept.any()
                     kinds["outside"] += 1
-                elif leaves.inside[k]:
+                elif inside[k]:
                     assert kept.all()
                     kinds["inside"] += 1
         assert all(kinds.values())
@@ -238,7 +239,11 @@ class TestRobots:
         for tile in range(found.task.number):
             leaves = found.leaves(tile)
             for status, inside, m, h in zip(
-                leaves.status, leaves.inside, leaves.boxes.middles, leaves.boxes.halves, strict=True
+                leaves.status,
+                found.task.decider.reached(leaves.boxes)[1],
+                leaves.boxes.middles,
+                leaves.boxes.halves,
+                strict=True,
             ):
                 x, yaw = (m + rng.uniform(-1, 1, (3, 2)) * h).T
                 amounts = value.actuator_values(np.stack([x, np.zeros(3), yaw], axis=1))
@@ -356,7 +361,7 @@ class TestTruth:
         far = ["x -4.0625:-3.75", "y -2.8125:-2.5", "z -2.1875:-1.875"]
         assert answer("3-uru", far, tiles=1, boxes=1).summary.shares[3] == 0
         found = answer("quadrupteron", ["x 1.5:2", "y -1.5:-1", "yaw 60:88 deg"], limits="actuators -5..5", tiles=1)
-        assert not any(found.leaves(0).inside)
+        assert not found.task.decider.reached(found.leaves(0).boxes)[1].any()
 
     def test_reach_is_seen(self) -> None:
         """Of robots whose links are placed by roots, or whose limbs stretch; and Newton's method agrees."""
@@ -372,6 +377,7 @@ class TestTruth:
         legs = str(EXAMPLES / "platform-6-6.yaml")
         found = answer(legs, ["z 1999:2000", "yaw -100:100 deg"], tiles=2, boxes=511)
         rig = mechanism(legs).six_legs().rig
+        signs: set[int] = set()
         for tile in range(found.task.number):
             leaves = found.leaves(tile)
             for k in np.flatnonzero(leaves.status == 0):
@@ -381,14 +387,19 @@ class TestTruth:
                 ends = rig.arms @ turn.T + rig.centre_of_turns + np.array([0, 0, z])
                 here, home = exact_sign(ends, rig.base), exact_sign(rig.arms + rig.centre_of_turns, rig.base)
                 assert bool(leaves.negative[k]) == (here != home)
+                signs.add(here)
+        assert signs == {-1, 1}
 
     def test_bounds_are_not_rounded_up(self) -> None:
+        bounds = 0
         for start in np.linspace(-0.4, 0.4, 12):
             found = answer("3-rpr", [f"x {start}:{start + 1e-9}"], margin=0.001, tiles=1, boxes=1)
             if found.summary.bound is None:
                 continue
             true = gc.compiled("3-rpr").margins([[start + t * 1e-9, 0, 0] for t in np.linspace(0, 1, 5)])
             assert found.summary.bound <= true.min() + 1e-13
+            bounds += 1
+        assert bounds > 6
 
 
 def exact_sign(ends: np.ndarray, base: np.ndarray) -> int:

@@ -11,7 +11,13 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.compiling.leg_programs import balanced_leg_lines, leg_lengths, plain_leg_wrenches
+from gcrules.poses.compiling.closed_forms import ClosedForms
+from gcrules.poses.compiling.leg_programs import (
+    balanced_leg_lines,
+    leg_lengths,
+    leg_wrenches,
+    plain_leg_wrenches,
+)
 from gcrules.poses.compiling.limb_programs import wrench_forms
 from gcrules.poses.compiling.limb_wrenches import BalancedLines
 from gcrules.poses.compiling.roads import check_finite
@@ -26,18 +32,20 @@ __all__ = ["BoxForms", "box_forms"]
 class BoxForms:
     """Programs of a mechanism's coordinates, angles in rad.
 
-    `wrenches` has the entries of a matrix of so many `columns`, row by row, with the rank of the platform's wrenches,
-    and then roots that have to exist; `lines` are the same wrenches in the balance in which margins are measured.
-    `actuators` has for each of them the cosine and the sine of its turn from home, or a length, as `turns` says; None
-    where it has no closed form. `reached` says that a pose is reached wherever the roots exist.
+    `forms` are those of the margin and of the actuators. `wrenches` has the entries of a matrix with the rank of the
+    platform's wrenches, row by row, and then roots that have to exist; `lines` are the same wrenches, of any length, in
+    the balance in which margins are measured. `reached` says that a pose is reached wherever the roots exist.
     """
 
+    forms: ClosedForms
     wrenches: Program
     lines: BalancedLines
-    actuators: Program | None
-    columns: int
-    turns: tuple[bool, ...]
     reached: bool
+
+    @property
+    def columns(self) -> int:
+        """How many columns the matrices have."""
+        return self.forms.columns
 
     @property
     def entries(self) -> int:
@@ -59,8 +67,10 @@ def box_forms(m: Mechanism, names: tuple[str, ...]) -> BoxForms:
 def _of_legs(m: SixLegs, _: tuple[str, ...]) -> BoxForms:
     check_finite(m.analysis.structure)
     graph = Graph(6)
+    lengths = leg_lengths(m, graph, turned_by)
+    forms = ClosedForms(None, leg_wrenches(m, graph, turned_by), lengths, 6, (False,) * 6)
     wrenches, lines = plain_leg_wrenches(m, graph, turned_by), balanced_leg_lines(m, graph, turned_by)
-    return BoxForms(wrenches, lines, leg_lengths(m, graph, turned_by), 6, (False,) * 6, True)
+    return BoxForms(forms, wrenches, lines, reached=True)
 
 
 def _of_limbs(m: Limbs, names: tuple[str, ...]) -> BoxForms:
@@ -70,8 +80,7 @@ def _of_limbs(m: Limbs, names: tuple[str, ...]) -> BoxForms:
             f"the wrenches of {m.robot.id} have no closed form in {listed(names)} that is known here",
             hint="a map over nodes (with a number in each range), gcrules free and gcrules path do without",
         )
-    forms = found.checked
-    return BoxForms(found.plain, found.lines, forms.actuators, forms.columns, forms.turns, found.reached)
+    return BoxForms(found.checked, found.plain, found.lines, found.reached)
 
 
 _FORMS: Methods[BoxForms] = {SixLegs: _of_legs, Limbs: _of_limbs}

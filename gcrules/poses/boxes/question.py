@@ -76,18 +76,13 @@ def question(m: Mechanism, over: Sequence[str | GridAxis], at: Any, limits: str 
         more = "; gcrules free --over actuators proves ranges of actuators" if foreign.kind == ACTUATOR else ""
         raise InputError(f"whole boxes are not over {foreign.name}", hint=f"take x, y, z, roll, pitch or yaw{more}")
     for a in axes:
-        if a.unit in ("deg", "rad") and a.name in TURNS and float(a.stop - a.start) * _radians(a) > _ALL_ROUND:
+        if a.name in TURNS and float(a.stop - a.start) * a.scale > _ALL_ROUND:
             raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
     found = method(_QUESTION, m, "a map of whole boxes")(axes, at, limits)
     far = next((a for a in axes if a.name in TRANSLATION and max(-a.start, a.stop) > FAR * found.size), None)
     if far is not None:
         raise InputError(f"{far.name} goes more than {FAR:g} times the robot's size away", hint="check the unit")
     return found
-
-
-def _radians(axis: GridAxis) -> float:
-    """What one unit of an axis is in radians, or in the file's unit of length."""
-    return math.radians(1.0) if axis.unit == "deg" else 1.0
 
 
 def _of_legs(m: SixLegs, axes: tuple[GridAxis, ...], at: Any, limits: str | None) -> Question:

@@ -6,7 +6,6 @@ anywhere (`gcrules.poses.tiles`).
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import fields
 from functools import cached_property
@@ -23,7 +22,7 @@ from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.poses.boxes.deciding import Boxes, Decider
 from gcrules.poses.boxes.forms import box_forms
 from gcrules.poses.boxes.question import Question, question
-from gcrules.poses.boxes.trees import INSIDE, LEAF, NEGATIVE, Leaves, grown, leaves_of
+from gcrules.poses.boxes.trees import LEAF, NEGATIVE, Leaves, grown, leaves_of
 from gcrules.poses.maps.axes import parse_axis
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 from gcrules.poses.maps.recipe import recipe_of, robot_of
@@ -133,7 +132,7 @@ class BoxTask(HoldsArrays):
         """What decides boxes, in radians and the file's unit. Raises InputError for what has no closed form."""
         q = self.question
         forms = box_forms(self.mechanism, q.names)
-        if q.limits is not None and forms.actuators is None:
+        if q.limits is not None and forms.forms.actuators is None:
             raise InputError(
                 "what the actuators do has no closed form that is known here: limits cannot be proved over boxes",
                 hint="leave --limits out, or map nodes: give each range a number",
@@ -188,14 +187,14 @@ class BoxTask(HoldsArrays):
     @property
     def units(self) -> Floats:
         """What a unit of each axis is in radians, or in the file's unit."""
-        return np.array([math.radians(1.0) if a.unit == "deg" else 1.0 for a in self.question.axes])
+        return np.array([a.scale for a in self.question.axes])
 
 
 _TREE = (
     f"a box that is cut has 1 + the number of the coordinate across which it is cut, its halves stand on the next "
     f"level, the lower one first; others have {LEAF} + {FREE} free, {CROSSED} crossed, {UNDECIDED} undecided, "
-    f"{OUTSIDE} outside, + {NEGATIVE} where the determinant has not the sign that it has at home, + {INSIDE} where all "
-    "of a free one is known to be reached within the limits; 0 at the end is nothing"
+    f"{OUTSIDE} outside, + {NEGATIVE} where the determinant has not the sign that it has at home; 0 at the end is "
+    "nothing"
 )
 
 

@@ -24,7 +24,7 @@ True
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cache
+from functools import cache, cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,23 +66,32 @@ class Models:
     influence: Floats
 
     @property
+    def known(self) -> Truths:
+        """Where (N,) all of them are numbers."""
+        return np.asarray(self.exists & np.isfinite(self.rest).all(axis=0) & np.isfinite(self.terms).all(axis=(0, 1)))
+
+    @cached_property
     def centres(self) -> Floats:
-        """The middles (R, N) of the ranges."""
+        """The middles (R, N) of the ranges: squares are from 0 to 1, and so 1/2 ± 1/2."""
         n = len(self.influence)
         return np.asarray(self.terms[:, 0] + self.terms[:, 1 + n : 1 + 2 * n].sum(axis=1) / 2)
 
-    @property
+    @cached_property
+    def changes(self) -> Floats:
+        """What each term adds to the middles at most, with its sign: (R, T − 1, N)."""
+        n = len(self.influence)
+        found = self.terms[:, 1:].copy()
+        found[:, n : 2 * n] /= 2
+        return found
+
+    @cached_property
     def radii(self) -> Floats:
         """How far (R, N) the values are from the middles at most."""
-        n = len(self.influence)
-        sizes = np.abs(self.terms[:, 1:])
-        sizes[:, n : 2 * n] /= 2
-        return np.asarray(sizes.sum(axis=1) + self.rest)
+        return np.asarray(np.abs(self.changes).sum(axis=1) + self.rest)
 
     def ranges(self) -> tuple[Floats, Floats]:
         """Bounds (R, N) of the values."""
-        centres, radii = self.centres, self.radii
-        return centres - radii, centres + radii
+        return self.centres - self.radii, self.centres + self.radii
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -1,14 +1,14 @@
 r"""Boxes that are halved until they are decided, as trees: a number for each box, level by level.
 
 A box that is cut has the number 1 + k, k the coordinate across which it is cut; its halves stand on the next level,
-the lower one first, in the order of the boxes that are cut. Others have `LEAF` + a status, and more where it is known
-that the determinant has the other sign than at home, or that all poses of the box are reached within the limits.
+the lower one first, in the order of the boxes that are cut. Others have `LEAF` + a status, and more where the
+determinant is known to have the other sign than at home.
 
->>> tree = np.array([1, LEAF + FREE + INSIDE, 2, LEAF + OUTSIDE, LEAF + CROSSED], dtype=np.uint8)
+>>> tree = np.array([1, LEAF + FREE + NEGATIVE, 2, LEAF + OUTSIDE, LEAF + CROSSED], dtype=np.uint8)
 >>> leaves = leaves_of(tree, Boxes(np.array([[0.0, 0.0]]), np.array([[1.0, 1.0]])))
 >>> leaves.boxes.middles.tolist(), leaves.depths.tolist()
 ([[-0.5, 0.0], [0.5, -0.5], [0.5, 0.5]], [1, 2, 2])
->>> leaves.status.tolist(), leaves.inside.tolist()  # free, outside, crossed
+>>> leaves.status.tolist(), leaves.negative.tolist()  # free, outside, crossed
 ([0, 3, 1], [True, False, False])
 """
 
@@ -21,15 +21,15 @@ from gcrules.core.dataclass import dataclass
 from gcrules.poses.boxes.deciding import Boxes, Decider
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
-__all__ = ["INSIDE", "LEAF", "NEGATIVE", "Leaves", "Tree", "grown", "leaves_of"]
+__all__ = ["LEAF", "NEGATIVE", "Leaves", "Tree", "grown", "leaves_of"]
 
 Codes = NDArray[np.uint8]
 Floats = NDArray[np.float64]
 
 LEAF = 16
 """The number of a box that is not cut, without its status."""
-NEGATIVE, INSIDE = 4, 8
-"""What is added: the determinant has not the sign that it has at home; all poses are reached within the limits."""
+NEGATIVE = 4
+"""What is added where the determinant has not the sign that it has at home."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,13 +46,14 @@ class Tree:
 
 @dataclass(frozen=True, eq=False)
 class Leaves:
-    """The N boxes that are not cut: how often they were halved (N,), their status, and what is known of free ones."""
+    """The N boxes that are not cut: how often they were halved (N,), their status, and of free ones whether
+    the determinant has another sign than at home.
+    """
 
     boxes: Boxes
     depths: NDArray[np.intp]
     status: Codes
     negative: NDArray[np.bool_]
-    inside: NDArray[np.bool_]
 
     @property
     def shares(self) -> Floats:
@@ -76,7 +77,7 @@ def grown(decider: Decider, whole: Boxes, most: int, home: int) -> Tree:
                 margin, place = float(found.margins[k]), boxes.middles[k]
             bound = min(bound, float(found.bounds[free].min()))
         codes = np.full(len(boxes), LEAF + UNDECIDED, dtype=np.uint8)
-        codes[free] = LEAF + FREE + NEGATIVE * (found.signs[free] * home < 0) + INSIDE * found.inside[free]
+        codes[free] = LEAF + FREE + NEGATIVE * (found.signs[free] * home < 0)
         codes[found.outside] = LEAF + OUTSIDE
         left = np.flatnonzero(~free & ~found.outside)
         levels.append(codes)
@@ -106,5 +107,4 @@ def leaves_of(codes: Codes, whole: Boxes) -> Leaves:
         depth += 1
     every = np.concatenate(numbers)
     found = Boxes(np.concatenate([b.middles for b in kept]), np.concatenate([b.halves for b in kept]))
-    negative, inside = (every & NEGATIVE).astype(bool), (every & INSIDE).astype(bool)
-    return Leaves(found, np.concatenate(depths), (every & 3).astype(np.uint8), negative, inside)
+    return Leaves(found, np.concatenate(depths), (every & 3).astype(np.uint8), (every & NEGATIVE).astype(bool))

@@ -52,9 +52,9 @@ def leg_lengths(m: SixLegs, graph: Graph, turned_by: TurnedBy = cosine_and_sine)
     return lower(graph, *(length for _, length in _bars(m, graph, turned_by)))
 
 
-def leg_wrenches(m: SixLegs, graph: Graph) -> Program:
+def leg_wrenches(m: SixLegs, graph: Graph, turned_by: TurnedBy = cosine_and_sine) -> Program:
     """The entries of the legs' wrenches, row by row: six columns, the least singular value is the margin."""
-    units = [scaled(bar, inverse(length)) for bar, length in _bars(m, graph)]
+    units = [scaled(bar, inverse(length)) for bar, length in _bars(m, graph, turned_by)]
     return lower(graph, *(c for row in _balanced(m, units) for c in row))
 
 

@@ -107,9 +107,8 @@ class LimbsGrid:
         """The coordinates `names` at the first node, and by how much they grow from node to node, (axes, names)."""
         origin, steps = np.array(self.values), np.zeros((len(self.axes), len(self.names)))
         for k, axis in enumerate(self.axes):
-            scale = math.radians(1.0) if axis.unit == "deg" else 1.0
             n = self.names.index(axis.name)
-            origin[n], steps[k, n] = float(axis.start) * scale, float(axis.step) * scale
+            origin[n], steps[k, n] = float(axis.start) * axis.scale, float(axis.step) * axis.scale
         return origin, steps
 
     def to_json(self) -> dict[str, Any]:
@@ -323,7 +322,7 @@ def limbs_task(m: Limbs, over: Any, at: Any = None, limits: str | None = None, m
             f"{grid.size:,} poses: more than {MAX_POSES:,} in one map of a robot of joints", hint="take a coarser grid"
         )
     for a in axes:
-        if a.unit and (float(a.stop) - float(a.start)) * (math.radians(1) if a.unit == "deg" else 1.0) > _ALL_ROUND:
+        if a.unit and (float(a.stop) - float(a.start)) * a.scale > _ALL_ROUND:
             raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
     check_target(k, Target(names, np.zeros(len(names)), driven, text="home"))
     return LimbsTask(m, grid, reach, measure)

@@ -110,6 +110,11 @@ class GridAxis:
         """The distance of neighbouring nodes."""
         return (self.stop - self.start) / (self.number - 1)
 
+    @property
+    def scale(self) -> float:
+        """What its unit is in radians, or in the unit of lengths."""
+        return math.radians(1.0) if self.unit == "deg" else 1.0
+
     @cached_property
     def nodes(self) -> Floats:
         """The nodes in floats, each rounded once, shape (number,)."""
