@@ -28,6 +28,7 @@ from gcrules.poses.maps.cells import FREE
 from gcrules.poses.maps.maps import singular_map
 from gcrules.poses.tiles.store import TileStore
 from gcrules.views.plots import map_files as outputs
+from gcrules.views.plots.map_formats import MapFormat
 
 pytestmark = pytest.mark.usefixtures("compiled_once")
 
@@ -234,7 +235,7 @@ def test_a_full_disk(
     if where == "chunk":
         monkeypatch.setattr("gcrules.poses.tiles.store.written_shard", full)
     elif where == "file":
-        broken = {**outputs.MAP_FORMATS, ".nc": outputs.MapFormat(full)}
+        broken = {**outputs.MAP_FORMATS, ".nc": MapFormat(full)}
         monkeypatch.setattr(outputs, "MAP_FORMATS", broken)
     else:
         full_at = "gcrules.core.files.os.replace"

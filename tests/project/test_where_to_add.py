@@ -38,7 +38,8 @@ from gcrules.screws.screw import prismatic_of, revolute_of
 from gcrules.views import forms
 from gcrules.views.code.languages import LANGUAGES
 from gcrules.views.forms import FORMS, Forms
-from gcrules.views.plots.map_files import MAP_FORMATS, MapFormat
+from gcrules.views.plots.map_files import MAP_FORMATS
+from gcrules.views.plots.map_formats import MapFormat
 from gcrules.views.robots.robot_drawing import draw_robot
 
 HERE = __name__  # tables name functions as "module:function"

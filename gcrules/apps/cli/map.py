@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import os
 from typing import Any
 
 import click
 
 from gcrules.apps.cli.base import Output, about_option
-from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.map_options import at_option, limits_option, show, telling_what_is_kept, tile_options
 from gcrules.apps.cli.map_tiles import MapCommand
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.budget import report
@@ -20,7 +20,7 @@ from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.maps.maps import MAX_HELD, done, map_part
 from gcrules.poses.maps.planned import Plan, bytes_of, planned
 from gcrules.poses.maps.task import MEASURES
-from gcrules.poses.tiles.how import HERE, MAX_WORKERS, Running, running
+from gcrules.poses.tiles.how import HERE, Running, running
 from gcrules.poses.tiles.zarr_files import has_zarr
 from gcrules.views.plots.map_files import MAP_FORMATS, check_outputs
 
@@ -36,13 +36,9 @@ __all__ = ["map_"]
     metavar="RANGE",
     help='A coordinate with start:stop:number, "x -200:200:201" or "rz -90:90:181 deg"; give two or three.',
 )
-@click.option("--at", metavar="POSE", help="The pose of the other coordinates, as in gcrules pose; the file's own.")
+@at_option
 @about_option
-@click.option(
-    "--limits",
-    metavar="RANGES",
-    help='What legs or actuators reach: "leg lengths 1..3", "ab 1..3, cd 2..", of joints "q1 -30..30 deg".',
-)
+@limits_option
 @click.option(
     "--threshold", default="0.5 deg", show_default=True, metavar="ANGLE", help="Closer than this is close (deg, rad)."
 )
@@ -54,34 +50,7 @@ __all__ = ["map_"]
     help="margin σ and leg lengths too; the superbracket only, which is quick; or the margin and what actuators do.",
 )
 @time_limit(None)
-@click.option("--restart", is_flag=True, help="Throw away finished tiles of an earlier run and begin anew.")
-@click.option(
-    "--workers",
-    type=click.IntRange(0, MAX_WORKERS),
-    default=0,
-    show_default="in this process",
-    metavar="N",
-    help="Compute tiles in so many processes of this machine.",
-)
-@click.option("--part", metavar="K/N", help="Compute only the K-th of N parts, as a job of an array.")
-@click.option(
-    "--scheduler",
-    metavar="ADDRESS",
-    help='Compute tiles on a Dask cluster that shares the disk; "local" starts one on this machine.',
-)
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
-@click.option(
-    "--unicode/--ascii", " /--plain", "mathematics", default=None, help="Unicode or plain ASCII; by default what fits."
-)
-@click.option(
-    "-o",
-    "--output",
-    "outputs",
-    type=OutputFile(),
-    multiple=True,
-    metavar="FILE",
-    help=f"Write a file, as often as you like; its suffix says what: {' '.join(MAP_FORMATS)}.",
-)
+@tile_options(MAP_FORMATS)
 def map_(
     file: str,
     mode: str | None,
@@ -113,7 +82,7 @@ def map_(
     the robot's file from standard input; the id of a robot, as of "gcrules robot list", does as well.
 
     A long run is computed in tiles and may be interrupted: with -o map.nc they are kept in map.nc.part, with -o
-    map.zarr they are the answer, and the same command goes on from there. And of stores of tiles:
+    map.zarr they are the answer, and the same command goes on from there. There are, too:
 
     \b
     gcrules map boxes ROBOT --over RANGE...     whole ranges of one to six coordinates, proved box by box
@@ -133,21 +102,13 @@ def map_(
         needed = bytes_of(plan.task) * (1 + any(o.lower().endswith(".nc") for o in outputs))
         check_room(work, needed, "take a coarser grid, or --measure value, which needs less")
     out = Output(json=as_json, mathematics=mathematics)
-    try:
-        with working("computing"):
-            if how.part is not None:
-                out.show(map_part(plan, how, work=work, restart=restart))
-                return
-            found = done(plan, how, work=work, restart=restart)
-            _save(found, outputs)
-    except KeyboardInterrupt:
-        if work is not None:
-            click.echo(f"\ninterrupted; finished tiles are kept in {work}: run the same command again", err=True)
-        raise
-    if as_json:
-        click.echo(json.dumps(found.to_json()))
-    else:
-        out.show(found)
+    with telling_what_is_kept(work), working("computing"):
+        if how.part is not None:
+            out.show(map_part(plan, how, work=work, restart=restart))
+            return
+        found = done(plan, how, work=work, restart=restart)
+        _save(found, outputs)
+    show(found, out)
     if work not in outputs:
         after_writing(found.store.remove)
 

@@ -2,28 +2,31 @@
 
 from __future__ import annotations
 
-import json
-
 import click
 
 from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.map_options import (
+    at_option,
+    limits_option,
+    scheduler_option,
+    show,
+    telling_what_is_kept,
+    tile_options,
+    workers_option,
+)
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.boxes.box_map import box_part, boxes_done
 from gcrules.poses.boxes.refining import refine_map
 from gcrules.poses.boxes.task import box_task
-from gcrules.poses.tiles.how import HERE, MAX_WORKERS, running
-from gcrules.views.plots.box_files import BOX_FORMATS, check_box_outputs
+from gcrules.poses.tiles.how import HERE, running
+from gcrules.views.plots.box_files import BOX_FORMATS
+from gcrules.views.plots.map_formats import check_files
 
 __all__ = ["boxes_", "refine"]
-
-_workers = click.option(
-    "--workers", type=click.IntRange(0, MAX_WORKERS), default=0, metavar="N", help="Compute in so many processes."
-)
-_scheduler = click.option("--scheduler", metavar="ADDRESS", help='Compute on a Dask cluster; "local" starts one here.')
 
 
 @click.command("boxes", cls=ExpressionCommand)
@@ -36,13 +39,9 @@ _scheduler = click.option("--scheduler", metavar="ADDRESS", help='Compute on a D
     metavar="RANGE",
     help='A coordinate with start:stop, "x -200:200" or "roll -20:20 deg"; give one to six.',
 )
-@click.option("--at", metavar="POSE", help="The pose of the other coordinates, as in gcrules pose; the file's own.")
+@at_option
 @about_option
-@click.option(
-    "--limits",
-    metavar="RANGES",
-    help='What legs or actuators reach: "leg lengths 1..3", "ab 1..3, cd 2..", of joints "q1 -30..30 deg".',
-)
+@limits_option
 @click.option("--margin", type=float, default=0.0, metavar="M", help="Free poses have this margin σ at least.")
 @click.option(
     "--tiles",
@@ -52,23 +51,7 @@ _scheduler = click.option("--scheduler", metavar="ADDRESS", help='Compute on a D
 )
 @click.option("--boxes", type=int, metavar="N", help="Cut each tile into so many boxes at most; 4095 by default.")
 @time_limit(None)
-@click.option("--restart", is_flag=True, help="Throw away finished tiles of an earlier run and begin anew.")
-@_workers
-@click.option("--part", metavar="K/N", help="Compute only this part of a job array; with -o FILE.zarr.")
-@_scheduler
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
-@click.option(
-    "--unicode/--ascii", " /--plain", "mathematics", default=None, help="Unicode or plain ASCII; by default what fits."
-)
-@click.option(
-    "-o",
-    "--output",
-    "outputs",
-    type=OutputFile(),
-    multiple=True,
-    metavar="FILE",
-    help=f"Write a file, as often as you like; its suffix says what: {' '.join(BOX_FORMATS)}.",
-)
+@tile_options(BOX_FORMATS)
 def boxes_(
     file: str,
     mode: str | None,
@@ -98,7 +81,7 @@ def boxes_(
     --part, --scheduler and "gcrules map status", verify and merge are as for maps over nodes. The exit code is 0
     whatever is decided.
     """
-    check_box_outputs(outputs)
+    check_files(outputs, BOX_FORMATS)
     how = running(workers, part, scheduler)
     work = next((o for o in outputs if o.lower().endswith(".zarr")), None)
     if work is None and (restart or how != HERE):
@@ -106,22 +89,14 @@ def boxes_(
     robot = mechanism(warn(read_source(file, mode=mode)), about=about)
     task = box_task(robot, over, at, limits, margin, tiles, boxes)
     out = Output(json=as_json, mathematics=mathematics)
-    try:
-        with working("computing"):
-            if how.part is not None:
-                out.show(box_part(task, how, work=work, restart=restart))
-                return
-            found = boxes_done(task, how, work=work, restart=restart)
-            for path in outputs:
-                found.save(path)
-    except KeyboardInterrupt:
-        if work is not None:
-            click.echo(f"\ninterrupted; finished tiles are kept in {work}: run the same command again", err=True)
-        raise
-    if as_json:
-        click.echo(json.dumps(found.to_json()))
-    else:
-        out.show(found)
+    with telling_what_is_kept(work), working("computing"):
+        if how.part is not None:
+            out.show(box_part(task, how, work=work, restart=restart))
+            return
+        found = boxes_done(task, how, work=work, restart=restart)
+        for path in outputs:
+            found.save(path)
+    show(found, out)
 
 
 @click.command("refine", cls=ExpressionCommand)
@@ -132,8 +107,8 @@ def boxes_(
 )
 @click.option("--over", multiple=True, metavar="RANGE", help="Another range, of whole tiles of the store.")
 @time_limit(None)
-@_workers
-@_scheduler
+@workers_option
+@scheduler_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def refine(
     store: str,
@@ -152,7 +127,7 @@ def refine(
     """
     if not refined.lower().endswith(".zarr"):
         raise InputError(f"{refined}: no name of a store", hint="stores end in .zarr")
-    check_box_outputs([refined])
+    check_files([refined], BOX_FORMATS)
     with working("computing"):
         found = refine_map(store, refined, boxes, over or None, workers=workers, scheduler=scheduler)
     Output(json=as_json).show(found)

@@ -16,7 +16,7 @@ from gcrules.poses.tiles.store import TileStore
 from gcrules.poses.tiles.task import Tile, TileTask
 from gcrules.poses.tiles.verifying import alike
 
-__all__ = ["Memory", "Store", "computed_part", "store_of", "tile_of"]
+__all__ = ["Memory", "Store", "computed_part", "copy_tiles", "store_of", "tile_of"]
 
 Name = str | PathLike[str]
 
@@ -83,6 +83,16 @@ def tile_of(task: TileTask, store: Store, number: int) -> Tile:
     if found is None:
         raise EngineFault(f"tile {number} is lost as it is written")
     return found
+
+
+def copy_tiles(task: TileTask, store: Store, work: Name) -> None:
+    """The tiles of a task in the store `work`, which this may be already. Raises as `TileStore.open`."""
+    kept = TileStore.open(work, task)
+    if kept != store:
+        for number in range(kept.number):
+            if not kept.there(number):
+                kept.put(number, tile_of(task, store, number))
+    kept.settle_all()
 
 
 def _check_kept(task: TileTask, store: TileStore, number: int) -> None:

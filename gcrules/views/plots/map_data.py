@@ -13,7 +13,7 @@ from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.maps.task import KINDS
 from gcrules.poses.maps.tiled import GridTiles
 from gcrules.poses.maps.variables import Variable, coordinates, unit_of, variables
-from gcrules.poses.tiles.store import TileStore
+from gcrules.poses.tiles.keeping import copy_tiles
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -62,12 +62,7 @@ def netcdf(m: SingularMap, path: str) -> None:
 
 def tiles(m: SingularMap, path: str) -> None:
     """Write a store of tiles, or see that it is there already."""
-    store = TileStore.open(path, GridTiles(m.task, m.sentence, m.recipe))
-    if store != m.store:
-        for n in range(store.number):
-            if not store.there(n):
-                store.put(n, m.chunk(n))
-    store.settle_all()
+    copy_tiles(GridTiles(m.task, m.sentence, m.recipe), m.store, path)
 
 
 def _text_type() -> Any:

@@ -1,0 +1,101 @@
+"""The options that maps over nodes and maps of whole boxes share: what is reached, and where tiles are computed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import Any, TypeVar
+
+import click
+
+from gcrules.apps.cli.base import Output
+from gcrules.apps.cli.files import OutputFile
+from gcrules.poses.tiles.how import MAX_WORKERS
+
+__all__ = [
+    "at_option",
+    "limits_option",
+    "scheduler_option",
+    "show",
+    "telling_what_is_kept",
+    "tile_options",
+    "workers_option",
+]
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+at_option = click.option(
+    "--at", metavar="POSE", help="The pose of the other coordinates, as in gcrules pose; the file's own."
+)
+limits_option = click.option(
+    "--limits",
+    metavar="RANGES",
+    help='What legs or actuators reach: "leg lengths 1..3", "ab 1..3, cd 2..", of joints "q1 -30..30 deg".',
+)
+workers_option = click.option(
+    "--workers",
+    type=click.IntRange(0, MAX_WORKERS),
+    default=0,
+    show_default="in this process",
+    metavar="N",
+    help="Compute tiles in so many processes of this machine.",
+)
+scheduler_option = click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help='Compute tiles on a Dask cluster that shares the disk; "local" starts one on this machine.',
+)
+
+
+def tile_options(formats: Iterable[str]) -> Callable[[F], F]:
+    """What becomes of tiles, and of the answer, which is written in these formats."""
+    options = (
+        click.option("--restart", is_flag=True, help="Throw away finished tiles of an earlier run and begin anew."),
+        workers_option,
+        click.option("--part", metavar="K/N", help="Compute only the K-th of N parts, as a job of an array."),
+        scheduler_option,
+        click.option("--json", "as_json", is_flag=True, help="Print one JSON object."),
+        click.option(
+            "--unicode/--ascii",
+            " /--plain",
+            "mathematics",
+            default=None,
+            help="Unicode or plain ASCII; by default what fits.",
+        ),
+        click.option(
+            "-o",
+            "--output",
+            "outputs",
+            type=OutputFile(),
+            multiple=True,
+            metavar="FILE",
+            help=f"Write a file, as often as you like; its suffix says what: {' '.join(formats)}.",
+        ),
+    )
+
+    def add(command: F) -> F:
+        for option in reversed(options):
+            command = option(command)
+        return command
+
+    return add
+
+
+@contextmanager
+def telling_what_is_kept(work: str | None) -> Iterator[None]:
+    """Where it is interrupted, say that what is done is kept in the store `work`."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        if work is not None:
+            click.echo(f"\ninterrupted; finished tiles are kept in {work}: run the same command again", err=True)
+        raise
+
+
+def show(found: Any, out: Output) -> None:
+    """Print a map: on one line where it is a JSON object."""
+    if out.json:
+        click.echo(json.dumps(found.to_json()))
+    else:
+        out.show(found)
