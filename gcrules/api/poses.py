@@ -9,7 +9,6 @@ from gcrules.api.signatures import public
 from gcrules.mechanisms.load import Source
 from gcrules.poses.aspects.aspects import aspects as _aspects
 from gcrules.poses.boxes.box_map import box_map as _box_map
-from gcrules.poses.boxes.refining import refine_map as _refine_map
 from gcrules.poses.compiling.compiled import compiled as _compiled
 from gcrules.poses.compiling.controller import controller as _controller
 from gcrules.poses.length_regions.length_regions import length_regions as _length_regions
@@ -23,9 +22,10 @@ from gcrules.poses.plans.plan import plan as _plan
 from gcrules.poses.pose import pose as _pose
 from gcrules.poses.pose import singular as _singular
 from gcrules.poses.regions.free_region import free_region as _free_region
+from gcrules.poses.stored_maps.refining import refine_map as _refine_map
+from gcrules.poses.stored_maps.verifying import verify_map as _verify_map
 from gcrules.poses.tiles.merging import merge_maps as _merge_maps
 from gcrules.poses.tiles.status import map_status as _map_status
-from gcrules.poses.tiles.verifying import verify_map as _verify_map
 from gcrules.views.code.source_code import source_code as _source_code
 
 __all__ = [

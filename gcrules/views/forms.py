@@ -122,7 +122,7 @@ FORMS: dict[str, Forms] = {
         xarray=f"{_VIEWS}.plots.box_files:dataset",
     ),
     "gcrules.poses.tiles.status.MapStatus": _result("tiles", formula=""),
-    "gcrules.poses.tiles.verifying.MapVerified": _result(
+    "gcrules.poses.stored_maps.verifying.MapVerified": _result(
         "tiles", text="verified_text", latex="verified_latex", formula=""
     ),
     "gcrules.poses.modes.working.WorkingModes": _told("working_modes"),

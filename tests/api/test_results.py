@@ -34,8 +34,8 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.conditions.analyze_robot import analyze_robot
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.mechanisms.load import read_robot
+from gcrules.poses.stored_maps.verifying import BadTile, MapVerified
 from gcrules.poses.tiles.status import MapStatus
-from gcrules.poses.tiles.verifying import BadTile, MapVerified
 from gcrules.rules.catalog.file import load
 from gcrules.rules.script import run_script
 

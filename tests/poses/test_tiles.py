@@ -17,7 +17,7 @@ from poses.tile_tasks import Sines, beside, contents, task_again
 import gcrules as gc
 from gcrules.core.errors import EngineFault, FileError, InputError
 from gcrules.core.frozen import FrozenMap
-from gcrules.poses.tiles import kinds
+from gcrules.poses.stored_maps import kinds
 from gcrules.poses.tiles.how import HERE, Running, parse_part, running
 from gcrules.poses.tiles.layout import Layout, layout_of
 from gcrules.poses.tiles.running import run

@@ -28,7 +28,7 @@ from gcrules.core.shown import Shown
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses import pose as methods
-from gcrules.poses.tiles.kinds import KINDS
+from gcrules.poses.stored_maps.kinds import KINDS
 from gcrules.poses.tiles.running import run
 from gcrules.poses.tiles.store import TileStore
 from gcrules.poses.tiles.task import TiledArray

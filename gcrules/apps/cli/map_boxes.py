@@ -20,8 +20,8 @@ from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.boxes.box_map import box_part, boxes_done
-from gcrules.poses.boxes.refining import refine_map
 from gcrules.poses.boxes.task import box_task
+from gcrules.poses.stored_maps.refining import refine_map
 from gcrules.poses.tiles.how import HERE, running
 from gcrules.views.plots.box_files import BOX_FORMATS
 from gcrules.views.plots.map_formats import check_files

@@ -11,9 +11,9 @@ from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_boxes import boxes_, refine
 from gcrules.core.errors import InputError
+from gcrules.poses.stored_maps.verifying import ALL, verify_map
 from gcrules.poses.tiles.merging import merge_maps
 from gcrules.poses.tiles.status import map_status
-from gcrules.poses.tiles.verifying import ALL, verify_map
 
 __all__ = ["MAP_COMMANDS", "MapCommand"]
 

@@ -8,9 +8,13 @@ from gcrules.apps.cli.base import ExpressionCommand, Output, output_options
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.sources import read_source, warn
+from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
 from gcrules.core.streams import is_stdout
+from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.length_regions.asked import Asked
 from gcrules.poses.length_regions.length_regions import SLICES, length_regions
+from gcrules.poses.length_regions.three_legs import three_legs
 from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["regions"]
@@ -53,6 +57,8 @@ def regions(
     code 0: the number of regions is known, 3: not decided. "-" reads the file from standard input.
     """
     loaded = warn(read_source(file))
+    if picture is not None and Asked.of(three_legs(mechanism(loaded)), over, held).held is None:
+        raise InputError("a picture is of two lengths", hint="give two ranges, and hold the third leg")
     with working("computing"):
         found = length_regions(loaded, over=over, held=held, slices=slices)
     if picture is not None:

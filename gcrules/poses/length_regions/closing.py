@@ -84,13 +84,13 @@ class Closing:
 
     def _lost(self, squares: Sequence[int], times: int = 1) -> int:
         """E, times a number, for whole squares that are so many times as large as they should be."""
-        s1, s2, s3 = squares
-        v2, v3 = combined((s2 - s1, _N), (-times, self.d2)), combined((s3 - s1, _N), (-times, self.d3))
+        v2, v3 = self._v(squares, times)
         return resultant(self.g, combined((1, product(v2, self.e)), (-1, product(v3, self.d2))))
 
-    def _v(self, squares: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+    def _v(self, squares: Sequence[Any], times: int = 1) -> tuple[list[Any], list[Any]]:
+        """v_2 and v_3, times a number by which the squares are multiplied."""
         s1, s2, s3 = squares
-        return combined((s2 - s1, _N), (-1, self.d2)), combined((s3 - s1, _N), (-1, self.d3))
+        return combined((s2 - s1, _N), (-times, self.d2)), combined((s3 - s1, _N), (-times, self.d3))
 
 
 def _moved(a: Plane, b: Plane) -> tuple[list[int], list[int]]:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import cos, floor, isqrt, log2, pi
+from math import cos, floor, log2, pi
 
 from gcrules.core.budget import checkpoint
+from gcrules.poses.length_regions.integer_polynomials import root_of
 from gcrules.poses.length_regions.report import Strip
 from gcrules.poses.length_regions.slabs import Cell, Plane
 
-__all__ = ["drawn_strips", "root_of"]
+__all__ = ["drawn_strips"]
 
 Heights = tuple[float, ...]
 
@@ -57,13 +58,3 @@ def _end(found: Plane, scale: int, line: int, x: float, at: Sequence[float], hei
             for n in point.left if x > at[0] else point.right:
                 made[n] = root_of(point.middle, scale)
     return tuple(made)
-
-
-def root_of(x: Fraction, scale: int) -> float:
-    """The length whose square, times `scale`, is this; 0 where it is below 0."""
-    square = max(x / scale, Fraction(0))
-    top, bottom = isqrt(square.numerator), isqrt(square.denominator)
-    if top * top == square.numerator and bottom * bottom == square.denominator:
-        return top / bottom
-    fine = 1 << 60
-    return isqrt(int(square * fine * fine)) / fine

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import ceil, log2
+from math import ceil, isqrt, log2
 from typing import Any
 
 from gcrules.core.budget import checkpoint
@@ -26,6 +26,7 @@ __all__ = [
     "product",
     "reach_of",
     "resultant",
+    "root_of",
     "roots_between",
     "subresultants",
     "value_at",
@@ -156,3 +157,13 @@ def reach_of(p: Sequence[Any]) -> Fraction:
         if c
     ]
     return Fraction(2) ** (ceil(max(bits, default=0.0)) + ceil(log2(2)) + 1)
+
+
+def root_of(x: Fraction, scale: int) -> float:
+    """The length whose square, times `scale`, is this; 0 where it is below 0."""
+    square = max(x / scale, Fraction(0))
+    top, bottom = isqrt(square.numerator), isqrt(square.denominator)
+    if top * top == square.numerator and bottom * bottom == square.denominator:
+        return top / bottom
+    fine = 1 << 60
+    return isqrt(int(square * fine * fine)) / fine

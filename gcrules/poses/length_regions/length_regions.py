@@ -14,7 +14,8 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.length_regions.asked import Asked
-from gcrules.poses.length_regions.drawn_strips import drawn_strips, root_of
+from gcrules.poses.length_regions.drawn_strips import drawn_strips
+from gcrules.poses.length_regions.integer_polynomials import root_of
 from gcrules.poses.length_regions.report import LengthRange, LengthRegion, LengthRegions
 from gcrules.poses.length_regions.sections import Part, Section
 from gcrules.poses.length_regions.solid import solid
@@ -41,7 +42,7 @@ def length_regions(
     named by their actuators; numbers are lengths, not amounts from home. `over` gives the ranges that are looked at,
     "q2 0.1..4, q3 ..4"; ends that are left out are 0 and what cannot be reached, which no range goes beyond. One leg is
     `held`, at home's length or at one that is given, "q1=1"; by default it is the first one without a range. Numbers
-    are exact as written, and those with many digits take long.
+    are exact as written, ends of ranges to 15 digits, and those with many digits take long.
 
     Over two lengths the number of regions is exact; for special dimensions it may be an interval, from `least` to
     `most`. With ranges of all three legs the regions are those that so many `slices` meet, joined by proved drives.

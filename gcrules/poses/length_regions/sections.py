@@ -10,7 +10,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.poses.length_regions.asked import Range
-from gcrules.poses.length_regions.drawn_strips import root_of
+from gcrules.poses.length_regions.integer_polynomials import root_of
 from gcrules.poses.length_regions.slabs import Cell, Plane, plane
 from gcrules.poses.length_regions.three_legs import ThreeLegs
 

@@ -17,8 +17,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.core.dataclass import dataclass
 from gcrules.poses.length_regions.asked import Range
-from gcrules.poses.length_regions.drawn_strips import root_of
-from gcrules.poses.length_regions.integer_polynomials import interpolated, roots_between
+from gcrules.poses.length_regions.integer_polynomials import interpolated, root_of, roots_between
 from gcrules.poses.length_regions.sections import Part, Section
 from gcrules.poses.length_regions.three_legs import ThreeLegs
 

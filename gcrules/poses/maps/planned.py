@@ -27,7 +27,9 @@ from gcrules.poses.maps.values import LegsTask
 from gcrules.poses.methods import Methods, method
 from gcrules.screws.threshold import Threshold, angle_threshold
 
-__all__ = ["Plan", "bytes_of", "planned"]
+__all__ = ["KIND", "Plan", "bytes_of", "planned"]
+
+KIND = "grid map"
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +52,7 @@ def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold:
     if why := found.drives.missing(measure):
         there = ", ".join(found.drives.indices)
         raise InputError(f"{why}: there is no {measure.replace('_', ' ')}", hint=f"indices of this robot are {there}")
-    return replace(plan, recipe=FrozenMap(recipe_of("grid map", found, over, at, limits, measure=measure)))
+    return replace(plan, recipe=FrozenMap(recipe_of(KIND, found, over, at, limits, measure=measure)))
 
 
 def _of_legs(m: SixLegs, over: Any, at: Any, limits: str | None, limit: Threshold, measure: str) -> Plan:

@@ -9,12 +9,12 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, FileError, InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.seeds import drawn
+from gcrules.poses.tiles.comparing import alike
 from gcrules.poses.tiles.how import HERE, Running
 from gcrules.poses.tiles.running import run
 from gcrules.poses.tiles.status import MapStatus, status_of
 from gcrules.poses.tiles.store import TileStore
 from gcrules.poses.tiles.task import Tile, TileTask
-from gcrules.poses.tiles.verifying import alike
 
 __all__ = ["Memory", "Store", "computed_part", "copy_tiles", "store_of", "tile_of"]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from gcrules.poses.stored_maps.verifying import MapVerified
 from gcrules.poses.tiles.status import MapStatus
-from gcrules.poses.tiles.verifying import MapVerified
 from gcrules.views.formulas.latex_text import latex_table, latex_words
 from gcrules.views.text_tables import ASCII, table
 

@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from gcrules.core.deferred import deferred
 from gcrules.core.errors import FileError, GcrulesError
 from gcrules.core.frozen import FrozenMap
+from gcrules.poses.boxes import task as boxes
+from gcrules.poses.maps import planned, tiled
 from gcrules.poses.tiles.layout import layout_of
 from gcrules.poses.tiles.store import TileStore, differing
 from gcrules.poses.tiles.task import TileTask
 
 __all__ = ["KINDS", "task_of"]
 
-KINDS: Mapping[str, Callable[[Mapping[str, Any]], TileTask]] = FrozenMap(
-    {
-        "grid map": deferred("gcrules.poses.maps.tiled:task_again"),
-        "map of boxes": deferred("gcrules.poses.boxes.task:task_again"),
-    }
-)
+_AGAIN: dict[str, Callable[[Mapping[str, Any]], TileTask]] = {
+    planned.KIND: tiled.task_again,
+    boxes.KIND: boxes.task_again,
+}
+KINDS: Mapping[str, Callable[[Mapping[str, Any]], TileTask]] = FrozenMap(_AGAIN)
 """For each `kind` of a recipe the function that makes the task of it."""
 
 

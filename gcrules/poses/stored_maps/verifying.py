@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from os import PathLike, fspath
 from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint, report
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.seeds import drawn
 from gcrules.core.shown import Shown
-from gcrules.poses.tiles.kinds import task_of
+from gcrules.poses.stored_maps.kinds import task_of
+from gcrules.poses.tiles.comparing import alike
 from gcrules.poses.tiles.layout import DIGEST
 from gcrules.poses.tiles.store import TileStore
 
-__all__ = ["ALL", "BadTile", "MapVerified", "alike", "verify_map"]
+__all__ = ["ALL", "BadTile", "MapVerified", "verify_map"]
 
 ALL = "all"
 _TILES = 3
-_MOSTLY = 0.999
 
 
 @dataclass(frozen=True)
@@ -110,16 +106,3 @@ def verify_map(store: str | PathLike[str], tiles: int | str = _TILES) -> MapVeri
         report(f"{k + 1:,} of {number:,} tiles computed again")
     path = fspath(store)
     return MapVerified(path, found.number, len(done), again, rounded, tuple(sorted(bad, key=lambda b: b.tile)))
-
-
-def alike(one: Mapping[str, NDArray[Any]], other: Mapping[str, NDArray[Any]]) -> bool:
-    """Whether tiles agree but for rounding, which may decide differently on another machine, though seldom."""
-    return set(one) == set(other) and all(_alike(one[name], other[name]) for name in one)
-
-
-def _alike(a: NDArray[Any], b: NDArray[Any]) -> bool:
-    if a.shape != b.shape or not a.size:  # the last tile may have poses, and no cells
-        return bool(a.shape == b.shape)
-    if a.dtype.kind == "f":
-        return bool(np.isclose(a, b, rtol=1e-4, atol=1e-6, equal_nan=True).mean() > _MOSTLY)
-    return bool((a == b).mean() > _MOSTLY)

@@ -16,8 +16,8 @@ from gcrules.poses.boxes.task import MOST_BOXES, BoxTask, box_task
 from gcrules.poses.maps.axes import GridAxis, parse_axis
 from gcrules.poses.maps.cells import CROSSED, UNDECIDED
 from gcrules.poses.maps.recipe import robot_of
+from gcrules.poses.stored_maps.kinds import task_of
 from gcrules.poses.tiles.how import running
-from gcrules.poses.tiles.kinds import task_of
 from gcrules.poses.tiles.store import TileStore
 from gcrules.poses.tiles.task import tile_at
 
