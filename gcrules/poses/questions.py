@@ -71,15 +71,23 @@ class Questions:
 
     def check(self) -> None:
         """Raises InputError for what goes with questions that are not asked, and for an unknown shape."""
-        mapped, planned = self.over is not None, self.plan is not None
+        mapped, planned = bool(self.over), bool(self.plan)
         if self.at is not None and not (mapped or self.modes or self.free):
-            raise InputError("a pose is that of a map, of modes or of a free region", hint=_NONE_OF_THEM)
+            raise InputError(
+                f"a pose is that of a map, of modes or of a free region, {_NOT_ASKED}",
+                hint=_ask("over", "modes", "free"),
+            )
         if self.limits is not None and not (mapped or self.aspects or planned):
-            raise InputError("limits are those of a map, of aspects or of a plan", hint=_NONE_OF_THEM)
-        if not (mapped and are_ranges(self.over)) and self.margin:
-            raise InputError("a margin is that of a map of whole boxes", hint='give ranges without a number: "x -1:1"')
+            raise InputError(
+                f"limits are those of a map, of aspects or of a plan, {_NOT_ASKED}",
+                hint=_ask("over", "aspects", "plan"),
+            )
         if self.within is not None and not (self.aspects or planned):
-            raise InputError("ranges of coordinates are those of aspects or of a plan", hint=_NONE_OF_THEM)
+            raise InputError(
+                f"ranges of coordinates are those of aspects or of a plan, {_NOT_ASKED}", hint=_ask("aspects", "plan")
+            )
+        if self.margin and not (mapped and are_ranges(self.over)):
+            raise InputError("a margin is that of a map of whole boxes", hint='give ranges without a number: "x -1:1"')
         if self.plan is not None and not 1 <= len(self.plan) <= 2:
             raise InputError(
                 f"a plan of {len(self.plan)} poses", hint="name its start and its goal, or the start alone"
@@ -134,4 +142,10 @@ class Questions:
             yield Unanswered("Operation modes", fault.message)
 
 
-_NONE_OF_THEM = "none of these is asked for"
+_NOT_ASKED = "none of which is asked for"
+
+
+def _ask(*names: str) -> str:
+    """How to ask for one of several things."""
+    options, arguments = (f"{', '.join(n[:-1])} or {n[-1]}" for n in ([f"--{n}" for n in names], names))
+    return f"add {options} (in Python {arguments})"

@@ -96,9 +96,9 @@ def test_the_command_writes_the_same_page(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--at", "0 0 1", "--aspects"], "give --over, --modes or --free"),
-        (["--limits", "legs 1..3", "--modes"], "give --over, --aspects or --plan"),
-        (["--within", "z 0..1", "--modes"], "give --aspects or --plan"),
+        (["--at", "0 0 1", "--aspects"], "add --over, --modes or --free"),
+        (["--limits", "legs 1..3", "--modes"], "add --over, --aspects or --plan"),
+        (["--within", "z 0..1", "--modes"], "add --aspects or --plan"),
         (["--plan", "home", "--plan", "0 0 1", "--plan", "0 0 2"], "a plan of 3 poses"),
         (["--free", "cube"], "cube"),
         (["--modes", "--at", "nowhere"], "nowhere"),

@@ -27,14 +27,6 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
             raise click.UsageError("Give the poses of the path either by --poses POSES.csv or by --path.")
         path = list(poses) if table is None else table
         asked = Questions(path=path or None, **{n: one for n in _NAMES if (one := options.pop(n)) != ()})
-        if not (asked.over or asked.modes or asked.free) and asked.at is not None:
-            raise click.UsageError("--at is that of a map, of modes or of a region: give --over, --modes or --free.")
-        if not (asked.over or asked.aspects or asked.plan) and asked.limits is not None:
-            raise click.UsageError(
-                "--limits are those of a map, of aspects or of a plan: give --over, --aspects or --plan."
-            )
-        if not (asked.aspects or asked.plan) and asked.within is not None:
-            raise click.UsageError("--within are ranges of aspects or of a plan: give --aspects or --plan.")
         asked.check()
         return command(questions=asked, **options)
 
