@@ -470,14 +470,20 @@ def test_a_working_mode_is_taken_from_the_list(desk: Desk) -> None:
     assert desk.numbers["margin"] == pytest.approx(before)
 
 
-def test_assembly_modes_take_the_platform_along(desk: Desk) -> None:
-    """Each picture leads to a pose with the same legs; the list says when it is about another pose."""
-    desk.run("() => gcrules.open({kind: 'example', name: 'octahedral'})")
+def assemblies(desk: Desk, **subject: str) -> Any:
+    """The assembly modes of a robot, as the page lists them."""
+    desk.run(f"() => gcrules.open({json.dumps(subject)})")
     desk.answered()
     desk.one("panel-where").click()
     desk.one("assemblies-go").click()
     modes = desk.page.get_by_test_id("assembly")
     modes.last.wait_for()
+    return modes
+
+
+def test_assembly_modes_take_the_platform_along(desk: Desk) -> None:
+    """Each picture leads to a pose with the same legs; the list says when it is about another pose."""
+    modes = assemblies(desk, kind="example", name="octahedral")
     assert modes.count() == 8
     assert modes.first.get_attribute("aria-pressed") == "true"
     before = desk.numbers["margin"]
@@ -494,12 +500,7 @@ def test_assembly_modes_take_the_platform_along(desk: Desk) -> None:
 
 
 def test_an_assembly_mode_of_a_robot_is_opened(desk: Desk) -> None:
-    desk.run("() => gcrules.open({kind: 'robot', id: '3-rpr'})")
-    desk.answered()
-    desk.one("panel-where").click()
-    desk.one("assemblies-go").click()
-    modes = desk.page.get_by_test_id("assembly")
-    modes.last.wait_for()
+    modes = assemblies(desk, kind="robot", id="3-rpr")
     modes.last.click()
     desk.page.wait_for_function("() => gcrules.study.value?.title.endsWith('assembly mode 2')")
     desk.answered()
