@@ -103,8 +103,8 @@ def test_the_command_writes_the_same_page(robot: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--at", "0 0 1"], "give --over"),
-        (["--limits", "legs 1..3"], "give --over"),
+        (["--at", "0 0 1"], "add --over, --modes or --free"),
+        (["--limits", "legs 1..3"], "add --over, --aspects or --plan"),
         (["--path", "0 0 0", "--poses", "poses.csv"], "either by"),
         (["--path", "0 0 0"], "two poses or more"),
         (["--over", "x 0:1:3"], "two or three coordinates"),
