@@ -106,6 +106,7 @@ def test_a_planar_robot_has_two() -> None:
     assert (found.least, found.most) == (2, 2)
     assert [s.modes for s in found.sets] == [(1,), (2,)]
     assert not found.changes
+    assert found.cuspidal is None
 
 
 def test_ways_of_a_robot_of_joints_keep_their_branch() -> None:

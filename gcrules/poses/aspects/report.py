@@ -119,6 +119,11 @@ class Aspects(Shown):
         """The sets in which assembly modes are joined: the robot changes from one to another without a singularity."""
         return tuple(s for s in self.sets if len(s.modes) > 1)
 
+    @property
+    def cuspidal(self) -> bool | None:
+        """True where such a change is proved; None else: the modes are those for one value of each actuator."""
+        return bool(self.changes) or None
+
     def way(self, one: int, other: int) -> tuple[Waypoint, ...]:
         """The proved way between two poses of one set, by their numbers; empty where they are in different ones."""
         reached: dict[int, tuple[Waypoint, ...]] = {one: (self.poses[one],)}
@@ -148,6 +153,7 @@ class Aspects(Shown):
             "sets": [s.to_json() for s in self.sets],
             "joins": [j.to_json() for j in self.joins],
             "modes": self.modes.to_json() if self.modes else None,
+            "cuspidal": self.cuspidal,
             "left_out": [m.to_json() for m in self.left_out],
             "search": self.search.to_json(),
             "notes": list(self.notes),

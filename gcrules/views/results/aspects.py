@@ -80,6 +80,10 @@ def _facts(r: Aspects) -> Iterator[tuple[str, str]]:
     if r.modes is not None:
         yield "modes", f"assembly modes for the actuators at home, {r.modes.completeness.text}"
     yield from (("change", words) for words in changes(r))
+    if r.cuspidal:
+        yield "cuspidal", "yes: it changes its assembly mode without a singularity"
+    elif r.modes is not None:
+        yield "cuspidal", "not shown by these modes; for other actuators' values there may be such a change"
     for reason in dict.fromkeys(one.reason for one in r.left_out):
         yield "left out", f"{listed([one.pose for one in r.left_out if one.reason == reason])}: {reason}"
     sure = "everywhere" if r.proved else "at the samples of each path"
