@@ -5,6 +5,9 @@ The first prime, 2³¹ − 1, is one less than a power of two, so that it needs 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from functools import reduce
+from operator import add
 from typing import Any
 
 import numpy as np
@@ -21,7 +24,7 @@ PRIMES = (MODULUS, 2147483629, 2147483587, 2147483579, 2147483563, 2147483549)
 
 
 def reduced(x: Ints, p: int = MODULUS) -> Ints:
-    """Residues 0 … p − 1 of numbers from 0 up to 2⁶²."""
+    """Residues 0 … p − 1 of numbers from 0 up to the largest of 64 bits."""
     if p != MODULUS:
         return x % p
     x = (x & MODULUS) + (x >> 31)
@@ -54,16 +57,18 @@ def _inverse(x: Ints, p: int) -> Ints:
 
 def determinants(at: Ints, rows: Ints, p: int = MODULUS) -> Ints:
     """Brackets (row, point) at positions (sample, point, coordinate): an array (row, sample)."""
-    columns = np.moveaxis(at[:, rows, :], (2, 3, 1), (0, 1, 2))  # (place, coordinate, row, sample)
+    columns = np.moveaxis(at.astype(np.uint64)[:, rows, :], (2, 3, 1), (0, 1, 2))  # (place, coordinate, row, sample)
     value: list[Any] = list(columns[0])
     for k in range(1, rows.shape[1]):
         value = [_signed_sum(value, columns[k], products, p) for products in join_table(rows.shape[1], k, 1)]
-    return np.asarray(value[0])
+    return np.asarray(value[0]).astype(np.int64)
 
 
-def _signed_sum(a: list[Any], b: Any, products: Any, p: int) -> Any:
-    total: Any = 0
-    for i, j, sign in products:
-        product = reduced(a[i] * b[j], p)
-        total = total + (product if sign > 0 else p - product)
-    return reduced(total, p)
+_AT_ONCE = 4  # products of two residues below 2³¹ whose sum has 64 bits
+
+
+def _signed_sum(a: list[Any], b: Any, products: Sequence[tuple[int, int, int]], p: int) -> Any:
+    square = np.uint64(p * p)
+    terms = [a[i] * b[j] if sign > 0 else square - a[i] * b[j] for i, j, sign in products]
+    parts = [reduced(reduce(add, terms[k : k + _AT_ONCE]), p) for k in range(0, len(terms), _AT_ONCE)]
+    return parts[0] if len(parts) == 1 else reduced(reduce(add, parts), p)
