@@ -1,32 +1,32 @@
-"""The public functions about poses; they load NumPy, so they stand apart."""
+"""The public functions about poses; each loads what it needs when it is first asked for."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from gcrules.api.signatures import public
+from gcrules.core.deferred import deferred, resolved
 from gcrules.mechanisms.load import Source
-from gcrules.poses.aspects.aspects import aspects as _aspects
-from gcrules.poses.boxes.box_map import box_map as _box_map
-from gcrules.poses.compiling.compiled import compiled as _compiled
-from gcrules.poses.compiling.controller import controller as _controller
-from gcrules.poses.length_regions.length_regions import length_regions as _length_regions
-from gcrules.poses.loci.locus import locus as _locus
-from gcrules.poses.maps.maps import singular_map as _singular_map
-from gcrules.poses.modes.modes import assembly_modes as _assembly_modes
-from gcrules.poses.modes.working import working_modes as _working_modes
-from gcrules.poses.operation_modes.operation_modes import operation_modes as _operation_modes
-from gcrules.poses.path_report import path as _path
-from gcrules.poses.plans.plan import plan as _plan
-from gcrules.poses.pose import pose as _pose
-from gcrules.poses.pose import singular as _singular
-from gcrules.poses.regions.free_region import free_region as _free_region
-from gcrules.poses.stored_maps.refining import refine_map as _refine_map
-from gcrules.poses.stored_maps.verifying import verify_map as _verify_map
-from gcrules.poses.tiles.merging import merge_maps as _merge_maps
-from gcrules.poses.tiles.status import map_status as _map_status
-from gcrules.views.code.source_code import source_code as _source_code
+
+if TYPE_CHECKING:
+    from gcrules.poses.aspects.aspects import aspects
+    from gcrules.poses.boxes.box_map import box_map
+    from gcrules.poses.compiling.compiled import compiled
+    from gcrules.poses.length_regions.length_regions import length_regions
+    from gcrules.poses.loci.locus import locus
+    from gcrules.poses.maps.maps import singular_map
+    from gcrules.poses.modes.modes import assembly_modes
+    from gcrules.poses.modes.working import working_modes
+    from gcrules.poses.operation_modes.operation_modes import operation_modes
+    from gcrules.poses.path_report import path
+    from gcrules.poses.plans.plan import plan
+    from gcrules.poses.pose import pose, singular
+    from gcrules.poses.regions.free_region import free_region
+    from gcrules.poses.stored_maps.refining import refine_map
+    from gcrules.poses.stored_maps.verifying import verify_map
+    from gcrules.poses.tiles.merging import merge_maps
+    from gcrules.poses.tiles.status import map_status
 
 __all__ = [
     "aspects",
@@ -50,24 +50,36 @@ __all__ = [
     "working_modes",
 ]
 
-aspects = public(_aspects)
-assembly_modes = public(_assembly_modes)
-box_map = public(_box_map)
-compiled = public(_compiled)
-free_region = public(_free_region)
-length_regions = public(_length_regions)
-locus = public(_locus)
-map_status = public(_map_status)
-merge_maps = public(_merge_maps)
-operation_modes = public(_operation_modes)
-path = public(_path)
-plan = public(_plan)
-pose = public(_pose)
-refine_map = public(_refine_map)
-singular = public(_singular)
-singular_map = public(_singular_map)
-verify_map = public(_verify_map)
-working_modes = public(_working_modes)
+_MODULES = {
+    "aspects": "gcrules.poses.aspects.aspects",
+    "assembly_modes": "gcrules.poses.modes.modes",
+    "box_map": "gcrules.poses.boxes.box_map",
+    "compiled": "gcrules.poses.compiling.compiled",
+    "free_region": "gcrules.poses.regions.free_region",
+    "length_regions": "gcrules.poses.length_regions.length_regions",
+    "locus": "gcrules.poses.loci.locus",
+    "map_status": "gcrules.poses.tiles.status",
+    "merge_maps": "gcrules.poses.tiles.merging",
+    "operation_modes": "gcrules.poses.operation_modes.operation_modes",
+    "path": "gcrules.poses.path_report",
+    "plan": "gcrules.poses.plans.plan",
+    "pose": "gcrules.poses.pose",
+    "refine_map": "gcrules.poses.stored_maps.refining",
+    "singular": "gcrules.poses.pose",
+    "singular_map": "gcrules.poses.maps.maps",
+    "verify_map": "gcrules.poses.stored_maps.verifying",
+    "working_modes": "gcrules.poses.modes.working",
+}
+_controller = deferred("gcrules.poses.compiling.controller:controller")
+_source_code = deferred("gcrules.views.code.source_code:source_code")
+
+
+def __getattr__(name: str) -> Callable[..., Any]:
+    if name not in _MODULES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    function: Callable[..., Any] = public(resolved(f"{_MODULES[name]}:{name}"))
+    globals()[name] = function
+    return function
 
 
 @public
@@ -85,4 +97,5 @@ def export(
     those that are free near home: lengths in the file's unit, angles in rad, 0 at home. Poses turn `about` the same
     centre as in `pose`. Raises InputError for other languages, and for robots without loops.
     """
-    return _source_code(_controller(source, coordinates=coordinates, about=about), language)
+    code: str = _source_code(_controller(source, coordinates=coordinates, about=about), language)
+    return code
