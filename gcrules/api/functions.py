@@ -323,8 +323,8 @@ def report(
     `modes` adds the assembly modes (`gcrules.assembly_modes`, `at` a pose), of a robot of joints its working and
     operation modes too; `aspects` its aspects (`gcrules.aspects`); `plan`, a start and a goal or a start alone, a way
     without a singularity (`gcrules.plan`); `free`, "box" or "ball", the largest one that is proved free of singular
-    poses (`gcrules.free_region`), `at` the pose. `limits` and `within` are those of aspects and plan, `about` and
-    `threshold` those of all. Raises InputError where there is no such path, map or pose.
+    poses (`gcrules.free_region`), `at` the pose. `limits` and `within` are those of aspects and plan, `about` that of
+    all, `threshold` that of path, map and modes. Raises InputError where there is no such path, map or pose.
     """
     asked = Questions(
         path=path,

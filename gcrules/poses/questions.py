@@ -88,6 +88,13 @@ class Questions:
             )
         if self.margin and not (mapped and are_ranges(self.over)):
             raise InputError("a margin is that of a map of whole boxes", hint='give ranges without a number: "x -1:1"')
+        nodes = mapped and not are_ranges(self.over)
+        default = isinstance(self.threshold, str) and self.threshold == DEFAULT.text
+        if not (default or nodes or self.modes or self.path is not None):
+            raise InputError(
+                f"a threshold is that of a path, of a map over nodes or of modes, {_NOT_ASKED}",
+                hint=_ask("path", "over", "modes"),
+            )
         if self.plan is not None and not 1 <= len(self.plan) <= 2:
             raise InputError(
                 f"a plan of {len(self.plan)} poses", hint="name its start and its goal, or the start alone"

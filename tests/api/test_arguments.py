@@ -137,7 +137,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "pose": {"source": PLATFORM, "at": "0 0 0", "nearest": False},
     "prove": {"claim": "[abcd] == [abcd]"},
     "refine_map": {"store": "no.zarr", "output": "none.zarr"},
-    "report": {"source": ANALYSIS, "interactive": False, "plan": ["home", "0 0 1"], "free": "ball"},
+    "report": {"source": ANALYSIS, "interactive": False, "path": ["0 0 0", "0 0 1"], "modes": True},
     "rewrite": {"e": "[aabc]", "rules": ["vanishing"]},
     "shorten": {"e": "[abcd]", "seconds": 1.0},
     "shortest": {"legs": LEGS},

@@ -72,7 +72,7 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
             default=DEFAULT.text,
             show_default=True,
             metavar="ANGLE",
-            help="Closer than this is close, in every section (deg, rad).",
+            help="Closer than this is close, on the path, in a map over nodes and among the modes (deg, rad).",
         ),
     ]
     return decorated(with_questions, decorators)
