@@ -67,13 +67,25 @@ fuzz-nightly: $(READY) ## the same with 100,000 inputs of each kind, which takes
 	$(BIN)/python -m tests.fuzz --nightly --workers $(WORKERS) --seed $(SEED) --record
 
 .PHONY: check
-check: $(READY) ## lint, formatting, types, the order of the rooms, documentation
+check: lint types contracts docs-check ## lint, formatting, types, the order of the rooms, documentation
+
+.PHONY: lint
+lint: $(READY)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+
+.PHONY: types
+types: $(READY)
 	$(BIN)/mypy
+	$(BIN)/mypy benchmarks/conftest.py
+
+.PHONY: contracts
+contracts: $(READY)
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/python tools/studio_protocol.py --check
-	$(BIN)/mypy benchmarks/conftest.py
+
+.PHONY: docs-check
+docs-check: $(READY)
 	$(BIN)/python tools/check_docs.py
 	@$(build-site)
 
