@@ -333,7 +333,7 @@ class LimbPlaces:
                     and np.abs(depth - depth[0]).max() <= _STAYS * self.size
                 ):
                     moved = sub(self._carried(self.home[other], point=True), self.home[other])
-                    return add(self.home[name], scaled(axis, dot(n, moved) * (1 / Fraction(dot(n, axis)))))  # type: ignore[arg-type]
+                    return add(self.home[name], scaled(axis, dot(n, moved) * (1 / Fraction(dot(n, axis)))))  # type: ignore[arg-type, operator]
         raise NoForm(f"{name} keeps no distance from the platform")
 
     def _axis(self, limb: int) -> tuple[bool, Vector, Vector]:
