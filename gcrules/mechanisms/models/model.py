@@ -28,7 +28,9 @@ AXES = {
 
 @dataclass(frozen=True)
 class ModelJoint:
-    """A joint between two links: its centre, its axes (of length 1), and the limits of its value from home."""
+    """A joint between two links: its centre, its axes (of length 1), and the limits of its value from home, of a ball
+    those of its angle.
+    """
 
     name: str
     kind: str  # of AXES
@@ -54,7 +56,9 @@ class ModelCoupling:
 
 @dataclass(frozen=True)
 class Model:
-    """Links, the joints between them, which of these are driven, and which follow others."""
+    """Links, the base first, the joints between them, which of these are driven, and which follow others; `notes` are
+    what is to be said of its home.
+    """
 
     name: str
     format: str  # urdf, sdf or mjcf
@@ -63,3 +67,4 @@ class Model:
     joints: tuple[ModelJoint, ...]
     actuated: tuple[str, ...] = ()
     couplings: tuple[ModelCoupling, ...] = ()
+    notes: tuple[str, ...] = ()

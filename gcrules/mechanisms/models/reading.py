@@ -1,0 +1,35 @@
+"""Reading a model file of whatever format, which is told by its root element."""
+
+from __future__ import annotations
+
+from os import PathLike
+
+from gcrules.core.errors import FileError
+from gcrules.mechanisms.models.closures import NO_CLOSURES, load_closures
+from gcrules.mechanisms.models.mjcf import read_mjcf
+from gcrules.mechanisms.models.model import Model
+from gcrules.mechanisms.models.sdf import read_sdf
+from gcrules.mechanisms.models.urdf import read_urdf
+from gcrules.mechanisms.models.xml_files import load_xml, quoted
+
+__all__ = ["read_model"]
+
+_READERS = {"sdf": read_sdf, "mujoco": read_mjcf}
+
+
+def read_model(path: str | PathLike[str], closures: str | PathLike[str] | None = None) -> Model:
+    """The links and joints of a model file: URDF (`<robot>`), SDF (`<sdf>`) or MJCF (`<mujoco>`).
+
+    `closures` is a second file (YAML) beside one in URDF, which says how its loops are closed and what is driven.
+    Raises FileError with its place for a file that cannot be read or is at fault, and for loops that are open at home.
+    """
+    root = load_xml(path)
+    if root.tag == "robot":
+        return read_urdf(root, load_closures(closures) if closures is not None else NO_CLOSURES)
+    if root.tag not in _READERS:
+        hint = "files of models have <robot> (URDF), <sdf> (SDF) or <mujoco> (MJCF) at their root"
+        raise root.error(f"the root element is <{quoted(root.tag)[1:-1]}>: this is no model of a robot", hint=hint)
+    if closures is not None:
+        hint = f"leave it out: <{root.tag}> says itself how its loops are closed"
+        raise FileError("a file of closures goes with a model in URDF", filename=str(closures), hint=hint)
+    return _READERS[root.tag](root)
