@@ -1,0 +1,1 @@
+"""Models of links and joints as text of the formats of model files."""
