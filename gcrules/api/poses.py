@@ -34,6 +34,7 @@ __all__ = [
     "box_map",
     "compiled",
     "export",
+    "export_model",
     "free_region",
     "length_regions",
     "locus",
@@ -71,6 +72,7 @@ _MODULES = {
     "working_modes": "gcrules.poses.modes.working",
 }
 _controller = deferred("gcrules.poses.compiling.controller:controller")
+_model_text = deferred("gcrules.views.models.model_text:model_text")
 _source_code = deferred("gcrules.views.code.source_code:source_code")
 
 
@@ -99,3 +101,16 @@ def export(
     """
     code: str = _source_code(_controller(source, coordinates=coordinates, about=about), language)
     return code
+
+
+@public
+def export_model(source: Source, format: str = "mjcf", *, unit: str = "") -> str:
+    """A robot with dimensions as the text of a model file of links and joints: "mjcf" (MuJoCo), "urdf", or "closures",
+    the file beside one in URDF that closes its loops and says what is driven.
+
+    `source` is what `load` takes; its lengths are in `unit` ("m", "mm", "in" …), by default in that of its file or else
+    in metres. The model is at home; joints with several freedoms are several joints. Raises InputError for other
+    formats and units, for robots without joints or dimensions, and for cables.
+    """
+    text: str = _model_text(source, format, unit=unit)
+    return text

@@ -159,6 +159,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
     "evaluate": {"e": _EXPR, "points": _POINTS, "rank": optional(WHOLE), "modulus": optional(COUNT)},
     "expand": {"e": _EXPR, **_LIMITED},
     "export": {"source": _SOURCE, "language": TEXT, "coordinates": optional(_VARIABLES), "about": _ABOUT},
+    "export_model": {"source": _SOURCE, "format": TEXT, "unit": TEXT},
     "factor": {"e": _SCALAR, **_LIMITED, "all": FLAG, "cofactor": FLAG, "seconds": DURATION},
     "load": {"source": _SOURCE, "plugins": _FOLDERS, "points": NAMES, "ideal": NAMES, "mode": optional(TEXT)},
     "load_rules": {"files": _FILES, "folders": _FILES, "identities": FLAG},

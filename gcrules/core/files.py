@@ -32,7 +32,7 @@ FOLDERS = (".zarr",)
 SUFFIXES = frozenset(
     (
         *(".csv", ".gca", ".glb", ".html", ".json", ".nc", ".pdf", ".ply", ".png", ".svg", ".tex", ".txt"),
-        *(".yaml", ".yml", *FOLDERS),
+        *(".urdf", ".xml", ".yaml", ".yml", *FOLDERS),
     )
 )
 """Endings of files that gcrules writes; a name that is nothing else was meant to have more in front."""

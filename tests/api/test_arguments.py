@@ -123,6 +123,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "evaluate": {"e": "[ab]", "points": {"a": (1, 0), "b": (0, 1)}, "rank": 2},
     "expand": {"e": "[abcd]"},
     "export": {"source": PLATFORM},
+    "export_model": {"source": PLATFORM},
     "factor": {"e": "[abcd]", "seconds": 1.0},
     "load": {"source": ROOT / "examples" / "octahedral.yaml"},
     "load_rules": {"identities": False},

@@ -27,6 +27,8 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.models.model import Model, ModelJoint
+from gcrules.mechanisms.models.reading import READERS, read_model
 from gcrules.poses import pose as methods
 from gcrules.poses.stored_maps.kinds import KINDS
 from gcrules.poses.tiles.running import run
@@ -38,6 +40,7 @@ from gcrules.screws.screw import prismatic_of, revolute_of
 from gcrules.views import forms
 from gcrules.views.code.languages import LANGUAGES
 from gcrules.views.forms import FORMS, Forms
+from gcrules.views.models.model_text import MODEL_FORMATS
 from gcrules.views.plots.map_files import MAP_FORMATS
 from gcrules.views.plots.map_formats import MapFormat
 from gcrules.views.robots.robot_drawing import draw_robot
@@ -76,6 +79,7 @@ SHOWN_BY = {
     "a form of a result": "test_a_form_of_a_result",
     "a kind of answer": "test_a_kind_of_answer",
     "a language of exported code": "test_a_language_of_exported_code",
+    "a format of model files": "test_a_format_of_model_files",
     "a kind of task in tiles": "test_a_kind_of_task_in_tiles",
     "a file format of a map": "test_a_file_format_of_a_map",
     "a kind of mechanism": "test_a_kind_of_mechanism",
@@ -276,6 +280,17 @@ def test_a_language_of_exported_code(add: Add) -> None:
     text = gc.export("3-rpr", "octave")
     assert text.startswith("% 3-rpr: when is it singular?")
     assert " = sqrt(v" in text
+
+
+def test_a_format_of_model_files(add: Add, tmp_path: Path) -> None:
+    """Here one whose root is <pair>: two links, and a hinge between them."""
+    hinge = ModelJoint("hinge", "revolute", "one", "two", (0.0, 0.0, 0.0), ((0.0, 0.0, 1.0),))
+    add(READERS, "pair", lambda root: Model(root.needed("name"), "pair", "", ("one", "two"), (hinge,)))
+    file = tmp_path / "pair.xml"
+    file.write_text('<pair name="tongs"/>')
+    assert read_model(file).name == "tongs"
+    add(MODEL_FORMATS, "names", lambda model: " ".join(j.name for j in model.joints if j.closing))
+    assert gc.export_model("3-rps", "names") == "leg_2_S leg_3_S"
 
 
 class Renamed(Limbs):

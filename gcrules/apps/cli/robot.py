@@ -1,4 +1,4 @@
-"""The commands about robots: robot list, show, check, analyze, pose, docs, new."""
+"""The commands about robots: robot list, show, check, analyze, pose, docs, export, new."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from gcrules.apps.cli.base import (
 from gcrules.apps.cli.files import OutputCommand, OutputFile, figure_option, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
+from gcrules.apps.cli.robot_export import export
 from gcrules.apps.cli.sources import in_mode, mode_option
 from gcrules.core.budget import checkpoint
 from gcrules.core.deferred import deferred
@@ -288,6 +289,7 @@ def new_command(robot_id: str, path: str | None) -> None:
 
 
 robot.add_command(docs)
+robot.add_command(export)
 for _decides in SEEDED:
     if _decides in robot.commands:
         seeded(robot.commands[_decides])

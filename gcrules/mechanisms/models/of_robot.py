@@ -1,7 +1,7 @@
-"""A robot with dimensions as a model of links and joints with one freedom each, and balls: what files of models can say.
+"""A robot with dimensions as a model of links and joints with one freedom each, and balls: what model files can say.
 
 Joints with several freedoms become several, one after the other, with links between them; a screw is a turn and a slide
-that follows it, a parallelogram two turns of which the second follows backwards; the parallel bars with ball ends are two
+that follows it, a parallelogram two turns of which the second follows backwards; parallel bars with ball ends are two
 bars. The first way to a body carries it; each further one closes a loop, by its last joint if that is a ball, else by a
 link of its own that is fixed to the body.
 
@@ -17,6 +17,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import PurePath
 from typing import Any
 
 import numpy as np
@@ -24,23 +26,63 @@ import numpy as np
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
-from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec
+from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec, read_joints
+from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.kinematics.chains import Geometry, geometry_of, shape_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.model import Model, ModelCoupling, ModelJoint
 from gcrules.mechanisms.models.places import vector
 from gcrules.mechanisms.robot import Robot
+from gcrules.screws.pose import UNITS
 
 __all__ = ["model_of"]
 
 _SAME = 1e-9
+METRES = dict(zip(UNITS, (1.0, 0.1, 0.01, 0.001, 1e-6, 0.0254, 0.3048), strict=True))
 
 
-def model_of(robot: Robot) -> Model:
-    """The model of a robot at home; one unit of its file's lengths is a metre.
+def model_of(source: Robot | Platform, unit: str = "") -> Model:
+    """The model of a robot of joints at home, or of a platform on six legs with coordinates, which stand for slides
+    between balls. Lengths are in `unit`, one of `gcrules.screws.pose.UNITS`; by default in that of the file, or else in metres.
 
-    Raises InputError where it has no joints or no home, and for cables, which are no joints.
+    Raises InputError where there are no joints or no home, for cables, which are no joints, and for unknown units.
     """
+    own = source.units if isinstance(source, Platform) else ""
+    if unit and own and unit != own:
+        raise InputError(f"the file's unit is {own}, not {unit}", hint="leave out the unit")
+    scale = float(METRES[_known(unit or own or "m")])
+    if isinstance(source, Platform):
+        limbs = [
+            LimbSpec(f"leg {k}", read_joints(f"S({a}) P*({a} {b}) S({b})"))
+            for k, (a, b) in enumerate(source.legs, start=1)
+        ]
+        name, places = _word(source.title or PurePath(source.filename).stem), source.points
+    else:
+        _check(source)
+        limbs, name, places = list(source.limbs), source.id, home_values(source)
+    making = _Making({name: np.array([float(c) for c in v]) for name, v in places.items()})
+    for limb in limbs:
+        making.limb(limb)
+    model = Model(
+        name,
+        "robot",
+        source.filename,
+        tuple(making.links),
+        tuple(making.joints),
+        tuple(making.actuated),
+        tuple(making.couplings),
+    )
+    return model if scale == 1 else _scaled(model, scale)
+
+
+def _known(unit: str) -> str:
+    if unit not in METRES:
+        raise InputError(f"{unit[:20]!r} is no unit of length", hint=f"one of {', '.join(METRES)}")
+    return unit
+
+
+def _check(robot: Robot) -> None:
+    """Raises InputError for a robot that no model can hold."""
     if not robot.limbs:
         raise InputError(
             f"{robot.id} is given by its lines: there are no joints that a model could hold",
@@ -54,24 +96,23 @@ def model_of(robot: Robot) -> Model:
                 f"{limb.name} of {robot.id} is a cable, which only pulls: models of links and joints have none",
                 hint="for rods in place of cables write joints: S(A) P*(A B) S(B)",
             )
-    values = {name: np.array([float(c) for c in v]) for name, v in home_values(robot).items()}
-    making = _Making(values)
-    for limb in robot.limbs:
-        making.limb(limb)
-    return Model(
-        robot.id,
-        "robot",
-        robot.filename,
-        tuple(making.links),
-        tuple(making.joints),
-        tuple(making.actuated),
-        tuple(making.couplings),
-    )
+
+
+def _scaled(model: Model, scale: float) -> Model:
+    """The same with all lengths times a number."""
+    kinds = {j.name: j.kind for j in model.joints}
+
+    def length_of(name: str) -> float:
+        return scale if kinds[name] == "prismatic" else 1.0
+
+    joints = tuple(replace(j, at=vector([c * scale for c in j.at])) for j in model.joints)
+    couplings = tuple(replace(c, ratio=c.ratio * length_of(c.joint) / length_of(c.leader)) for c in model.couplings)
+    return replace(model, joints=joints, couplings=couplings)
 
 
 @dataclass(frozen=True)
 class _Motion:
-    """A joint with one freedom: its kind, point, axis; the freedom of the joint that it is a part of, with the ratio."""
+    """A joint with one freedom: its kind, point and axis, and the freedom of a joint that it takes, with the ratio."""
 
     kind: str
     at: Floats

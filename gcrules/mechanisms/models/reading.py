@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from os import PathLike
+from collections.abc import Callable, Mapping
+from os import PathLike, fspath
 
 from gcrules.core.errors import FileError
-from gcrules.mechanisms.models.closures import NO_CLOSURES, load_closures
+from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.models.closures import load_closures
 from gcrules.mechanisms.models.mjcf import read_mjcf
 from gcrules.mechanisms.models.model import Model
 from gcrules.mechanisms.models.sdf import read_sdf
 from gcrules.mechanisms.models.urdf import read_urdf
-from gcrules.mechanisms.models.xml_files import load_xml, quoted
+from gcrules.mechanisms.models.xml_files import Element, load_xml, quoted
 
-__all__ = ["read_model"]
+__all__ = ["READERS", "read_model"]
 
-_READERS = {"sdf": read_sdf, "mujoco": read_mjcf}
+READERS: Mapping[str, Callable[[Element], Model]] = FrozenMap(
+    {"robot": read_urdf, "sdf": read_sdf, "mujoco": read_mjcf}
+)
+"""How the model is read of a file with this root element."""
 
 
 def read_model(path: str | PathLike[str], closures: str | PathLike[str] | None = None) -> Model:
@@ -24,12 +29,12 @@ def read_model(path: str | PathLike[str], closures: str | PathLike[str] | None =
     Raises FileError with its place for a file that cannot be read or is at fault, and for loops that are open at home.
     """
     root = load_xml(path)
-    if root.tag == "robot":
-        return read_urdf(root, load_closures(closures) if closures is not None else NO_CLOSURES)
-    if root.tag not in _READERS:
+    if root.tag not in READERS:
         hint = "files of models have <robot> (URDF), <sdf> (SDF) or <mujoco> (MJCF) at their root"
         raise root.error(f"the root element is <{quoted(root.tag)[1:-1]}>: this is no model of a robot", hint=hint)
+    if closures is not None and READERS[root.tag] is read_urdf:
+        return read_urdf(root, load_closures(closures))
     if closures is not None:
         hint = f"leave it out: <{root.tag}> says itself how its loops are closed"
-        raise FileError("a file of closures goes with a model in URDF", filename=str(closures), hint=hint)
-    return _READERS[root.tag](root)
+        raise FileError("a file of closures goes with a model in URDF", filename=fspath(closures), hint=hint)
+    return READERS[root.tag](root)

@@ -1,4 +1,4 @@
-"""The tree of links of a model, as files of models write it: each link has a frame at its joint, turned as the base is."""
+"""The tree of links of a model as model files write it: a link has its frame at its joint, turned as the base is."""
 
 from __future__ import annotations
 
