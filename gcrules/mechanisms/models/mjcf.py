@@ -122,7 +122,7 @@ class _Mjcf:
                 f"an equality <{quoted(element.tag)[1:-1]}> is not read", hint="loops are closed by connect and weld"
             )
         else:
-            name = element.attributes.get("name") or f"{element.tag} in line {element.line}"
+            name = element.attributes.get("name") or f"{element.tag} {len(self.made.loops) + 1}"
             ends, places = self._ends(element)
             kind = {"connect": "ball", "weld": "fixed"}[element.tag]
             self.made.loop(name, kind, ends, places, None, element)

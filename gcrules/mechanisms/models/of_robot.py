@@ -43,7 +43,7 @@ METRES = dict(zip(UNITS, (1.0, 0.1, 0.01, 0.001, 1e-6, 0.0254, 0.3048), strict=T
 
 def model_of(source: Robot | Platform, unit: str = "") -> Model:
     """The model of a robot of joints at home, or of a platform on six legs with coordinates, which stand for slides
-    between balls. Lengths are in `unit`, one of `gcrules.screws.pose.UNITS`; by default in that of the file, or else in metres.
+    between balls. Lengths are in `unit`, one of `gcrules.screws.pose.UNITS`; else in that of the file, else metres.
 
     Raises InputError where there are no joints or no home, for cables, which are no joints, and for unknown units.
     """

@@ -104,6 +104,8 @@ class _Urdf:
         kind = {"SPHERICAL": "ball", "FIXED": "fixed"}.get(self.closures.kinds.get(name, ""), kind)
         kind = "universal" if self.closures.kinds.get(name, "").startswith("UJOINT") else kind
         parent, child = (self._end(element.need(tag)) for tag in ("parent", "child"))
+        if parent == child:
+            raise element.error(f"joint {quoted(name)} joins {quoted(parent)} with itself")
         axis = element.one("axis")
         direction = np.array(axis.numbers("xyz", (1.0, 0.0, 0.0)) if axis else (1.0, 0.0, 0.0))
         if axis and kind in ("revolute", "prismatic", "planar", "cylindrical") and length(direction) < 1e-9:
