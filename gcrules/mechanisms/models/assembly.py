@@ -194,8 +194,9 @@ class Assembly:
 
     @property
     def size(self) -> float:
-        """The diagonal of the box around all joints."""
-        places = np.array([j.at for j in self.joints.values()] or [(0.0, 0.0, 0.0)])
+        """The diagonal of the box around all joints, and both sides of each loop."""
+        sides = [f[:3, 3] for loop in self.loops for f in loop.frames]
+        places = np.array([*(j.at for j in self.joints.values()), *sides] or [(0.0, 0.0, 0.0)])
         return length(places.max(axis=0) - places.min(axis=0))
 
     def _check_gaps(self) -> None:
