@@ -14,7 +14,7 @@ LOOPS = 12
 
 
 def ladder(lean: float) -> tuple[str, str, str]:
-    """Parallelograms on top of each other, as URDF with its closures and as MJCF; one post of each leans in the file."""
+    """Parallelograms on top of each other, as URDF with its closures and as MJCF; one post of each leans."""
     urdf, loops, mjcf, equalities, end = '<robot name="ladder"><link name="n0"/>', [], "", "", ""
     hinge = (
         '<joint name="{0}" type="continuous"><parent link="{1}"/><child link="{2}"/><origin xyz="{3}" rpy="0 {4} 0"/>'
@@ -34,7 +34,8 @@ def ladder(lean: float) -> tuple[str, str, str]:
             fixed = f'<joint name="j{frame}" type="fixed"><parent link="{link}"/><child link="{frame}"/>'
             urdf += f'{fixed}<origin xyz="{at}"/></joint>'
         loops.append(f"[{a}, {b}]")
-        post = f'<body name="{q}" pos="1 0 0" euler="0 {lean} 0"><joint axis="0 1 0"/><site name="{a}" pos="0 0 1"/>{mass}</body>'
+        turn = '<joint axis="0 1 0"/>'
+        post = f'<body name="{q}" pos="1 0 0" euler="0 {lean} 0">{turn}<site name="{a}" pos="0 0 1"/>{mass}</body>'
         rise = f'<body name="{p}"><joint axis="0 1 0"/>{mass}'
         mjcf += f'{post}{rise}<body name="{n}" pos="0 0 1"><joint axis="0 1 0"/><site name="{b}" pos="1 0 0"/>{mass}'
         equalities += f'<connect site1="{a}" site2="{b}"/>'

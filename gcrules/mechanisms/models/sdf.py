@@ -9,6 +9,7 @@ Source: the specification of SDFormat 1.11 (sdformat.org), elements joint, axis,
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 
@@ -32,6 +33,7 @@ _KINDS = {
     "fixed": "fixed",
     "gearbox": "gearbox",
 }
+_AXES_ON_CHILDREN = (1, 5)  # the version from which axes are expressed in the frame of their joint
 _CONTROLLERS = ("jointcontroller", "jointpositioncontroller", "jointtrajectorycontroller", "applyjointforce")
 
 
@@ -44,11 +46,16 @@ def read_sdf(root: Element) -> Model:
     if len(models) != 1:
         at = models[1] if models else root
         raise at.error(f"the file holds {len(models)} models, expected one", hint="give the file of one model")
-    return _Sdf(models[0]).model()
+    version = re.fullmatch(r"([0-9]{1,4})\.([0-9]{1,4})", root.attributes.get("version", "").strip())
+    old = version is not None and (int(version[1]), int(version[2])) < _AXES_ON_CHILDREN
+    return _Sdf(models[0], old=old).model()
 
 
 class _Sdf:
-    def __init__(self, element: Element) -> None:
+    """`old` files have axes in the frame of the model where they do not say in which."""
+
+    def __init__(self, element: Element, *, old: bool) -> None:
+        self.old = old
         self.element = element
         self.top = Scope(element)
         self.scopes = self.top.every()
@@ -121,8 +128,8 @@ class _Sdf:
         if xyz is not None and "expressed_in" in xyz.attributes:
             name = xyz.attributes["expressed_in"]
             within = scope.place(name if name != WORLD else MODEL, xyz)
-        elif old is not None and old.text.strip() in ("1", "true"):
-            within = scope.place(MODEL, old)
+        elif (old.text.strip() in ("1", "true")) if old is not None else self.old:
+            within = scope.place(MODEL, axis)
         return np.asarray(within[:3, :3] @ np.array(numbers))
 
     def _limits(self, axis: Element | None) -> tuple[float, float] | None:

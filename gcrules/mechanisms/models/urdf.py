@@ -198,10 +198,12 @@ class _Urdf:
 
     def _loop_joint(self, element: Element) -> None:
         kind = _KINDS[element.choice("type", tuple(_KINDS))]
-        ends = [element.need("link1"), element.need("link2")]
+        ends = list(element.each("link1", "link2", "parent", "child"))
+        if len(ends) != 2:
+            raise element.error(f"<loop_joint> has {len(ends)} links, expected <link1> and <link2>")
         axis = element.one("axis")
         direction = np.array(axis.numbers("xyz", (1.0, 0.0, 0.0)) if axis else (1.0, 0.0, 0.0))
-        frames = [_origin(e) for e in ends]
+        frames = [_origin(element.one(f"{e.tag}_origin") or e) for e in ends]
         names = (self._end(ends[0]), self._end(ends[1]))
         self._close(element, kind, names, (frames[0], frames[1]), (direction, direction))
 

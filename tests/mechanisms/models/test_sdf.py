@@ -47,6 +47,12 @@ def test_axes_are_expressed_in_frames(tmp_path: Path) -> None:
         assert np.allclose(read(tmp_path, text).joints[0].axes[0], axis)
 
 
+@pytest.mark.parametrize(("version", "z"), [("1.4", 0.0), ("1.5", -math.sin(0.5)), ("", -math.sin(0.5))])
+def test_axes_of_old_files_are_those_of_the_model(tmp_path: Path, version: str, z: float) -> None:
+    text = GOOD.replace(A, A.replace("<xyz>0 1 0</xyz>", "<xyz>1 0 0</xyz>")).replace('"1.11"', f'"{version}"')
+    assert read(tmp_path, text).joints[0].axes[0][2] == pytest.approx(z)
+
+
 KINDS = {
     "continuous": ("revolute", 0.0),
     "prismatic": ("prismatic", 0.0),

@@ -30,6 +30,10 @@ TREE = (
 CLOSERS = {
     "loop_joint": '<loop_joint name="c" type="{}"><link1 link="rod" xyz="3 0 0"/><link2 link="rocker" xyz="0 0 2"/>'
     '<axis xyz="0 1 0"/></loop_joint>',
+    "loop_joint with link1 twice": '<loop_joint name="c" type="{}"><link1 link="rod" xyz="3 0 0"/>'
+    '<link1 link="rocker" xyz="0 0 2"/><axis xyz="0 1 0"/></loop_joint>',
+    "loop_joint with origins": '<loop_joint name="c" type="{}"><parent link="rod"/><child link="rocker"/>'
+    '<parent_origin xyz="3 0 0"/><child_origin xyz="0 0 2"/><axis xyz="0 1 0"/></loop_joint>',
     "constraint": '<constraint name="c" type="{}"><parent link="rod"/><parent_origin xyz="3 0 0"/>'
     '<parent_axis xyz="0 1 0"/>'
     '<child link="rocker"/><child_origin xyz="0 0 2"/><child_axis xyz="0 1 0"/></constraint>',
