@@ -22,6 +22,8 @@ from gcrules.mechanisms.models.model import Model
 from gcrules.mechanisms.models.of_robot import model_of
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import FLOATS
+from gcrules.views.models.mjcf import mjcf_text
+from gcrules.views.models.urdf import urdf_files
 
 WRITTEN = tuple(one.id for one in robots() if one.id != "8-cables")
 
@@ -197,3 +199,26 @@ def test_robots_without_joints_or_home() -> None:
         model_of(parse_robot(lines))
     with pytest.raises(InputError, match="no home"):
         model_of(replace(robot("3-rps"), home=None))
+
+
+LIMITED = """<robot name="arm"><link name="a"/><link name="b"/><link name="c"/><link name="d"/>
+<joint name="p" type="revolute"><parent link="a"/><child link="b"/><axis xyz="1 2 2"/>
+<limit lower="-1" upper="2"/></joint>
+<joint name="q" type="prismatic"><parent link="b"/><child link="c"/><origin xyz="1 0 0"/><axis xyz="0 0 1"/>
+<limit lower="0" upper="0.5"/></joint>
+<joint name="f" type="fixed"><parent link="c"/><child link="d"/><origin xyz="0 1 0"/></joint></robot>"""
+
+
+def test_limits_and_fixed_links_are_kept(tmp_path: Path) -> None:
+    """Of a model that was read: what is written of it is the same."""
+    arm = read(tmp_path, LIMITED)
+    assert [j.limits for j in arm.joints] == [(-1.0, 2.0), (0.0, 0.5), None]
+    for again in (read(tmp_path, mjcf_text(arm)), read(tmp_path, urdf_files(arm).urdf)):
+        assert joints(again) == joints(arm)
+        assert {"a", "b", "c", "d"} <= set(again.links)
+
+
+def test_joints_that_no_format_holds(tmp_path: Path) -> None:
+    cylinder = read(tmp_path, LIMITED.replace('type="prismatic"', 'type="cylindrical"'))
+    with pytest.raises(InputError, match="joint q is cylindrical"):
+        mjcf_text(cylinder)
