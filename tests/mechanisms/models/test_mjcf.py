@@ -197,14 +197,15 @@ def tree(rng: random.Random) -> tuple[str, int]:
     bodies += f'<body name="free" pos="1 2 3" euler="10 20 30"><freejoint name="f"/>{mass}</body>'
     sequence = "".join(rng.choice((rng.choice("xyz"), rng.choice("XYZ"))) for _ in range(3))
     other = '<default class="other"><joint type="slide" axis="0 1 1"/></default>'
-    head = f'<compiler eulerseq="{sequence}"/><default><joint axis="1 2 3"/>{other}</default>'
+    head = f'<compiler eulerseq="{sequence}"/><default><joint axis="1 2 3" armature="1"/>{other}</default>'
     return f"<mujoco>{head}<worldbody>{bodies}</worldbody></mujoco>", count
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_places_are_those_of_mujoco(tmp_path: Path, seed: int) -> None:
+def test_places_are_those_of_mujoco(tmp_path: Path, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Joints at the file's own state, and in a keyframe with random values."""
     mujoco = pytest.importorskip("mujoco")
+    monkeypatch.chdir(tmp_path)  # its warnings go to a file where it runs
     rng = random.Random(seed)
     text, _ = tree(rng)
     theirs = mujoco.MjModel.from_xml_string(text)
@@ -217,6 +218,7 @@ def test_places_are_those_of_mujoco(tmp_path: Path, seed: int) -> None:
             text = text.replace("</mujoco>", f'<keyframe><key name="home" qpos="{words}"/></keyframe></mujoco>')
         mujoco.mj_forward(theirs, state)
         assert compared(read(tmp_path, text), mujoco, theirs, state) == theirs.njnt
+    assert sorted(f.name for f in tmp_path.iterdir()) == ["model.xml"]
 
 
 def compared(model: Model, mujoco: Any, theirs: Any, state: Any) -> int:

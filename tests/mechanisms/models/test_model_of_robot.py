@@ -119,9 +119,10 @@ def test_the_platform_moves_as_the_robot_says(name: str, locked: bool) -> None:
 
 
 @pytest.mark.parametrize("name", WRITTEN)
-def test_mujoco_holds_it_together(name: str) -> None:
+def test_mujoco_holds_it_together(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Some hundred steps with random torques: it moves, and its loops stay closed."""
     mujoco = pytest.importorskip("mujoco")
+    monkeypatch.chdir(tmp_path)  # its warnings go to a file where it runs
     theirs = mujoco.MjModel.from_xml_string(gc.export_model(name))
     assert theirs.nu == len(model(name).actuated)
     theirs.opt.gravity[:] = 0
@@ -139,6 +140,7 @@ def test_mujoco_holds_it_together(name: str) -> None:
         most = max(most, float(np.abs(state.efc_pos[: state.nefc][equalities]).max()))
     assert most < 1e-4 * size
     assert np.abs(state.qvel).max() > 1e-3
+    assert not any(tmp_path.iterdir())
 
 
 # --- other joints, units, platforms --------------------------------------------------------------------------------
