@@ -124,6 +124,8 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "strategy": optional(instance("a strategy (gc.load_rules().strategy())", Strategy)),
         "search": DURATION,
         "plugins": _FOLDERS,
+        "facts": FLAG,
+        "tolerance": NUMBER,
     },
     "assembly_modes": {
         "source": _SOURCE,

@@ -22,6 +22,7 @@ from gcrules.algebra.language.legs_text import Structure, read_legs, read_order
 from gcrules.algebra.language.text import Names, text
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.conditions import superbracket_forms as forms
+from gcrules.conditions.dimensions.facts import Dimensions
 from gcrules.conditions.find_conditions import Readings, always_zero, linear_complex, read
 from gcrules.conditions.pose_value import Coordinates, PoseValue
 from gcrules.core.dataclass import dataclass
@@ -52,7 +53,8 @@ class Analysis(Shown):
     `typed` is the superbracket of the legs in the order given, `shortest` its shortest form; `match` the class of the
     catalog; `condition` the reading with the smallest cofactor and `readings` the others, each of them an identity
     cofactor · superbracket = coefficient · expression; `derivation` the steps that lead to the condition. If the legs
-    came with coordinates, `platform` holds them and `pose` the numbers there. `strategy` holds the rules that were run.
+    came with coordinates, `platform` holds them, `pose` the numbers there and `dimensions` what they say of the bodies.
+    `strategy` holds the rules that were run.
     """
 
     structure: Structure
@@ -68,6 +70,7 @@ class Analysis(Shown):
     notes: tuple[str, ...] = ()
     platform: Coordinates | None = None
     pose: PoseValue | None = None
+    dimensions: Dimensions | None = None
 
     @property
     def entities(self) -> tuple[Entity, ...]:
@@ -118,6 +121,7 @@ class Analysis(Shown):
             "derivation": (self.unfolded() if full else self.derivation).to_json(names),
             "strategy": self.strategy.to_json(),
             "pose": self.pose.to_json() if self.pose else None,
+            "dimensions": self.dimensions.to_json(names) if self.dimensions else None,
             "notes": list(self.notes),
         }
 

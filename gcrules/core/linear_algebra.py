@@ -25,6 +25,7 @@ __all__ = [
     "kernel_part",
     "permutation_sign",
     "rank",
+    "whole_determinant",
 ]
 
 Row = tuple[Any, ...]
@@ -145,6 +146,24 @@ def determinant(matrix: Iterable[Sequence[int]], modulus: int) -> int:
             for row in rows
         ]
     return (value * _of_four(*rows) if rows else value) % modulus
+
+
+def whole_determinant(m: list[list[int]]) -> int:
+    """The determinant of whole numbers by Bareiss' elimination without fractions, which uses the matrix up."""
+    n, sign, previous = len(m), 1, 1
+    for k in range(n - 1):
+        pivot = next((i for i in range(k, n) if m[i][k]), None)
+        if pivot is None:
+            return 0
+        if pivot != k:
+            m[k], m[pivot], sign = m[pivot], m[k], -sign
+        top, first = m[k], m[k][k]
+        for row in m[k + 1 :]:
+            factor = row[k]
+            for j in range(k + 1, n):
+                row[j] = (row[j] * first - factor * top[j]) // previous
+        previous = first
+    return sign * m[-1][-1]
 
 
 class FirstRows:

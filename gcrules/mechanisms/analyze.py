@@ -16,6 +16,7 @@ from typing import Any
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.text import Names
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.dimensions.facts import TOLERANCE
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
@@ -43,6 +44,8 @@ def analyze(
     strategy: Strategy | None = None,
     search: float = SECONDS,
     plugins: Folders = (),
+    facts: bool = True,
+    tolerance: float = TOLERANCE,
 ) -> Analysis | RobotAnalysis:
     """The condition of legs or of a platform (an `Analysis`), or of a robot of joints (a `RobotAnalysis`).
 
@@ -54,8 +57,10 @@ def analyze(
     `catalogs` adds files of the user's own, `plugins` folders whose rules and catalogs take part; `strategy` says which
     rules run, then those of `plugins` too where it names them. With `recheck` readings that are instances of catalog
     identities are proved from scratch. Where no rule finds a condition, a factorization is sought for `search` seconds.
-    Raises InputError for the wrong number of lines, for what is no line, for assumptions that are not
-    resolved, and for options that the source does not take: robots of joints take `search` and `plugins` only.
+    Of a platform with coordinates the `facts` of its dimensions are told, those too that are missed by up to the
+    `tolerance` as a part of its size; `given` must hold of them. Raises InputError for the wrong number of lines, for
+    what is no line, for assumptions that are not resolved or that coordinates contradict, and for options that the
+    source does not take: robots of joints take `search`, `plugins` and `facts` only.
     """
     loaded = load(source, plugins=plugins, points=points, ideal=ideal, given=given, rank=rank)
     options: dict[str, Any] = {
@@ -79,7 +84,7 @@ def analyze(
         return loaded
     if isinstance(loaded, Robot):
         return analyze_robot(loaded, search=search)
-    return analyze_legs(loaded, search=search, plugins=plugins, **chosen)
+    return analyze_legs(loaded, search=search, plugins=plugins, facts=facts, tolerance=tolerance, **chosen)
 
 
 def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:

@@ -9,38 +9,53 @@ from typing import Any
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.text import SHORT_NAME, split_names
 from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.conditions.dimensions.facts import TOLERANCE
 from gcrules.conditions.pose_value import pose_value
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.platform_file import Platform
 
-__all__ = ["analyze_legs", "legs_of", "with_platform"]
+__all__ = ["analyze_legs", "legs_of", "with_dimensions", "with_platform"]
 
+check_given = deferred("gcrules.conditions.dimensions.given:check_given")
+dimensions_of = deferred("gcrules.conditions.dimensions.dimensions:dimensions_of")
+with_own_condition = deferred("gcrules.conditions.dimensions.dimensions:with_own_condition")
 
 Legs = str | Iterable[str | Sequence[str]] | Structure
 
 
-def analyze_legs(legs: Legs | Platform, **options: Any) -> Analysis:
+def analyze_legs(
+    legs: Legs | Platform, *, facts: bool = True, tolerance: float = TOLERANCE, **options: Any
+) -> Analysis:
     """`gcrules.conditions.analysis.analyze`, with its options, for platforms with coordinates too: their analysis has
-    the numbers in the pose of the file. Raises InputError for assumptions, other ranks and points at infinity beside
-    coordinates.
+    the numbers in the pose of the file and, with `facts`, what the dimensions say of the bodies up to the `tolerance`,
+    a part of their size. Raises InputError for other ranks and points at infinity beside coordinates, and for
+    assumptions that these contradict.
     """
     if not isinstance(legs, Platform):
         return analyze(legs, **options)
-    if options.pop("given", ()) or options.pop("rank", 4) != 4:
-        raise InputError(f"{legs.filename} gives coordinates: assumptions and other ranks are for legs without")
-    structure = legs_of(legs, split_names(options.pop("points", ())), split_names(options.pop("ideal", ())))
-    return with_platform(analyze(structure, **options), legs)
+    if options.pop("rank", 4) != 4:
+        raise InputError(f"{legs.filename} gives coordinates: other ranks are for legs without")
+    declared, ideal = split_names(options.pop("points", ())), split_names(options.pop("ideal", ()))
+    structure = legs_of(legs, declared, ideal, options.pop("given", ()))
+    if structure.given:
+        check_given(structure, legs.points, legs.units)
+    found = with_platform(analyze(structure, **options), legs)
+    return with_dimensions(found, legs, tolerance) if facts else found
 
 
-def legs_of(platform: Platform, points: tuple[str, ...] = (), ideal: tuple[str, ...] = ()) -> Structure:
+def legs_of(
+    platform: Platform, points: tuple[str, ...] = (), ideal: tuple[str, ...] = (), given: str | Iterable[str] = ()
+) -> Structure:
     """The legs of a platform without their coordinates. Raises InputError for points at infinity."""
     if ideal:
         raise InputError(f"{', '.join(ideal)} cannot lie at infinity: {platform.filename} gives finite coordinates")
     long_names = (n for n in platform.points if not SHORT_NAME.fullmatch(n))
     try:
-        return read_legs(platform.legs, points=tuple(dict.fromkeys((*points, *long_names))))
+        return read_legs(platform.legs, points=tuple(dict.fromkeys((*points, *long_names))), given=given)
     except InputError as fault:
-        fault.filename = platform.filename
+        if not given:
+            fault.filename = platform.filename
         raise
 
 
@@ -52,3 +67,13 @@ def with_platform(analysis: Analysis, platform: Platform) -> Analysis:
         why = f"{platform.filename}: there are no numbers for the pose of the file: {fault.message}"
         return replace(analysis, platform=replace(platform, warnings=(*platform.warnings, why)))
     return replace(analysis, platform=platform, pose=pose)
+
+
+def with_dimensions(analysis: Analysis, platform: Platform, tolerance: float = TOLERANCE) -> Analysis:
+    """The analysis with what the dimensions of the platform say beyond its legs; as it is where legs do not tell base
+    from platform. Raises InputError for a tolerance that is none.
+    """
+    found = dimensions_of(analysis.structure, platform.points, tolerance)
+    if found is None:
+        return analysis
+    return replace(analysis, dimensions=with_own_condition(analysis, found, platform.points))

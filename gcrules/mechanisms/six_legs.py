@@ -37,7 +37,7 @@ class SixLegs:
 
     @cached_property
     def analysis(self) -> Analysis:
-        return self.analysed or analyze_legs(self.platform)
+        return self.analysed or analyze_legs(self.platform, facts=False)
 
     @cached_property
     def rig(self) -> MovingPlatform:

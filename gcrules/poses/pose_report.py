@@ -9,6 +9,7 @@ from typing import Any
 
 from gcrules.algebra.evaluate import evaluate
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.dimensions.dimensions import architecture_at
 from gcrules.core.errors import EngineFault, InputError
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.six_legs import SixLegs
@@ -96,6 +97,9 @@ def report_of_legs(
     elif threshold.length is not None:
         found = (nearest_translation(moving, at, j, singular=singular),)
     verdict, reason = verdict_of(j, bounds, value, floor, spread, threshold, found, moving.unit)
+    always = None if verdict == "regular" else architecture_at(moving.structure, moving.points)
+    if always is not None and always.sentence:
+        reason = f"{reason} {always.sentence}"
     depends = None
     if value == 0:
         depends = exact_dependence(moving.legs, moving.names, points, j.centroid[0])
@@ -124,6 +128,7 @@ def report_of_legs(
         stress=scaled(j.stress[0].tolist()),
         dependence=depends,
         notes=at.notes,
+        architecture=always,
         **held,
     )
 

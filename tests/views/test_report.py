@@ -13,8 +13,9 @@ from places import EXAMPLES
 import gcrules as gc
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.rules.catalog.file import load
+from gcrules.views.report.items import Formula
 from gcrules.views.report.report import fragment
-from gcrules.views.report.stages import Formula, stages
+from gcrules.views.report.stages import stages
 
 PLATFORMS = sorted(EXAMPLES.glob("*.yaml"))
 STRUCTURES = ["Aa Ab Bc Cd De Ef", "Aa Ba Ca Db Eb Fb", "ab bc ca ad be cf", "ab bc ca de ef fd", "ab cd ef gh ij kl"]

@@ -18,6 +18,7 @@ from gcrules.apps.cli.base import (
     search_option,
     space_options,
 )
+from gcrules.apps.cli.facts_options import facts_options
 from gcrules.apps.cli.files import OutputFile, figure_option, working
 from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual_options import ManualOptions, manual_options
@@ -61,6 +62,7 @@ _SPACE = SpaceOptions(4, (), ())  # where no option says otherwise
 @click.option("--full", is_flag=True, help="Show every single step of the derivation.")
 @figure_option
 @given_option
+@facts_options
 @_search
 @time_limit(itself=True)
 @catalog_option
@@ -76,6 +78,8 @@ def analyze(
     full: bool,
     figure: str | None,
     assumptions: tuple[str, ...],
+    facts: bool,
+    tolerance: float,
     search: float,
     seconds: float,
     catalogs: tuple[str, ...],
@@ -118,9 +122,10 @@ def analyze(
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
     others = order or recheck or full or assumptions or catalogs or space != _SPACE
+    looked_at = {"given": assumptions, "facts": facts, "tolerance": tolerance}
     with limited(seconds, beside(search)):
         loaded = _loaded(legs, assumptions, space, choice, mode)
-        analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others)
+        analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others, **looked_at)
         if figure:
             save(figure_of(analysis), figure)
         out.show(_InFull(analysis) if full and isinstance(analysis, Analysis) else analysis)
@@ -133,6 +138,7 @@ def analyze(
 @_order
 @_recheck
 @given_option
+@facts_options
 @_search
 @time_limit(plus="search")
 @catalog_option
@@ -147,6 +153,8 @@ def report(
     order: str | None,
     recheck: bool,
     assumptions: tuple[str, ...],
+    facts: bool,
+    tolerance: float,
     search: float,
     catalogs: tuple[str, ...],
     choice: Choice,
@@ -180,7 +188,8 @@ def report(
     _check_page(path)
     others = order or recheck or assumptions or catalogs or space != _SPACE
     loaded = _loaded(legs, assumptions, space, choice, mode)
-    analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others)
+    looked_at = {"given": assumptions, "facts": facts, "tolerance": tolerance}
+    analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others, **looked_at)
     with working("computing"):
         answers = questions.answers(analysis)
     write_file(path, rendered(analysis, interactive=interactive, answers=answers, about=questions.about))
@@ -193,8 +202,8 @@ def _loaded(
     choice: Choice,
     mode: str | None = None,
 ) -> Loaded:
-    """What the words say. Raises InputError for assumptions about what has coordinates."""
-    loaded = read_source(
+    """What the words say."""
+    return read_source(
         words,
         mode=mode,
         plugins=choice.folders,
@@ -203,9 +212,6 @@ def _loaded(
         given=assumptions,
         rank=space.rank,
     )
-    if isinstance(loaded, Platform) and assumptions:
-        raise InputError(f"{loaded.filename} gives coordinates: assumptions are for legs without")
-    return loaded
 
 
 def _six_legs(words: tuple[str, ...], space: SpaceOptions, choice: Choice) -> Structure | Platform:
@@ -250,6 +256,10 @@ def _analyzed(
     choice: Choice,
     space: SpaceOptions,
     others: object,
+    *,
+    given: tuple[str, ...],
+    facts: bool,
+    tolerance: float,
 ) -> Analysis | RobotAnalysis:
     """The analysis of what was read. Raises UsageError for options that a robot of joints does not take: `others` is
     true if there are any.
@@ -263,8 +273,10 @@ def _analyzed(
         if remark:
             click.echo(f"warning: {remark}", err=True)
         return found
-    given: dict[str, Any] = (
-        {"points": space.points, "ideal": space.ideal, "rank": space.rank} if isinstance(loaded, Platform) else {}
+    of_file: dict[str, Any] = (
+        {"points": space.points, "ideal": space.ideal, "rank": space.rank, "given": given}
+        if isinstance(loaded, Platform)
+        else {}
     )
     with working("analysing"):
         answer = analyzed(
@@ -275,7 +287,9 @@ def _analyzed(
             strategy=choice.strategy(),
             search=search,
             plugins=choice.folders,
-            **given,
+            facts=facts,
+            tolerance=tolerance,
+            **of_file,
         )
     for warning in answer.platform.warnings if isinstance(answer, Analysis) and answer.platform else ():
         click.echo(f"warning: {warning}", err=True)

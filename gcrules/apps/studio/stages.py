@@ -20,8 +20,10 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.condition import Entity
 from gcrules.views.drawing.figures import distinct_entities
 from gcrules.views.drawing.scene_parts import entity_label
+from gcrules.views.report.dimension_items import dimension_items
+from gcrules.views.report.items import Formula, KeyValue
 from gcrules.views.report.stage_ids import TITLES
-from gcrules.views.report.stages import Formula, KeyValue, Recognised, recognised, structure_items
+from gcrules.views.report.stages import Recognised, leading_sentences, recognised, structure_items
 
 __all__ = ["stage_views"]
 
@@ -60,7 +62,9 @@ def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, lis
     yield "condition", [formula(left, c.right_side), *_condition_words(a), *parts]
     others = [r.sentence for r in a.readings if r.statement not in ("", c.statement)]
     if robot is None:
-        yield "statement", [sentence(c.sentence), *(sentence(f"Also: {words}") for words in others)]
+        dimensions = map(_plain, dimension_items(a.dimensions) if a.dimensions else ())
+        always = map(sentence, leading_sentences(a))
+        yield "statement", [*always, *(sentence(f"Also: {words}") for words in others), *dimensions]
     else:
         yield "statement", [sentence(robot.statement), sentence(f"Of its lines: {c.sentence}")]
     certified = [fact(c.certificate.method, c.certificate.detail)]

@@ -158,7 +158,9 @@ def compiled(
             raise InputError(
                 "legs alone have no coordinates of a pose", hint="leave coordinates out, and use at_joints"
             )
-        return _condition(loaded if isinstance(loaded, Analysis) else analyze_legs(loaded), None, expression, chosen)
+        return _condition(
+            loaded if isinstance(loaded, Analysis) else analyze_legs(loaded, facts=False), None, expression, chosen
+        )
     return method(_COMPILED, mechanism(loaded, about=about), "a compiled condition")(expression, coordinates, chosen)
 
 

@@ -16,6 +16,7 @@ from math import lcm
 from gcrules.algebra.language.legs_text import Leg
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
+from gcrules.core.linear_algebra import whole_determinant
 
 __all__ = [
     "EXPONENTS",
@@ -26,7 +27,6 @@ __all__ = [
     "interpolated",
     "superbracket_at",
     "translation_polynomial",
-    "whole_determinant",
 ]
 
 Exponents = tuple[int, int, int]
@@ -124,21 +124,3 @@ def determinant(rows: Sequence[Sequence[Fraction]]) -> Fraction:
         m.append([int(c * common) for c in row])
         scale *= common
     return Fraction(whole_determinant(m)) / scale
-
-
-def whole_determinant(m: list[list[int]]) -> int:
-    """The determinant of whole numbers by Bareiss' elimination without fractions, which uses the matrix up."""
-    n, sign, previous = len(m), 1, 1
-    for k in range(n - 1):
-        pivot = next((i for i in range(k, n) if m[i][k]), None)
-        if pivot is None:
-            return 0
-        if pivot != k:
-            m[k], m[pivot], sign = m[pivot], m[k], -sign
-        top, first = m[k], m[k][k]
-        for row in m[k + 1 :]:
-            factor = row[k]
-            for j in range(k + 1, n):
-                row[j] = (row[j] * first - factor * top[j]) // previous
-        previous = first
-    return sign * m[-1][-1]

@@ -6,6 +6,7 @@ import math
 from fractions import Fraction
 from typing import Any
 
+from gcrules.conditions.dimensions.facts import Architecture
 from gcrules.core.dataclass import dataclass
 from gcrules.core.floats import as_float
 from gcrules.core.shown import Shown
@@ -57,7 +58,7 @@ class PoseReport(Shown):
     as they are given; `noise` is how much σ can change for joints that are known up to `accuracy`. `jacobian` holds the
     forces along the legs. `nearest` holds the nearest singular poses (empty if they were not asked for), `softest` the
     motion that the legs notice least, `stress` the ratio of forces in the legs that nearly balance, `dependence` what
-    singular legs have in common.
+    singular legs have in common; `architecture` says of a pose that is not regular whether all are singular.
     """
 
     rig: MovingPlatform
@@ -82,6 +83,7 @@ class PoseReport(Shown):
     stress: tuple[float, ...]
     dependence: Dependence | None
     notes: tuple[str, ...] = ()
+    architecture: Architecture | None = None
 
     @property
     def value(self) -> float:
@@ -120,6 +122,7 @@ class PoseReport(Shown):
             "nearest": {n.kind: n.to_json() for n in self.nearest},
             "softest_motion": self.softest.to_json(),
             "stress": list(self.stress),
+            "architecture": self.architecture.to_json() if self.architecture else None,
             "singularity": self.dependence.to_json() if self.dependence else None,
             "notes": list(self.notes),
         }

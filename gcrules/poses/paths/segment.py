@@ -25,8 +25,8 @@ import numpy as np
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault
+from gcrules.core.linear_algebra import whole_determinant
 from gcrules.mechanisms.moving_platform import MovingPlatform
-from gcrules.poses.numbers.cubic import whole_determinant
 from gcrules.poses.paths.motions import Motions
 from gcrules.poses.paths.roots import integers
 from gcrules.screws.pose import Pose

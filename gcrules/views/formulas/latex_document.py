@@ -6,7 +6,8 @@ from gcrules.algebra.language.text import text
 from gcrules.conditions.analysis import Analysis
 from gcrules.views.formulas.latex import latex, latex_lines
 from gcrules.views.formulas.latex_text import latex_document, latex_words
-from gcrules.views.report.stages import Formula, Item, KeyValue, stages
+from gcrules.views.report.items import Formula, Item, KeyValue
+from gcrules.views.report.stages import stages
 from gcrules.views.results.derivation import as_align
 
 __all__ = ["as_latex"]

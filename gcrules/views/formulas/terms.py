@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gcrules.views.formulas.mathml import mathml_terms
-from gcrules.views.report.stages import Formula
+from gcrules.views.report.items import Formula
 
 __all__ = ["formula_html"]
 

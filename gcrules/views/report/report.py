@@ -15,10 +15,11 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.derivation import Step
 from gcrules.views.drawing.figures import graph_figure, robot_figure
 from gcrules.views.formulas.terms import formula_html
+from gcrules.views.report.items import Formula, Item, KeyValue
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.robot_report import moves, robot_report
 from gcrules.views.report.scene_json import drawable, scene
-from gcrules.views.report.stages import Formula, Item, KeyValue, Stage, stages, verdict_of
+from gcrules.views.report.stages import Stage, leading_sentences, stages, verdict_of
 from gcrules.views.results.derivation import reasons
 
 __all__ = ["fragment", "report"]
@@ -47,7 +48,7 @@ def report(
     title = (platform.title if platform else "") or f"Legs {analysis.structure.text()}"
     sections = [
         _header(title, analysis, platform),
-        f'<section class="answer"><p>{escape(analysis.condition.sentence)}</p>{_sure(analysis)}</section>',
+        f'<section class="answer">{_answer(analysis)}{_sure(analysis)}</section>',
         _figures(analysis, live=live),
         *([_numbers(analysis.pose)] if analysis.pose else []),
         *more,
@@ -65,7 +66,7 @@ def fragment(analysis: Analysis) -> str:
     """The condition, statement and graph as an HTML fragment, for notebooks."""
     graph = graph_figure(analysis).svg() if analysis.structure.joined else ""
     formula = formula_html(Formula(*_identity(analysis)))
-    return f'<div class="gcrules"><p>{escape(analysis.condition.sentence)}</p>{formula}{graph}</div>'
+    return f'<div class="gcrules">{_answer(analysis)}{formula}{graph}</div>'
 
 
 def _identity(a: Analysis) -> tuple[Expr, Expr]:
@@ -80,6 +81,10 @@ def _header(title: str, a: Analysis, platform: Coordinates | None) -> str:
     lines.append(f"Legs {a.structure.text()}")
     note = f'<p class="note">{escape(platform.note)}</p>' if platform and platform.note else ""
     return f'<header><h1>{escape(title)}</h1><p class="sub">{escape(" · ".join(lines))}</p>{note}</header>'
+
+
+def _answer(a: Analysis) -> str:
+    return "".join(f"<p>{escape(sentence)}</p>" for sentence in leading_sentences(a))
 
 
 def _sure(a: Analysis) -> str:

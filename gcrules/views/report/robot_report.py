@@ -20,10 +20,10 @@ from gcrules.views.drawing.bsp import XYZ
 from gcrules.views.drawing.figures import graph_figure
 from gcrules.views.drawing.solids import flat_normal
 from gcrules.views.formulas.terms import formula_html
+from gcrules.views.report.items import Formula
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.robot_numbers import numbers_html
 from gcrules.views.report.scene_json import scene
-from gcrules.views.report.stages import Formula
 from gcrules.views.results.robot import CONDITION, FACTORS, factor_kind, sections
 from gcrules.views.robots.entities import DrawnFlat, entities
 from gcrules.views.robots.joint_chain import unit_vector

@@ -28,6 +28,7 @@ TITLES: Mapping[str, str] = {
     "statement": "Statement",
     "check": "Check",
     "certificate": "Certificate",
+    "dimensions": "Dimensions",
     "pose": "In this pose",
     "readings": "Other readings",
 }

@@ -16,38 +16,19 @@ from gcrules.core.english import listed
 from gcrules.core.floats import decimal
 from gcrules.rules.condition import Condition, Entity
 from gcrules.screws.verdict import CLOSE
+from gcrules.views.report.dimension_items import DIMENSIONS, dimension_items
+from gcrules.views.report.items import Formula, Item, KeyValue
 from gcrules.views.report.stage_ids import TITLES
 
 __all__ = [
-    "Formula",
-    "Item",
-    "KeyValue",
     "Recognised",
     "Stage",
+    "leading_sentences",
     "recognised",
     "stages",
     "structure_items",
     "verdict_of",
 ]
-
-
-@dataclass(frozen=True)
-class Formula:
-    """left = right, displayed; `left` may be None."""
-
-    left: Expr | None
-    right: Expr
-
-
-@dataclass(frozen=True)
-class KeyValue:
-    """A short key and its value."""
-
-    key: str
-    value: str
-
-
-Item = str | KeyValue | Formula
 
 
 @dataclass(frozen=True)
@@ -84,6 +65,12 @@ class Recognised:
 def stages(a: Analysis) -> list[Stage]:
     """All stages in the sequence of the published procedure."""
     return [Stage(key, why, tuple(items)) for key, why, items in _stages(a)]
+
+
+def leading_sentences(a: Analysis) -> tuple[str, ...]:
+    """What stands first: that the robot is singular in every pose, if it is or nearly so, then the condition."""
+    always = a.dimensions.architecture.sentence if a.dimensions else ""
+    return (*filter(None, [always]), a.condition.sentence)
 
 
 def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
@@ -126,6 +113,8 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
     yield "condition", _WHY.get(a.condition.kind, incidence), _condition(a.condition, a)
     yield "statement", "", [a.condition.sentence]
     yield "certificate", "", [a.condition.certificate.detail + ".", *_replay(a), *a.notes]
+    if a.dimensions:
+        yield "dimensions", DIMENSIONS, dimension_items(a.dimensions)
     if a.pose:
         yield "pose", "Numbers at the coordinates of the file.", _pose(a.pose)
     if a.readings:

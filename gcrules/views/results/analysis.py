@@ -6,7 +6,8 @@ from textwrap import indent
 
 from gcrules.algebra.language.text import text, text_terms
 from gcrules.conditions.analysis import Analysis
-from gcrules.views.report.stages import Item, KeyValue, stages
+from gcrules.views.report.items import Item, KeyValue
+from gcrules.views.report.stages import leading_sentences, stages
 from gcrules.views.results.derivation import as_text as derivation_text
 from gcrules.views.results.derivation import ascii_words
 
@@ -18,7 +19,7 @@ _LONG = 120
 
 def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
     """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows, `full` adds the derivation step by step."""
-    lines = [*_wrapped(a.condition.sentence.split(), ""), ""]
+    lines = [line for sentence in leading_sentences(a) for line in _wrapped(sentence.split(), "")] + [""]
     for n, stage in enumerate(stages(a), 1):
         lines += [f"{n}. {stage.title}", *_why(stage.why)]
         for item in stage.items:

@@ -1,0 +1,64 @@
+"""What the dimensions of a platform say, as items of a stage: facts, its architecture, its own condition."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gcrules.algebra.expr import ONE
+from gcrules.algebra.language.text import text
+from gcrules.conditions.dimensions.facts import Dimensions, OwnCondition
+from gcrules.core.english import listed
+from gcrules.views.report.items import Formula, Item, KeyValue
+
+__all__ = ["DIMENSIONS", "dimension_items"]
+
+DIMENSIONS = "What the coordinates say beyond the names of the joints; it holds in every pose."
+
+_MANY = 12  # facts that are shown, of a body with many joints on planes
+
+
+def dimension_items(d: Dimensions) -> list[Item]:
+    """All of it, the architecture first where there is something to say of it."""
+    return list(_items(d))
+
+
+def _items(d: Dimensions) -> Iterator[Item]:
+    if d.architecture.sentence:
+        yield d.architecture.sentence
+    if d.architecture.stress:
+        forces = ", ".join(f"{leg} {share}" for leg, share in d.architecture.stress)
+        yield KeyValue("forces", f"{forces} (for each unit of length of the leg, in every pose)")
+    yield KeyValue("certificate", f"{d.architecture.sure}.")
+    facts = [fact.sentence for fact in d.facts if fact.kind != "mirror"]
+    mirrors = [fact.sentence for fact in d.facts if fact.kind == "mirror"]
+    if len(mirrors) > 1:
+        mirrors = [f"{len(mirrors)} mirrors take the base to itself and the platform too; one of them: {mirrors[0]}"]
+    facts += mirrors
+    for said in facts[:_MANY]:
+        yield KeyValue("fact", said)
+    if len(facts) > _MANY:
+        yield f"and {len(facts) - _MANY} more, which --json lists"
+    if not facts:
+        yield "No joints of a body are in special position."
+    if any(not fact.exact for fact in d.facts):
+        yield KeyValue("tolerance", f"{d.tolerance:g} of the size; no proof rests on what holds nearly")
+    if d.note:
+        yield KeyValue("condition", d.note)
+    if d.own is not None:
+        yield from _own(d.own)
+
+
+def _own(own: OwnCondition) -> Iterator[Item]:
+    under = [*(f"{a} = {b}" for a, b in own.names), *own.given]
+    if under:
+        yield f"With {listed(under)}: {own.condition.statement}"
+        yield KeyValue("legs", own.legs)
+        yield Formula(None, own.condition.expression)
+        if own.condition.cofactor != ONE:
+            yield KeyValue("cofactor", f"{text(own.condition.cofactor)} (where it is 0 the condition says nothing)")
+        same = f"compared with the legs at {own.poses} exact random poses of this robot"
+        yield KeyValue("proof", f"{own.condition.certificate.detail}; {same}")
+    if own.fixed and own.free:
+        what, keeps = ("factor", "keeps") if len(own.fixed) == 1 else ("factors", "keep")
+        free = own.free[0] if len(own.free) == 1 else f"one of {listed(own.free)}"
+        yield f"The {what} {listed(own.fixed)} {keeps} a value other than 0 in every pose; left to vanish is {free}."
