@@ -122,7 +122,7 @@ def analyze(
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
     others = order or recheck or full or assumptions or catalogs or space != _SPACE
-    looked_at = {"given": assumptions, "facts": facts, "tolerance": tolerance}
+    looked_at: dict[str, Any] = {"given": assumptions, "facts": facts, "tolerance": tolerance}
     with limited(seconds, beside(search)):
         loaded = _loaded(legs, assumptions, space, choice, mode)
         analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others, **looked_at)
@@ -188,7 +188,7 @@ def report(
     _check_page(path)
     others = order or recheck or assumptions or catalogs or space != _SPACE
     loaded = _loaded(legs, assumptions, space, choice, mode)
-    looked_at = {"given": assumptions, "facts": facts, "tolerance": tolerance}
+    looked_at: dict[str, Any] = {"given": assumptions, "facts": facts, "tolerance": tolerance}
     analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others, **looked_at)
     with working("computing"):
         answers = questions.answers(analysis)

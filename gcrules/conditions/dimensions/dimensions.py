@@ -16,8 +16,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 
-from gcrules.algebra.language.legs_text import Structure, leg_text
-from gcrules.algebra.structure import Leg
+from gcrules.algebra.language.legs_text import Leg, Structure, leg_text
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.dimensions.bodies import body_facts
 from gcrules.conditions.dimensions.facts import TOLERANCE, Architecture, Dimensions

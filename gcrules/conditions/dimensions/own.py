@@ -109,7 +109,8 @@ def _told(
     if len(structure.sides) < len(structure.names):
         return None
     homogeneous = _homogeneous(points)
-    fixed, free = [], []
+    fixed: list[str] = []
+    free: list[str] = []
     for factor in factors(condition.expression):
         bodies = {structure.sides[n] for n in points_of(factor) if n in structure.sides}
         still = len(bodies) == 1 and evaluate(factor, homogeneous) != 0

@@ -109,7 +109,7 @@ def _volume(places: Places) -> float:
     gram = [[sum(a * b for a, b in zip(u, v, strict=True)) for v in rows] for u in rows]
     if len(gram) == 2:
         return gram[0][0] * gram[1][1] - gram[0][1] ** 2
-    return sum(a * b for a, b in zip(cross(rows[0], rows[1]), rows[2], strict=True)) ** 2
+    return float(sum(a * b for a, b in zip(cross(rows[0], rows[1]), rows[2], strict=True))) ** 2
 
 
 def _projective(first: Places, second: Places) -> bool:
