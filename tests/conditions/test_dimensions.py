@@ -42,7 +42,7 @@ def mapped(places: list[Place], a: int, b: int, c: int, d: int, *, weight: int =
     """An affine image of plane places, with `weight` a projective one."""
     return [
         (Fraction(a * x + b * y + 1) / (9 + weight * x), Fraction(c * x + d * y) / (9 + weight * x), Fraction(5))
-        for x, y, _ in map(lambda p: tuple(map(Fraction, p)), places)
+        for x, y, _ in (tuple(map(Fraction, p)) for p in places)
     ]
 
 
@@ -118,11 +118,14 @@ def test_nearly_so() -> None:
     base, platform, _ = CASES["similar, on a circle"]
     moved = [(x + Fraction(1, 10**6), y, z) if i == 2 else (x, y, z) for i, (x, y, z) in enumerate(platform)]
     found = dimensions_of(gc.analyze("Aa Bb Cc Dd Ee Ff").structure, _platform(base, moved).points)
-    assert found is not None and found.architecture.verdict == "nearly singular"
+    assert found is not None
+    assert found.architecture.verdict == "nearly singular"
     similar = next(f for f in found.facts if f.kind == "similar")
-    assert not similar.exact and "nearly" in similar.sentence
+    assert not similar.exact
+    assert "nearly" in similar.sentence
     found = dimensions_of(gc.analyze("Aa Bb Cc Dd Ee Ff").structure, _platform(base, moved).points, 1e-9)
-    assert found is not None and found.architecture.verdict == "regular"
+    assert found is not None
+    assert found.architecture.verdict == "regular"
     with pytest.raises(InputError):
         dimensions_of(gc.analyze("Aa Bb Cc Dd Ee Ff").structure, _platform(base, moved).points, -1)
 
@@ -142,7 +145,8 @@ def test_symmetry() -> None:
     )
     assert facts is not None
     turn = next(f for f in facts.facts if f.kind == "rotation")
-    assert turn.order == 4 and turn.exact
+    assert turn.order == 4
+    assert turn.exact
     (cycle,) = turn.members
     legs = [word[0] for word in cycle.split("→")]
     assert all({a, b} not in ({"A", "C"}, {"B", "D"}) for a, b in pairwise(legs))
@@ -154,7 +158,8 @@ def test_joints_that_coincide_are_one() -> None:
     points = {n: loaded.points[n] for n in "ABCDEF"} | {n: loaded.points[old] for n, old in names.items()}
     twelve = gc.Platform(legs=tuple(zip("ABCDEF", "abcdef", strict=True)), points=points)
     found = gc.analyze(twelve).dimensions
-    assert found is not None and found.own is not None
+    assert found is not None
+    assert found.own is not None
     assert found.own.condition.kind == gc.analyze(loaded).condition.kind == "four-planes"
     assert dict(found.own.names) == {"b": "a", "d": "c", "f": "e"}
     assert "four planes" in gc.analyze(twelve).text()
@@ -164,7 +169,8 @@ def test_joints_that_coincide_are_one() -> None:
 def test_given_beside_coordinates() -> None:
     file = str(EXAMPLES / "platform-6-3.yaml")
     a = gc.analyze(file, given="coplanar(A, B, C, D, E, F)")
-    assert a.structure.given and a.pose is not None
+    assert a.structure.given
+    assert a.pose is not None
     assert gc.pose(a, "z=0.1, roll=5deg", nearest=False).verdict == "regular"
     for wrong, why in (
         ("collinear(A, B, C)", "miss one line by 0.286068 m"),
@@ -179,7 +185,8 @@ def test_given_beside_coordinates() -> None:
 def test_on_the_command_line() -> None:
     file = str(EXAMPLES / "platform-6-3.yaml")
     told = json.loads(invoke("analyze", file, "--json").stdout)["dimensions"]
-    assert [f["kind"] for f in told["facts"]] == ["coplanar"] and told["architecture"]["verdict"] == "regular"
+    assert [f["kind"] for f in told["facts"]] == ["coplanar"]
+    assert told["architecture"]["verdict"] == "regular"
     assert json.loads(invoke("analyze", file, "--no-facts", "--json").stdout)["dimensions"] is None
     assert invoke("analyze", file, "--given", "collinear(A, B, C)").exit_code == 2
     assert invoke("analyze", file, "--tolerance", "0.5").exit_code == 2
