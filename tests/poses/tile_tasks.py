@@ -28,6 +28,7 @@ class Sines:
     scale: float = 1.0
     signals: str = ""
     fault: int = -1
+    stage = None
 
     @property
     def manifest(self) -> dict[str, Any]:
@@ -66,9 +67,7 @@ class Sines:
 
     def compute(self, tile: int) -> Tile:
         if self.signals:
-            Path(self.signals, f"begun-{tile}-{os.getpid()}").touch()
-            while Path(self.signals, f"hold-{tile}").exists():
-                time.sleep(0.01)
+            wait(self.signals, tile)
         if tile == self.fault:
             raise ZeroDivisionError("one over nothing")
         n, m = self.shape
@@ -83,6 +82,42 @@ class Sines:
             "pair": np.stack([wave, np.cos(x + y)], axis=-1).astype(np.float32),
             "high": (wave[: cells[0], : cells[1]] > 0).astype(np.uint8),
         }
+
+
+def wait(signals: str, what: int | str) -> None:
+    """Say in a folder that something begins, and wait while it is held there."""
+    Path(signals, f"begun-{what}-{os.getpid()}").touch()
+    while Path(signals, f"hold-{what}").exists():
+        time.sleep(0.01)
+
+
+@dataclass(frozen=True)
+class Waiting:
+    """A task, and its stage, that say when they begin, as `Sines` does; the stage is called so."""
+
+    task: Any
+    signals: str
+
+    manifest = property(lambda self: self.task.manifest)
+    recipe = property(lambda self: self.task.recipe)
+    attrs = property(lambda self: self.task.attrs)
+    coordinates = property(lambda self: self.task.coordinates)
+    grid = property(lambda self: self.task.grid)
+    arrays = property(lambda self: self.task.arrays)
+    stage = property(lambda self: self)
+    known = property(lambda self: self.task.stage.known)
+
+    def compute(self, tile: int) -> Any:
+        wait(self.signals, tile)
+        return self.task.compute(tile)
+
+    def staged(self) -> bytes:
+        wait(self.signals, "stage")
+        data: bytes = self.task.stage.staged()
+        return data
+
+    def take(self, data: bytes) -> None:
+        self.task.stage.take(data)
 
 
 def task_again(recipe: dict[str, Any]) -> Sines:

@@ -245,6 +245,8 @@ def write_shape(m: gc.SingularMap, path: str) -> None:
 class Squares:
     """A `TileTask`: the squares of numbers, three in a tile."""
 
+    stage = None
+
     number: int
     manifest = property(lambda self: {"squares": self.number})
     recipe = property(lambda self: {"kind": "squares", "number": self.number})

@@ -24,7 +24,7 @@ from gcrules.mechanisms.kinematics.linkage import Linkage, Span
 from gcrules.mechanisms.kinematics.margin import span_twists
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
-__all__ = ["Frames", "frames", "relative_sign"]
+__all__ = ["Frames", "frames", "relative_orientation", "relative_sign"]
 
 _SPACE, _PLANE = (0, 1, 2, 3, 4, 5), (2, 3, 4)
 """Of twists (ω; v)."""
@@ -61,9 +61,19 @@ class Frames:
         return Frames.together([self, others])[order]
 
     @property
+    def whole(self) -> NDArray[np.bool_]:
+        """Where there is a determinant: ranks are those of the family, and rows are as many as freedoms."""
+        return np.asarray(~np.isnan(self.determinant))
+
+    @property
     def signed(self) -> NDArray[np.bool_]:
         """Where the determinant is known and not 0 within rounding."""
         return np.asarray(np.abs(self.determinant) > _ZERO)
+
+    @property
+    def sign(self) -> NDArray[np.int8]:
+        """That of the determinant, 0 where it has none."""
+        return np.where(self.signed, np.sign(np.nan_to_num(self.determinant)), 0).astype(np.int8)
 
 
 def frames(m: Linkage, here: Configurations, centre: Floats) -> Frames:
@@ -118,11 +128,18 @@ def relative_sign(a: Frames, b: Frames) -> NDArray[np.int8]:
     """For each pair of configurations 1 where the determinant has one sign in both, −1 where it changes, 0 where frames
     turn too far to be compared, a rank drops, or a determinant is 0 within rounding.
     """
-    sign = np.where(a.signed & b.signed, np.sign(a.determinant) * np.sign(b.determinant), 0.0)
+    return a.sign * b.sign * relative_orientation(a, b)
+
+
+def relative_orientation(a: Frames, b: Frames) -> NDArray[np.int8]:
+    """For each pair of configurations 1 where the frames of all wrenches have one orientation, −1 where it is the other
+    one, 0 where they turn too far to be compared or a rank drops. Determinants may be 0.
+    """
+    sign = np.where(a.whole & b.whole, 1.0, 0.0)
     for one, other in zip(a.systems, b.systems, strict=True):
         if not one.shape[1]:
             continue
         overlap = one @ np.swapaxes(other, 1, 2)
         close = np.linalg.svd(overlap, compute_uv=False)[:, -1] >= _OVERLAP
         sign = np.where(close, sign * np.sign(np.linalg.det(overlap)), 0.0)
-    return np.nan_to_num(sign).astype(np.int8)
+    return sign.astype(np.int8)

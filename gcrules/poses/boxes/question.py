@@ -18,7 +18,7 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.limbs.map_task import coordinates_of
+from gcrules.poses.limbs.map_grid import coordinates_of
 from gcrules.poses.limits import LengthLimits, parse_limits
 from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, read_ranges
 from gcrules.poses.methods import Methods, method

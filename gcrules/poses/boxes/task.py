@@ -62,6 +62,8 @@ class BoxTask(HoldsArrays):
     boxes: int
     recipe: Mapping[str, Any]
 
+    stage = None
+
     def __getstate__(self) -> dict[str, Any]:
         return {f.name: getattr(self, f.name) for f in fields(self)}  # programs are made anew
 

@@ -3,7 +3,7 @@ r"""Which cells of a sweep are proved free of singular configurations: box by bo
 Around the configuration in the middle of a box `Cells` shows that for all values of the coordinates in the box there is
 one configuration near by, a continuous one, and that none is singular. A box in which that fails is halved along its
 longest sides, also below the size of a cell. What a proved box holds hangs together: nodes and middles of other boxes
-whose configurations lie in it. Only what hangs together with the first node counts.
+whose configurations lie in it. Only what hangs together with a node counts: nodes are on home's branch.
 """
 
 from __future__ import annotations
@@ -18,26 +18,27 @@ from gcrules.core.budget import checkpoint, report
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.determinants import frames, relative_sign
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.poses.limbs.sweep import Sweep, blocks
+from gcrules.poses.limbs.lattice import HALVINGS, Truths, blocks
+from gcrules.poses.limbs.spreading import NEAR
+from gcrules.poses.limbs.sweep import Sweep
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
-__all__ = ["proved_cells"]
+__all__ = ["LARGEST", "proved_cells"]
 
 Integers = NDArray[np.int64]
-Truths = NDArray[np.bool_]
 Edges = NDArray[np.intp]
 """Nodes (K, 2): from one to the next one along an axis."""
 
+LARGEST = 8
+"""Cells along the side of the largest boxes."""
 _UNIT = 4  # parts of a cell along each axis: the smallest boxes
-_LARGEST = 8 * _UNIT
-_NEAR = 1e-9  # room for rounding in comparing configurations
+_HOME = -1  # the number of what is on home's branch
 _ALIKE = 1e-6  # configurations that are the same one
 _MOST = 10_000  # boxes smaller than cells that are tried at once
-_HALVINGS = 3  # of a way from node to node
 
 
 def proved_cells(sweep: Sweep) -> NDArray[np.uint8]:
-    """The status of each cell; `sweep` keeps those nodes only that are proved to hang together with the first one.
+    """The status of each cell.
 
     A cell is free where all of it is proved, outside where a corner is not reached, crossed where one branch goes
     along one of its edges and the determinant has different signs at its ends, else undecided.
@@ -48,19 +49,21 @@ def proved_cells(sweep: Sweep) -> NDArray[np.uint8]:
 class _Boxes:
     def __init__(self, sweep: Sweep) -> None:
         self.sweep = sweep
-        self.cells = tuple(n - 1 for n in sweep.shape)
+        self.lattice = sweep.lattice
+        self.cells = tuple(n - 1 for n in self.lattice.shape)
         self.axes = len(self.cells)
         self.graph: nx.Graph[int] = nx.Graph()
-        self.graph.add_node(sweep.first)
+        self.graph.add_node(_HOME)
+        self.graph.add_edges_from((_HOME, n) for n in np.flatnonzero(sweep.reached).tolist())
         self.count = len(sweep.reached)  # numbers of nodes are below, of middles from here on
         self.changes = self._changes()
         self.crossed = self._beside(self.changes)
         self.pieces: list[tuple[Integers, Integers, Integers]] = []  # number, low, width
-        self.sums = _sums(sweep.reached.reshape(sweep.shape))
+        self.sums = _sums(sweep.reached.reshape(self.lattice.shape))
 
     def statuses(self) -> NDArray[np.uint8]:
         low, width = self._first()
-        middles = np.full((len(low), len(self.sweep.units)), np.nan)
+        middles = np.full((len(low), len(self.lattice.units)), np.nan)
         before, number = np.zeros((len(low), self.axes)), np.full(len(low), -1)
         while len(low):
             report(f"proving {len(low):,} boxes")
@@ -72,7 +75,7 @@ class _Boxes:
         for n in self.cells:
             ends = [0]
             while ends[-1] < n * _UNIT:
-                ends.append(ends[-1] + min(_LARGEST, 1 << ((n * _UNIT - ends[-1]).bit_length() - 1)))
+                ends.append(ends[-1] + min(LARGEST * _UNIT, 1 << ((n * _UNIT - ends[-1]).bit_length() - 1)))
             sides.append(np.array(ends))
         low = np.stack(np.meshgrid(*(s[:-1] for s in sides), indexing="ij"), axis=-1).reshape(-1, self.axes)
         width = np.stack(np.meshgrid(*(np.diff(s) for s in sides), indexing="ij"), axis=-1).reshape(-1, self.axes)
@@ -84,7 +87,7 @@ class _Boxes:
         """Try boxes; those that are to be halved come back in parts, each with the configuration in the middle of what
         it is a part of, with the place and the number of that.
         """
-        sweep = self.sweep
+        lattice = self.lattice
         lit = self._lit(low, width)
         low, width, known, before, parent = low[lit], width[lit], known[lit], before[lit], parent[lit]
         place = (low + width / 2) / _UNIT
@@ -92,13 +95,13 @@ class _Boxes:
         one, regular = np.zeros(len(low), dtype=bool), np.zeros(len(low), dtype=bool)
         reach = np.zeros(amounts.shape)
         there = np.flatnonzero(~np.isnan(amounts[:, 0]))
-        far = width / (2 * _UNIT) @ np.abs(sweep.steps)
+        far = width / (2 * _UNIT) @ np.abs(lattice.steps)
         for some in blocks(len(there)):
             checkpoint()
             k = there[some]
-            cells = Cells.around(sweep.course.m, sweep.course.target, sweep.at(amounts[k]), far[k])
+            cells = Cells.around(lattice.course.m, lattice.course.target, lattice.at(amounts[k]), far[k])
             one[k], regular[k] = cells.one_branch, cells.one_branch & cells.regular
-            reach[k] = np.concatenate(cells.reach, axis=1) * sweep.units + _NEAR * sweep.units
+            reach[k] = np.concatenate(cells.reach, axis=1) * lattice.units + NEAR * lattice.units
         self._join(one, low, width, amounts, reach, number, known, parent)
         self.pieces.append((number[regular], low[regular], width[regular]))
         again = ~regular & (width > 1).any(axis=1)
@@ -112,31 +115,31 @@ class _Boxes:
         """The edges of cells along which it is proved that one branch goes, from a node to the one after it, and at
         whose ends the determinant has different signs.
         """
-        sweep, m = self.sweep, self.sweep.course.m
+        sweep, lattice, m = self.sweep, self.lattice, self.lattice.course.m
         found = []
-        for parents, children in sweep.neighbours(np.flatnonzero(sweep.reached)):
+        for parents, children in lattice.neighbours(np.flatnonzero(sweep.reached)):
             differ = (children > parents) & sweep.reached[children] & (sweep.signs[parents] != sweep.signs[children])
             parents, children = parents[differ], children[differ]
-            there = sweep.solved(
-                sweep.amounts[parents], sweep.places(parents), sweep.places(children), halvings=_HALVINGS
+            there = lattice.solved(
+                sweep.amounts[parents], lattice.places(parents), lattice.places(children), halvings=HALVINGS
             )
             one = np.flatnonzero(self._alike(there, sweep.amounts[children]))
             for some in blocks(len(one)):
                 checkpoint()
                 k = one[some]
-                ends = (sweep.at(sweep.amounts[n[k]]) for n in (parents, children))
+                ends = (lattice.at(sweep.amounts[n[k]]) for n in (parents, children))
                 k = k[relative_sign(*(frames(m, c, m.centre) for c in ends)) < 0]
                 found.append(np.stack([parents[k], children[k]], axis=1))
         return np.concatenate([np.zeros((0, 2), dtype=np.intp), *found])
 
     def _alike(self, one: Floats, other: Floats) -> Truths:
         """Whether amounts (K, all) are those of the same configurations."""
-        return np.asarray((np.abs(one - other) <= _ALIKE * self.sweep.units).all(axis=1))
+        return np.asarray((np.abs(one - other) <= _ALIKE * self.lattice.units).all(axis=1))
 
     def _beside(self, edges: Edges) -> Truths:
         """The cells that have one of these edges."""
         found = np.zeros(self.cells, dtype=bool)
-        low, high = (np.stack(np.unravel_index(edges[:, k], self.sweep.shape), axis=1) for k in (0, 1))
+        low, high = (np.stack(np.unravel_index(edges[:, k], self.lattice.shape), axis=1) for k in (0, 1))
         for back in product((0, 1), repeat=self.axes):
             cell = low - np.array(back)
             inside = ((high <= cell + 1) & (cell >= 0) & (cell < np.array(self.cells))).all(axis=1)
@@ -158,25 +161,25 @@ class _Boxes:
         """The configurations in the middle of boxes, and their numbers: those of nodes, or solved from what is known,
         else from a node near by.
         """
-        sweep = self.sweep
+        sweep, lattice = self.sweep, self.lattice
         number = self.count + np.arange(len(low))
         self.count += len(low)
         whole = (np.rint(place) == place).all(axis=1)
         node = np.full(len(low), -1)
-        node[whole] = sweep.nodes(place[whole])
+        node[whole] = lattice.nodes(place[whole])
         own = whole & sweep.reached[node]
         number[own] = node[own]
         source = np.where(np.isnan(known[:, :1]), np.nan, known)
         begin = before.copy()
-        last = np.array(sweep.shape) - 1
+        last = np.array(lattice.shape) - 1
         for corner in product((0, 1), repeat=self.axes):
             near = np.clip(np.floor(place) + np.array(corner), 0, last)
-            nodes = sweep.nodes(near)
+            nodes = lattice.nodes(near)
             blank = np.isnan(source[:, 0]) & sweep.reached[nodes]
             source[blank], begin[blank] = sweep.amounts[nodes[blank]], near[blank]
         found = np.where(own[:, None], sweep.amounts[node], np.nan)
         rest = ~own & ~np.isnan(source[:, 0])
-        found[rest] = sweep.solved(source[rest], begin[rest], place[rest])
+        found[rest] = lattice.solved(source[rest], begin[rest], place[rest])
         return found, number
 
     def _join(
@@ -193,7 +196,7 @@ class _Boxes:
         """Note what hangs together: the middle of each box with one branch, the nodes in it, and the middle of the box
         that it is a part of, where their configurations lie in it.
         """
-        sweep = self.sweep
+        sweep, lattice = self.sweep, self.lattice
         inside = one & (np.abs(known - amounts) <= reach).all(axis=1)
         self.graph.add_edges_from(zip(number[inside].tolist(), parent[inside].tolist(), strict=True))
         first = -(-low // _UNIT)
@@ -205,7 +208,7 @@ class _Boxes:
                 checkpoint()
                 k = which[part]
                 for offset in product(*(range(n) for n in shape)):
-                    node = sweep.nodes(first[k] + np.array(offset))
+                    node = lattice.nodes(first[k] + np.array(offset))
                     near = (np.abs(sweep.amounts[node] - amounts[k]) <= reach[k]).all(axis=1)
                     self.graph.add_edges_from(zip(number[k[near]].tolist(), node[near].tolist(), strict=True))
 
@@ -230,54 +233,18 @@ class _Boxes:
         return lows, widths, amounts[owner], place[owner], number[owner]
 
     def _statuses(self) -> NDArray[np.uint8]:
-        sweep = self.sweep
-        mine = self._linked()
+        sweep, lattice = self.sweep, self.lattice
+        mine = nx.node_connected_component(self.graph, _HOME)
         free = self._volumes(mine) == _UNIT**self.axes
         corners = list(product((0, 1), repeat=self.axes))
+        reached = sweep.reached.reshape(lattice.shape)
         at = [tuple(slice(k, k + n) for k, n in zip(c, self.cells, strict=True)) for c in corners]
-        reached = sweep.reached.reshape(sweep.shape)
         outside = np.any([~reached[a] for a in at], axis=0)
         found = np.full(self.cells, UNDECIDED, dtype=np.uint8)
-        found[self._beside(self.changes[sweep.reached[self.changes].all(axis=1)])] = CROSSED
+        found[self.crossed] = CROSSED
         found[outside] = OUTSIDE
         found[free & ~outside] = FREE
         return found
-
-    def _linked(self) -> set[int]:
-        """The numbers of all that hangs together with the first node; other nodes are proved one by one, from those
-        beside them, or forgotten.
-        """
-        sweep = self.sweep
-        together = {n: part for part in nx.connected_components(self.graph) for n in part}
-        mine = set(together[sweep.first])
-        kept = np.zeros(len(sweep.reached), dtype=bool)
-        kept[[n for n in mine if n < len(kept)]] = True
-        front = np.flatnonzero(kept)
-        while len(front):
-            found = [front[:0]]
-            for parents, children in sweep.neighbours(front):
-                new = sweep.reached[children] & ~kept[children]
-                parents, children = parents[new], children[new]
-                there = sweep.solved(
-                    sweep.amounts[parents], sweep.places(parents), sweep.places(children), halvings=_HALVINGS
-                )
-                good = ~np.isnan(there[:, 0])
-                for node, amounts in zip(children[good].tolist(), there[good], strict=True):
-                    if kept[node]:
-                        continue
-                    part = {node}
-                    if self._alike(sweep.amounts[node][None], amounts[None])[0]:
-                        part = together.get(node, part)
-                    else:  # another branch than that of the edges here
-                        self.changes = self.changes[(self.changes != node).all(axis=1)]
-                    sweep.amounts[node] = amounts
-                    mine |= part
-                    more = np.array([n for n in part if n < len(kept)])
-                    kept[more] = True
-                    found.append(more)
-            front = np.concatenate(found)
-        sweep.keep(kept)
-        return mine
 
     def _volumes(self, mine: set[int]) -> Integers:
         """How much of each cell is proved, in smallest boxes."""

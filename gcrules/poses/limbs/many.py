@@ -36,8 +36,8 @@ from gcrules.mechanisms.kinematics.soundness import sound, stays_still
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.factors import factor_values
+from gcrules.poses.limbs.lattice import blocks
 from gcrules.poses.limbs.straight import led, number_of_steps
-from gcrules.poses.limbs.sweep import blocks
 from gcrules.screws.pose_text import COORDINATES
 
 __all__ = ["NUMBERS", "WAYS", "Solved", "numbers_at", "proved_at"]

@@ -11,7 +11,6 @@ r"""A map of a robot of joints: the slice of coordinates or actuators, and what 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from functools import cached_property
 from typing import Any
@@ -20,7 +19,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
-from gcrules.core.english import listed
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.version import __version__
@@ -29,97 +27,33 @@ from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.mechanisms.kinematics.solve import check_target, free_coordinates, solve
+from gcrules.mechanisms.kinematics.solve import check_target, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.limbs.boxes import proved_cells
+from gcrules.poses.limbs.boxes import LARGEST, proved_cells
+from gcrules.poses.limbs.lattice import Lattice
+from gcrules.poses.limbs.map_grid import LimbsGrid, coordinates_of
+from gcrules.poses.limbs.patches import Patches
+from gcrules.poses.limbs.spreading import spread
 from gcrules.poses.limbs.sweep import Sweep
 from gcrules.poses.limits import LengthLimits, parse_limits
-from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, read_axes
+from gcrules.poses.maps.axes import ACTUATOR, read_axes
 from gcrules.poses.maps.summary import MapSummary
 from gcrules.poses.maps.task import Chunk
-from gcrules.screws.pose import exact_float
-from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount, check_known, read_named
+from gcrules.poses.tiles.task import Stage
 
-__all__ = ["MAX_POSES", "LimbsGrid", "LimbsTask", "coordinates_of", "limbs_task"]
+__all__ = ["MAX_POSES", "LimbsTask", "limbs_task"]
 
 MAX_POSES = 1_000_000
+_NODES = 1_000  # in one chunk, about
 _ALL_ROUND = 2 * math.pi
-
-
-@dataclass(frozen=True)
-class LimbsGrid:
-    """Poses over `axes`: `names` are the coordinates that determine a pose, or all actuators where `driven`, `values`
-    what they are (from home, in radians and the file's unit) where no axis stands for them.
-    """
-
-    axes: tuple[GridAxis, ...]
-    names: tuple[str, ...]
-    values: tuple[float, ...]
-    driven: bool
-    title: str
-    actuators: tuple[str, ...]
-    angles_driven: tuple[bool, ...]
-    unit: str = ""
-    notes: tuple[str, ...] = ()
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        return tuple(a.number for a in self.axes)
-
-    @property
-    def size(self) -> int:
-        return math.prod(self.shape)
-
-    @property
-    def moved(self) -> bool:
-        """Whether home is not in the slice."""
-        return any(self.values)
-
-    @property
-    def home(self) -> tuple[float, ...]:
-        """Home in the axes' coordinates, not a number where it is not in the slice."""
-        return tuple(math.nan if self.moved else 0.0 for _ in self.axes)
-
-    @property
-    def rest(self) -> str:
-        """What the other coordinates are, in words."""
-        over = {a.name for a in self.axes}
-        pairs = [(n, v) for n, v in zip(self.names, self.values, strict=True) if n not in over]
-        named = ", ".join(f"{n} = {math.degrees(v):.6g}°" if n in TURNS and v else f"{n} = {v:.6g}" for n, v in pairs)
-        return named or "none: the axes are all that the robot has"
-
-    def coordinates(self, nodes: NDArray[Any]) -> Floats:
-        """The coordinates (N, axes) of places (N, axes) that are counted in nodes."""
-        return np.stack([a.at(nodes[:, k]) for k, a in enumerate(self.axes)], axis=1)
-
-    def places(self, coordinates: Floats) -> Floats:
-        """The places (N, axes), counted in nodes, of coordinates."""
-        start, step = (np.array([float(c) for c in several]) for several in zip(*self._ends, strict=True))
-        return np.asarray((coordinates - start) / step)
-
-    @property
-    def _ends(self) -> list[tuple[Any, Any]]:
-        return [(a.start, a.step) for a in self.axes]
-
-    @cached_property
-    def linear(self) -> tuple[Floats, Floats]:
-        """The coordinates `names` at the first node, and by how much they grow from node to node, (axes, names)."""
-        origin, steps = np.array(self.values), np.zeros((len(self.axes), len(self.names)))
-        for k, axis in enumerate(self.axes):
-            n = self.names.index(axis.name)
-            origin[n], steps[k, n] = float(axis.start) * axis.scale, float(axis.step) * axis.scale
-        return origin, steps
-
-    def to_json(self) -> dict[str, Any]:
-        over = {a.name for a in self.axes}
-        rest = {n: v for n, v in zip(self.names, self.values, strict=True) if n not in over}
-        return {"axes": [a.to_json() for a in self.axes], "at": rest}
 
 
 @dataclass(frozen=True, eq=False)
 class LimbsTask(HoldsArrays):
-    """A `MapTask` of a robot of joints, one chunk: all is solved from node to node."""
+    """A `MapTask` of a robot of joints. Its stage is home's branch over the whole grid, in short, from which each chunk
+    is solved by itself.
+    """
 
     mechanism: Limbs
     grid: LimbsGrid
@@ -128,11 +62,10 @@ class LimbsTask(HoldsArrays):
 
     factors = None
     everywhere = False
-    number = 1
     halvings = 14
 
     def __getstate__(self) -> dict[str, Any]:
-        return {f.name: getattr(self, f.name) for f in fields(self)}  # the sweep is made anew
+        return {f.name: getattr(self, f.name) for f in fields(self)}  # the branch is made anew
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -142,19 +75,28 @@ class LimbsTask(HoldsArrays):
 
     @property
     def layers(self) -> int:
-        return self.grid.shape[0]
+        """Layers of a chunk: so many that the largest boxes fit."""
+        inner = math.prod(self.grid.shape[1:])
+        return max(LARGEST, _NODES // inner // LARGEST * LARGEST)
+
+    @property
+    def number(self) -> int:
+        """How many chunks there are."""
+        return -(-self.grid.shape[0] // self.layers)
 
     def span(self, chunk: int) -> tuple[int, int]:
-        """All layers."""
-        return 0, self.layers
+        """The layers of a chunk, the first one and the one after the last."""
+        return chunk * self.layers, min((chunk + 1) * self.layers, self.grid.shape[0])
 
     @property
     def linkage(self) -> Linkage:
         return self.mechanism.linkage
 
     @cached_property
-    def _swept(self) -> tuple[Sweep, NDArray[np.uint8]]:
-        """The solved nodes, and the status of all cells. Raises InputError where the first node is not reached."""
+    def _start(self) -> tuple[Lattice, int]:
+        """The nodes, and the one nearest to home, whose configuration is the lattice's. Raises InputError where it is
+        not reached.
+        """
         m, g = self.linkage, self.grid
         origin, steps = g.linear
         place = np.clip(np.rint(g.places(np.zeros((1, len(g.axes))))), 0, np.array(g.shape) - 1)
@@ -167,8 +109,35 @@ class LimbsTask(HoldsArrays):
             )
         node = int(np.ravel_multi_index(tuple(place[0].astype(int)), g.shape))
         course = Course(m, replace(target, values=np.zeros(len(g.names))))
-        sweep = Sweep(course, g.shape, origin, steps, node, first.configuration)
-        return sweep, proved_cells(sweep)
+        return Lattice(course, g.shape, origin, steps, first.configuration), node
+
+    @property
+    def stage(self) -> Stage:
+        """Home's branch."""
+        return self
+
+    @property
+    def known(self) -> bool:
+        """Whether home's branch is computed, or was taken."""
+        return "_branch" in self.__dict__
+
+    def staged(self) -> bytes:
+        """Home's branch over the grid, computed here."""
+        return self._branch.to_bytes()
+
+    def take(self, data: bytes) -> None:
+        """Go on from home's branch as it was computed elsewhere. Raises ValueError and KeyError for what is none."""
+        if not self.known:
+            self.__dict__["_branch"] = Patches.of_bytes(self._start[0], data)
+
+    @cached_property
+    def _branch(self) -> Patches:
+        return spread(*self._start)
+
+    @cached_property
+    def _levels(self) -> Floats:
+        """The margins with the sign of the determinant at the nodes, those that are known; else infinite."""
+        return np.full(self.grid.size, np.inf)
 
     def _named(self, place: Floats) -> str:
         pairs = zip(self.grid.axes, self.grid.coordinates(place)[0].tolist(), strict=True)
@@ -176,25 +145,29 @@ class LimbsTask(HoldsArrays):
 
     def compute(self, chunk: int) -> Chunk:
         """All arrays."""
-        sweep, status = self._swept
-        shape = self.grid.shape
-        amounts = self._amounts(np.arange(len(sweep.reached)))
+        first, last = self.span(chunk)
+        stop = min(last + 1, self.grid.shape[0])  # one layer more: the cells between it and the chunk belong here
+        sweep = Sweep(self._branch, first, stop)
+        shape = (stop - first, *self.grid.shape[1:])
+        none = np.zeros((0, *(n - 1 for n in shape[1:])), dtype=np.uint8)
+        status = proved_cells(sweep) if shape[0] > 1 else none
+        amounts = self._driven(sweep.amounts)
         allowed = sweep.reached.copy()
         if self.limits is not None:
             allowed &= self.limits.allow(amounts)
-        return {
+        found = {
             "margin": sweep.sigma.astype(np.float32).reshape(shape),
             "sign": sweep.signs.reshape(shape),
             "actuator": amounts.astype(np.float32).reshape(*shape, -1),
             "allowed": allowed.astype(np.uint8).reshape(shape),
             **{n: sweep.index(INDICES[n]).astype(np.float32).reshape(shape) for n in self.names if n in INDICES},
-            "cell_status": status,
         }
+        return {**{name: values[: last - first] for name, values in found.items()}, "cell_status": status}
 
-    def _amounts(self, nodes: NDArray[np.intp]) -> Floats:
-        """The amounts of the actuators from home at nodes (K, actuators)."""
-        sweep, m = self._swept[0], self.linkage
-        there = sweep.at(sweep.amounts[nodes])
+    def _driven(self, amounts: Floats) -> Floats:
+        """The amounts of the actuators from home (K, actuators), of those of all joints."""
+        m = self.linkage
+        there = self._start[0].at(amounts)
         return np.stack([there.joint_values[a.place][:, a.coordinate] for a in m.actuators], axis=1)
 
     def level(self, chunk: Chunk) -> Floats:
@@ -204,32 +177,42 @@ class LimbsTask(HoldsArrays):
 
     def value(self, places: Floats) -> Floats:
         """The level at places (N, axes) counted in nodes: solved anew for two axes, else between the nodes around."""
-        sweep = self._swept[0]
-        return sweep.signed(places) if len(self.grid.axes) == 2 else self._between(places)
+        return self._branch.signed(places) if len(self.grid.axes) == 2 else self._between(places)
 
     def _between(self, places: Floats) -> Floats:
-        sweep, shape = self._swept[0], self.grid.shape
-        level = (sweep.sigma * np.where(sweep.signs == 0, np.nan, sweep.signs)).reshape(shape)
+        shape = self.grid.shape
         low = np.clip(np.floor(places), 0, np.array(shape) - 2).astype(int)
         t = places - low
         found = np.zeros(len(places))
         for corner in np.ndindex(*(2,) * len(shape)):
             weight = np.where(corner, t, 1 - t).prod(axis=1)
-            found += weight * level[tuple((low + np.array(corner)).T)]
+            some = weight > 0
+            nodes = np.ravel_multi_index(tuple((low[some] + np.array(corner)).T), shape)
+            found[some] += weight[some] * self._level_at(nodes)
         return found
+
+    def _level_at(self, nodes: NDArray[np.intp]) -> Floats:
+        """The level at nodes, computed where it is not known."""
+        new = np.unique(nodes[np.isinf(self._levels[nodes])])
+        if len(new):
+            values = self._branch.signed(self._start[0].places(new))
+            self._levels[new] = np.where(values == 0, np.nan, values)
+        return np.asarray(self._levels[nodes])
 
     def spare(self, coordinates: Floats) -> Floats:
         """By how much poses keep to the limits of the actuators, as the nearest node does; below 0: not, or not
         reached.
         """
-        sweep, shape = self._swept[0], self.grid.shape
+        shape = self.grid.shape
         index = np.clip(np.rint(self.grid.places(coordinates)), 0, np.array(shape) - 1).astype(int)
-        node = np.ravel_multi_index(tuple(index.T), shape)
-        found = np.where(sweep.reached[node], 1.0, -1.0)
-        if self.limits is not None and len(node):
-            kept = self.limits.margin(np.nan_to_num(self._amounts(node)))
-            found = np.where(sweep.reached[node], kept, -1.0)
-        return found
+        nodes, which = np.unique(np.ravel_multi_index(tuple(index.T), shape), return_inverse=True)
+        if self.limits is None:
+            found = np.where(self._branch.owner[nodes] >= 0, 1.0, -1.0)
+        else:
+            amounts = self._branch.amounts_at(nodes)
+            kept = self.limits.margin(np.nan_to_num(self._driven(amounts)))
+            found = np.where(np.isnan(amounts[:, 0]), -1.0, kept)
+        return np.asarray(found[which])
 
     @property
     def accuracy(self) -> str:
@@ -299,6 +282,7 @@ class LimbsTask(HoldsArrays):
             "rest": self.grid.to_json()["at"],
             "limits": self.limits.to_json() if self.limits else None,
             "measure": self.measure,
+            "layers": self.layers,
         }
 
 
@@ -326,54 +310,3 @@ def limbs_task(m: Limbs, over: Any, at: Any = None, limits: str | None = None, m
             raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
     check_target(k, Target(names, np.zeros(len(names)), driven, text="home"))
     return LimbsTask(m, grid, reach, measure)
-
-
-def coordinates_of(
-    m: Linkage, axes: Sequence[GridAxis], at: Any, driven: bool
-) -> tuple[tuple[str, ...], tuple[float, ...]]:
-    """All coordinates by which poses are told, and what they are where no axis stands for them. Raises InputError."""
-    over = [a.name for a in axes]
-    given = {} if at is None else _given(m, at, driven)
-    twice = [n for n in given if n in over]
-    if twice:
-        raise InputError(f"{twice[0]} is an axis of the map, and given as well", hint="leave it out of --at")
-    if driven:
-        names = tuple(a.name for a in leading(m))
-        return names, tuple(given.get(n, 0.0) for n in names)
-    foreign = next((n for n in (*over, *given) if n not in (*TRANSLATION, *TURNS)), None)
-    if foreign is not None:
-        raise InputError(
-            f"a robot of joints is not mapped by {foreign}",
-            hint="its coordinates are x, y, z, roll, pitch, yaw, or its actuators "
-            + ", ".join(a.name for a in leading(m)),
-        )
-    named = [*over, *(n for n in given if n not in over)]
-    if len(named) > m.robot.mobility:
-        raise InputError(
-            f"{len(named)} coordinates are named, and the platform has mobility {m.robot.mobility}",
-            hint=f"name {m.robot.mobility} at most: the others follow",
-        )
-    names = tuple(named) if len(named) == m.robot.mobility else free_coordinates(m, named)
-    missing = [n for n in named if n not in names]
-    if missing:
-        others = listed([n for n in named if n != missing[0]])
-        beside = f" beside {others}" if others else ""
-        raise InputError(
-            f"{missing[0]} tells nothing of the pose of {m.robot.id} near home{beside}",
-            hint=f"independent there are, for example, {', '.join(free_coordinates(m))}",
-        )
-    return names, tuple(given.get(n, 0.0) for n in names)
-
-
-def _given(m: Linkage, at: Any, driven: bool) -> dict[str, float]:
-    """The values of those coordinates, or of actuators, that are named: text or a mapping, angles in radians."""
-    if isinstance(at, str):
-        known = {a.name: a.angle for a in leading(m)} if driven else {n: n in ANGLES for n in COORDINATES}
-        return {n: float(v) for n, v in read_named(at, known).items()}
-    if isinstance(at, Mapping):
-        known = {a.name: a.angle for a in leading(m)} if driven else {n: n in ANGLES for n in COORDINATES}
-        check_known(at, tuple(known), "actuator" if driven else "coordinate of a pose")
-        return {n: float(v) if isinstance(v, Amount) else exact_float(v, n) for n, v in at.items()}
-    raise InputError(
-        f"{str(at)[:60]!r} names no coordinates", hint='write what the other ones are: "z=0.1, yaw=5deg" or "q3=0.1"'
-    )

@@ -13,7 +13,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import Configuration
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.poses.limbs.sweep import blocks
+from gcrules.poses.limbs.lattice import blocks
 
 __all__ = ["Nodes"]
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.limits import LengthLimits
 from gcrules.poses.maps.axes import GridAxis
+from gcrules.poses.tiles.task import Stage
 
 if TYPE_CHECKING:
     from gcrules.poses.maps.slices import SliceFactor
@@ -82,7 +83,8 @@ class MapTask(Protocol):
     `measure` is margin, value, or an index of the actuators; `limits` are those of legs or actuators; `factors` are the
     exact ones of the condition on the slice, None where it is no polynomial; `everywhere` says that every pose is
     singular; `names` are the arrays of each chunk; zeros are brought nearer by so many `halvings`; `accuracy` says how
-    curves are found, `guard` what a margin guarantees.
+    curves are found, `guard` what a margin guarantees; `stage` is what
+    comes before all chunks.
     """
 
     @property
@@ -109,6 +111,8 @@ class MapTask(Protocol):
     def guard(self) -> str: ...
     @property
     def manifest(self) -> dict[str, Any]: ...
+    @property
+    def stage(self) -> Stage | None: ...
 
     def span(self, chunk: int) -> tuple[int, int]:
         """The layers of a chunk, the first one and the one after the last."""

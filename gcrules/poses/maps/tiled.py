@@ -14,7 +14,7 @@ from gcrules.poses.maps.planned import planned
 from gcrules.poses.maps.recipe import robot_of
 from gcrules.poses.maps.task import KINDS, MapTask, width_of
 from gcrules.poses.maps.variables import Variable, about, coordinates, variables
-from gcrules.poses.tiles.task import Coordinate, Tile, TiledArray
+from gcrules.poses.tiles.task import Coordinate, Stage, Tile, TiledArray
 from gcrules.screws.threshold import DEFAULT
 
 __all__ = ["GridTiles", "task_again"]
@@ -58,6 +58,10 @@ class GridTiles(HoldsArrays):
     @property
     def attrs(self) -> dict[str, Any]:
         return about(self.task, self.sentence)
+
+    @property
+    def stage(self) -> Stage | None:
+        return self.task.stage
 
     def compute(self, tile: int) -> Tile:
         """All arrays of a tile."""

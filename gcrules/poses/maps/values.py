@@ -56,6 +56,7 @@ class LegsTask(HoldsArrays):
     everywhere: bool = False
 
     halvings = 50
+    stage = None
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -27,9 +27,9 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.soundness import stays_still
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.limbs.lattice import blocks
 from gcrules.poses.limbs.many import Solved
 from gcrules.poses.limbs.straight import led, number_of_steps
-from gcrules.poses.limbs.sweep import blocks
 from gcrules.poses.limits import LengthLimits
 from gcrules.poses.plans.region import Region, Truths
 from gcrules.poses.plans.space import Ways

@@ -15,9 +15,9 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.soundness import stays_still
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.limbs.lattice import blocks
 from gcrules.poses.limbs.many import Solved
 from gcrules.poses.limbs.straight import after, led, number_of_steps
-from gcrules.poses.limbs.sweep import blocks
 from gcrules.poses.regions.cover import Tried
 from gcrules.poses.signs.of_limbs import one_sign
 

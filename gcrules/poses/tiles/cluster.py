@@ -14,8 +14,9 @@ from typing import Any
 
 from gcrules.core.budget import checkpoint, within
 from gcrules.core.errors import EngineFault, FileError, InputError, LimitReached
+from gcrules.poses.tiles.beginning import keep
 from gcrules.poses.tiles.how import Progress, Running
-from gcrules.poses.tiles.store import TileStore, keep
+from gcrules.poses.tiles.store import TileStore
 from gcrules.poses.tiles.task import TileTask
 from gcrules.poses.tiles.zarr_files import attributes
 

@@ -7,8 +7,9 @@ from collections.abc import Callable
 from gcrules.core.budget import checkpoint
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import EngineFault
+from gcrules.poses.tiles.beginning import begin, keep
 from gcrules.poses.tiles.how import HERE, Progress, Running
-from gcrules.poses.tiles.store import TileStore, keep
+from gcrules.poses.tiles.store import TileStore
 from gcrules.poses.tiles.task import TileTask
 
 __all__ = ["run"]
@@ -34,6 +35,7 @@ def run(task: TileTask, store: TileStore, how: Running = HERE) -> None:
         done = store.done(own)
         missing = [t for t in own if t not in done]
         if missing:
+            begin(task, store)
             progress = Progress(len(own), len(done))
             progress.tell()
             road(task, store, missing, progress, how)
@@ -42,7 +44,9 @@ def run(task: TileTask, store: TileStore, how: Running = HERE) -> None:
             store.settle(shard)
         if not missing:
             break
-    if how.part is None and not store.settle_all():
+    if how.part is not None:
+        store.finish()
+    elif not store.settle_all():
         raise EngineFault(f"tiles of {store.path} are lost as they are written")
 
 

@@ -37,8 +37,10 @@ from gcrules.poses.tiles.layout import DIGEST, Layout, layout_of
 from gcrules.poses.tiles.task import Tile, TileTask, tile_at
 from gcrules.poses.tiles.zarr_files import arrays_in, attributes, digests_file, make, opened, written_shard
 
-__all__ = ["TileStore", "differing", "keep", "written"]
+__all__ = ["STAGE", "TileStore", "differing", "replace", "written"]
 
+STAGE = "stage"
+"""The file beside a store that holds the outcome of its task's stage."""
 _NEW = ".new-"
 _TRIES = 100  # a folder may be removed between making it and writing to it, but not for ever
 
@@ -94,8 +96,8 @@ class TileStore:
 
     def _made(self, task: TileTask) -> Mapping[str, Any]:
         """The metadata of a new store, which appears complete or not at all; of another's where one was quicker."""
-        new = self._tiles / f"{_NEW}{_own()}"
-        self._tiles.mkdir(exist_ok=True)
+        new = self.beside / f"{_NEW}{_own()}"
+        self.beside.mkdir(exist_ok=True)
         try:
             make(new, self.layout, task)
             with suppress(OSError):
@@ -182,7 +184,7 @@ class TileStore:
                     break
                 with suppress(FileNotFoundError):  # the folder was removed by who put the shard together
                     self._folder(shard).mkdir(parents=True, exist_ok=True)
-                    _replace(self._file(tile), data)
+                    replace(self._file(tile), data)
                     break
             self.settle(shard)
         except OSError as fault:
@@ -195,14 +197,17 @@ class TileStore:
         if self.digests(shard) is not None:
             shutil.rmtree(self._folder(shard), ignore_errors=True)
             with suppress(OSError):
-                self._tiles.rmdir()  # where no other shard has files
+                self.beside.rmdir()  # where no other shard has files
 
     def settle_all(self) -> bool:
-        """The same for all shards. Whether the store is complete; then nothing is left beside it."""
-        complete = True
+        """The same for all shards. Whether the store is complete, as `finish` says."""
         for shard in self.shards:
             self.settle(shard)
-            complete &= self.digests(shard) is not None
+        return self.finish()
+
+    def finish(self) -> bool:
+        """Whether the store is complete; then nothing is left beside it."""
+        complete = all(self.digests(shard) is not None for shard in self.shards)
         if complete:
             self._tidy()
         return complete
@@ -214,7 +219,7 @@ class TileStore:
             self._folder(shard).mkdir(parents=True, exist_ok=True)
             for one in self.layout.tiles(shard):
                 if one != tile and (found := self.get(one)) is not None:
-                    _replace(self._file(one), self.layout.packed(one, found))
+                    replace(self._file(one), self.layout.packed(one, found))
             digests_file(self.path, self.layout, shard).unlink(missing_ok=True)
         except OSError as fault:
             raise written(fault, str(self.path)) from None
@@ -228,10 +233,11 @@ class TileStore:
     def _tidy(self) -> None:
         """Nothing of ours is left beside the store."""
         for pattern in ("shard-*", f"{_NEW}*"):
-            for left in self._tiles.glob(pattern):
+            for left in self.beside.glob(pattern):
                 shutil.rmtree(left, ignore_errors=True)
         with suppress(OSError):
-            self._tiles.rmdir()
+            (self.beside / STAGE).unlink(missing_ok=True)
+            self.beside.rmdir()
 
     # --- what lies where
 
@@ -267,11 +273,12 @@ class TileStore:
         return sorted(found)
 
     @property
-    def _tiles(self) -> Path:
+    def beside(self) -> Path:
+        """The folder in which files are while the store grows."""
         return self.path.with_name(f"{self.path.name}.tiles")
 
     def _folder(self, shard: int) -> Path:
-        return self._tiles / f"shard-{'-'.join(map(str, tile_at(self.layout.shards, shard)))}"
+        return self.beside / f"shard-{'-'.join(map(str, tile_at(self.layout.shards, shard)))}"
 
     def _file(self, tile: int) -> Path:
         return self._folder(self.layout.shard_of(tile)) / f"tile-{tile}"
@@ -321,12 +328,12 @@ class TileStore:
             found[tile] = arrays
             digest = self.layout.packed(tile, arrays)[:DIGEST]
             digests[self.layout.inside(tile)] = np.frombuffer(digest, np.uint8)
-        scratch = self._tiles / f"{_NEW}{_own()}"
+        scratch = self.beside / f"{_NEW}{_own()}"
         try:
             written_shard(self.path, scratch, self.layout, shard, found)
             note = digests_file(self.path, self.layout, shard)
             note.parent.mkdir(parents=True, exist_ok=True)
-            _replace(note, digests.tobytes(), scratch)
+            replace(note, digests.tobytes(), scratch)
         except Exception:
             if self.digests(shard) is None:
                 raise
@@ -342,12 +349,6 @@ def _folder(path: str | os.PathLike[str]) -> Path:
         return Path(os.path.abspath(path))
     except OSError as fault:  # the working directory has gone
         raise FileError(f"cannot be found: {fault.strerror}", filename=os.fspath(path)) from None
-
-
-def keep(task: TileTask, store: TileStore, tile: int) -> None:
-    """Compute a tile and keep it, unless another run was quicker."""
-    if not store.done([tile]):
-        store.put(tile, task.compute(tile))
 
 
 def written(fault: OSError, path: str) -> InputError:
@@ -381,7 +382,7 @@ def differing(one: Any, other: Any, name: str = "") -> list[str]:
     return found
 
 
-def _replace(target: Path, data: bytes, scratch: Path | None = None) -> None:
+def replace(target: Path, data: bytes, scratch: Path | None = None) -> None:
     """A file that appears complete or not at all; it is written in `scratch`, or beside."""
     temporary = (scratch or target.parent) / f"{_NEW}{_own()}"
     try:

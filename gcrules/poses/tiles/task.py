@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap, HoldsArrays
 
-__all__ = ["Coordinate", "Tile", "TileTask", "TiledArray", "number_of", "problem", "tile_at"]
+__all__ = ["Coordinate", "Stage", "Tile", "TileTask", "TiledArray", "number_of", "problem", "tile_at"]
 
 Tile = Mapping[str, NDArray[Any]]
 """What one tile holds: each array of its task by name."""
@@ -62,13 +62,30 @@ class Coordinate(HoldsArrays):
     attrs: FrozenMap[str, Any] = field(default=FrozenMap())
 
 
+class Stage(Protocol):
+    """What all tiles of a task begin with: it depends on the task only. Whoever is first computes it, and the others
+    may read it. `known` tells that it was.
+    """
+
+    @property
+    def known(self) -> bool: ...
+
+    def staged(self) -> bytes:
+        """The outcome of the stage, computed where it is not known."""
+        ...
+
+    def take(self, data: bytes) -> None:
+        """Go on from the outcome. Raises ValueError and KeyError for what is none."""
+        ...
+
+
 class TileTask(Protocol):
     """What is computed in tiles; values of it can be pickled.
 
     `manifest` is everything that the tiles depend on, as JSON. `grid` is how many tiles there are along each tiled
     dimension; tiles are numbered from 0 in C order. `attrs` say what the store is of (units, version, where it comes
     from), as JSON, without times and names of machines. `recipe` is from what the task is made anew, as JSON: its
-    `kind` is a row of `gcrules/poses/stored_maps/kinds.py`.
+    `kind` is a row of `gcrules/poses/stored_maps/kinds.py`. `stage` comes before all tiles, if there is one.
     """
 
     @property
@@ -83,6 +100,8 @@ class TileTask(Protocol):
     def attrs(self) -> dict[str, Any]: ...
     @property
     def recipe(self) -> Mapping[str, Any]: ...
+    @property
+    def stage(self) -> Stage | None: ...
 
     def compute(self, tile: int) -> Tile:
         """All arrays of a tile, which depend on the manifest and the number only."""

@@ -19,8 +19,9 @@ from gcrules.core.budget import checkpoint, within
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.core.threads import one_thread
+from gcrules.poses.tiles.beginning import keep
 from gcrules.poses.tiles.how import Progress, Running
-from gcrules.poses.tiles.store import TileStore, keep
+from gcrules.poses.tiles.store import TileStore
 from gcrules.poses.tiles.task import TileTask
 
 __all__ = ["by_workers"]
