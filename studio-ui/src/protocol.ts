@@ -245,6 +245,8 @@ export const MOST_LEGS = 24;
 
 export const MOST_COMMANDS = 200;
 
+export const MOST_BOXES = 2000000;
+
 export const LONGEST_FILE = 400000;
 
 /** Closer than this is close, where nothing else is asked for. */
@@ -349,6 +351,16 @@ export interface FreeArgs {
   source: Source;
   pose: Pose;
   shape: "box" | "ball";
+}
+
+/** Whole ranges of coordinates ("x -1:1"), the others as they are at the pose, in so many boxes at most. Free poses have the `margin`; `limits` are those of legs or actuators. */
+export interface BoxesArgs {
+  source: Source;
+  over: string[];
+  pose: Pose;
+  margin?: number;
+  limits?: string;
+  boxes: number;
 }
 
 /** The pose at a place of that map, in the units of its axes. */
@@ -583,6 +595,8 @@ export interface Study {
   axes: Axis[];
   /** Coordinates of its pose, then its actuators, over which it can be mapped, with ranges to begin with. */
   ranges: Axis[];
+  /** Coordinates of its pose over which a map of whole boxes can go, with ranges to begin with. */
+  wholes: Axis[];
   /** What the bands of such a map can be, the margin first. */
   measures: Measure[];
   /** The class of the catalog. */
@@ -878,6 +892,25 @@ export interface FreeAnswer extends Account {
   ranges: Range[];
 }
 
+/** A part of the volume, from 0 to 1, of which the same is known. */
+export interface Share {
+  kind: "free" | "other" | "outside" | "crossed" | "undecided";
+  share: number;
+  words: string;
+}
+
+export interface BoxesAnswer extends Account {
+  /** The share of the volume that is proved to be free, or not to be reached. */
+  decided: number;
+  /** The same in a sentence. */
+  so_much: string;
+  shares: Share[];
+  /** SVG in base64; empty where matplotlib is missing, or nothing is left to be seen. */
+  picture: string;
+  /** What it shows, in words. */
+  seen: string;
+}
+
 export interface Methods {
   hello: { args: NoArgs; result: Hello };
   gallery: { args: NoArgs; result: Gallery };
@@ -892,6 +925,7 @@ export interface Methods {
   assemblies: { args: PoseArgs; result: AssembliesAnswer };
   aspects: { args: OpenArgs; result: AspectsAnswer };
   free: { args: FreeArgs; result: FreeAnswer };
+  boxes: { args: BoxesArgs; result: BoxesAnswer };
   manual: { args: ManualArgs; result: Manual };
   bench: { args: BenchArgs; result: Bench };
   compose: { args: ComposeArgs; result: Composed };

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from gcrules.apps.studio.bench import bench
+from gcrules.apps.studio.boxes_view import boxes_view
 from gcrules.apps.studio.composing import composed
 from gcrules.apps.studio.export import saved
 from gcrules.apps.studio.gallery import gallery
@@ -45,6 +46,9 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "assemblies": lambda subject, args: assemblies_view(subject, args["pose"], args.get("threshold")),
     "aspects": lambda subject, args: aspects_view(subject),
     "free": lambda subject, args: free_view(subject, args["pose"], args["shape"]),
+    "boxes": lambda subject, args: boxes_view(
+        subject, args["over"], args["pose"], args.get("margin", 0.0), args.get("limits"), args["boxes"]
+    ),
     "manual": lambda subject, args: replayed(subject, args["commands"]),
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),
     "compose": lambda subject, args: composed(args["drawing"]),

@@ -20,6 +20,7 @@ from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.leg_amplification import LEGS
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.maps.axes import TRANSLATION, TURNS
 from gcrules.poses.methods import Methods, method
 from gcrules.rules.condition import Condition
 from gcrules.views.drawing.figures import distinct_entities
@@ -27,6 +28,9 @@ from gcrules.views.report.scene_json import entity_data
 from gcrules.views.scene_data import EntityView
 
 __all__ = ["condition_view", "entity_views", "study"]
+
+_TURN = 20.0  # degrees both ways, in a map of whole boxes to begin with
+_PART = 0.2  # of a shift
 
 
 def study(subject: Subject) -> Study:
@@ -48,6 +52,7 @@ def study(subject: Subject) -> Study:
         "size": subject.size,
         "axes": _axes(subject),
         "ranges": ranges,
+        "wholes": method(_WHOLES, subject.mechanism, "a map of whole boxes")(subject) if ranges else [],
         "measures": _measures(subject) if ranges else [],
         "entry": _entry(a) if a else None,
         "schematic": schematic(a.structure) if a and a.structure.joined and a.structure.rank == 4 else "",
@@ -81,6 +86,27 @@ _RANGES: Methods[list[Axis]] = {
     SixLegs: _ranges_of_legs,
     Limbs: lambda m, subject: coordinate_axes(m, subject.size),
 }
+
+
+def _wholes_of_legs(m: SixLegs, subject: Subject) -> list[Axis]:
+    """The six coordinates of a pose, its turns as roll, pitch and yaw."""
+    shifts = [axis for axis in _axes(subject) if axis["name"] in TRANSLATION]
+    turns: list[Axis] = [{"name": n, "unit": "deg", "low": -90.0, "high": 90.0, "step": 0.1} for n in TURNS]
+    return [_narrowed(axis) for axis in shifts + turns]
+
+
+def _wholes_of_limbs(m: Limbs, subject: Subject) -> list[Axis]:
+    """Its coordinates without its actuators."""
+    return [_narrowed(a) for a in coordinate_axes(m, subject.size) if a["name"] in (*TRANSLATION, *TURNS)]
+
+
+def _narrowed(axis: Axis) -> Axis:
+    """A range that a robot may well be free in."""
+    part = _TURN / axis["high"] if axis["name"] in TURNS else _PART
+    return {**axis, "low": part * axis["low"], "high": part * axis["high"]}
+
+
+_WHOLES: Methods[list[Axis]] = {SixLegs: _wholes_of_legs, Limbs: _wholes_of_limbs}
 
 
 def _measures(subject: Subject) -> list[MeasureView]:

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from gcrules.apps.studio.items import fact
+from gcrules.apps.studio.accounts import account_view
 from gcrules.apps.studio.numbers import exact_pose
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.where_views import (
-    AccountView,
     AspectsAnswer,
     AspectSetView,
     AssembliesAnswer,
@@ -24,19 +21,16 @@ from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.poses.aspects.aspects import aspects_of
-from gcrules.poses.aspects.report import Aspects, AspectSet
+from gcrules.poses.aspects.report import AspectSet
 from gcrules.poses.modes.modes import modes_of
 from gcrules.poses.modes.report import AssemblyMode, AssemblyModes
 from gcrules.poses.plans.report import Waypoint
 from gcrules.poses.regions.free_region import region_of
 from gcrules.screws.pose import Pose
-from gcrules.views.forms import shown
 from gcrules.views.results.aspects import changes
 from gcrules.views.results.free_region import ranges
 from gcrules.views.results.modes import mode_picture, mode_text
 from gcrules.views.results.plan import waypoint_text
-from gcrules.views.results.result_account import Facts, ResultAccount, Sentences
-from gcrules.views.results.robot_pose import signed
 
 __all__ = ["aspects_view", "assemblies_view", "free_view"]
 
@@ -50,7 +44,10 @@ def assemblies_view(subject: Subject, pose: PoseJson, limit: str | None) -> Asse
         found = modes_of(subject.mechanism, exact_pose(pose), threshold=threshold_of(limit, subject.unit))
     else:
         found = modes_of(Limbs.of(robot_of(subject.source)), threshold=threshold_of(limit, ""))
-    return {**_account(found), "modes": [_mode(found, one, driven=subject.limbs is not None) for one in found.modes]}
+    return {
+        **account_view(found),
+        "modes": [_mode(found, one, driven=subject.limbs is not None) for one in found.modes],
+    }
 
 
 def _mode(found: AssemblyModes, m: AssemblyMode, *, driven: bool) -> AssemblyModeView:
@@ -74,7 +71,7 @@ def aspects_view(subject: Subject) -> AspectsAnswer:
     found = aspects_of(subject.mechanism)
     sets = [_set(subject.mechanism, one) for one in found.sets]
     words = list(changes(found))
-    return {**_account(found), "least": found.least, "most": found.most, "sets": sets, "changes": words}
+    return {**account_view(found), "least": found.least, "most": found.most, "sets": sets, "changes": words}
 
 
 def _set(m: Mechanism, one: AspectSet) -> AspectSetView:
@@ -107,16 +104,4 @@ def free_view(subject: Subject, pose: PoseJson, shape: str) -> FreeAnswer:
     at: Waypoint = coordinates_at(m, pose, free_coordinates(m.linkage)) if isinstance(m, Limbs) else exact_pose(pose)
     found = region_of(m, None if at_home(pose) else waypoint_text(at), ball=shape == "ball")
     rows = [{"name": name, "low": low, "high": high, "unit": unit} for name, low, high, unit in ranges(found)]
-    return {**_account(found), "ranges": rows}  # type: ignore[typeddict-item]  # the rows are of this kind
-
-
-def _account(found: AssemblyModes | Aspects | Any) -> AccountView:
-    """The sentence, and the facts with the sentences between them."""
-    told: ResultAccount = shown(found, "account")
-    rows: list[tuple[str, str]] = []
-    for block in told.blocks:
-        if isinstance(block, Facts):
-            rows += block.rows
-        elif isinstance(block, Sentences):
-            rows += [(name, words) for name, _, words in (line.partition(": ") for line in block.lines)]
-    return {"verdict": told.verdict, "facts": [fact(name, signed(words)) for name, words in rows]}
+    return {**account_view(found), "ranges": rows}  # type: ignore[typeddict-item]  # the rows are of this kind

@@ -28,7 +28,7 @@ from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 from gcrules.poses.maps.recipe import recipe_of, robot_of
 from gcrules.poses.tiles.task import Coordinate, Tile, TiledArray, number_of, tile_at
 
-__all__ = ["KIND", "MODES", "SHARES", "BoxTask", "box_task", "shares_of", "task_again"]
+__all__ = ["KIND", "MODES", "SHARES", "BoxTask", "box_task", "shares_of", "task_again", "within_boxes"]
 
 Floats = NDArray[np.float64]
 
@@ -46,6 +46,8 @@ MODES = {
 """Which configurations are meant, by whether there are several."""
 
 MOST_BOXES = 1_000_000
+_TILES = (64, 16, 8, 2, 2, 2)
+"""Tiles along each coordinate, by the number of coordinates, of a map of a number of boxes in all."""
 _BOXES = 4_095
 """Boxes in each tile at most, where no number is given."""
 
@@ -209,6 +211,16 @@ def shares_of(leaves: Leaves) -> Floats:
         *(leaves.status == s for s in (OUTSIDE, CROSSED, UNDECIDED)),
     )
     return np.array([size[p].sum() for p in parts])
+
+
+def within_boxes(number: int, boxes: int) -> tuple[int, int]:
+    """The tiles along each of a `number` of coordinates, and the boxes in each, of a map of so many boxes in all.
+
+    >>> within_boxes(2, 16_384), within_boxes(6, 16_384)
+    ((16, 63), (2, 255))
+    """
+    tiles = _TILES[min(max(number, 1), len(_TILES)) - 1]
+    return tiles, min(max(boxes // tiles**number - 1, 1), MOST_BOXES)
 
 
 def box_task(

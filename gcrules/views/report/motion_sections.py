@@ -16,7 +16,7 @@ from gcrules.poses.paths.report import PathReport
 from gcrules.views.forms import shown
 from gcrules.views.report.account_html import account_section, facts_html, inline_svg
 from gcrules.views.report.leads import path_lead
-from gcrules.views.results.box_map import seen
+from gcrules.views.results.box_map import leaves_nothing, seen
 from gcrules.views.results.map import account
 from gcrules.views.results.path_account import PathAccount, PathPlace, PathStretch
 
@@ -107,10 +107,9 @@ def boxes_html(r: BoxMap, m: SixLegs | Limbs, *, live: bool) -> str:
 
 def _boxes_picture(r: BoxMap) -> str:
     """The boxes, or what is left of them over each pair of coordinates; nothing where nothing is left."""
-    *_, crossed, undecided = r.summary.shares
-    pairs = len(r.axes) > 2
-    if pairs and not (crossed or undecided):
+    if leaves_nothing(r):
         return ""
+    pairs = len(r.axes) > 2
     drawn = shown(r, "svg")
     if drawn is None:
         return _NO_PICTURE

@@ -13,7 +13,7 @@ from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex
 from gcrules.views.results.result_account import Facts, ResultAccount
 from gcrules.views.text_tables import ASCII, table, wrapped
 
-__all__ = ["account", "as_latex", "as_text", "picture_of", "seen", "verdict"]
+__all__ = ["account", "as_latex", "as_text", "decided", "leaves_nothing", "parts", "picture_of", "seen", "verdict"]
 
 picture = deferred("gcrules.views.plots.box_plot:picture")  # matplotlib, an extra of the installation
 
@@ -148,11 +148,32 @@ def picture_of(m: BoxMap) -> str | None:
     return svg.decode()
 
 
+def leaves_nothing(m: BoxMap) -> bool:
+    """Whether the picture would show what is left, and nothing is."""
+    *_, crossed, undecided = m.summary.shares
+    return len(m.axes) > 2 and not (crossed or undecided)
+
+
+def decided(m: BoxMap) -> str:
+    """How much is decided, in one sentence."""
+    reached = "or not to be reached" + (" within the limits" if m.task.question.limits else "")
+    less = f"to be free, {reached}" if not m.task.question.always_reached else "to be free"
+    return f"{_percent(m.summary.decided)} of the volume is decided: proved {less}."
+
+
+def parts(m: BoxMap) -> Iterator[tuple[str, float, str]]:
+    """Of each kind of boxes that occurs its name, its share of the volume, and both in words."""
+    kinds = ("free", "free with the other sign", "not reached", f"in boxes that hold {_bad(m)}", "undecided")
+    names = ("free", "other", "outside", "crossed", "undecided")
+    for name, kind, share in zip(names, kinds, m.summary.shares, strict=True):
+        if share:
+            yield name, share, f"{_percent(share)} {kind}"
+
+
 def seen(m: BoxMap) -> str:
     """What the picture shows, in words for those who do not see it."""
     names, title = listed([a.name for a in m.axes]), m.task.mechanism.title or "the robot"
-    kinds = ("free", "free with the other sign", "not reached", f"in boxes that hold {_bad(m)}", "undecided")
-    shares = [f"{_percent(s)} {kind}" for kind, s in zip(kinds, m.summary.shares, strict=True) if s]
+    shares = [words for _, _, words in parts(m)]
     if len(m.axes) <= 2:
         return f"Boxes of poses of {title} over {names}: {listed(shares)}."
     return (

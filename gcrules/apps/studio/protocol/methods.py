@@ -15,7 +15,7 @@ from gcrules.apps.studio.protocol.checking import Check
 from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
-from gcrules.apps.studio.protocol.where_views import AspectsAnswer, AssembliesAnswer, FreeAnswer
+from gcrules.apps.studio.protocol.where_views import AspectsAnswer, AssembliesAnswer, BoxesAnswer, FreeAnswer
 from gcrules.core.dataclass import dataclass
 
 __all__ = ["LONGEST", "METHODS", "Method"]
@@ -55,6 +55,7 @@ METHODS: Mapping[str, Method] = {
     "assemblies": Method(requests.PoseArgs, AssembliesAnswer, seconds=300),
     "aspects": Method(requests.OpenArgs, AspectsAnswer, seconds=600),
     "free": Method(requests.FreeArgs, FreeAnswer, seconds=300),
+    "boxes": Method(requests.BoxesArgs, BoxesAnswer, seconds=600),
     "manual": Method(requests.ManualArgs, answers.Manual),
     "bench": Method(requests.BenchArgs, answers.Bench, seconds=30),
     "compose": Method(requests.ComposeArgs, answers.Composed),

@@ -13,6 +13,7 @@ __all__ = [
     "FARTHEST",
     "HOME",
     "LONGEST_FILE",
+    "MOST_BOXES",
     "MOST_COMMANDS",
     "MOST_COORDINATES",
     "MOST_LEGS",
@@ -20,6 +21,7 @@ __all__ = [
     "THRESHOLD",
     "AlongArgs",
     "BenchArgs",
+    "BoxesArgs",
     "CancelArgs",
     "ClassSource",
     "ComposeArgs",
@@ -49,6 +51,7 @@ MOST_COORDINATES = 24
 MOST_POINTS = 40
 MOST_LEGS = 24
 MOST_COMMANDS = 200
+MOST_BOXES = 2_000_000
 LONGEST_FILE = 400_000
 THRESHOLD = DEFAULT.text
 """Closer than this is close, where nothing else is asked for."""
@@ -195,6 +198,19 @@ class FreeArgs(TypedDict):
     source: SourceJson
     pose: PoseJson
     shape: Literal["box", "ball"]
+
+
+class BoxesArgs(TypedDict):
+    """Whole ranges of coordinates ("x -1:1"), the others as they are at the pose, in so many boxes at most. Free poses
+    have the `margin`; `limits` are those of legs or actuators.
+    """
+
+    source: SourceJson
+    over: Annotated[list[Annotated[str, text(100)]], EntryCount(1, 6)]
+    pose: PoseJson
+    margin: NotRequired[Annotated[float, number(0, 1)]]
+    limits: NotRequired[Annotated[str, text(400)]]
+    boxes: Annotated[int, number(1, MOST_BOXES, whole=True)]
 
 
 class PlaceArgs(TypedDict):

@@ -250,6 +250,8 @@ class Study(TypedDict):
     """Independent coordinates: six for a platform; those of the robot's mobility otherwise."""
     ranges: list[Axis]
     """Coordinates of its pose, then its actuators, over which it can be mapped, with ranges to begin with."""
+    wholes: list[Axis]
+    """Coordinates of its pose over which a map of whole boxes can go, with ranges to begin with."""
     measures: list[MeasureView]
     """What the bands of such a map can be, the margin first."""
     entry: EntryView | None

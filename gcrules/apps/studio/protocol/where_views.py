@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TypedDict
+from typing import Literal, TypedDict
 
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.study_views import FactItem
@@ -14,8 +14,10 @@ __all__ = [
     "AspectsAnswer",
     "AssembliesAnswer",
     "AssemblyModeView",
+    "BoxesAnswer",
     "FreeAnswer",
     "RangeView",
+    "ShareView",
 ]
 
 
@@ -81,3 +83,23 @@ class RangeView(TypedDict):
 
 class FreeAnswer(AccountView):
     ranges: list[RangeView]
+
+
+class ShareView(TypedDict):
+    """A part of the volume, from 0 to 1, of which the same is known."""
+
+    kind: Literal["free", "other", "outside", "crossed", "undecided"]
+    share: float
+    words: str
+
+
+class BoxesAnswer(AccountView):
+    decided: float
+    """The share of the volume that is proved to be free, or not to be reached."""
+    so_much: str
+    """The same in a sentence."""
+    shares: list[ShareView]
+    picture: str
+    """SVG in base64; empty where matplotlib is missing, or nothing is left to be seen."""
+    seen: str
+    """What it shows, in words."""

@@ -2,6 +2,7 @@
 import type { PanelProps } from "./index";
 import { AspectsSection } from "./where/aspects";
 import { AssembliesSection } from "./where/assemblies";
+import { BoxesSection } from "./where/boxes";
 import { FreeSection } from "./where/free";
 import "./motion/motion.css";
 import "./where/where.css";
@@ -13,7 +14,7 @@ export function Where({ store }: PanelProps) {
     <div class="motion where">
       <header>
         <h2>Where can it go</h2>
-        <p class="why">Its assembly modes, the parts into which singularities divide its poses, and the room around the pose on show.</p>
+        <p class="why">Its assembly modes, the parts into which singularities divide its poses, and the room around the pose on show, or in ranges that you name.</p>
       </header>
       {study.axes.length === 0 ? (
         <p class="none">This structure has no numbers in other poses.</p>
@@ -22,6 +23,7 @@ export function Where({ store }: PanelProps) {
           <AssembliesSection study={study} />
           <AspectsSection />
           <FreeSection />
+          {study.wholes.length > 0 && <BoxesSection study={study} />}
         </>
       )}
     </div>

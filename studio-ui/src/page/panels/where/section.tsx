@@ -11,17 +11,20 @@ interface Props<M extends Method> {
   why: string;
   name: string;
   runner: Runner<M>;
+  /** What is asked, above the buttons. */
+  fields?: ComponentChildren;
   /** The buttons that ask. */
   ask: ComponentChildren;
   children(result: Methods[M]["result"], asked: Methods[M]["args"]): ComponentChildren;
 }
 
-export function Question<M extends "assemblies" | "aspects" | "free">({ title, why, name, runner, ask, children }: Props<M>) {
+export function Question<M extends "assemblies" | "aspects" | "free" | "boxes">({ title, why, name, runner, fields, ask, children }: Props<M>) {
   const now = runner.now.value;
   return (
     <section class={name} aria-label={title}>
       <h3>{title}</h3>
       <div class="ask">
+        {fields}
         <div class="row">
           <span class="told">{why}</span>
           {ask}
