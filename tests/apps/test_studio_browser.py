@@ -528,6 +528,47 @@ def test_aspects_and_a_free_box_are_told(desk: Desk) -> None:
     assert desk.page.get_by_test_id("fault").count() == 0
 
 
+def test_whole_ranges_are_proved_and_stopped(desk: Desk) -> None:
+    """The ranges that are ticked, with their bar, their words and the picture; a long one is stopped."""
+    desk.run("() => gcrules.open({kind: 'robot', id: '3-rpr'})")
+    desk.answered()
+    desk.one("panel-where").click()
+    assert desk.one("boxes-over-x").is_checked()
+    desk.one("boxes-over-y").uncheck()
+    assert desk.page.get_by_test_id("boxes-low-y").count() == 0
+    desk.one("boxes-over-yaw").check()
+    for name, low, high in (("x", "-0.5", "0.5"), ("yaw", "-60", "80")):
+        for which, value in (("low", low), ("high", high)):
+            field = desk.one(f"boxes-{which}-{name}")
+            field.fill(value)
+            field.press("Enter")
+    desk.one("boxes-most").select_option("4000")
+    desk.one("boxes-limits").fill("q1 -1..")
+    desk.one("boxes-go").click()
+    desk.one("boxes-decided").wait_for()
+    assert "is not free" in desk.text("boxes-verdict")
+    kinds = [s.get_attribute("data-kind") for s in desk.page.get_by_test_id("boxes-share").all()]
+    assert {"free", "other", "crossed"} <= set(kinds)
+    decided = float(desk.one("boxes-decided").get_attribute("data-decided"))
+    assert 0.5 < decided < 1
+    assert f"{100 * decided:.3g} % of the volume is decided" in desk.text("boxes-decided")
+    assert desk.one("boxes-picture").get_attribute("alt").startswith("Boxes of poses of Planar 3-RPR robot")
+    assert desk.one("boxes-picture").evaluate("e => e.naturalWidth") > 100
+    wide = desk.page.locator(".where .volume").bounding_box()["width"]
+    parts = [b.bounding_box()["width"] for b in desk.page.locator(".where .volume span").all()]
+    assert sum(parts) == pytest.approx(wide, abs=3)
+    desk.run("() => gcrules.open({kind: 'robot', id: '6-rus'})")
+    desk.answered()
+    for name in ("z", "roll", "pitch", "yaw"):
+        desk.one(f"boxes-over-{name}").check()
+    desk.one("boxes-most").select_option("2000000")
+    desk.one("boxes-go").click()
+    desk.one("boxes-stop").click()
+    desk.one("boxes-stop").wait_for(state="detached")
+    assert desk.one("boxes-go").is_enabled()
+    assert desk.page.get_by_test_id("fault").count() == 0
+
+
 def test_a_long_map_is_stopped(desk: Desk) -> None:
     motion(desk, "robot", "delta")
     desk.one("map-nodes").select_option("81")

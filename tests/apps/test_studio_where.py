@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from base64 import b64decode
 from typing import Any
 
 import pytest
@@ -97,3 +99,67 @@ def test_shapes_are_checked(page: Page, shape: Any) -> None:
 def test_around_a_singular_pose_nothing_is_free(page: Page) -> None:
     singular = {"translation": [0.0, 0.0, -350.0], "quaternion": [1.0, 0.0, 0.0, 0.0]}
     assert "nothing is proved" in page.fault("free", source=OCTAHEDRAL, pose=singular, shape="box")["message"]
+
+
+# --- whole ranges ---------------------------------------------------------------------------------------------------
+
+BOXES = {"margin": 0.01, "boxes": 4_000}
+
+
+def boxes(page: Page, source: dict[str, str], over: list[str], pose: Any = HOME, **more: Any) -> Any:
+    return page.ask("boxes", source=source, over=over, pose=pose, **BOXES | more)
+
+
+def test_whole_ranges_of_a_platform(page: Page) -> None:
+    over = ["x -60:60", "z -60:60", "yaw -20:20 deg"]
+    found = boxes(page, OCTAHEDRAL, over, AWAY, limits="leg lengths 200..500")
+    same = gc.box_map(FILE, over, "0 0 -30", margin=0.01, limits="leg lengths 200..500", tiles=8, boxes=6)
+    assert found["verdict"] in told(same)
+    assert facts(found)["limits"] in told(same)
+    shares = {s["kind"]: s["share"] for s in found["shares"]}
+    assert sum(shares.values()) == pytest.approx(1)
+    assert shares["free"] == pytest.approx(same.summary.shares[0])
+    assert found["decided"] == pytest.approx(same.summary.decided)
+    assert found["so_much"].endswith("or not to be reached within the limits.")
+
+
+def test_whole_ranges_of_a_robot_of_joints(page: Page) -> None:
+    pytest.importorskip("matplotlib")
+    study = page.ask("open", source=RPR)
+    assert [r["name"] for r in study["wholes"]] == ["x", "y", "yaw"]
+    found = boxes(page, RPR, ["x -0.5:0.5", "yaw -60:80 deg"], {**HOME, "coordinates": [0, 0, 0]}, margin=0.0)
+    assert "is not free" in found["verdict"]
+    words = {s["kind"]: s["words"] for s in found["shares"]}
+    assert words["crossed"].endswith("in boxes that hold a pose that is singular")
+    assert words["other"].endswith("free with the other sign")
+    assert b64decode(found["picture"]).startswith(b"<?xml")
+    assert found["seen"].startswith("Boxes of poses of Planar 3-RPR robot over x and yaw: ")
+
+
+def test_the_other_coordinates_are_those_of_the_pose(page: Page) -> None:
+    """Two legs of other lengths: the platform stands elsewhere, and y goes with it."""
+    moved = {**HOME, "coordinates": [0.1, 0.0, 0.05]}
+    found = boxes(page, RPR, ["x -0.2:0.2"], moved)
+    rest = facts(found)["rest"]
+    assert "y = 0," not in rest
+    assert "yaw" in rest
+    assert "rest" not in facts(boxes(page, RPR, ["x -0.2:0.2", "y -0.1:0.1", "yaw -5:5 deg"], moved))
+
+
+@pytest.mark.parametrize(
+    ("over", "more", "message"),
+    [
+        ([], {}, "over"),
+        (["x 1:-1"], {}, "reversed"),
+        (["x -1:1", "x -1:1"], {}, "twice"),
+        (["q1 -1:1 deg"], {}, "not over q1|no actuator|not mapped"),
+        (["x -1:1"], {"margin": 2}, "margin"),
+        (["x -1:1"], {"boxes": 0}, "boxes"),
+        (["x -1:1"], {"boxes": 10**9}, "boxes"),
+        (["x -1:1"], {"limits": "q9 1..2"}, "q9"),
+    ],
+)
+def test_faults_of_whole_ranges(page: Page, over: list[str], more: dict[str, Any], message: str) -> None:
+    fault = page.fault("boxes", source=OCTAHEDRAL, over=over, pose=HOME, **BOXES | more)
+    assert fault["kind"] == "input"
+    assert re.search(message, str(fault))

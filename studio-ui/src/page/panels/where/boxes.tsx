@@ -132,9 +132,9 @@ function WholeRow({ axis, range, onChange }: RowProps) {
 function Shares({ result: { shares, decided, so_much } }: { result: BoxesAnswer }) {
   return (
     <div class="shares">
-      <div class="bar" aria-hidden="true">
+      <div class="volume" aria-hidden="true">
         {shares.map(({ kind, share }) => (
-          <span key={kind} class={kind} style={{ flexGrow: share }} />
+          <span key={kind} class={kind} style={{ width: `${100 * share}%` }} />
         ))}
       </div>
       <ul aria-label="Parts of the volume">
