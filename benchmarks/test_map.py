@@ -39,6 +39,10 @@ def task(robot: str, over: list[str], measure: str) -> Any:
     return planned(legs, over, None, None, DEFAULT, measure).task
 
 
+OF_RPR = ["x -0.4:0.4:81", "yaw -20:60:81 deg"]
+OF_RPS = ["roll -60:60:25 deg", "pitch -60:60:25 deg"]
+
+
 def nodes(t: Any) -> Any:
     return np.stack(np.unravel_index(np.arange(t.grid.size), t.grid.shape), axis=1)
 
@@ -87,7 +91,7 @@ def test_a_robot_of_joints(ratio: Callable[..., Any]) -> None:
     over = ["x -0.6:0.6:31", "y -0.6:0.6:31"]
 
     def swept() -> Any:
-        return limbs_task(found, over).compute(0)["margin"].ravel()
+        return margins_of(limbs_task(found, over)).ravel()
 
     def alone() -> Any:
         grid, m = limbs_task(found, over).grid, found.linkage
@@ -99,6 +103,26 @@ def test_a_robot_of_joints(ratio: Callable[..., Any]) -> None:
         return bool(np.abs(one - other).max() <= 1e-6)
 
     ratio(swept, {"each from home": alone}, agree=agree, at_least={"each from home": 4}, rounds=2, others_rounds=1)
+
+
+def margins_of(t: Any) -> Any:
+    return np.concatenate([t.compute(k)["margin"] for k in range(t.number)])
+
+
+@pytest.mark.parametrize(("robot", "over", "share"), [("3-rpr", OF_RPR, 3), ("3-rps", OF_RPS, 3)])
+def test_the_stage_of_a_robot_of_joints(ratio: Callable[..., Any], robot: str, over: list[str], share: float) -> None:
+    """Home's branch, which comes before all tiles, beside the whole map: what cannot be shared among workers."""
+    found = Limbs.of(read_robot(robot))
+
+    def stage() -> int:
+        t = limbs_task(found, over)
+        t.staged()
+        return int((t._branch.owner >= 0).sum())
+
+    def whole() -> int:
+        return int((~np.isnan(margins_of(limbs_task(found, over)))).sum())
+
+    ratio(stage, {"whole map": whole}, agree=int.__eq__, at_least={"whole map": share}, rounds=2, others_rounds=1)
 
 
 @pytest.mark.parametrize("robot", ["octahedral", "platform-6-6"])
