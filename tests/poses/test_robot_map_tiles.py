@@ -170,7 +170,7 @@ def test_the_branch_of_another_grid_is_refused() -> None:
     task = tiles().task
     other = limbs_task(task.mechanism, ["x -0.4:0.4:17", "yaw -20:60:65 deg"])  # type: ignore[attr-defined]
     with pytest.raises(ValueError, match="another grid"):
-        other.take(task.stage.staged())  # type: ignore[union-attr]
+        other.take(task.stage.staged())
 
 
 # --- what is reached ------------------------------------------------------------------------------------------------
@@ -195,7 +195,7 @@ def flooded(open_: Any, first: tuple[int, int]) -> Any:
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_walls_are_gone_around(monkeypatch: pytest.MonkeyPatch, seed: int) -> None:
     """Where walls cut off what tiles have of the branch, it is reached by whatever way leads around them."""
-    task = limbs_task(mechanism("3-rpr"), ["x -0.2:0.2:33", "yaw 0:12:41 deg"])  # type: ignore[arg-type]
+    task = limbs_task(mechanism("3-rpr"), ["x -0.2:0.2:33", "yaw 0:12:41 deg"])
     shape = task.grid.shape
     free = np.ones(shape, dtype=bool)
     for k, row in enumerate((4, 9, 20, 23, 30)):  # walls along tiles, each with one gap
@@ -235,7 +235,7 @@ def test_walls_are_gone_around(monkeypatch: pytest.MonkeyPatch, seed: int) -> No
 def test_blocks_hold_what_is_reached_node_by_node(monkeypatch: pytest.MonkeyPatch) -> None:
     """The same map without blocks: everything along edges."""
     for name, over in (("3-rrr", ["x -0.6:0.6:25", "y -0.6:0.6:25"]), ("3-rpr", OVER)):
-        one, other = (limbs_task(mechanism(name), over) for _ in range(2))  # type: ignore[arg-type]
+        one, other = (limbs_task(mechanism(name), over) for _ in range(2))
         found = everything(one)
         with monkeypatch.context() as m:
             m.setattr(spreading, "_SIZES", ())

@@ -19,10 +19,10 @@ from gcrules.views.forms import shown
 OCTAHEDRAL = str(EXAMPLES / "octahedral.yaml")
 SIX = ["x -150:150", "y -150:150", "z -100:100", "roll -15:15 deg", "pitch -15:15 deg", "yaw -15:15 deg"]
 ASKED: dict[str, tuple[str, list[str], dict[str, Any], tuple[int, int]]] = {
-    "six legs, six coordinates": (OCTAHEDRAL, SIX, {}, (2, 255)),
-    "six legs, one": (OCTAHEDRAL, ["z -400:200"], {"limits": "legs 300..900"}, (64, 255)),
-    "joints, two": ("3-rpr", ["x -0.5:0.5", "yaw -60:80 deg"], {"at": "y=0.05", "limits": "q1 -0.6..0.6"}, (16, 63)),
-    "joints, a margin": ("3-rpr", ["x -0.5:0.5", "yaw -60:80 deg"], {"margin": 0.05}, (16, 63)),
+    "six legs, six coordinates": (OCTAHEDRAL, SIX, {}, (2, 2_047)),
+    "six legs, one": (OCTAHEDRAL, ["z -400:200"], {"limits": "legs 300..900"}, (64, 2_047)),
+    "joints, two": ("3-rpr", ["x -0.5:0.5", "yaw -60:80 deg"], {"at": "y=0.05", "limits": "q1 -0.6..0.6"}, (16, 511)),
+    "joints, a margin": ("3-rpr", ["x -0.5:0.5", "yaw -60:80 deg"], {"margin": 0.05}, (16, 511)),
 }
 
 
@@ -62,7 +62,7 @@ def test_text_and_page_have_one_account() -> None:
 
 def test_the_picture_is_told_in_words() -> None:
     over = ["x -0.5:0.5", "yaw -60:80 deg"]
-    found = gc.box_map("3-rpr", over, tiles=16, boxes=63)
+    found = gc.box_map("3-rpr", over, tiles=16, boxes=511)
     assert isinstance(found, BoxMap)
     words = label(gc.report("3-rpr", interactive=False, over=over))
     assert words.startswith("Boxes of poses of Planar 3-RPR robot over x and yaw: ")

@@ -48,7 +48,7 @@ class _Rows:
 
     def add(self, rows: NDArray[Any]) -> None:
         while self.count + len(rows) > len(self._held):
-            self._held: NDArray[Any] = np.concatenate([self._held, np.zeros_like(self._held)])
+            self._held = np.concatenate([self._held, np.zeros_like(self._held)])
         self._held[self.count : self.count + len(rows)] = rows
         self.count += len(rows)
 
