@@ -557,8 +557,9 @@ def test_whole_ranges_are_proved_and_stopped(desk: Desk) -> None:
     wide = desk.page.locator(".where .volume").bounding_box()["width"]
     parts = [b.bounding_box()["width"] for b in desk.page.locator(".where .volume span").all()]
     assert sum(parts) == pytest.approx(wide, abs=3)
-    desk.run("() => gcrules.open({kind: 'robot', id: '6-rus'})")
+    desk.run("() => gcrules.open({kind: 'example', name: 'octahedral'})")
     desk.answered()
+    desk.one("panel-where").click()
     for name in ("z", "roll", "pitch", "yaw"):
         desk.one(f"boxes-over-{name}").check()
     desk.one("boxes-most").select_option("2000000")
