@@ -23,10 +23,12 @@ _CLOSED = 1e-11
 class Moving:
     """Motions between bodies from a base, with what couples them; lengths are in parts of the size."""
 
-    def __init__(self, motions: Sequence[Motion], base: str, couplings: Sequence[ModelCoupling] = ()) -> None:
+    def __init__(
+        self, motions: Sequence[Motion], base: str, couplings: Sequence[ModelCoupling] = (), size: float | None = None
+    ) -> None:
         self.motions = tuple(motions)
         self.base = base
-        self.size = size_of(motions)
+        self.size = size or size_of(motions)
         self.screws = np.concatenate([m.screws for m in motions]) * [1, 1, 1, *[1 / self.size] * 3]
         ends = np.cumsum([0, *(len(m.screws) for m in motions)])
         self.own = [slice(int(a), int(b)) for a, b in zip(ends[:-1], ends[1:], strict=True)]
@@ -66,7 +68,7 @@ class Moving:
 
     def poses(self, values: Floats) -> dict[str, Floats]:
         """How each body has moved from home, (4, 4)."""
-        found = {self.base: np.eye(4)}
+        found = {self.base: np.eye(4)}  # lengths in parts of the size
         for k, forward in self.steps:
             m = self.motions[k]
             near, far = (m.start, m.end) if forward else (m.end, m.start)

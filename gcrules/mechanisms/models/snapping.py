@@ -31,12 +31,16 @@ def size_of(motions: Sequence[Motion]) -> float:
     return float(np.linalg.norm(places.max(axis=0) - places.min(axis=0))) or 1.0
 
 
-def snapped(motions: Sequence[Motion], tolerance: float = TOLERANCE) -> tuple[tuple[Motion, ...], tuple[Moved, ...]]:
-    """The motions with exact axes and centres, and how far each joint was moved, where it was."""
+def snapped(
+    motions: Sequence[Motion], ends: Sequence[str], tolerance: float = TOLERANCE
+) -> tuple[tuple[Motion, ...], tuple[Moved, ...]]:
+    """The motions with exact axes and centres, and how far each joint was moved, where it was. Axes at base and
+    platform, the `ends`, meet those of their own limb alone.
+    """
     size = size_of(motions)
     axes = _directions([m.axis for m in motions], tolerance)
     turned = [replace(m, axis=a) for m, a in zip(motions, axes, strict=True)]
-    places = _places(turned, tolerance * size)
+    places = _places(turned, ends, tolerance * size)
     found = tuple(replace(m, at=at) for m, at in zip(turned, places, strict=True))
     moved: dict[str, Moved] = {}
     for before, after in zip(motions, found, strict=True):
@@ -93,7 +97,7 @@ def _exact(direction: Floats, others: Sequence[Floats], tolerance: float) -> Flo
     return unit
 
 
-def _places(motions: Sequence[Motion], near: float) -> list[Floats]:
+def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list[Floats]:
     """Centres that nearly coincide made one, axes moved to the centres that they nearly go through, and to each other
     where those of neighbours nearly meet.
     """
@@ -113,7 +117,8 @@ def _places(motions: Sequence[Motion], near: float) -> list[Floats]:
     balls = len(centres)
     for k, m in enumerate(motions):
         for i, other in enumerate(motions[:k]):
-            if m.has_line and other.has_line and {m.start, m.end} & {other.start, other.end}:
+            shared = {m.start, m.end} & {other.start, other.end} - {*ends}
+            if m.has_line and other.has_line and shared:
                 place = _meet(other, m, near)
                 if place is not None:
                     put(place, [i, k])

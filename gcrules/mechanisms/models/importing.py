@@ -1,0 +1,377 @@
+"""From a model of links and joints to a robot file: the whole way, with an account of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from os import PathLike
+from pathlib import PurePath
+from typing import NoReturn
+
+import numpy as np
+
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import FileError, GcrulesError, InputError
+from gcrules.core.hints import near
+from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.models.agreement import deviation, generic
+from gcrules.mechanisms.models.chains_between import Bars, Chain, Poses, limbs_between
+from gcrules.mechanisms.models.family_found import LEVELS, Naming
+from gcrules.mechanisms.models.graph import Ends, Graph, graph_of
+from gcrules.mechanisms.models.merging import Ratios, parts_of
+from gcrules.mechanisms.models.model import Model
+from gcrules.mechanisms.models.motions import Motion, motions_of
+from gcrules.mechanisms.models.moving import Moving
+from gcrules.mechanisms.models.reading import read_model
+from gcrules.mechanisms.models.robot_text import Drawn, robot_text
+from gcrules.mechanisms.models.snapping import TOLERANCE, Moved, size_of, snapped
+from gcrules.mechanisms.robot import Robot
+
+__all__ = ["Imported", "ImportedLimb", "import_file", "import_model", "robot_of_file"]
+
+_SEEDS = (1, 2, 3)
+import os
+DEBUG = os.environ.get('DBG')
+_MOST = 400  # joints between base and platform
+
+
+@dataclass(frozen=True)
+class ImportedLimb:
+    """A limb of the robot file: its name there, its joints in short, and for each of them the joints of the model."""
+
+    name: str
+    chain: str
+    joints: tuple[tuple[str, tuple[str, ...]], ...]
+
+
+@dataclass(frozen=True)
+class Imported:
+    """A robot file made from a model, its `text` and what it says, with an account of how it was made.
+
+    `limits` are those of the driven joints, from home, in metres and radians; `moved` says by how much joints were
+    moved to make them exact, and `deviation` how well the wrenches at home agree with the joints of the model as they
+    were read (power of unit wrenches on unit twists, lengths in parts of the size).
+    """
+
+    robot: Robot
+    text: str
+    filename: str
+    format: str
+    base: str
+    platform: str
+    why: str
+    limbs: tuple[ImportedLimb, ...]
+    actuated: tuple[str, ...]
+    limits: tuple[tuple[str, float, float], ...]
+    left_out: tuple[str, ...]
+    moved: tuple[Moved, ...]
+    tolerance: float
+    deviation: float
+    size: float
+    relations: str
+    notes: tuple[str, ...] = ()
+
+
+def robot_of_file(
+    path: str | PathLike[str],
+    closures: str | PathLike[str] | None = None,
+    *,
+    base: str | None = None,
+    platform: str | None = None,
+    actuators: Iterable[str] = (),
+    tolerance: float = TOLERANCE,
+) -> Robot:
+    """The robot that a model file shows; see `import_file`."""
+    return import_file(path, closures, base=base, platform=platform, actuators=actuators, tolerance=tolerance).robot
+
+
+def import_file(
+    path: str | PathLike[str],
+    closures: str | PathLike[str] | None = None,
+    *,
+    base: str | None = None,
+    platform: str | None = None,
+    actuators: Iterable[str] = (),
+    tolerance: float = TOLERANCE,
+) -> Imported:
+    """Read a model file (URDF with a file of closures, SDF, MJCF) as a robot file. Raises FileError with its place for
+    a file at fault, else as `import_model` does.
+    """
+    model = read_model(path, closures)
+    try:
+        return import_model(model, base=base, platform=platform, actuators=actuators, tolerance=tolerance)
+    except FileError:
+        raise
+    except InputError as fault:
+        raise FileError(fault.message, filename=model.filename, hint=fault.hint) from None
+
+
+def import_model(
+    model: Model,
+    *,
+    base: str | None = None,
+    platform: str | None = None,
+    actuators: Iterable[str] = (),
+    tolerance: float = TOLERANCE,
+) -> Imported:
+    """A model as a robot file. Places and axes that coincide, meet, or are parallel or perpendicular within the
+    tolerance (parts of its size, radians) are made so.
+
+    Raises InputError, with what can be done, where there is no platform with limbs, where it is in doubt, for joints
+    that have no meaning in a robot file, and where the wrenches of the file do not agree with the joints of the model.
+    """
+    if not 0 < tolerance <= 0.01:
+        raise InputError(f"the tolerance {tolerance:g} is not above 0 and at most 0.01")
+    graph = graph_of(model)
+    ends = graph.ends(base, platform)
+    names = graph.between(ends.base, ends.platform)
+    if len(names) > _MOST:
+        raise InputError(f"{len(names)} joints are between {ends.base} and {ends.platform}; more than {_MOST} are not read")
+    ratios = _ratios(model, names)
+    driven = _driven(graph, names, ratios, tuple(actuators))
+    return _Import(graph, ends, names, ratios, driven, tolerance).found()
+
+
+def _ratios(model: Model, names: frozenset[str]) -> Ratios:
+    """Of the joints that follow others their leaders and ratios."""
+    found = {}
+    for c in model.couplings:
+        if c.joint in names or c.leader in names:
+            outside = next((n for n in (c.joint, c.leader) if n not in names), None)
+            if outside and c.joint in names:
+                raise InputError(
+                    f"joint {c.joint} follows joint {outside}, which is in no limb of the platform",
+                    hint="a robot file couples joints of one limb",
+                )
+            if not outside:
+                found[c.joint] = (c.leader, c.ratio)
+    return found
+
+
+def _driven(graph: Graph, names: frozenset[str], ratios: Ratios, asked: tuple[str, ...]) -> tuple[str, ...]:
+    known = [j.name for j in graph.model.joints]
+    for name in asked:
+        if name not in known:
+            raise InputError(f"there is no joint {name[:40]!r} to be driven", hint=near(name, known))
+        if name not in names:
+            raise InputError(f"joint {name} is in no limb of the platform, and cannot be an actuator of it")
+    chosen = [n for n in asked or graph.model.actuated if n in names]
+    return tuple(dict.fromkeys(ratios[n][0] if n in ratios else n for n in chosen))
+
+
+class _Import:
+    def __init__(
+        self, graph: Graph, ends: Ends, names: frozenset[str], ratios: Ratios, driven: tuple[str, ...], tolerance: float
+    ) -> None:
+        self.graph = graph
+        self.model = graph.model
+        self.ends = ends
+        self.ratios = ratios
+        self.driven = driven
+        self.tolerance = tolerance
+        self.read = motions_of(graph, names, driven)
+        self.notes = [*graph.notes, *getattr(graph.model, "notes", ())]
+        self.pair = (ends.base, ends.platform)
+        self.motions, self.moved = snapped(self.read, self.pair, tolerance)
+        self.plane = self._plane()
+        self.size = size_of(self.motions)
+
+    def _plane(self) -> bool:
+        """Whether all motions are in one plane; its normal is turned to z, and the plane is z = 0."""
+        turns = [m.axis for m in self.motions if m.kind == "R"]
+        flat = bool(turns) and all(m.kind in "RP" for m in self.motions)
+        if not flat or any(np.linalg.norm(np.cross(turns[0], t)) > 1e-9 for t in turns):
+            return False
+        normal = turns[0]
+        if any(abs(normal @ m.axis) > 1e-9 for m in self.motions if m.kind == "P"):
+            return False
+        if abs(normal[2]) < 1:
+            turn = _turn_to_z(normal)
+            self.read = tuple(replace(m, at=turn @ m.at, axis=turn @ m.axis) for m in self.read)
+            self.motions, self.moved = snapped(self.read, self.pair, self.tolerance)
+            self.notes.append("the plane of its motion was turned to that of x and y")
+        self.motions = tuple(replace(m, at=m.at * [1, 1, 0]) for m in self.motions)
+        return True
+
+    def found(self) -> Imported:
+        couplings = [c for c in self.model.couplings if c.joint in self.ratios]
+        moving = Moving(self.motions, self.ends.base, couplings, self.size)
+        values = [v for v in (moving.near_home(seed) for seed in _SEEDS) if v is not None]
+        if not values:
+            raise InputError(
+                f"{self.ends.platform} cannot move: no other configuration was found in which all loops are closed",
+                hint="a loop may be held together by a joint that the file leaves out",
+            )
+        poses = [_lengths(moving.poses(v), self.size) for v in (moving.home, *values)]
+        mobility = min(len(moving.twists(self.ends.platform, v)) for v in values)
+        at_home = len(moving.twists(self.ends.platform, moving.home))
+        if at_home > mobility:
+            self.notes.append(f"at home the platform has {at_home} freedoms, elsewhere {mobility}: home is singular")
+        if mobility == 0:
+            raise InputError(f"{self.ends.platform} does not move: its limbs hold it with their joints free")
+        self._enough(mobility)
+        limbs = limbs_between(self.motions, *self.pair, poses)
+        drawn = self._drawn(limbs, poses)
+        own = [_motions_in(chains) for chains in limbs]
+        for joint, (leader, _) in self.ratios.items():
+            if not any({joint, leader} <= {m.joint for m in motions} for motions in own):
+                raise InputError(
+                    f"joint {joint} follows joint {leader} of another limb, which no robot file says",
+                    hint="each limb is told apart by what it does to the platform alone",
+                )
+        return self._written(drawn, own, moving, values, mobility)
+
+    def _enough(self, mobility: int) -> None:
+        if len(self.driven) >= mobility:
+            return
+        of = self.ends.platform
+        said = f"{', '.join(self.driven)} only" if self.driven else "none"
+        able = [m.joint for m in self.motions if m.kind in "RPHC" and m.joint not in self.ratios]
+        raise InputError(
+            f"the platform {of} has mobility {mobility}, and driven in the model are {len(self.driven)} joints ({said})",
+            hint=f"name what is driven: --actuators {','.join(_guess(self.motions, mobility) or able[:mobility])}",
+        )
+
+    def _drawn(self, limbs: Sequence[Sequence[Chain]], poses: Poses) -> list[Drawn]:
+        found = []
+        for chains in limbs:
+            parts = tuple((c, tuple(parts_of(c, poses, self.ratios, plane=self.plane))) for c in chains)
+            found.append(Drawn(parts))
+        names = _names([[m.joint for m in _motions_in(chains)] for chains in limbs])
+        return [replace(d, name=name) for d, name in zip(found, names, strict=True)]
+
+    def _written(
+        self,
+        drawn: Sequence[Drawn],
+        motions: Sequence[Sequence[Motion]],
+        moving: Moving,
+        values: Sequence[Floats],
+        mobility: int,
+    ) -> Imported:
+        """With the fewest relations with which the family moves as the model does."""
+        fault: GcrulesError | None = None
+        for level, words in enumerate(LEVELS):
+            naming = Naming([d.parts for d in drawn], self.size, level, plane=self.plane)
+            text, order = robot_text(
+                drawn, naming, self.ratios, self.pair, title=_title(self.model), note=self._note(), mobility=mobility
+            )
+            try:
+                robot = parse_robot(text, self.model.filename, _id(self.model))
+            except GcrulesError as wrong:
+                fault = fault or wrong
+                if DEBUG: print(level, wrong.render(), text)
+                continue
+            sorted_motions = [motions[k] for k in order]
+            at = [_values_of(moving, own, values[0]) for own in sorted_motions]
+            if differs := generic(robot, sorted_motions, at, self.pair, self.size):
+                fault = fault or InputError(differs)
+                if DEBUG: print(level, differs, text)
+                continue
+            read = {(m.joint, m.place): m for m in self.read}
+            before = [
+                [replace(m, at=read[m.joint, m.place].at, axis=read[m.joint, m.place].axis) for m in own]
+                for own in sorted_motions
+            ]
+            most = deviation(robot, before, self.pair, self.size, self.tolerance)
+            return self._account(robot, text, [drawn[k] for k in order], most, words)
+        self._refuse(fault)
+
+    def _refuse(self, fault: GcrulesError | None) -> NoReturn:
+        message = fault.message if fault else ""
+        raise InputError(
+            f"no robot file was found that moves as the model does: {message}",
+            hint="robot files have limbs of up to 12 joints with one relation for each point and direction; "
+            "write this one by hand, or name another --platform",
+        ) from fault
+
+    def _account(self, robot: Robot, text: str, drawn: Sequence[Drawn], most: float, words: str) -> Imported:
+        used = {m.joint for m in self.motions}
+        limbs = tuple(
+            ImportedLimb(spec.name, spec.chain, tuple((p.kind + p.driven, p.joints) for p in d.parts))
+            for spec, d in zip(robot.limbs, drawn, strict=True)
+        )
+        return Imported(
+            robot,
+            text,
+            self.model.filename,
+            self.model.format,
+            *self.pair,
+            self.ends.why,
+            limbs,
+            self.driven,
+            tuple((n, *limits) for n, limits in self._limits()),
+            tuple(j.name for j in self.graph.joints if j.name not in used),
+            self.moved,
+            self.tolerance,
+            most,
+            self.size,
+            words,
+            tuple(self.notes),
+        )
+
+    def _limits(self) -> Iterator[tuple[str, tuple[float, float]]]:
+        for j in self.model.joints:
+            if j.name in self.driven and j.limits is not None:
+                yield j.name, j.limits
+
+    def _note(self) -> str:
+        own = [f"{n} from {low:.6g} to {high:.6g}" for n, (low, high) in self._limits()]
+        limits = f"; limits of the actuators from home, in metres and radians: {', '.join(own)}" if own else ""
+        name = PurePath(self.model.filename).name
+        return f"imported from {name}, with {self.ends.platform} as the platform; lengths in metres{limits}"
+
+
+def _lengths(poses: dict[str, Floats], size: float) -> dict[str, Floats]:
+    """Poses with lengths in metres again."""
+    scale = np.ones((4, 4))
+    scale[:3, 3] = size
+    return {body: pose * scale for body, pose in poses.items()}
+
+
+def _turn_to_z(normal: Floats) -> Floats:
+    """A turn that takes a direction to z; x stays where it is if it can."""
+    z = normal if normal.sum() > 0 else -normal
+    x = np.eye(3)[np.argmin(np.abs(z) + [0, 1e-9, 2e-9])]
+    x = x - z * (x @ z)
+    x /= np.linalg.norm(x)
+    return np.array([x, np.cross(z, x), z])
+
+
+def _values_of(moving: Moving, motions: Sequence[Motion], values: Floats) -> Floats:
+    places = {(m.joint, m.place): own for m, own in zip(moving.motions, moving.own, strict=True)}
+    starts = {(m.joint, m.place): m.start for m in moving.motions}
+    found = []
+    for m in motions:
+        own = values[places[m.joint, m.place]]
+        found.append(own if m.start == starts[m.joint, m.place] else -own)
+    return np.concatenate(found)
+
+
+def _motions_in(chains: Sequence[Chain]) -> list[Motion]:
+    found: list[Motion] = []
+    for chain in chains:
+        for item in chain.items:
+            found += item.inner if isinstance(item, Bars) else (item,)
+    return found
+
+
+def _guess(motions: Sequence[Motion], mobility: int) -> list[str]:
+    """Joints that could be driven: the slides, or else the first turns from the base, if these are as many."""
+    slides = [m.joint for m in motions if m.kind == "P"]
+    base = motions[0].start
+    turns = [m.joint for m in motions if m.kind == "R" and base in (m.start, m.end)]
+    return next((own for own in (slides, turns) if len(own) == mobility), [])
+
+
+def _names(limbs: Sequence[Sequence[str]]) -> list[str]:
+    """Names for limbs: "leg", where the names of its joints say no more."""
+    return ["leg %" for _ in limbs]
+
+
+def _title(model: Model) -> str:
+    return model.name.replace("%", " ").strip() or PurePath(model.filename).stem
+
+
+def _id(model: Model) -> str:
+    return PurePath(model.filename).stem or "robot"
