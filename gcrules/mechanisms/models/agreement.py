@@ -8,6 +8,7 @@ import numpy as np
 
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.models.model import ModelCoupling
 from gcrules.mechanisms.models.motions import Motion
 from gcrules.mechanisms.models.moving import Moving, span
 from gcrules.mechanisms.robot import Robot
@@ -19,7 +20,12 @@ _SPREAD = 30  # how many times the tolerance products of wrenches and twists may
 
 
 def deviation(
-    robot: Robot, limbs: Sequence[Sequence[Motion]], ends: tuple[str, str], size: float, tolerance: float
+    robot: Robot,
+    limbs: Sequence[Sequence[Motion]],
+    couplings: Sequence[ModelCoupling],
+    ends: tuple[str, str],
+    size: float,
+    tolerance: float,
 ) -> float:
     """The largest power of a wrench of the robot file at home on a twist that the joints of the model allow the platform,
     both of length 1 with lengths in parts of the size: of each limb, with its actuators free and locked.
@@ -33,7 +39,7 @@ def deviation(
     allowed = _SPREAD * max(tolerance, 1e-9)
     for spec, motions in zip(robot.limbs, limbs, strict=True):
         limb = spec.at({n: FLOATS.vector(v) for n, v in values.items()}, FLOATS)
-        moving = Moving(motions, ends[0], size=size)
+        moving = Moving(motions, ends[0], couplings, size)
         driven = {m.joint for m in motions if m.driven}
         for held, wrenches in (((), limb.constraints(FLOATS)), (sorted(driven), limb.locked(FLOATS))):
             twists = moving.twists(ends[1], moving.home, held, allowed)
@@ -51,7 +57,12 @@ def deviation(
 
 
 def generic(
-    robot: Robot, limbs: Sequence[Sequence[Motion]], values: Sequence[Floats], ends: tuple[str, str], size: float
+    robot: Robot,
+    limbs: Sequence[Sequence[Motion]],
+    couplings: Sequence[ModelCoupling],
+    values: Sequence[Floats],
+    ends: tuple[str, str],
+    size: float,
 ) -> str:
     """In what a random member of the family differs from the model some way from home, in the numbers of wrenches of
     each limb; "" if in nothing.
@@ -59,7 +70,7 @@ def generic(
     member = robot.family.member("import")
     for spec, motions, own in zip(robot.limbs, limbs, values, strict=True):
         limb = spec.at(member, RESIDUES)
-        moving = Moving(motions, ends[0], size=size)
+        moving = Moving(motions, ends[0], couplings, size)
         driven: Collection[str] = sorted({m.joint for m in motions if m.driven})
         for held, wrenches in (((), limb.constraints(RESIDUES)), (driven, limb.locked(RESIDUES))):
             count = 6 - len(moving.twists(ends[1], own, tuple(held)))

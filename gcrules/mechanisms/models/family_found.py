@@ -54,7 +54,7 @@ class Naming:
         self.slots: dict[Slot, Named] = {}
         self.frame = [Known(n, -1, "direction", np.tile(a, (self._count(limbs), 1)), (), parameters=False)
                       for n, a in zip("xyz", np.eye(3), strict=True)]  # fmt: skip
-        self.shared = self._shared(limbs) if level else {}
+        self.shared = self._shared(limbs)
         for k, parts in enumerate(limbs):
             self._limb(k, parts)
 
@@ -63,24 +63,25 @@ class Naming:
         return len(limbs[0][0].slots[0].values)
 
     def _shared(self, limbs: Sequence[Sequence[Part]]) -> dict[Slot, Known]:
-        """Points, and from level 2 on directions, that are the same in several limbs."""
+        """Centres of joints that several limbs have; from level 1 on all points, from level 2 on directions too."""
         found: dict[Slot, Known] = {}
-        own = [(k, s) for k, parts in enumerate(limbs) for p in parts for s in p.slots]
-        for sort, stems in (("point", "OQVW"), ("direction", "hklg")):
+        own = [(k, p, s) for k, parts in enumerate(limbs) for p in parts for s in p.slots]
+        for sort, stem in (("point", "O"), ("direction", "h")):
+            wanted = [(k, s) for k, p, s in own if s.sort == sort and (self.level or p.kind in ("S", "U"))]
             if sort == "direction" and self.level < 2:
                 continue
             groups: list[list[tuple[int, Slot]]] = []
-            for k, slot in own:
-                if slot.sort == sort:
-                    group = next((g for g in groups if self._same(sort, g[0][1].values, slot.values)), None)
-                    groups.append([(k, slot)]) if group is None else group.append((k, slot))
-            stem = iter(stems + "".join(f"{s}{n}" for n in range(1, 10) for s in stems[:1]))
-            for group in groups:
-                if len({k for k, _ in group}) > 1:
-                    values = group[0][1].values
-                    one = self._of_frame(values) if sort == "direction" else None
-                    one = one or Known(next(stem), -1, sort, values)
-                    found.update((slot, one) for _, slot in group)
+            for k, slot in wanted:
+                group = next((g for g in groups if self._same(sort, g[0][1].values, slot.values)), None)
+                groups.append([(k, slot)]) if group is None else group.append((k, slot))
+            groups = [g for g in groups if len({k for k, _ in g}) > 1]
+            several = len(groups) > 1
+            stems = "hklg" if sort == "direction" and len(groups) < 5 else [f"{stem}{n + 1}" for n in range(len(groups))]
+            for n, group in enumerate(groups):
+                values = group[0][1].values
+                one = self._of_frame(values) if sort == "direction" else None
+                one = one or Known(stem if not several else stems[n], -1, sort, values)
+                found.update((slot, one) for _, slot in group)
         return found
 
     def _of_frame(self, values: Floats) -> Known | None:
@@ -101,7 +102,8 @@ class Naming:
         part_of = {s: p for p, s in slots}
         own: list[Known] = []
         order: list[Known] = []  # points along the limb
-        for slot in (*first, *points):
+        held = [s for s in rest if s in self.shared]
+        for slot in (*held, *first, *points):
             self.slots[slot] = (self._name(k, slot, part_of[slot], own, order),)
             if slot.sort == "point" and (not order or order[-1] is not self.slots[slot][0]):
                 order.append(self.slots[slot][0])

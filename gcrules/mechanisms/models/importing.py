@@ -31,8 +31,6 @@ from gcrules.mechanisms.robot import Robot
 __all__ = ["Imported", "ImportedLimb", "import_file", "import_model", "robot_of_file"]
 
 _SEEDS = (1, 2, 3)
-import os
-DEBUG = os.environ.get('DBG')
 _MOST = 400  # joints between base and platform
 
 
@@ -172,6 +170,7 @@ class _Import:
         self.tolerance = tolerance
         self.read = motions_of(graph, names, driven)
         self.notes = [*graph.notes, *getattr(graph.model, "notes", ())]
+        self.couplings = [c for c in graph.model.couplings if c.joint in ratios]
         self.pair = (ends.base, ends.platform)
         self.motions, self.moved = snapped(self.read, self.pair, tolerance)
         self.plane = self._plane()
@@ -195,8 +194,7 @@ class _Import:
         return True
 
     def found(self) -> Imported:
-        couplings = [c for c in self.model.couplings if c.joint in self.ratios]
-        moving = Moving(self.motions, self.ends.base, couplings, self.size)
+        moving = Moving(self.motions, self.ends.base, self.couplings, self.size)
         values = [v for v in (moving.near_home(seed) for seed in _SEEDS) if v is not None]
         if not values:
             raise InputError(
@@ -260,20 +258,18 @@ class _Import:
                 robot = parse_robot(text, self.model.filename, _id(self.model))
             except GcrulesError as wrong:
                 fault = fault or wrong
-                if DEBUG: print(level, wrong.render(), text)
                 continue
             sorted_motions = [motions[k] for k in order]
             at = [_values_of(moving, own, values[0]) for own in sorted_motions]
-            if differs := generic(robot, sorted_motions, at, self.pair, self.size):
+            if differs := generic(robot, sorted_motions, self.couplings, at, self.pair, self.size):
                 fault = fault or InputError(differs)
-                if DEBUG: print(level, differs, text)
                 continue
             read = {(m.joint, m.place): m for m in self.read}
             before = [
                 [replace(m, at=read[m.joint, m.place].at, axis=read[m.joint, m.place].axis) for m in own]
                 for own in sorted_motions
             ]
-            most = deviation(robot, before, self.pair, self.size, self.tolerance)
+            most = deviation(robot, before, self.couplings, self.pair, self.size, self.tolerance)
             return self._account(robot, text, [drawn[k] for k in order], most, words)
         self._refuse(fault)
 

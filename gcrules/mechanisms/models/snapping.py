@@ -127,12 +127,9 @@ def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list
             for place, members in centres:
                 if k not in members and _off(m.axis, place - m.at) < near:
                     members.append(k)
-    for k, m in enumerate(motions):  # an axis that meets nothing, but goes on in another
+    for k, m in enumerate(motions):  # an axis that meets nothing
         if m.has_line and not any(k in members for _, members in centres):
             put(m.at, [k])
-            for i, other in enumerate(motions):
-                if other.has_line and i != k and _off(m.axis, other.at - m.at) < near and _parallel(m, other):
-                    put(m.at, [i])
     held: set[int] = set()
     for place, members in centres[:balls] + centres[balls:]:
         lines = [k for k in members if k in held and motions[k].has_line]
@@ -144,10 +141,6 @@ def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list
                 found[k] = place
                 held.add(k)
     return found
-
-
-def _parallel(one: Motion, other: Motion) -> bool:
-    return bool(np.linalg.norm(np.cross(one.axis, other.axis)) < 1e-9)
 
 
 def _off(axis: Floats, away: Floats) -> float:
