@@ -42,6 +42,7 @@ __all__ = [
     "Loaded",
     "Source",
     "is_data",
+    "is_model",
     "is_path",
     "kind_of",
     "load",
@@ -58,6 +59,10 @@ LOADED = (Structure, Platform, Robot, Analysis, RobotAnalysis)
 
 _load_robot = deferred("gcrules.mechanisms.description.robot_file:load_robot")
 _parse_robot = deferred("gcrules.mechanisms.description.robot_file:parse_robot")
+_robot_of_model = deferred("gcrules.mechanisms.models.importing:robot_of_file")
+
+MODELS = (".urdf", ".sdf", ".mjcf", ".xml")
+"""Endings of files with models of links and joints: URDF, SDF, MJCF."""
 
 _OF_JOINTS = {"limbs", "lines", "mobility", "copies"}  # keys that geometry files do not have
 _KEY = re.compile(r"^\s*(?:\{|[\"']?[A-Za-z_]+[\"']?\s*:(?:\s|$))", re.MULTILINE)
@@ -86,7 +91,7 @@ def load(
     """What a source says: a `Structure` of legs, a `Platform` with coordinates, or a `Robot` of joints.
 
     A text is, in this sequence, the text of a geometry file or robot file; the name of such a file (with its ending, a
-    folder, or there on the disk); the id of a robot or of a class of a catalog (shipped, or of `plugins`, folders of
+    folder, or there on the disk), or of a model of links and joints (URDF, SDF, MJCF); the id of a robot or of a class of a catalog (shipped, or of `plugins`, folders of
     the user's own), or of an example; else legs. Legs may be a sequence of pairs, too, and are read with `points`,
     `ideal`, `given` and `rank` as for `gcrules.analyze`. A mapping holds the data of a file. What was loaded or
     analysed before is given back as it is. `filename` names texts and data in messages; "-" is standard input where
@@ -157,6 +162,8 @@ def read_robot(name: str | PathLike[str], plugins: Folders = ()) -> Robot:
     FileError with all faults of the file.
     """
     found = find_robot(name, plugins)
+    if is_model(found.path):
+        return _robot(_robot_of_model(found.path))
     return _robot(_load_robot(found.path, found.owner))
 
 
@@ -181,6 +188,8 @@ def read_example(name: str) -> Platform:
 
 
 def _read_file(path: str) -> Platform | Robot:
+    if is_model(path):
+        return _robot(_robot_of_model(path))
     return _robot(_load_robot(path)) if _describes_joints(Document.load(path)) else load_platform(path)
 
 
@@ -198,7 +207,12 @@ def _describes_joints(document: Document) -> bool:
 
 def is_path(word: str) -> bool:
     """Whether a word names a file: by its ending, by a folder, or as it is there on the disk."""
-    return word.lower().endswith((".yaml", ".yml")) or os.sep in _MEETS.sub("", word) or os.path.isfile(word)
+    return word.lower().endswith((".yaml", ".yml", *MODELS)) or os.sep in _MEETS.sub("", word) or os.path.isfile(word)
+
+
+def is_model(path: str) -> bool:
+    """Whether a file is that of a model of links and joints, by its ending."""
+    return path.lower().endswith(MODELS)
 
 
 def is_data(text: str) -> bool:

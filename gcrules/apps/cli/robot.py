@@ -1,4 +1,4 @@
-"""The commands about robots: robot list, show, check, analyze, pose, docs, export, new."""
+"""The commands about robots: robot list, show, check, analyze, pose, docs, export, import, new."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ from gcrules.apps.cli.files import OutputCommand, OutputFile, figure_option, wor
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
 from gcrules.apps.cli.robot_export import export
+from gcrules.apps.cli.robot_import import import_
 from gcrules.apps.cli.sources import in_mode, mode_option
 from gcrules.core.budget import checkpoint
 from gcrules.core.deferred import deferred
@@ -290,6 +291,7 @@ def new_command(robot_id: str, path: str | None) -> None:
 
 robot.add_command(docs)
 robot.add_command(export)
+robot.add_command(import_)
 for _decides in SEEDED:
     if _decides in robot.commands:
         seeded(robot.commands[_decides])

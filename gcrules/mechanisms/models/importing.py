@@ -10,7 +10,6 @@ from typing import NoReturn
 
 import numpy as np
 
-from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError, GcrulesError, InputError
 from gcrules.core.hints import near
 from gcrules.mechanisms.description.robot_file import parse_robot
@@ -19,56 +18,20 @@ from gcrules.mechanisms.models.agreement import deviation, generic
 from gcrules.mechanisms.models.chains_between import Bars, Chain, Poses, limbs_between
 from gcrules.mechanisms.models.family_found import LEVELS, Naming
 from gcrules.mechanisms.models.graph import Ends, Graph, graph_of
+from gcrules.mechanisms.models.imported import Imported, ImportedLimb
 from gcrules.mechanisms.models.merging import Ratios, parts_of
 from gcrules.mechanisms.models.model import Model
 from gcrules.mechanisms.models.motions import Motion, motions_of
 from gcrules.mechanisms.models.moving import Moving
 from gcrules.mechanisms.models.reading import read_model
 from gcrules.mechanisms.models.robot_text import Drawn, robot_text
-from gcrules.mechanisms.models.snapping import TOLERANCE, Moved, size_of, snapped
+from gcrules.mechanisms.models.snapping import TOLERANCE, size_of, snapped
 from gcrules.mechanisms.robot import Robot
 
-__all__ = ["Imported", "ImportedLimb", "import_file", "import_model", "robot_of_file"]
+__all__ = ["import_file", "import_model", "robot_of_file"]
 
 _SEEDS = (1, 2, 3)
 _MOST = 400  # joints between base and platform
-
-
-@dataclass(frozen=True)
-class ImportedLimb:
-    """A limb of the robot file: its name there, its joints in short, and for each of them the joints of the model."""
-
-    name: str
-    chain: str
-    joints: tuple[tuple[str, tuple[str, ...]], ...]
-
-
-@dataclass(frozen=True)
-class Imported:
-    """A robot file made from a model, its `text` and what it says, with an account of how it was made.
-
-    `limits` are those of the driven joints, from home, in metres and radians; `moved` says by how much joints were
-    moved to make them exact, and `deviation` how well the wrenches at home agree with the joints of the model as they
-    were read (power of unit wrenches on unit twists, lengths in parts of the size).
-    """
-
-    robot: Robot
-    text: str
-    filename: str
-    format: str
-    base: str
-    platform: str
-    why: str
-    limbs: tuple[ImportedLimb, ...]
-    actuated: tuple[str, ...]
-    limits: tuple[tuple[str, float, float], ...]
-    left_out: tuple[str, ...]
-    moved: tuple[Moved, ...]
-    tolerance: float
-    deviation: float
-    size: float
-    relations: str
-    notes: tuple[str, ...] = ()
 
 
 def robot_of_file(

@@ -1,0 +1,64 @@
+"""The import of a model, as text and as LaTeX: what was read, what was merged, and by how much joints were moved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gcrules.mechanisms.models.imported import Imported
+from gcrules.views.formulas.latex_text import latex_table, latex_words
+from gcrules.views.text_tables import ASCII, table
+
+__all__ = ["as_latex", "as_text"]
+
+_MOST = 8
+_LITTLE = 1e-9
+
+
+def as_text(r: Imported, *, unicode: bool = False) -> str:
+    """The account of an import; without `unicode` in ASCII."""
+    found = "\n".join(table([*_rows(r)]))
+    return found if unicode else found.translate(ASCII)
+
+
+def as_latex(r: Imported) -> str:
+    """The same as a tabular."""
+    return latex_table([(latex_words(name), latex_words(value)) for name, value in _rows(r)])
+
+
+def _rows(r: Imported) -> Iterator[tuple[str, str]]:
+    yield "model", f"{r.robot.title} ({r.format.upper()}), {r.size:.4g} m across its joints"
+    yield "base", r.base
+    yield "platform", f"{r.platform}, {r.why}; mobility {r.robot.mobility}"
+    for limb in r.limbs:
+        names = list(dict.fromkeys(n for _, own in limb.joints for n in own))
+        yield limb.name, f"{limb.chain}: {_several(names)}"
+    merged = [f"{kind.rstrip('*')} of {' and '.join(names)}" for limb in r.limbs for kind, names in limb.merged]
+    if merged:
+        yield "merged", _several(merged, "; ")
+    yield "driven", _several(r.actuated, most=24)
+    if r.limits:
+        yield "limits", _several([f"{n} {low:.6g} to {high:.6g}" for n, low, high in r.limits], most=24) + "; from home"
+    if r.left_out:
+        yield "left out", f"{_several(r.left_out)}: between {r.base} and {r.platform} these hold nothing"
+    yield "moved", _moved(r)
+    yield "checked", (
+        "the wrenches of each limb at home, free and locked, against the twists of the model's joints:"
+        f" power {r.deviation:.1e} at most"
+    )
+    for note in r.notes:
+        yield "note", note
+
+
+def _moved(r: Imported) -> str:
+    distance, angle = r.farthest
+    if distance <= _LITTLE * r.size and angle <= _LITTLE:
+        return f"no joint was moved (tolerance {r.tolerance:g})"
+    most = max(r.moved, key=lambda m: max(m.distance / r.size, m.angle))
+    count = sum(m.distance > _LITTLE * r.size or m.angle > _LITTLE for m in r.moved)
+    said = f"{count} {'joint' if count == 1 else 'joints'} to make axes and centres exact, by {distance:.2g} m and"
+    return f"{said} {angle:.2g} rad at most ({most.joint} the farthest; tolerance {r.tolerance:g})"
+
+
+def _several(names: tuple[str, ...] | list[str], sign: str = ", ", most: int = _MOST) -> str:
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return sign.join(names[:most]) + more
